@@ -83,12 +83,17 @@ struct Case {
         std::vector<double> poisson;    ///< [-]
     };
 
-    /// What `relaxation` comes from. The reader resolves each of the three ways to `moduli` and
-    /// `times`, one per branch and in its order, and empties the others.
+    /// What `relaxation` comes from. The reader resolves each of the four ways to `moduli` and
+    /// `times`, one per branch and in its order, beside the relaxed modulus, and empties the
+    /// others.
     struct RelaxationInput {
+        enum class Modulus { relaxed, unrelaxed };
+
+        Modulus modulus = Modulus::relaxed;     ///< what the substrate's is
         std::optional<double> maxwell_modulus;  ///< G2 [Pa] of a standard solid
         std::optional<double> viscosity;        ///< eta [Pa s] of a standard solid
         std::vector<double> moduli;             ///< G_i [Pa]
+        std::vector<double> relative_moduli;    ///< g_i = G_i/G_0, G_0 the unrelaxed one [-]
         std::vector<double> times;              ///< tau_i [s]
         std::optional<std::string> dma;         ///< file of a DMA table
     };

@@ -67,6 +67,8 @@ resolve() {
 resolve >"$work/case.toml" || exit $?
 [ -n "$model" ] || model=$(sed -n 's/^models = *\[ *['\''"]\([^'\''"]*\).*/\1/p' "$work/case.toml")
 resolve --set "models=[\"$model\"]" >"$work/case.toml" || exit $?
+grep -q '^\[substrate.relaxation\]' "$work/case.toml" ||
+    refuse "$case_file: the substrate does not relax: shifts are the same at all speeds; add [substrate.relaxation]"
 cat >"$work/study.toml" <<EOF
 case = "case.toml"
 [vary]

@@ -97,7 +97,7 @@ void check_indenter_keys(const contact::Case& c, const Document& document);
 /// Reads what `indenter.file` holds of a profile. Throws contact::InputError at the key.
 void resolve_indenter_file(contact::Case& c, const Document& document);
 
-/// Turns whichever of the three ways a case took (`relaxation_input`) into the branches of
+/// Turns whichever of the four ways a case took (`relaxation_input`) into the branches of
 /// `relaxation`, and into the moduli and times that say the same. Without relaxation it does
 /// nothing. Throws contact::InputError; contact::NotConverged if no series fits a DMA table.
 void resolve_relaxation(contact::Case& c, const Document& document);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <iterator>
 
+#include "io/case/rig_keys.h"
 #include "io/keys/toml_document.h"
 
 namespace tricontact::io {
@@ -117,12 +118,17 @@ const KeyList& case_key_list() {
     return list;
 }
 
+const KeyList& case_file_keys() {
+    static const KeyList list = with_rig_keys(case_key_list(), rolling_rig_keys());
+    return list;
+}
+
 const CaseKey* find_key(std::string_view path) {
     return static_cast<const CaseKey*>(case_key_list().find(path));
 }
 
 bool is_section(std::string_view name) {
-    return case_key_list().has_section(name);
+    return case_file_keys().has_section(name) || is_printed(name);
 }
 
 }  // namespace tricontact::io

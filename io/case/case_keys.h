@@ -14,6 +14,8 @@ using CaseKey = PlacedKey<contact::Case>;
 /// All keys in the order in which they are written.
 const std::vector<CaseKey>& case_keys();
 const KeyList& case_key_list();
+/// These and those of a rig: all that a case file may hold, but for the names in [printed].
+const KeyList& case_file_keys();
 /// The place of a key in the case; none where it does not apply to its shape.
 Field place_of(const CaseKey& key, contact::Case& c);
 const CaseKey* find_key(std::string_view path);

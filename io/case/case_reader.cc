@@ -6,6 +6,8 @@
 
 #include "io/case/case_checks.h"
 #include "io/case/case_keys.h"
+#include "io/case/rig_file.h"
+#include "io/case/rig_keys.h"
 #include "io/keys/input_file.h"
 
 namespace tricontact::io {
@@ -24,6 +26,7 @@ void make_optional_parts(Case& c, const Document& document) {
     if (document.find_section("tractive_rolling")) c.tractive_rolling = Case::TractiveRolling{};
     if (!document.find_section("rolling")) return;
     c.rolling = Case::Rolling{};
+    if (document.find("rolling.speed")) c.rolling->speed = 1;
     if (document.find("rolling.increment")) c.rolling->steps = Case::Steps::increment;
     if (document.find("rolling.steps")) c.rolling->steps = Case::Steps::turning_points;
 }
@@ -56,7 +59,7 @@ void make_paths_absolute(Case& c, const Document& document) {
 
 Case resolve(const Document& document) {
     const KeyList& keys = case_key_list();
-    check_known(document, keys);
+    check_known_of_rig(document, case_file_keys(), rolling_rig_keys());
     Case c;
     make_optional_parts(c, document);
     const CaseKey& shape = *find_key("indenter.shape");  // other keys depend on it
@@ -119,12 +122,12 @@ Case parse_case(std::string_view text, const std::string& name,
                 const std::vector<std::string>& overrides) {
     Document document = parse_document(text, name);
     require_kind(FileKind::contact, document);
-    apply_overrides(document, overrides, case_key_list());
+    apply_overrides(document, overrides, case_file_keys());
     return resolve(document);
 }
 
 Case resolve_case(Document document, const std::vector<Entry>& overrides) {
-    apply_overrides(document, overrides, case_key_list());
+    apply_overrides(document, overrides, case_file_keys());
     return resolve(document);
 }
 

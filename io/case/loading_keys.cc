@@ -145,9 +145,13 @@ std::vector<CaseKey> rolling_keys() {
                     {.alternative = steps}),
          in_steps<Steps::turning_points, &Rolling::steps>},
         {quantity_key("rolling.speed", Dimension::velocity, above_zero(1e9), R"("1 mm/s")",
-                      "speed of the drive, the same all along the path",
-                      {.required = true, .needs = "substrate.relaxation"}),
-         if_relaxing<&Case::rolling, &Rolling::speed>}};
+                      "speed of the drive, the same all along the path; of elastic substrates the "
+                      "checks of a rig alone use it",
+                      {.required = true}),
+         [](Case& c) {
+             const bool has_one = c.rolling && (c.relaxation || c.rolling->speed > 0);
+             return has_one ? Field(&c.rolling->speed) : Field();
+         }}};
 }
 
 std::vector<CaseKey> tractive_keys() {

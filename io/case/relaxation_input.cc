@@ -1,5 +1,7 @@
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <utility>
 
 #include "contact/substrates/relaxing_case.h"
 #include "io/case/case_checks.h"
@@ -16,28 +18,100 @@ using Input = Case::RelaxationInput;
 
 const std::string prefix = "substrate.relaxation.";
 
-// The shape of the table, ratios over its relaxed modulus, goes with the case's own modulus.
-void resolve_dma(Case& c, const Document& document) {
-    Input& input = c.relaxation_input;
-    const std::string key = prefix + "dma";
-    check_file_there(document, key, *input.dma, "name a table");
-    told_at(document, key, [&] { c.dma_fit = contact::fit_prony(read_dma_table(*input.dma)); });
-    for (const auto& [ratio, time] : c.dma_fit->relaxation.branches) {
-        input.moduli.push_back(ratio * c.substrate.shear_modulus());
-        input.times.push_back(time);
-    }
-    input.dma.reset();
+// A Prony series, and what the relaxed modulus is of the unrelaxed one.
+struct Series {
+    std::string key;             // that says it
+    std::vector<double> moduli;  // G_i beside the relaxed one [Pa]
+    std::vector<double> times;   // [s]
+    double relaxed_share = 1;    // G_inf/G_0
+};
+
+double sum_of(const std::vector<double>& values) {
+    return std::accumulate(values.begin(), values.end(), 0.);
 }
 
-void check_lists(const Input& input, const Document& document) {
-    const std::size_t n = input.moduli.size();
-    if (input.times.size() != n)
+bool is_unrelaxed(const Case& c) {
+    return c.relaxation_input.modulus == Input::Modulus::unrelaxed;
+}
+
+Series of_moduli(const Case& c, Series series, const Document& document) {
+    const double given = c.substrate.shear_modulus(), sum = sum_of(series.moduli);
+    if (!is_unrelaxed(c)) return series;
+    if (!(sum < given))
+        refuse(document, series.key,
+               "the moduli sum to " + rounded(sum) +
+                   " Pa, no less than the unrelaxed shear modulus " + rounded(given) +
+                   " Pa: nothing would be left at rest",
+               "check them and substrate.young, or say modulus = \"relaxed\"");
+    series.relaxed_share = (given - sum) / given;
+    return series;
+}
+
+Series of_relative(const Case& c, const Document& document) {
+    const Input& input = c.relaxation_input;
+    Series series{prefix + "relative_moduli", input.relative_moduli, input.times};
+    const double sum = sum_of(input.relative_moduli), given = c.substrate.shear_modulus();
+    if (!(sum < 1))
+        refuse(document, series.key,
+               "the sum is " + rounded(sum) + ": nothing would be left at rest",
+               "give moduli over the unrelaxed one, G_i/G_0");
+    series.relaxed_share = 1 - sum;
+    const double unrelaxed = is_unrelaxed(c) ? given : given / series.relaxed_share;
+    for (double& modulus : series.moduli) modulus *= unrelaxed;
+    return series;
+}
+
+// The shape of the table, ratios over its relaxed modulus, goes with the case's own modulus.
+Series of_dma(Case& c, const Document& document) {
+    const std::string& table = *c.relaxation_input.dma;
+    Series series{.key = prefix + "dma"};
+    check_file_there(document, series.key, table, "name a table");
+    told_at(document, series.key, [&] { c.dma_fit = contact::fit_prony(read_dma_table(table)); });
+    const contact::Relaxation& fit = c.dma_fit->relaxation;
+    series.relaxed_share = 1 / fit.instantaneous_ratio();
+    const double given = c.substrate.shear_modulus(),
+                 relaxed = is_unrelaxed(c) ? given * series.relaxed_share : given;
+    for (const auto& [ratio, time] : fit.branches) {
+        series.moduli.push_back(ratio * relaxed);
+        series.times.push_back(time);
+    }
+    return series;
+}
+
+Series series_of(Case& c, const Document& document) {
+    const Input& input = c.relaxation_input;
+    if (!input.times.empty() && (input.maxwell_modulus || input.dma))
         refuse(document, prefix + "times",
-               "has " + std::to_string(input.times.size()) + " elements, but moduli has " +
-                   std::to_string(n),
+               "has no effect without moduli or relative_moduli, which are missing",
+               "omit this key");
+    if (input.maxwell_modulus)
+        return of_moduli(
+            c,
+            {prefix + "eta", {*input.maxwell_modulus}, {*input.viscosity / *input.maxwell_modulus}},
+            document);
+    if (input.dma) return of_dma(c, document);
+    if (!input.relative_moduli.empty()) return of_relative(c, document);
+    return of_moduli(c, {prefix + "moduli", input.moduli, input.times}, document);
+}
+
+// The relaxed substrate of one that was given as it is at once.
+void take_relaxed(Case& c, double share) {
+    if (c.relaxation->bulk == Relaxation::Bulk::proportional)
+        c.substrate.young *= share;
+    else
+        c.substrate = c.substrate.with_shear_ratio(share);
+}
+
+void check_lists(const Series& series, const Document& document) {
+    const std::size_t n = series.times.size();
+    if (n != series.moduli.size())
+        refuse(document, prefix + "times",
+               "has " + std::to_string(n) + " elements, but " +
+                   std::string(name_of_key(series.key)) + " has " +
+                   std::to_string(series.moduli.size()),
                "give one relaxation time for each modulus");
-    for (auto it = input.times.begin(); it != input.times.end(); ++it)
-        if (std::find(input.times.begin(), it, *it) != it)
+    for (auto it = series.times.begin(); it != series.times.end(); ++it)
+        if (std::find(series.times.begin(), it, *it) != it)
             refuse(document, prefix + "times", "the time " + rounded(*it) + " s stands twice",
                    "make one term of the two, with the sum of their moduli");
 }
@@ -101,21 +175,13 @@ bool says(const Input& input, const Case& c) {
 
 void resolve_relaxation(Case& c, const Document& document) {
     if (!c.relaxation) return;
-    Input& input = c.relaxation_input;
-    std::string key = prefix + "moduli";
-    if (input.maxwell_modulus) {
-        key = prefix + "eta";
-        input.moduli = {*input.maxwell_modulus};
-        input.times = {*input.viscosity / *input.maxwell_modulus};
-        input.maxwell_modulus = input.viscosity = std::nullopt;
-    } else if (input.dma) {
-        key = prefix + "dma";
-        resolve_dma(c, document);
-    }
-    check_lists(input, document);
-    for (std::size_t i = 0; i < input.moduli.size(); ++i)
+    Series series = series_of(c, document);
+    check_lists(series, document);
+    if (is_unrelaxed(c)) take_relaxed(c, series.relaxed_share);
+    c.relaxation_input = {.moduli = std::move(series.moduli), .times = std::move(series.times)};
+    for (std::size_t i = 0; i < c.relaxation_input.moduli.size(); ++i)
         c.relaxation->branches.push_back(branch(c, i));
-    check_branches(c, key, document);
+    check_branches(c, series.key, document);
 }
 
 void state_relaxation(Case& c) {

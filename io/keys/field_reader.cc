@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "io/keys/messages.h"
+#include "io/keys/uncertain_number.h"
 
 namespace tricontact::io {
 
@@ -27,7 +28,15 @@ double in_range(double value, const Key& key, const Entry& entry, const std::str
     refuse(key, entry, "must be " + expected + ", but is " + std::string(kind_of(entry.value)));
 }
 
+// The value of "0.57 ± 0.01" or "8 ± 0.1 mm" alone.
+std::optional<double> value_of_uncertain(const Key& key, const Entry& entry) {
+    const auto* text = std::get_if<std::string>(&entry.value);
+    if (!text || !states_uncertainty(*text)) return {};
+    return in_range(read_uncertain_number(key, entry).value.value, key, entry);
+}
+
 double number_of(const Key& key, const Entry& entry) {
+    if (const auto value = value_of_uncertain(key, entry)) return *value;
     if (const auto* v = std::get_if<std::int64_t>(&entry.value))
         return in_range(static_cast<double>(*v), key, entry);
     if (const auto* v = std::get_if<double>(&entry.value)) return in_range(*v, key, entry);
@@ -51,6 +60,7 @@ double quantity_of(const std::string& text, const Key& key, const Entry& entry,
 }
 
 double quantity_of(const Key& key, const Entry& entry) {
+    if (const auto value = value_of_uncertain(key, entry)) return *value;
     const auto* text = std::get_if<std::string>(&entry.value);
     const std::string what(name_of(key.dimension));
     if (!text) {
@@ -225,6 +235,19 @@ std::string range_rule(const Key& key) {
         "must be " + std::string(r.low_included ? "at least " : "greater than ") + bound(r.low) +
         " and " + (r.high_included ? "at most " : "less than ") + bound(r.high);
     return key.reason.empty() ? rule : rule + ": " + std::string(key.reason);
+}
+
+UncertainNumber read_uncertain_number(const Key& key, const Entry& entry) {
+    try {
+        const auto* text = std::get_if<std::string>(&entry.value);
+        if (text && states_uncertainty(*text)) return parse_uncertain_number(*text, key.dimension);
+    } catch (const QuantityError& error) {
+        refuse(key, entry, error.rule, error.remedy);
+    }
+    UncertainNumber exact;
+    read_field(key, entry, Field(&exact.value.value));
+    exact.value = {exact.value.value};
+    return exact;
 }
 
 void read_field(const Key& key, const Entry& entry, const Field& field) {

@@ -4,6 +4,7 @@
 
 #include "io/keys/key.h"
 #include "io/keys/toml_document.h"
+#include "io/keys/uncertain_number.h"
 
 namespace tricontact::io {
 
@@ -13,6 +14,9 @@ std::string range_rule(const Key& key);
 /// Puts the value of an entry into the field of its key: type, unit, choice and range are checked.
 /// An empty field is left alone after the checks. Throws contact::InputError.
 void read_field(const Key& key, const Entry& entry, const Field& field);
+/// The number of a key of one number or quantity with its uncertainty, exact where none is stated;
+/// read_field() takes the value alone. Throws contact::InputError.
+UncertainNumber read_uncertain_number(const Key& key, const Entry& entry);
 /// The choice that the entry makes of those of its key. Throws contact::InputError.
 const Choice& read_choice(const Key& key, const Entry& entry);
 

@@ -84,9 +84,9 @@ constexpr std::array<KindText, 6> kind_texts{
     {{"a contact case", "tricontact run computes it"},
      {"a case of the micro-walking machine", "tricontact walk computes it"},
      {"a study", "tricontact sweep computes it"},
-     {"a rig file", "tricontact rig checks it"},
-     {"an experiment file", "tricontact experiment evaluates it"},
-     {"a measurement", "tricontact identify evaluates it"}}};
+     {"a rig file of the old format", "tricontact convert makes a case of it"},
+     {"an experiment file of the old format", "tricontact convert makes a case of it"},
+     {"a measurement of the old format", "tricontact convert makes a case of it"}}};
 
 }  // namespace
 
@@ -110,6 +110,13 @@ std::string read_input_file(const std::string& path, std::string_view what, std:
     } catch (const files::Unreadable& why) {
         refuse(path, why, kind);
     }
+}
+
+FileKind kind_of(const Document& document) {
+    for (const auto& [kind, name, is_section] : marks)
+        if (is_section ? document.find_section(name) != nullptr : document.find(name) != nullptr)
+            return kind;
+    return FileKind::contact;
 }
 
 void require_kind(FileKind expected, const Document& document) {

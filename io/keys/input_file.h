@@ -26,6 +26,10 @@ enum class FileKind { contact, walking, study, rig, experiment, measurement };
 /// Whether the file is about the micro-walking machine: it has a section [machine].
 bool is_walk_case(const Document& document);
 
+/// What the document shows itself to be by its keys and sections; a contact case where nothing
+/// tells.
+FileKind kind_of(const Document& document);
+
 /// Throws contact::InputError "this is a study, not a case; tricontact sweep computes it" if the
 /// document shows by its keys and sections that it is of another kind than the one expected.
 void require_kind(FileKind expected, const Document& document);

@@ -38,7 +38,9 @@ bool is_given(std::string_view needed, const Document& document, const KeyList& 
 // At most one of the keys that exclude each other, and no key without the one it needs.
 void check_combinations(const Document& document, const KeyList& keys) {
     for (const Entry& entry : document.entries) {
-        const Key& key = *keys.find(entry.path);
+        const Key* known = keys.find(entry.path);
+        if (!known) continue;  // checked elsewhere
+        const Key& key = *known;
         for (const Key* other : keys.alternatives(key))
             if (other != &key && document.find(other->path) &&
                 &entry > document.find(other->path))  // blame the later one
@@ -153,8 +155,8 @@ const Entry& required(const Key& key, const Document& document, const KeyList& k
     return *entry;
 }
 
-void check_known(const Document& document, const KeyList& keys) {
-    check_names(document, keys);
+void check_known(const Document& document, const KeyList& keys, const OtherNames& others) {
+    check_names(document, keys, others);
     check_combinations(document, keys);
 }
 

@@ -23,7 +23,7 @@ void check_names(const Document& document, const KeyList& keys, const OtherNames
 
 /// As check_names; throws contact::InputError also at keys
 /// that exclude each other, and at a key without the one it needs.
-void check_known(const Document& document, const KeyList& keys);
+void check_known(const Document& document, const KeyList& keys, const OtherNames& others = {});
 
 /// Throws contact::InputError "missing key <path>; add <name> = <example>" where the key, or one of
 /// its alternatives, should stand.

@@ -22,7 +22,7 @@ struct Traits {
 };
 
 const Traits& traits(Dimension dimension) {
-    static constexpr std::array<Traits, 16> all{
+    static constexpr std::array<Traits, 17> all{
         {{"pure number", "a pure number", "1", "0.5"},
          {"length", "a length", "m", "40 mm"},
          {"pressure", "a pressure", "Pa", "5.2 MPa"},
@@ -38,7 +38,8 @@ const Traits& traits(Dimension dimension) {
          {"stiffness", "a stiffness", "N/m", "2e7 N/m"},
          {"acceleration", "an acceleration", "m/s2", "9.81 m/s2"},
          {"moment of inertia", "a moment of inertia", "kg m2", "1.7e-4 kg m2"},
-         {"rotation per length", "a rotation per length", "rad/m", "0.5 rad/m"}}};
+         {"rotation per length", "a rotation per length", "rad/m", "0.5 rad/m"},
+         {"energy per area", "an energy per area", "J/m2", "50 mJ/m2"}}};
     return all[static_cast<std::size_t>(dimension)];
 }
 

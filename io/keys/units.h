@@ -22,7 +22,8 @@ enum class Dimension {
     stiffness,
     acceleration,
     moment_of_inertia,
-    rotation_per_length
+    rotation_per_length,
+    energy_per_area
 };
 
 std::string_view name_of(Dimension dimension);     ///< "a length"

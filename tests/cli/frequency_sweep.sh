@@ -73,7 +73,7 @@ refused "a value is missing" "$case_file" 0.1 10 3 --set
 refused "models" "$case_file" 0.1 10 3 --model mdrr
 refused "unknown key mdr.spring" "$case_file" 0.1 10 3 --set mdr.spring=5
 refused "cannot be read" missing.toml 0.1 10 3
-refused "rolling.speed" "$source_dir/examples/cases/rig_sphere_parallel.toml" 0.1 10 3
+refused "the substrate does not relax" "$source_dir/examples/cases/rig_sphere_parallel.toml" 0.1 10 3
 refused "is no program" "$case_file" 0.1 10 3 --program missing
 
 finish

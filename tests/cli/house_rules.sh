@@ -34,7 +34,7 @@ may_include mdr contact theory
 may_include bem contact theory files
 may_include fem contact meshes files
 # Services.
-may_include io contact files
+may_include io contact statistics files
 may_include report contact statistics
 may_include comparisons contact theory statistics io report
 # Features, which do not know each other.

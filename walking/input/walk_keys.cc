@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "io/case/rig_keys.h"
+
 namespace tricontact::walking {
 
 namespace {
@@ -253,6 +255,11 @@ const std::vector<WalkKey>& walk_keys() {
 
 const io::KeyList& walk_key_list() {
     static const io::KeyList list(walk_keys(), "docs/walking.md");
+    return list;
+}
+
+const io::KeyList& walk_file_keys() {
+    static const io::KeyList list = io::with_rig_keys(walk_key_list(), io::walking_rig_keys());
     return list;
 }
 

@@ -13,6 +13,8 @@ using WalkKey = io::PlacedKey<WalkCase>;
 /// All keys in the order in which they are written.
 const std::vector<WalkKey>& walk_keys();
 const io::KeyList& walk_key_list();
+/// These and those of a rig: all that a file may hold, but for the names in [printed].
+const io::KeyList& walk_file_keys();
 
 /// Whether the key describes a machine with dimensions, whose kappas follow.
 bool is_dimensional(const io::Key& key);

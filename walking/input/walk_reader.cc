@@ -4,6 +4,8 @@
 #include <cmath>
 
 #include "io/case/case_reader.h"
+#include "io/case/rig_file.h"
+#include "io/case/rig_keys.h"
 #include "io/keys/field_reader.h"
 #include "io/keys/input_file.h"
 #include "io/keys/key_checks.h"
@@ -18,7 +20,8 @@ namespace {
 // Makes those parts of the case that the document has, so that their fields have a place.
 void make_optional_parts(WalkCase& c, const io::Document& document) {
     for (const io::Entry& entry : document.entries)
-        if (is_dimensional(*walk_key_list().find(entry.path))) c.dimensional = DimensionalMachine{};
+        if (const io::Key* key = walk_key_list().find(entry.path); key && is_dimensional(*key))
+            c.dimensional = DimensionalMachine{};
     if (document.find_section("bed")) c.machine.bed = Bed{};
     if (!document.find("contact.diameter")) return;
     c.input.contact = SpotContact{};
@@ -113,9 +116,10 @@ void check_time(const WalkCase& c, const io::Document& document) {
 void check_one_kind(const io::Document& document) {
     const io::Entry *kappa = nullptr, *dimension = nullptr;
     for (const io::Entry& entry : document.entries) {
-        const io::Key& key = *walk_key_list().find(entry.path);
-        if (!kappa && key.path.starts_with("machine.kappa")) kappa = &entry;
-        if (is_dimensional(key) && !dimension) dimension = &entry;
+        const io::Key* key = walk_key_list().find(entry.path);
+        if (!key) continue;  // of the rig
+        if (!kappa && key->path.starts_with("machine.kappa")) kappa = &entry;
+        if (is_dimensional(*key) && !dimension) dimension = &entry;
     }
     if (!kappa || !dimension) return;
     const auto& [earlier, later] = std::minmax(kappa, dimension);
@@ -156,7 +160,7 @@ WalkCase resolve(const io::Document& document) {
                  "missing section [machine]: no case of the walking machine",
                  "add a section [machine] with its kappas");
     const io::KeyList& keys = walk_key_list();
-    io::check_known(document, keys);
+    io::check_known_of_rig(document, walk_file_keys(), io::walking_rig_keys());
     check_one_kind(document);
     WalkCase c;
     make_optional_parts(c, document);
@@ -178,12 +182,12 @@ WalkCase parse_walk_case(std::string_view text, const std::string& name,
                          const std::vector<std::string>& overrides) {
     io::Document document = io::parse_document(text, name);
     io::require_kind(io::FileKind::walking, document);
-    io::apply_overrides(document, overrides, walk_key_list());
+    io::apply_overrides(document, overrides, walk_file_keys());
     return resolve(document);
 }
 
 WalkCase resolve_walk_case(io::Document document, const std::vector<io::Entry>& overrides) {
-    io::apply_overrides(document, overrides, walk_key_list());
+    io::apply_overrides(document, overrides, walk_file_keys());
     return resolve(document);
 }
 

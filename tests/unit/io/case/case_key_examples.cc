@@ -26,7 +26,9 @@ std::vector<const Key*> with_companions(const Key& key) {
     };
     for (std::size_t i = 0; i < keys.size(); ++i) {
         if (const Key* needed = find_key(keys[i]->needs)) add(needed);
-        const bool said = key.alternative > 0 || find_key(key.needs);
+        const bool is_time = key.path == "substrate.relaxation.times";
+        if (is_time) add(find_key("substrate.relaxation.moduli"));
+        const bool said = key.alternative > 0 || find_key(key.needs) || is_time;
         if (relaxes(*keys[i]) && !said) add(find_key("substrate.relaxation.G2"));
         if (relaxes(*keys[i])) add(find_key("rolling.speed"));
         for (const Key& other : case_keys())

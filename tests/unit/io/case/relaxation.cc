@@ -1,4 +1,4 @@
-// A relaxing substrate in case files: three ways of saying it, one case.
+// A relaxing substrate in case files: four ways of saying it, one case.
 
 #include <gtest/gtest.h>
 
@@ -60,6 +60,66 @@ void expect_same(const Case& a, const Case& b) {
     EXPECT_EQ(a.relaxation->bulk, b.relaxation->bulk);
 }
 
+// G_0 = G_inf/(1 - sum g_i), and E_inf of an E_0: closed forms of a Prony series.
+TEST(RelaxationInput, RelativeModuliAreThoseOfTheUnrelaxedOne) {
+    const std::string terms =
+        "[substrate.relaxation]\nrelative_moduli = [0.3, 0.2]\n"
+        "times = [\"0.1 s\", \"10 s\"]\n";
+    const Case relaxed = parsed(terms);
+    EXPECT_DOUBLE_EQ(relaxed.substrate.young, 5.1e6);
+    EXPECT_NEAR(relaxed.relaxation->branches[0].ratio, .3 / .5, 1e-12);
+    EXPECT_NEAR(relaxed.relaxation->branches[1].ratio, .2 / .5, 1e-12);
+    EXPECT_NEAR(relaxed.relaxation->instantaneous_ratio(), 2, 1e-12);
+    const Case at_once = parsed(terms + "modulus = \"unrelaxed\"\n");
+    EXPECT_NEAR(at_once.substrate.young, 5.1e6 / 2, 1e-6);
+    EXPECT_NEAR(at_once.relaxation->branches[0].ratio, .6, 1e-12);
+    // The same said by moduli: G_0 = 1.7 MPa.
+    const Case said = parsed(
+        "[substrate.relaxation]\nmoduli = [\"0.51 MPa\", \"0.34 MPa\"]\n"
+        "times = [\"0.1 s\", \"10 s\"]\nmodulus = \"unrelaxed\"\n");
+    EXPECT_NEAR(said.substrate.young / at_once.substrate.young, 1, 1e-12);
+    EXPECT_NEAR(said.relaxation->branches[1].ratio, .4, 1e-12);
+    // The resolved case is one of the relaxed modulus, and reads back the same.
+    const std::string text = write_case(at_once);
+    EXPECT_NE(text.find("modulus = \"relaxed\""), std::string::npos) << text;
+    EXPECT_EQ(write_case(parse_case(text, "resolved.toml")), text);
+    expect_same(at_once, parse_case(text, "resolved.toml"));
+}
+
+// Of an elastic bulk the bulk modulus is the one that was given: K = E/(3 (1 - 2 nu)).
+TEST(RelaxationInput, AnElasticBulkKeepsItsModulusWhenTheUnrelaxedOneIsGiven) {
+    const std::string text = head +
+                             "[substrate.relaxation]\nrelative_moduli = [0.5]\n"
+                             "times = [\"1 s\"]\nmodulus = \"unrelaxed\"\n"
+                             "bulk = \"elastic\"\n" +
+                             tail;
+    const Case c = parse_case(text, "relaxing.toml", {"substrate.poisson=0.4"});
+    const double bulk = 5.1e6 / (3 * (1 - .8)), shear = 5.1e6 / 2.8 / 2;
+    EXPECT_NEAR(c.substrate.shear_modulus(), shear, 1e-6 * shear);
+    EXPECT_NEAR(c.substrate.young / (3 * (1 - 2 * c.substrate.poisson)), bulk, 1e-6 * bulk);
+}
+
+TEST(RelaxationInput, RefusesASeriesThatLeavesNothingAtRest) {
+    EXPECT_NE(message_of(head +
+                         "[substrate.relaxation]\nrelative_moduli = [0.6, 0.4]\n"
+                         "times = [\"0.1 s\", \"10 s\"]\n" +
+                         tail)
+                  .find("the sum is 1: nothing would be left at rest"),
+              std::string::npos);
+    EXPECT_NE(message_of(head +
+                         "[substrate.relaxation]\nmoduli = [\"2 MPa\"]\ntimes = [\"1 s\"]\n"
+                         "modulus = \"unrelaxed\"\n" +
+                         tail)
+                  .find("no less than the unrelaxed shear modulus"),
+              std::string::npos);
+    EXPECT_NE(message_of(head +
+                         "[substrate.relaxation]\nrelative_moduli = [0.3]\n"
+                         "moduli = [\"2 MPa\"]\ntimes = [\"1 s\"]\n" +
+                         tail)
+                  .find("contradicts"),
+              std::string::npos);
+}
+
 TEST(RelaxationInput, StandardSolid) {
     const Case c = parsed(standard);
     ASSERT_TRUE(c.relaxation);
@@ -117,7 +177,7 @@ TEST(RelaxationInput, SectionMayBeWrittenInline) {
 TEST(RelaxationInput, ResolvedCaseIsTheSeriesInSiUnits) {
     const std::string text = write_case(parsed(standard));
     EXPECT_NE(text.find("\n[substrate.relaxation]\nmoduli = [\"1e+06 Pa\"]\n"
-                        "times = [\"4e-05 s\"]\nbulk = \"proportional\"\n"),
+                        "times = [\"4e-05 s\"]\nmodulus = \"relaxed\"\nbulk = \"proportional\"\n"),
               std::string::npos)
         << text;
     EXPECT_NE(text.find("press_time = \"0.5 s\"\nhold = \"60 s\"\n"), std::string::npos) << text;

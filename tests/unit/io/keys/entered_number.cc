@@ -1,9 +1,9 @@
 #include <gtest/gtest.h>
 
 #include "contact/error.h"
-#include "experiments/assumptions/measured_quantity.h"
 #include "io/keys/number_text.h"
 #include "io/keys/toml_document.h"
+#include "io/keys/uncertain_number.h"
 #include "io/tables/csv_table.h"
 
 namespace tricontact::io::entered_number_test {
@@ -56,10 +56,10 @@ TEST(EnteredNumber, WholeOnlyWhereDoublesAre) {
 }
 
 TEST(EnteredNumber, APlusStandsInTablesAndMeasuredValues) {
-    const auto q = experiments::parse_measured_quantity("+1.55 ± +.13", Dimension::none);
+    const auto q = parse_uncertain_number("+1.55 ± +.13", Dimension::none);
     EXPECT_EQ(q.value.value, 1.55);
     EXPECT_EQ(q.value.standard_error, .13);
-    EXPECT_EQ(experiments::parse_measured_quantity("+.5 mm", Dimension::length).half_digit, .05e-3);
+    EXPECT_EQ(parse_uncertain_number("+.5 mm", Dimension::length).half_digit, .05e-3);
     const CsvTable table("a\n+1\n.24\n5.\n+2e-1\n", "table", {"table", "a", 10, "thin", 1});
     EXPECT_EQ(table.values("a", Dimension::none), (std::vector<double>{1, .24, 5, .2}));
     EXPECT_FALSE(number_in("+-1"));

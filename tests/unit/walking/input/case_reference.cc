@@ -34,7 +34,7 @@ TEST(ResultReference, DocumentsNameEveryQuantityAsDeclared) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Documents, CaseReference,
-                         testing::Values(&io::case_key_list(), &walk_key_list()));
+                         testing::Values(&io::case_file_keys(), &walk_file_keys()));
 
 }  // namespace
 }  // namespace tricontact::walking::case_reference_test

@@ -1,0 +1,86 @@
+#include "io/case/rig_file.h"
+
+#include <algorithm>
+#include <array>
+
+#include "io/case/case_reader.h"
+#include "io/case/rig_keys.h"
+#include "io/keys/field_reader.h"
+#include "io/keys/input_file.h"
+#include "io/keys/key_checks.h"
+
+namespace tricontact::io {
+
+namespace {
+
+bool is_setting(const Key& key) {
+    constexpr std::array<std::string_view, 5> sections{"bem", "mdr", "fem", "output", "time"};
+    return std::ranges::count(sections, key.section()) > 0 || key.path == "rolling.increment";
+}
+
+bool has_uncertainty(const Entry& entry) {
+    const auto* text = std::get_if<std::string>(&entry.value);
+    return text && states_uncertainty(*text);
+}
+
+// What is propagated is evaluated within the errors.
+void check_range(const Entry& entry, const Key& key, const statistics::Estimate& number) {
+    const double error = number.standard_error;
+    if (key.range.contains(number.value - error) && key.range.contains(number.value + error))
+        return;
+    // At the end of its range, such as nu = 1/2, a number is uncertain to the other side.
+    if (number.value == key.range.high && key.range.contains(number.value - error)) return;
+    fail(entry.place, entry.subject(), "with its error it " + range_rule(key),
+         "write for example " + std::string(key.name()) + " = " + std::string(key.example));
+}
+
+}  // namespace
+
+std::vector<UncertainKey> uncertain_keys(const Document& document, const KeyList& keys) {
+    std::vector<UncertainKey> uncertain;
+    for (const Entry& entry : document.entries) {
+        const Key* key = keys.find(entry.path);
+        const bool is_number =
+            key && (key->kind == Key::Kind::number || key->kind == Key::Kind::quantity);
+        if (!is_number || !has_uncertainty(entry)) continue;
+        if (is_setting(*key))
+            fail(entry.place, entry.subject(),
+                 "is a setting of the computation, and has no uncertainty", "omit what follows ±");
+        const UncertainNumber number = read_uncertain_number(*key, entry);
+        check_range(entry, *key, number.value);
+        if (number.value.standard_error > 0) uncertain.push_back({key, number, entry.place});
+    }
+    return uncertain;
+}
+
+void check_known_of_rig(const Document& document, const KeyList& all,
+                        const std::vector<Key>& rig_keys) {
+    check_known(document, all, {.sections = {"printed"}, .is_open = is_printed});
+    for (const Key& key : rig_keys)
+        if (const Entry* entry = document.find(key.path)) read_field(key, *entry, {});
+    uncertain_keys(document, all);
+}
+
+std::vector<UncertainKey> RigFile::uncertain_of_case() const {
+    std::vector<UncertainKey> result;
+    std::ranges::copy_if(uncertain, std::back_inserter(result),
+                         [](const UncertainKey& one) { return find_key(one.key->path); });
+    return result;
+}
+
+RigFile parse_rig_file(std::string_view text, const std::string& name,
+                       const std::vector<std::string>& overrides) {
+    RigFile rig;
+    rig.document = parse_document(text, name);
+    require_kind(FileKind::contact, rig.document);
+    apply_overrides(rig.document, overrides, case_file_keys());
+    rig.c = resolve_case(rig.document, {});
+    rig.uncertain = uncertain_keys(rig.document, case_file_keys());
+    return rig;
+}
+
+RigFile read_rig_file(const std::string& path, const std::vector<std::string>& overrides) {
+    return parse_rig_file(read_input_file(path), path, overrides);
+}
+
+}  // namespace tricontact::io

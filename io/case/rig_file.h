@@ -1,0 +1,45 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "contact/case.h"
+#include "io/case/case_keys.h"
+#include "io/keys/toml_document.h"
+#include "io/keys/uncertain_number.h"
+
+namespace tricontact::io {
+
+/// A number of a file that states how uncertain it is.
+struct UncertainKey {
+    const Key* key = nullptr;
+    UncertainNumber number;
+    std::string place;  ///< file:line:column
+};
+
+/// Those of a document, of these keys, in the order of the text. Throws contact::InputError at a
+/// number that is a setting of the computation, not a property of a rig, and where a number with
+/// its standard error subtracted or added is out of its range.
+std::vector<UncertainKey> uncertain_keys(const Document& document, const KeyList& keys);
+
+/// Checks names and combinations of all keys and, with their values, those that only a rig has:
+/// the commands that use them read them. Throws contact::InputError.
+void check_known_of_rig(const Document& document, const KeyList& all,
+                        const std::vector<Key>& rig_keys);
+
+/// A case file as a rig is described by it: commands that need no uncertainties read its case.
+struct RigFile {
+    Document document;  ///< overrides included
+    contact::Case c;    ///< by the values
+    std::vector<UncertainKey> uncertain;
+
+    /// Those of a case's keys.
+    std::vector<UncertainKey> uncertain_of_case() const;
+};
+
+/// Throws contact::InputError as read_case().
+RigFile read_rig_file(const std::string& path, const std::vector<std::string>& overrides = {});
+RigFile parse_rig_file(std::string_view text, const std::string& name,
+                       const std::vector<std::string>& overrides = {});
+
+}  // namespace tricontact::io

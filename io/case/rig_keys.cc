@@ -1,0 +1,165 @@
+#include "io/case/rig_keys.h"
+
+#include <algorithm>
+#include <array>
+#include <stdexcept>
+#include <string>
+
+namespace tricontact::io {
+
+namespace {
+
+using enum Dimension;
+
+constexpr double longest = 1e9;      // [s]
+constexpr int measured_table = 100;  // group of alternatives; cases have their own
+
+std::vector<Key> record_keys() {
+    return {
+        choice_key(
+            "record.kind",
+            {choice("shakedown", RecordKind::shakedown),
+             choice("ratcheting", RecordKind::ratcheting), choice("limit", RecordKind::limit)},
+            R"("shakedown")",
+            "procedure: rolled at one amplitude below the limit of shakedown, at one beyond "
+            "it, or at amplitudes that rise in steps",
+            {.required = true}),
+        list_of(choice_key("record.runs", {}, R"(["run_1.csv"])",
+                           "tables of time, shift and, if it was recorded, drive, one for each "
+                           "repeated run",
+                           {.required = true})),
+        number_key("record.confidence", {0.5, 0.999}, "0.683", "level of the intervals",
+                   {.default_value = "0.683"}),
+        quantity_key("record.resolution", length, above_zero(1), R"("80 nm")",
+                     "step of the recorded shift; without it seen in the record"),
+        quantity_key("record.loading", time, {-longest, longest}, R"("10 s")",
+                     "when the tangential load was applied; without it before the record"),
+        quantity_key("record.drive.start", time, {-longest, longest}, R"("60 s")",
+                     "when rolling began, where no column says what the drive did"),
+        quantity_key("record.drive.period", time, above_zero(longest), R"("4.5 s")",
+                     "of the rolling; without it four amplitudes over the speed, or found in the "
+                     "shift"),
+        quantity_key("record.drive.amplitude", length, above_zero(1), R"("1.1 mm")",
+                     "rolling amplitude W; without it that of the case"),
+        quantity_key("record.drive.speed", velocity, above_zero(1e9), R"("1 mm/s")",
+                     "speed of the drive"),
+        integer_key("record.drive.periods", {1, 100'000}, "12", "rolling periods")};
+}
+
+std::vector<Key> measurement_keys() {
+    const KeyExtras one_table{.alternative = measured_table};
+    return {
+        text_key("measurement.static_shift", R"("shift.csv")",
+                 "table of tangential forces and the shifts they caused under load.normal_force, "
+                 "before any rolling",
+                 one_table),
+        text_key("measurement.force_indentation", R"("indentation.csv")",
+                 "table of indentations and the normal forces they took", one_table),
+        text_key("measurement.contact_radius", R"("radius.csv")",
+                 "table of normal forces and contact radii", one_table),
+        list_of(choice_key("measurement.find", {{"substrate.young"}, {"friction.coefficient"}},
+                           R"(["substrate.young"])",
+                           "keys that follow from the table; their values in the case are not used",
+                           {.required = true})),
+        list_of(choice_key("measurement.models",
+                           {{"half-space"}, {"layer"}, {"atlas"}, {"bem-layer"}, {"fem"}},
+                           R"(["half-space", "layer"])",
+                           "models that explain the table: closed forms of the half-space, the "
+                           "theory of the layer, the shipped maps, or a model that computes",
+                           {.required = true})),
+        number_key("measurement.confidence", {0.5, 0.9999}, "0.95", "level of the intervals",
+                   {.default_value = "0.95"})};
+}
+
+}  // namespace
+
+const std::vector<Key>& rolling_rig_keys() {
+    static const std::vector<Key> keys = [] {
+        std::vector<Key> all{
+            quantity_key("rig.density", density, above_zero(1e15), R"("1100 kg/m3")",
+                         "density rho of the substrate"),
+            quantity_key("rig.viscosity", viscosity, above_zero(1e15), R"("40 Pa s")",
+                         "viscosity eta of the substrate as a standard solid whose relaxed shear "
+                         "modulus G_1 is that of substrate.young"),
+            number_key("rig.maxwell_ratio", above_zero(1e15), "10",
+                       "G_2/G_1 of that solid, modulus of the Maxwell element over the relaxed "
+                       "one"),
+            number_key("rig.smallest_amplitude_ratio", above_zero(1), "0.25",
+                       "least amplitude of the drive W/a"),
+            length_key("rig.reference_radius", R"("4.56 mm")",
+                       "contact radius a of the ratios in [rig]; without it Hertz'"),
+            quantity_key("rig.eigenfrequency", frequency, above_zero(1e15), R"("22 Hz")",
+                         "the lowest one of the rig, f_1"),
+            length_key("rig.pivot_displacement", R"("1.55 ± 0.13 um")",
+                       "amplitude DU of the substrate's oscillation under a roller that should "
+                       "not move it, without tangential force",
+                       {.needs = "rig.pivot_amplitude_ratio"}),
+            number_key("rig.pivot_amplitude_ratio", above_zero(1), "0.75",
+                       "W/a at which it was measured", {.needs = "rig.pivot_displacement"}),
+            quantity_key("rig.work_of_adhesion", energy_per_area, above_zero(1e6),
+                         R"("50 ± 20 mJ/m2")", "work of adhesion Dgamma of the two surfaces"),
+            length_key("rig.interatomic_distance", R"("0.3 nm")",
+                       "distance z_0 over which they attract each other; without it 0.3 nm",
+                       {.needs = "rig.work_of_adhesion"}),
+            length_key("rig.contact_size", R"("9.0 ± 0.5 mm")",
+                       "measured diameter of the contact, width 2a of a line")};
+        for (auto* const part : {record_keys, measurement_keys})
+            std::ranges::move(part(), std::back_inserter(all));
+        return all;
+    }();
+    return keys;
+}
+
+const std::vector<Key>& walking_rig_keys() {
+    static const std::vector<Key> keys{
+        length_key("rig.disc_diameter", R"("60 mm")", "diameter D of the two discs",
+                   {.required = true}),
+        length_key("rig.disc_length", R"("5 mm")", "length l_2 of a disc", {.required = true}),
+        length_key("rig.centre_length", R"("18 mm")", "length l_1 of the body between the discs",
+                   {.required = true}),
+        length_key("rig.edge_radius", R"("5 mm")", "radius R_c of the discs where they touch",
+                   {.required = true}),
+        length_key("rig.wear_diameter", R"("2 mm")", "diameter of the worn contacts"),
+        quantity_key("rig.rod_stiffness", stiffness, above_zero(1e15), R"("2.42e5 ± 0.14e5 N/m")",
+                     "stiffness k of the rod or spring alone", {.required = true}),
+        quantity_key("rig.sensor_stiffness", stiffness, above_zero(1e15), R"("2e7 N/m")",
+                     "stiffness of the force sensor in series with it; without it rigid"),
+        length_key("rig.rod_length", R"("100 mm")", "length l_s of the rod"),
+        modulus_key("rig.rod_young", R"("3.42 ± 0.02 GPa")", "Young's modulus E_s of the rod"),
+        quantity_key("rig.frequency", frequency, above_zero(1e15), R"("240 ± 62 Hz")",
+                     "characteristic frequency Omega_exp of the measured spring force",
+                     {.needs = "rig.simulated_frequency"}),
+        number_key("rig.simulated_frequency", above_zero(1e15), R"("0.1 ± 0.006")",
+                   "the same of its simulation in units of 1/tau, omega_sim",
+                   {.needs = "rig.characteristic_time"}),
+        quantity_key("rig.characteristic_time", time, above_zero(1e15), R"("4.7e-4 ± 1.5e-4 s")",
+                     "tau that the evaluation uses", {.needs = "rig.frequency"}),
+        quantity_key("rig.sampling_rate", frequency, above_zero(1e15), R"("4000 Hz")",
+                     "of the spring force", {.needs = "rig.frequency"})};
+    return keys;
+}
+
+const Key& rig_key(std::string_view path) {
+    for (const auto* keys : {&rolling_rig_keys(), &walking_rig_keys()})
+        if (const auto key = std::ranges::find(*keys, path, &Key::path); key != keys->end())
+            return *key;
+    throw std::out_of_range(std::string(path));
+}
+
+KeyList with_rig_keys(const KeyList& case_keys, const std::vector<Key>& rig_keys) {
+    std::vector<const Key*> keys(case_keys.keys().begin(), case_keys.keys().end());
+    for (const Key& key : rig_keys) keys.push_back(&key);
+    return {std::move(keys), case_keys.reference()};
+}
+
+bool is_of_rig(std::string_view path) {
+    const auto top = path.substr(0, path.find('.'));
+    constexpr std::array<std::string_view, 4> sections{"rig", "record", "measurement", "printed"};
+    return std::ranges::count(sections, top) > 0;
+}
+
+bool is_printed(std::string_view path) {
+    return path == "printed" || path.starts_with("printed.");
+}
+
+}  // namespace tricontact::io
