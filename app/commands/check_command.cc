@@ -102,8 +102,8 @@ void print_keys(const KeysOptions& options) {
     else if (kind == "summary")
         std::cout << comparisons::summary_keys();
     else
-        std::cout << io::key_reference(kind == "walking" ? walking::walk_key_list()
-                                                         : io::case_key_list());
+        std::cout << io::key_reference(kind == "walking" ? walking::walk_file_keys()
+                                                         : io::case_file_keys());
 }
 
 }  // namespace

@@ -1,6 +1,6 @@
 #include "app/case_run.h"
 #include "app/commands/command.h"
-#include "app/identification_models.h"
+#include "app/uncertain_case.h"
 #include "experiments/records/experiment.h"
 #include "experiments/records/experiment_report.h"
 
@@ -15,46 +15,13 @@ using experiments::ExperimentEvaluation;
 // Of a limit run: by turning points the rig's layer needs 30.
 constexpr int enough_limit_periods = 40;
 
-/// What ratios of a case stand for: its own F_N [N] and W [m].
-struct Loads {
-    double normal_force = 0, amplitude = 0;
-};
-
-// Of an error of f_T or w the force or the length that the rig sets, see as_the_rig_sets.
-std::optional<CaseQuantity> set_quantity(const experiments::ExperimentInput::CaseError& error,
-                                         Case c, const Loads& loads) {
-    const double* stated = number_of(*error.key, c);
-    const std::string name(error.key->path);
-    if (stated && name == "load.tangential_ratio")
-        return CaseQuantity{name,
-                            error.standard_error * c.friction_coefficient * loads.normal_force,
-                            [](Case& set) -> double& { return *set.load.tangential_force; }};
-    if (stated && name == "rolling.amplitude_ratio")
-        return CaseQuantity{name, error.standard_error * loads.amplitude / *stated,
-                            [](Case& set) -> double& { return *set.rolling->amplitude; }};
-    return {};
-}
-
-// `c` as it was read, its loads as they were.
-std::vector<CaseQuantity> quantities_of(const experiments::ExperimentInput& input, const Case& c,
-                                        const Loads& loads) {
-    Case set = experiments::as_the_rig_sets(c, loads.normal_force, loads.amplitude);
-    std::vector<CaseQuantity> quantities;
-    for (const auto& error : input.errors) {
-        const io::CaseKey& key = *error.key;
-        if (auto quantity = set_quantity(error, c, loads)) {
-            quantities.push_back(std::move(*quantity));
-            continue;
-        }
-        if (!number_of(key, set))
-            throw contact::InputError(fmt::format(
-                "{}: errors.{}: the case does not state this number; name the key that it has",
-                error.place, key.path));
-        quantities.push_back({std::string(key.path), error.standard_error,
-                              [&key](Case& any) -> double& { return *number_of(key, any); },
-                              key.range.high});
-    }
-    return quantities;
+/// Cells, elements and springs of twice the size; meshes that a file gives stay.
+Case with_coarser_mesh(Case c) {
+    for (auto* size : {&c.bem.spacing, &c.fem.size, &c.fem.accuracy})
+        if (*size) **size *= 2;
+    if (c.bem.cells_per_radius) *c.bem.cells_per_radius /= 2;
+    c.mdr.springs /= 2;
+    return c;
 }
 
 /// The models of the case, rolled as the rig rolled.
@@ -77,10 +44,11 @@ struct Predictions {
                             *input_.case_file, c.load.limit_key()));
         const auto hertz = contact::half_space_scales(c);
         const double amplitude = contact::path_amplitude(c, hertz.contact_radius);
-        for (const auto& error : input_.errors)
-            evaluation_.uncertain_numbers.emplace_back(error.key->path);
-        experiments::normalise(evaluation_, c,
-                               quantities_of(input_, c, {hertz.normal_force, amplitude}));
+        for (const io::UncertainKey& one : input_.uncertain)
+            evaluation_.uncertain_numbers.emplace_back(one.key->path);
+        experiments::normalise(
+            evaluation_, c,
+            uncertain_case(c, hertz.normal_force, amplitude, input_.uncertain).quantities);
         for (const std::string& model : c.models)
             if (evaluation_.kind == Experiment::Kind::limit)
                 add_states(model);
@@ -90,7 +58,7 @@ struct Predictions {
 
     /// On a relaxing substrate the rest under F_T and the drive's speed are those of the record.
     void rest_as_recorded() {
-        const Case c = io::read_case(*input_.case_file, {});
+        const Case c = io::read_case(*input_.case_file, options_.overrides);
         if (!c.relaxation) return;
         const experiments::Rest& rest = evaluation_.rest;
         experiments::RolledAs& as = evaluation_.rolled_as;
@@ -100,8 +68,9 @@ struct Predictions {
     }
 
     Case case_with(double amplitude, double period, int periods, bool run_all) const {
-        std::vector<std::string> overrides{fmt::format("rolling.periods={}", periods),
-                                           fmt::format("rolling.run_all={}", run_all)};
+        std::vector<std::string> overrides = options_.overrides;
+        overrides.push_back(fmt::format("rolling.periods={}", periods));
+        overrides.push_back(fmt::format("rolling.run_all={}", run_all));
         if (amplitude > 0) overrides.push_back(fmt::format("rolling.amplitude={} m", amplitude));
         const auto& hold = evaluation_.rolled_as.hold;
         if (hold) overrides.push_back(fmt::format("load.hold={} s", *hold));
@@ -132,10 +101,15 @@ struct Predictions {
                                                 history.verdict.state,
                                                 experiments::model_wobble(c, history),
                                                 {}};
-        const Loads loads{history.friction_limit / c.friction_coefficient, history.amplitude};
-        const Case set = experiments::as_the_rig_sets(c, loads.normal_force, loads.amplitude);
-        for (const CaseQuantity& quantity : quantities_of(input_, c, loads))
-            prediction.raised.push_back(raised(name, set, quantity, prediction.shift));
+        const UncertainCase uncertain =
+            uncertain_case(c, history.friction_limit / c.friction_coefficient, history.amplitude,
+                           input_.uncertain);
+        for (const CaseQuantity& quantity : uncertain.quantities)
+            prediction.raised.push_back(raised(name, uncertain.set, quantity, prediction.shift));
+        if (!prediction.raised.empty()) {
+            options_.say(name + ": once more on a mesh of twice the size");
+            prediction.coarser = shift_of(run(name, with_coarser_mesh(c)));
+        }
         experiments::add_prediction(evaluation_, std::move(prediction));
     }
 
@@ -168,7 +142,8 @@ struct Predictions {
 
 void evaluate_records(CommandOptions options) {
     options.choose_folder();
-    const experiments::ExperimentInput input = experiments::read_experiment(options.file);
+    const experiments::ExperimentInput input =
+        experiments::read_experiment(options.file, options.overrides);
     ExperimentEvaluation evaluation = experiments::evaluate_experiment(input.experiment);
     report::Document document;
     options.fill({{"experiment.json", "report.html"}}, [&] {
@@ -186,9 +161,9 @@ void evaluate_records(CommandOptions options) {
 
 Command experiment_command() {
     return Declared<CommandOptions>(
-               "experiment", "Evaluate records of a rig; compare with the models", evaluate_records)
-        .on_file("data", "Experiment file (TOML)", "DATA.toml")
-        .output("Folder (results/<data>)")
+               "experiment", "Evaluate records of a rig; compare with its models", evaluate_records)
+        .on_case()
+        .output("Folder (results/<case>)")
         .threads()
         .quiet();
 }

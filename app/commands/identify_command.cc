@@ -174,7 +174,8 @@ void print(const IdentificationStudy& study) {
 }
 
 void identify_properties(CommandOptions options) {
-    const experiments::IdentificationInput input = experiments::read_identification(options.file);
+    const experiments::IdentificationInput input =
+        experiments::read_identification(options.file, options.overrides);
     options.choose_folder();
     IdentificationStudy study;
     options.fill({{"identify.json", "report.html"}}, [&] {
@@ -190,8 +191,8 @@ void identify_properties(CommandOptions options) {
 Command identify_command() {
     return Declared<CommandOptions>("identify", "Find E and mu from a measurement on a rig",
                                     identify_properties)
-        .on_file("data", "What was measured (TOML)", "DATA.toml")
-        .output("Folder (results/<data>)")
+        .on_case()
+        .output("Folder (results/<case>)")
         .threads()
         .quiet("No progress");
 }

@@ -1,8 +1,10 @@
 #include "app/case_run.h"
 #include "app/commands/command.h"
 #include "app/roll_models.h"
+#include "app/uncertain_prediction.h"
 #include "atlas/page/atlas_page.h"
 #include "atlas/prediction_json.h"
+#include "io/case/rig_file.h"
 #include "report/format.h"
 
 namespace tricontact::app {
@@ -17,6 +19,7 @@ constexpr const char* json_name = "prediction.json";
 
 struct PredictOptions : CommandOptions {
     bool json = false;
+    int samples = 0;  ///< of the uncertain numbers; 0: none
 };
 
 std::string text_of(const Prediction& p) {
@@ -35,10 +38,56 @@ std::string text_of(const Prediction& p) {
     return text + fmt::format("  rests on {}\n", fmt::join(p.rests_on, ", "));
 }
 
+/// Shares of the variance, the largest first, as far as they are a percent.
+std::string contributors(const SampledQuantity& sampled, const std::vector<std::string>& numbers) {
+    std::vector<std::pair<double, std::string>> shares;
+    for (std::size_t i = 0; i < numbers.size(); ++i)
+        if (const double share = 100 * sampled.indices.total[i]; share >= 1)
+            shares.emplace_back(share, fmt::format("{} {:.0f} %", numbers[i], share));
+    std::ranges::sort(shares, std::greater());
+    std::vector<std::string> words;
+    for (auto& [share, word] : shares) words.push_back(std::move(word));
+    return fmt::format("{}", fmt::join(words, ", "));
+}
+
+std::string text_of(const SampledPrediction& p) {
+    std::string text =
+        fmt::format("{}: {} samples of {}\n", p.model, p.n_samples, fmt::join(p.numbers, ", "));
+    if (p.ratchets) text += fmt::format("  ratchets in {:.3g} % of them\n", 100 * *p.ratchets);
+    if (p.outside > 0) text += fmt::format("  beyond the maps in {:.3g} %\n", 100 * p.outside);
+    for (const SampledQuantity& one : p.quantities) {
+        if (!(one.standard_deviation > 0)) continue;
+        const char* unit = *one.quantity->unit ? one.quantity->unit : "";
+        text += fmt::format("  {:<44} {} to {}{}{} (95 %); by {}\n",
+                            comparisons::label_of(*one.quantity), report::significant(one.low, 4),
+                            report::significant(one.high, 4), *unit ? " " : "", unit,
+                            contributors(one, p.numbers));
+    }
+    return text;
+}
+
+Json json_of(const SampledPrediction& p) {
+    Json quantities = Json::object();
+    for (const SampledQuantity& one : p.quantities)
+        quantities[one.quantity->key] = {{"mean", one.mean},
+                                         {"standard_deviation", one.standard_deviation},
+                                         {"quantile_2.5_percent", one.low},
+                                         {"quantile_97.5_percent", one.high},
+                                         {"first_order_indices", one.indices.first},
+                                         {"total_indices", one.indices.total}};
+    return {{"numbers", p.numbers},
+            {"samples", p.n_samples},
+            {"share_beyond_the_maps", p.outside},
+            {"share_that_ratchets", p.ratchets ? Json(*p.ratchets) : Json()},
+            {"quantities", quantities}};
+}
+
 /// All models, as JSON: a version, the resolved case and what is predicted of each.
-std::string json_text(const Case& c, const std::vector<Prediction>& predictions) {
+std::string json_text(const Case& c, const std::vector<Prediction>& predictions,
+                      const std::vector<SampledPrediction>& samples) {
     Json models = Json::object();
     for (const Prediction& p : predictions) models[p.model] = atlas::json_of(p);
+    for (const SampledPrediction& p : samples) models[p.model]["over_uncertainties"] = json_of(p);
     return Json{{"version", files::version},
                 {"case", io::case_json(io::write_case(c))},
                 {"models", models}}
@@ -70,18 +119,32 @@ void write_files(const PredictOptions& options, const Case& c, const std::string
 
 /// What atlases say of a case, without a run; with a folder also as files.
 void predict_case(const PredictOptions& options) {
-    const Case c = io::read_case(options.file, options.overrides);
+    const io::RigFile rig = io::read_rig_file(options.file, options.overrides);
+    const Case& c = rig.c;
+    if (options.samples > 0 && rig.uncertain_of_case().empty())
+        options.refuse(
+            "no number of the case states an uncertainty; write for example thickness = \"8 ± 0.1 "
+            "mm\", "
+            "or leave out --samples");
     const std::vector<std::string> models =
         options.models.empty() ? options.told_of_file([&] { return atlas::predictable_models(c); })
                                : options.models;
     std::vector<Prediction> predictions;
     for (const std::string& model : models)
         predictions.push_back(options.told_of_file([&] { return atlas::predict(c, model); }));
-    const std::string json = json_text(c, predictions);
+    std::vector<SampledPrediction> samples;
+    if (options.samples > 0)
+        for (const std::string& model : models)
+            samples.push_back(options.told_of_file([&] {
+                return sampled_prediction(c, model, rig.uncertain_of_case(), options.samples);
+            }));
+    const std::string json = json_text(c, predictions, samples);
     if (options.json)
         std::cout << json;
     else
         for (const Prediction& p : predictions) std::cout << text_of(p);
+    if (!options.json)
+        for (const SampledPrediction& p : samples) std::cout << text_of(p);
     if (options.output.empty()) return;
     write_files(options, c, json);
     if (options.json) return;
@@ -98,6 +161,9 @@ Command predict_command() {
         .on_case()
         .models("Models (those that an atlas is about)")
         .output("Folder for prediction.json and, of spheres, atlas.html, a page to play with")
+        .number("--samples", &PredictOptions::samples,
+                "Points of the uncertain numbers of the case, for distributions and Sobol' indices",
+                2, 1'000'000)
         .flag("--json", &PredictOptions::json, "As JSON, keys as in summary.json");
 }
 

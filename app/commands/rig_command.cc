@@ -8,10 +8,19 @@
 #include "comparisons/quantities/quantities.h"
 #include "experiments/assumptions/rig.h"
 #include "experiments/assumptions/rig_report.h"
+#include "io/case/rig_file.h"
+#include "io/keys/input_file.h"
+#include "report/format.h"
+#include "walking/input/walk_keys.h"
+#include "walking/input/walk_reader.h"
 
 namespace tricontact::app {
 
 namespace {
+
+struct RigOptions : CommandOptions {
+    int samples = 0;  ///< of the uncertain quantities; 0: none
+};
 
 /// A rig's sphere, taken as a rigid paraboloid, on its layer under F_N and
 /// experiments::coupling_tangential_ratio, pressed with friction in the usual steps.
@@ -78,9 +87,13 @@ void print(const experiments::RigReport& report) {
         std::cout << fmt::format("{}: {}\n", experiments::finding_of(one.standing()), one.claim);
         for (const experiments::Criterion& criterion : one.criteria)
             std::cout << fmt::format(
-                "{:4}{} = {}, {}: {}\n", "", criterion.calculation.symbol,
+                "{:4}{} = {}, {}: {}{}\n", "", criterion.calculation.symbol,
                 experiments::text_of(criterion.calculation.result, criterion.calculation.unit),
-                experiments::threshold_text(criterion), experiments::word_of(criterion.standing()));
+                experiments::threshold_text(criterion), experiments::word_of(criterion.standing()),
+                criterion.probability_violated
+                    ? fmt::format("; violated in {} % of the samples",
+                                  report::significant(100 * *criterion.probability_violated, 3))
+                    : "");
         for (const std::string& missing : one.missing)
             std::cout << fmt::format("{:4}not given: {}\n", "", missing);
         if (!one.consequence.empty()) std::cout << fmt::format("{:4}{}\n", "", one.consequence);
@@ -100,14 +113,29 @@ void print(const experiments::RigReport& report) {
     }
 }
 
+experiments::Rig read_rig(const CommandOptions& options) {
+    const std::string text = io::read_input_file(options.file);
+    io::Document document = io::parse_document(text, options.file);
+    if (!io::is_walk_case(document))
+        return experiments::rolling_rig(io::parse_rig_file(text, options.file, options.overrides));
+    walking::parse_walk_case(text, options.file, options.overrides);  // checked
+    io::apply_overrides(document, options.overrides, walking::walk_file_keys());
+    return experiments::walking_rig(document, walking::walk_file_keys());
+}
+
 /// Assumptions that are violated are a finding, no error.
-void check_assumptions(CommandOptions options) {
+void check_assumptions(RigOptions options) {
     const std::string stem = std::filesystem::path(options.file).stem().string();
     options.choose_folder();
-    const auto given = experiments::read_rig(options.file);
+    const experiments::Rig given = read_rig(options);
     experiments::RigReport report;
     options.fill({{"rig.json", "report.html"}}, [&] {
         report = experiments::check_rig(given, static_shift, rolled_growth);
+        if (options.samples > 0)
+            for (experiments::Assumption& one : report.assumptions)
+                for (experiments::Criterion& criterion : one.criteria)
+                    criterion.probability_violated =
+                        experiments::probability_of_violation(criterion, options.samples);
         options.write("rig.json", experiments::rig_json(report));
         options.write_report(experiments::rig_document(report), "tricontact rig " + stem + ".toml");
     });
@@ -117,10 +145,13 @@ void check_assumptions(CommandOptions options) {
 }  // namespace
 
 Command rig_command() {
-    return Declared<CommandOptions>("rig", "Check the assumptions of an experiment",
-                                    check_assumptions)
-        .on_file("rig", "Rig file (TOML)", "RIG.toml")
-        .output("Folder (results/<rig>)");
+    return Declared<RigOptions>("rig", "Check what the evaluation of a rig takes for granted",
+                                check_assumptions)
+        .on_case()
+        .number("--samples", &RigOptions::samples,
+                "Points of the uncertain quantities, for the chance that an assumption is violated",
+                2, 1'000'000)
+        .output("Folder (results/<case>)");
 }
 
 }  // namespace tricontact::app

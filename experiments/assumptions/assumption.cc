@@ -7,6 +7,9 @@
 
 #include "contact/error.h"
 #include "contact/root.h"
+#include "contact/special_values.h"
+#include "statistics/distribution.h"
+#include "statistics/latin_hypercube.h"
 
 namespace tricontact::experiments {
 
@@ -30,6 +33,19 @@ std::optional<double> factor_for(const Calculation& calculation, std::size_t i, 
         return std::exp(contact::bracketed_root(excess, -widest, widest, low, high, 40));
     } catch (const contact::InputError&) {
         return {};  // such a body does not exist: Poisson's ratio above 1/2
+    } catch (const std::domain_error&) {
+        return {};
+    }
+}
+
+std::optional<double> value_if_any(const Calculation& calculation, const Values& x) {
+    try {
+        const double value = calculation.function(x);
+        return std::isfinite(value) ? std::optional(value) : std::nullopt;
+    } catch (const contact::InputError&) {
+        return {};  // no such body
+    } catch (const contact::NotConverged&) {
+        return {};
     } catch (const std::domain_error&) {
         return {};
     }
@@ -65,8 +81,29 @@ std::vector<Substitute> substitutes(const Calculation& calculation, double wante
 Standing Criterion::standing() const {
     const double value = calculation.result.value, error = calculation.result.standard_error;
     if (std::abs(value - threshold) < error) return Standing::cannot_tell;
-    const bool holds = relation == Relation::at_most ? value <= threshold : value >= threshold;
-    return holds ? Standing::holds : Standing::fails;
+    return is_met_by(value) ? Standing::holds : Standing::fails;
+}
+
+double probability_of_violation(const Criterion& criterion, int n_samples) {
+    constexpr std::uint64_t seed = 1;
+    const std::vector<Given>& given = criterion.calculation.given;
+    const auto unit = statistics::latin_hypercube(n_samples, static_cast<int>(given.size()), seed);
+    int n_defined = 0, n_violated = 0;
+    for (int j = 0; j < n_samples; ++j) {
+        Values x = values_of(given);
+        for (std::size_t i = 0; i < x.size(); ++i)
+            x[i] += given[i].value.standard_error *
+                    statistics::standard_quantile(statistics::Distribution::normal, unit[i][j]);
+        const auto value = value_if_any(criterion.calculation, x);
+        if (!value) continue;
+        ++n_defined;
+        n_violated += !criterion.is_met_by(*value);
+    }
+    return n_defined > 0 ? static_cast<double>(n_violated) / n_defined : contact::undefined;
+}
+
+bool Criterion::is_met_by(double value) const {
+    return relation == Relation::at_most ? value <= threshold : value >= threshold;
 }
 
 Standing Assumption::standing() const {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -77,10 +78,19 @@ struct Criterion {
     Relation relation = Relation::at_most;
     double threshold = 0;  ///< in the calculation's unit
     std::string reason;    ///< for the threshold
+    /// Share of samples of what is given that violate it, see probability_of_violation(); empty:
+    /// none were drawn.
+    std::optional<double> probability_violated = {};
 
     /// Cannot tell where the threshold lies within the standard error of the number.
     Standing standing() const;
+    bool is_met_by(double value) const;
 };
+
+/// By a Latin hypercube of `n_samples` points of the given quantities, which are taken as normal
+/// and independent: nothing is linear here. Points at which the formula has no value are left out;
+/// NaN if it has none anywhere.
+double probability_of_violation(const Criterion& criterion, int n_samples);
 
 /// What the evaluation of an experiment takes for granted.
 struct Assumption {

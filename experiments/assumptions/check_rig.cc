@@ -82,6 +82,7 @@ RigReport check_rig(const Rig& rig, const StaticShift& static_shift, const Rolle
                                   uncoupled(rig, static_shift),
                                   growth_by_rolling(rig, growth),
                                   small_strains(rig),
+                                  no_adhesion(rig),
                                   fitted_constants(rig)};
             if (roller_is_rigid(rig)) report.curves = force_curves(rig);
             break;

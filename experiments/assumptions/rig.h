@@ -5,13 +5,15 @@
 #include <string_view>
 #include <vector>
 
-#include "experiments/assumptions/measured_quantity.h"
-#include "io/keys/key.h"
+#include "io/case/rig_file.h"
+#include "statistics/estimate.h"
 
 namespace tricontact::experiments {
 
+using statistics::Estimate;
+
 /// A number that a publication states, SI units.
-struct PrintedValue : MeasuredQuantity {
+struct PrintedValue : io::UncertainNumber {
     std::string name;    ///< of the quantity: "contact_radius"
     std::string text;    ///< as printed: "4.56 mm"
     std::string source;  ///< "table 5.1.1"
@@ -35,17 +37,16 @@ struct Rig {
     const Estimate& operator[](const std::string& symbol) const { return data.at(symbol); }
 };
 
-/// A number that a rig file may state.
-struct RigKey : io::Key {
-    std::string_view
-        symbol;  ///< in formulas, with ' behind where another quantity has the same one
-    RigKey(std::string_view name, std::string_view its_symbol, io::Dimension of,
-           std::string_view shown, bool is_required = true,
-           const io::Range& admissible = io::above_zero(1e15))
-        : Key(io::quantity_key(name, of, admissible, shown, {}, {.required = is_required})),
-          symbol(its_symbol) {}
+/// A number of a rig in its formulas.
+struct RigSymbol {
+    std::string_view symbol;  ///< with ' behind where another quantity has the same one
+    std::string_view path;    ///< of its key: "indenter.radius"
+    io::Dimension dimension = io::Dimension::none;
 };
-const std::vector<RigKey>& rig_keys(Rig::Kind kind);
+const std::vector<RigSymbol>& rig_symbols(Rig::Kind kind);
+
+/// Young's modulus [Pa] that stands for a rigid indenter: beyond what a file can state.
+inline constexpr double rigid_young = 1e18;
 
 /// A quantity whose printed value may be compared.
 struct PrintedKey {
@@ -54,11 +55,15 @@ struct PrintedKey {
 };
 const std::vector<PrintedKey>& printed_keys(Rig::Kind kind);
 
-/// Reads a rig file (docs/rig.md). Throws contact::InputError in one line:
-/// `file:line:column: key = value: rule; remedy`.
-Rig read_rig(const std::string& path);
+/// A rolling rig as a case file describes it, with [rig] and [printed] (docs/rig.md). What the case
+/// resolves - a thickness by its ratio, the amplitude of its rolling, a standard solid - is taken
+/// from there. Throws contact::InputError in one line, `file:line:column: key = value: rule;
+/// remedy`, for what formulas do not cover: other bodies, layers on anything but a rigid base to
+/// which they are bonded, a prescribed indentation.
+Rig rolling_rig(const io::RigFile& file);
 
-/// Same for a text; `name` stands for the file in messages.
-Rig parse_rig(std::string_view text, const std::string& name);
+/// A rig of the micro-walking machine as its case, which has been checked, describes it. `keys`:
+/// all that the file may hold.
+Rig walking_rig(const io::Document& document, const io::KeyList& keys);
 
 }  // namespace tricontact::experiments

@@ -29,6 +29,8 @@ static void to_json(json& to, const Criterion& criterion) {
     to["threshold"] = threshold_text(criterion);
     to["reason"] = criterion.reason;
     to["standing"] = word_of(criterion.standing());
+    if (criterion.probability_violated)
+        to["probability_violated"] = report::number(criterion.probability_violated);
 }
 
 static void to_json(json& to, const Assumption& assumption) {

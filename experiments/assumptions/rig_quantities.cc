@@ -15,23 +15,40 @@ std::vector<std::string> words_of(std::string_view symbols) {
     return words;
 }
 
-const RigKey* key_of(const Rig& rig, std::string_view symbol) {
-    const auto& keys = rig_keys(rig.kind);
-    const auto key = std::ranges::find(keys, symbol, &RigKey::symbol);
-    return key == keys.end() ? nullptr : &*key;
+const RigSymbol* stated(const Rig& rig, std::string_view symbol) {
+    const auto& symbols = rig_symbols(rig.kind);
+    const auto one = std::ranges::find(symbols, symbol, &RigSymbol::symbol);
+    return one == symbols.end() ? nullptr : &*one;
+}
+
+const DerivedQuantity* derived(const Rig& rig, std::string_view symbol) {
+    const auto& quantities =
+        rig.kind == Rig::Kind::micro_walking ? walking_quantities() : rolling_quantities();
+    const auto one = std::ranges::find(quantities, symbol, &DerivedQuantity::symbol);
+    return one == quantities.end() ? nullptr : &*one;
 }
 
 std::optional<Given> quantity_of(const Rig& rig, const std::string& symbol) {
     const std::string shown = symbol.substr(0, symbol.find('\''));
     if (rig.has(symbol))
-        return Given{shown, rig[symbol], std::string(io::si_unit(key_of(rig, symbol)->dimension))};
-    const auto& derived =
-        rig.kind == Rig::Kind::micro_walking ? walking_quantities() : rolling_quantities();
-    const auto quantity = std::ranges::find(derived, symbol, &DerivedQuantity::symbol);
-    if (quantity == derived.end()) return {};
+        return Given{shown, rig[symbol], std::string(io::si_unit(stated(rig, symbol)->dimension))};
+    const DerivedQuantity* quantity = derived(rig, symbol);
+    if (!quantity) return {};
     if (const auto value = quantity->of(rig))
         return Given{shown, *value, std::string(quantity->unit)};
     return {};
+}
+
+// The keys without which a quantity is not known.
+void add_missing(Assumption& assumption, const Rig& rig, const std::string& symbol) {
+    if (quantity_of(rig, symbol)) return;
+    const DerivedQuantity* quantity = derived(rig, symbol);
+    if (quantity)
+        for (const std::string& other : words_of(quantity->given))
+            add_missing(assumption, rig, other);
+    else if (const std::string path(stated(rig, symbol)->path);
+             std::ranges::count(assumption.missing, path) == 0)
+        assumption.missing.push_back(path);
 }
 
 bool is_known(const Rig& rig, const Formula& formula) {
@@ -68,11 +85,11 @@ std::vector<Calculation> known(const Rig& rig, const std::vector<const Formula*>
 
 bool decide(Assumption& assumption, const Rig& rig, const Formula& formula,
             Criterion::Relation relation, double threshold, std::string reason) {
-    for (const std::string& symbol : words_of(formula.given))
-        if (const RigKey* key = key_of(rig, symbol); key && !quantity_of(rig, symbol)) {
-            assumption.missing.emplace_back(key->path);
-            return false;
-        }
+    if (!is_known(rig, formula)) {
+        for (const std::string& symbol : words_of(formula.given))
+            add_missing(assumption, rig, symbol);
+        return false;
+    }
     assumption.criteria.push_back(
         {calculate(rig, formula), relation, threshold, std::move(reason)});
     return true;

@@ -17,8 +17,9 @@ using contact::with_error;
 
 /// What follows from a rig's data, where these do not state it themselves.
 struct DerivedQuantity {
-    std::string_view symbol, unit;                  ///< as RigKey's; SI, "1" of pure numbers
+    std::string_view symbol, unit;                  ///< as RigSymbol's; SI, "1" of pure numbers
     std::optional<Estimate> (*of)(const Rig& rig);  ///< empty: the rig lacks a datum
+    std::string_view given = {};  ///< symbols that it follows from and a file may lack
 };
 const std::vector<DerivedQuantity>& rolling_quantities();
 const std::vector<DerivedQuantity>& walking_quantities();
@@ -31,7 +32,7 @@ Calculation calculate(const Rig& rig, const Formula& formula);
 std::optional<Estimate> result_if_known(const Rig& rig, const Formula& formula);
 /// Of those formulas whose quantities are all known.
 std::vector<Calculation> known(const Rig& rig, const std::vector<const Formula*>& formulas);
-/// Adds a criterion, and is true; if the rig lacks a datum of it, the first such key is missing.
+/// Adds a criterion, and is true; if the rig lacks a datum of it, those keys are missing.
 bool decide(Assumption& assumption, const Rig& rig, const Formula& formula,
             Criterion::Relation relation, double threshold, std::string reason);
 

@@ -2,28 +2,25 @@
 #include <array>
 #include <functional>
 
+#include "contact/bodies/half_space_scales.h"
+#include "contact/load_path.h"
 #include "experiments/assumptions/rig.h"
-#include "io/case/case_keys.h"
+#include "io/case/rig_keys.h"
 #include "io/keys/field_reader.h"
-#include "io/keys/input_file.h"
-#include "io/keys/key.h"
 #include "io/keys/key_checks.h"
 #include "io/keys/messages.h"
-#include "io/keys/toml_document.h"
 
 namespace tricontact::experiments {
 
 namespace {
 
-constexpr std::string_view printed = "printed";
+using contact::Case;
 
-bool is_printed(std::string_view path) {
-    return path.starts_with("printed.");
-}
+constexpr std::string_view printed = "printed";
 
 // A table in [printed]: value and source of one quantity.
 bool is_printed_value(std::string_view path) {
-    return is_printed(path) && io::section_of(path) == printed;
+    return io::section_of(path) == printed;
 }
 
 void check_tables(const io::Document& document) {
@@ -34,33 +31,13 @@ void check_tables(const io::Document& document) {
                          R"( = {value = "4.56 mm", source = "table 5.1.1"})");
 }
 
-MeasuredQuantity measured(const io::Entry& entry, io::Dimension dimension) {
+io::UncertainNumber measured(const io::Entry& entry, const std::string& text,
+                             io::Dimension dimension) {
     try {
-        if (const auto* text = std::get_if<std::string>(&entry.value))
-            return parse_measured_quantity(*text, dimension);
-        if (dimension == io::Dimension::none) {
-            if (const auto* whole = std::get_if<std::int64_t>(&entry.value))
-                return {{static_cast<double>(*whole), 0}};
-            if (const auto* number = std::get_if<double>(&entry.value)) return {{*number, 0}};
-        }
-        throw io::QuantityError{
-            "must be " + std::string(io::name_of(dimension)) +
-                (dimension == io::Dimension::none ? "" : " with its unit in quotes") + ", but is " +
-                std::string(io::kind_of(entry.value)),
-            "write for example " + io::toml_string(io::example_of(dimension))};
+        return io::parse_uncertain_number(text, dimension);
     } catch (const io::QuantityError& error) {
         io::fail(entry.place, entry.subject(), error.rule, error.remedy);
     }
-}
-
-// What is propagated is evaluated within the errors.
-void check_range(const io::Entry& entry, const RigKey& key, const Estimate& quantity) {
-    const double value = quantity.value, error = quantity.standard_error;
-    const bool inside = key.range.contains(value);
-    if (inside && key.range.contains(value - error) && key.range.contains(value + error)) return;
-    io::fail(entry.place, entry.subject(),
-             (inside ? "with its error it " : "") + io::range_rule(key),
-             "write for example " + std::string(key.name()) + " = " + std::string(key.example));
 }
 
 PrintedValue printed_value(const io::Document& document, const io::Document::Section& section,
@@ -92,80 +69,115 @@ PrintedValue printed_value(const io::Document& document, const io::Document::Sec
                      "must be a text in quotes, but is " + std::string(io::kind_of(entry.value)),
                      "write what is printed, with all its digits");
         if (part == "value")
-            result = {measured(entry, key->dimension), std::string(name), *text, result.source};
+            result = {measured(entry, *text, key->dimension), std::string(name), *text,
+                      result.source};
         else
             result.source = *text;
     }
     return result;
 }
 
-const io::Key& kind_key() {
-    static const io::Key key = io::choice_key("rig", {{"rolling"}, {"micro-walking"}},
-                                              R"("rolling")", "kind of experiment");
-    return key;
-}
-
-const io::Key& shape_key() {
-    using enum Rig::Kind;
-    static const io::Key key = io::choice_key(
-        "roller.shape", {io::choice("sphere", sphere), io::choice("cylinder", cylinder)},
-        R"("sphere")", "shape of the roller");
-    return key;
-}
-
-void read_data(Rig& rig, const io::Document& document) {
-    const auto& keys = rig_keys(rig.kind);
-    const io::Key* const title = io::find_key("title");
-    std::vector<const io::Key*> known{title, &kind_key()};
-    if (rig.kind != Rig::Kind::micro_walking) known.push_back(&shape_key());
-    for (const RigKey& key : keys) known.push_back(&key);
-    const io::KeyList all(known, {});
+void read_printed(Rig& rig, const io::Document& document) {
     check_tables(document);
-    io::check_names(document, all, {.sections = {printed}, .is_open = is_printed});
-    if (const io::Entry* entry = document.find("title"))
-        io::read_field(*title, *entry, io::Field(&rig.title));
-    for (const RigKey& key : keys) {
-        const std::string section(key.section());
-        if (const io::Entry* entry = document.find(key.path)) {
-            const Estimate quantity = measured(*entry, key.dimension).value;
-            check_range(*entry, key, quantity);
-            rig.data[std::string(key.symbol)] = quantity;
-        } else if (const bool may_lack = section == "pivot" || section == "oscillation";
-                   key.required && (!may_lack || document.find_section(section))) {
-            io::refuse_missing(key, document, all);
-        }
-    }
     for (const auto& section : document.sections)
         if (is_printed_value(section.name))
             rig.printed.push_back(printed_value(document, section, printed_keys(rig.kind)));
 }
 
-void read_shape(Rig& rig, const io::Document& document) {
-    io::read_field(shape_key(), document.required("roller.shape", "add shape = \"sphere\""),
-                   io::Field(&rig.kind));
-    if (document.find("roller.length") && rig.kind == Rig::Kind::sphere)
-        io::refuse(document, "roller.length", "a sphere has no length", "omit this key");
-    if (rig.kind == Rig::Kind::cylinder)
-        document.required("roller.length", "add length = \"80 mm\"");
+void read_symbols(Rig& rig, const io::Document& document, const io::KeyList& keys) {
+    for (const RigSymbol& one : rig_symbols(rig.kind)) {
+        const io::Entry* entry = document.find(one.path);
+        if (!entry) continue;
+        const io::Key& key = *keys.find(one.path);
+        const Estimate number = io::read_uncertain_number(key, *entry).value;
+        // Derivatives are taken to both sides.
+        if (!key.range.contains(number.value + number.standard_error))
+            io::fail(entry->place, entry->subject(), "with its error it " + io::range_rule(key),
+                     "move the value away from the end of the range");
+        rig.data[std::string(one.symbol)] = number;
+    }
+}
+
+Rig::Kind kind_of(const io::RigFile& file) {
+    switch (file.c.indenter.shape) {
+        case Case::Shape::paraboloid:
+        case Case::Shape::sphere:
+            return Rig::Kind::sphere;
+        case Case::Shape::cylinder:
+            return Rig::Kind::cylinder;
+        default:
+            io::refuse(file.document, "indenter.shape",
+                       "the formulas of rigs are those of spheres and cylinders",
+                       "take \"sphere\" or \"cylinder\"");
+    }
+}
+
+void check_covered(const io::RigFile& file) {
+    const Case& c = file.c;
+    const io::Document& document = file.document;
+    if (!c.layer.thickness)
+        io::fail(document.place_of("substrate.thickness"), "", "missing key substrate.thickness",
+                 "add thickness = \"8 mm\" or the like: a rig is held against the layer that it "
+                 "has");
+    if (c.layer.base != Case::Base::bonded || !c.layer.lower.empty())
+        io::fail(document.place_of("substrate.base"), "",
+                 "the formulas of rigs are those of one layer bonded to a rigid base",
+                 "tricontact deviation compares such a layer with the half-space");
+    if (!c.load.normal_force)
+        io::fail(document.place_of("load.normal_force"), "", "missing key load.normal_force",
+                 "give the force, not the indentation: add normal_force = \"21.1 N\"");
+    for (const char* key : {"rig.viscosity", "rig.maxwell_ratio"})
+        if (c.relaxation && document.find(key))
+            io::refuse(document, key, "[substrate.relaxation] says how the substrate relaxes",
+                       "omit one of the two");
+}
+
+/// What follows from the resolved case where the file has no such key.
+void complete(Rig& rig, const io::RigFile& file) {
+    const Case& c = file.c;
+    if (!rig.has("E_1")) {
+        rig.data["E_1"] = {rigid_young};
+        rig.data["nu_1"] = {0.3};
+    }
+    if (!rig.has("b")) {  // by its ratio
+        rig.data["b"] = {*c.layer.thickness};
+        for (const io::UncertainKey& one : file.uncertain)
+            if (one.key->path == "substrate.thickness_ratio")
+                rig.data["b"].standard_error =
+                    *c.layer.thickness * one.number.value.standard_error / one.number.value.value;
+    }
+    const double radius = contact::half_space_scales(c).contact_radius;
+    if (!rig.has("w") && !rig.has("a'") && c.rolling)
+        rig.data["w"] = {contact::path_amplitude(c, radius) / radius};
+    if (c.relaxation && c.relaxation->branches.size() == 1) {
+        const auto [ratio, time] = c.relaxation->branches.front();
+        rig.data["G_2/G_1"] = {ratio};
+        rig.data["eta"] = {ratio * time * c.substrate.shear_modulus()};
+    }
 }
 
 }  // namespace
 
-Rig parse_rig(std::string_view text, const std::string& name) {
-    const io::Document document = io::parse_document(text, name, is_printed_value);
-    io::require_kind(io::FileKind::rig, document);
-    const io::Entry& kind =
-        document.required("rig", "add rig = \"rolling\" or rig = \"micro-walking\" at the top");
-    Rig rig;
-    const bool rolling = io::read_choice(kind_key(), kind).word == "rolling";
-    if (!rolling) rig.kind = Rig::Kind::micro_walking;
-    read_data(rig, document);
-    if (rolling) read_shape(rig, document);
+Rig rolling_rig(const io::RigFile& file) {
+    Rig rig{.kind = kind_of(file), .title = file.c.title};
+    check_covered(file);
+    read_symbols(rig, file.document, io::case_file_keys());
+    complete(rig, file);
+    read_printed(rig, file.document);
     return rig;
 }
 
-Rig read_rig(const std::string& path) {
-    return parse_rig(io::read_input_file(path, "rig file"), path);
+Rig walking_rig(const io::Document& document, const io::KeyList& keys) {
+    Rig rig{.kind = Rig::Kind::micro_walking};
+    if (const io::Entry* title = document.find("title"))
+        io::read_field(*keys.find("title"), *title, io::Field(&rig.title));
+    for (const io::Key& key : io::walking_rig_keys())
+        if (key.required) io::required(key, document, keys);
+    for (const char* path : {"machine.mass", "contact.diameter", "contact.young"})
+        io::required(*keys.find(path), document, keys);
+    read_symbols(rig, document, keys);
+    read_printed(rig, document);
+    return rig;
 }
 
 }  // namespace tricontact::experiments

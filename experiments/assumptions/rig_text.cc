@@ -16,9 +16,15 @@ report::Unit unit_for(double value, const std::string& unit) {
     return report::fitting_unit(value, unit);
 }
 
+// The modulus of an indenter that the case takes as rigid.
+bool is_rigid(const Estimate& value, const std::string& unit) {
+    return unit == "Pa" && value.value >= rigid_young;
+}
+
 }  // namespace
 
 std::string text_of(const Estimate& value, const std::string& unit) {
+    if (is_rigid(value, unit)) return "infinite";
     const report::Unit fitting = unit_for(value.value, unit);
     const double number = value.value / fitting.factor;
     std::string text = value.standard_error > 0
@@ -32,10 +38,13 @@ std::string given_text(const Calculation& calculation) {
     std::string text;
     for (const Given& one : calculation.given) {
         const report::Unit fitting = unit_for(one.value.value, one.unit);
-        std::string number = report::as_given(one.value.value / fitting.factor);
+        std::string number = is_rigid(one.value, one.unit)
+                                 ? "infinite"
+                                 : report::as_given(one.value.value / fitting.factor);
         if (one.value.standard_error > 0)
             number += " ± " + report::as_given(one.value.standard_error / fitting.factor);
-        if (!fitting.symbol.empty()) number += ' ' + fitting.symbol;
+        if (!fitting.symbol.empty() && !is_rigid(one.value, one.unit))
+            number += ' ' + fitting.symbol;
         text += fmt::format("{}{} = {}", text.empty() ? "" : ", ", one.symbol, number);
     }
     return text;

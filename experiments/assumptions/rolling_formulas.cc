@@ -47,13 +47,14 @@ bool same(const Given& given, double value) {
 
 const std::vector<DerivedQuantity>& rolling_quantities() {
     static const std::vector<DerivedQuantity> table{
-        {"W", "m", [](Rolling r) { return result_if_known(r, smallest_amplitude); }},
-        {"W'", "m", [](Rolling r) { return result_if_known(r, pivot_amplitude); }},
-        {"f_0", "Hz", [](Rolling r) { return result_if_known(r, excitation_frequency); }},
+        {"W", "m", [](Rolling r) { return result_if_known(r, smallest_amplitude); }, "w"},
+        {"W'", "m", [](Rolling r) { return result_if_known(r, pivot_amplitude); }, "w'"},
+        {"f_0", "Hz", [](Rolling r) { return result_if_known(r, excitation_frequency); }, "v W"},
         {"f_0'", "Hz", [](Rolling r) { return print(r, "excitation_frequency"); }},
         {"Dh'", "m", [](Rolling r) { return print(r, "pivot_height_error"); }},
         {"a", "m", [](Rolling r) -> Known { return half_size(r); }},
         {"a'", "m", [](Rolling r) -> Known { return half_size(r); }},
+        {"z_0", "m", [](Rolling) -> Known { return Estimate{0.3e-9}; }},
         {"D_c", "m", [](Rolling r) -> Known { return Estimate{2 * half_size(r).value}; }}};
     return table;
 }

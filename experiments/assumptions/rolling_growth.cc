@@ -15,6 +15,10 @@ Assumption growth_by_rolling(const Rig& rig, const RolledGrowth& growth) {
     Assumption a{.name = "growth_by_rolling",
                  .title = "What rolling adds",
                  .claim = "Rolling adds to the shift on the layer what it adds on a half-space"};
+    if (!rig.has("w")) {
+        a.missing = {"rig.smallest_amplitude_ratio"};
+        return a;
+    }
     const auto found = growth && roller_is_rigid(rig) ? growth(rig) : std::nullopt;
     if (!found) {
         a.missing = {

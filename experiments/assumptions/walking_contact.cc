@@ -178,7 +178,7 @@ Assumption known_stiffness(const Rig& rig) {
         .background = known(rig, {&characteristic_time, &stiffness_of_time, &stiffness_of_means})};
     const double error = a.deciding_value();
     if (!(error > 0))
-        a.missing = {oscillates ? "standard errors of specimen.mass and oscillation.time"
+        a.missing = {oscillates ? "standard errors of machine.mass and rig.characteristic_time"
                                 : "standard errors of contact.diameter and of the materials"};
     else
         a.consequence =

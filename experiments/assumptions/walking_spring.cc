@@ -92,7 +92,7 @@ Assumption rod_as_spring(const Rig& rig) {
     Assumption a{"rod_as_spring", "Rod as a spring",
                  "The rod pulls only: its bending is negligible"};
     if (!rig.has("l_s") || !rig.has("E_s")) {
-        a.missing = {"spring.length and spring.young of a rod"};
+        a.missing = {"rig.rod_length and rig.rod_young of a rod"};
         return a;
     }
     a.criteria = {{calculate(rig, bending_force_ratio), at_most, largest_beam_ratio,

@@ -200,7 +200,8 @@ report::DocumentTable value_table(const IdentificationStudy& study) {
             "Inputs: what the standard errors of the rig's data change, added in squares; both: "
             "with the standard error of the fit, in squares (A.1.4).",
             100 * study.models.front().found.confidence,
-            study.input.rig_errors.empty() ? "none is stated" : "[standard_errors]"),
+            study.input.rig_errors.empty() ? "none is stated"
+                                           : "those stated behind ± in the case"),
         .columns = report::columns("model", "property", "value", "low", "high", "low by the fit",
                                    "high by the fit", "half width, linearised",
                                    "standard error of the fit", "of the inputs", "both")};

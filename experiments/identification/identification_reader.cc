@@ -8,12 +8,12 @@
 
 #include "contact/error.h"
 #include "io/case/case_reader.h"
+#include "io/case/rig_file.h"
+#include "io/case/rig_keys.h"
 #include "io/keys/field_reader.h"
 #include "io/keys/input_file.h"
-#include "io/keys/key.h"
 #include "io/keys/key_checks.h"
 #include "io/keys/messages.h"
-#include "io/keys/toml_document.h"
 
 namespace tricontact::experiments {
 
@@ -21,73 +21,38 @@ namespace {
 
 using Input = IdentificationInput;
 using Measurement = Input::Measurement;
-using Kind = io::Key::Kind;
 
-constexpr std::string_view errors_section = "standard_errors";
+struct Table {
+    Measurement measurement;
+    std::string_view name, key;
+};
+constexpr std::array<Table, 3> tables{
+    {{Measurement::static_shift, "static-shift", "measurement.static_shift"},
+     {Measurement::force_indentation, "force-indentation", "measurement.force_indentation"},
+     {Measurement::contact_radius, "contact-radius", "measurement.contact_radius"}}};
 
-const std::vector<io::PlacedKey<Input>>& own_keys() {
-    using enum Input::Measurement;
-    static const std::vector<io::PlacedKey<Input>> keys{
-        {io::text_key("title", R"("Rig, static shift")", "what was measured"),
-         io::at<&Input::title>},
-        {io::choice_key("measurement",
-                        {io::choice("static-shift", static_shift),
-                         io::choice("force-indentation", force_indentation),
-                         io::choice("contact-radius", contact_radius)},
-                        R"("static-shift")", "what the table holds"),
-         io::at<&Input::measurement>},
-        {io::text_key("data", R"("shift.csv")", "the table"), io::at<&Input::data_file>},
-        {io::list_of(io::choice_key("models",
-                                    {{"half-space"}, {"layer"}, {"atlas"}, {"bem-layer"}, {"fem"}},
-                                    R"(["half-space", "layer"])", "models that explain it")),
-         io::at<&Input::models>},
-        {io::number_key("confidence", {0.5, 0.9999}, "0.95", "level of the intervals"),
-         io::at<&Input::confidence>}};
-    return keys;
+const Table& table_of(Measurement measurement) {
+    return *std::ranges::find(tables, measurement, &Table::measurement);
+}
+std::string key_of(const Input& input) {
+    return std::string(table_of(input.measurement).key);
 }
 
-/// Keys of a case that describe a rig.
-bool describes_rig(const io::Key& key) {
+/// Keys of a case that describe a rig; loads along the surface and rolling are not in what was
+/// measured.
+bool describes_rig(std::string_view path) {
     constexpr std::array<std::string_view, 8> sections{
         "indenter", "substrate", "lower_layer", "ground", "friction", "contact", "bem", "fem"};
-    constexpr std::array<std::string_view, 3> load{"load.normal_force", "load.press",
-                                                   "load.press_steps"};
-    return std::ranges::count(sections, key.section()) || std::ranges::count(load, key.path);
-}
-
-bool is_nested_in_measurement(std::string_view path) {
-    return path.starts_with("standard_errors.");
-}
-
-/// Its own keys, and those that describe a rig.
-const io::KeyList& key_list() {
-    static const io::KeyList list = [] {
-        std::vector<const io::Key*> keys;
-        for (const io::Key& key : own_keys()) keys.push_back(&key);
-        for (const io::Key& key : io::case_keys())
-            if (describes_rig(key)) keys.push_back(&key);
-        return io::KeyList(keys, "docs/identify.md");
-    }();
-    return list;
-}
-
-void check_measurement_keys(const io::Document& document) {
-    const std::string listed = "docs/identify.md lists what it has";
-    for (const io::Entry& entry : document.entries)
-        if (io::find_key(entry.path) && !key_list().find(entry.path))
-            io::fail(entry.key_place, "", "a measurement has no key " + entry.path, listed);
-    io::check_names(
-        document, key_list(),
-        {.sections = {errors_section}, .is_open = is_nested_in_measurement, .remedy = listed});
-}
-
-const io::Entry& required(const io::Document& document, std::string_view path) {
-    return io::required(*key_list().find(path), document, key_list());
+    constexpr std::array<std::string_view, 4> others{"title", "load.normal_force", "load.press",
+                                                     "load.press_steps"};
+    const auto top = path.substr(0, path.find('.'));
+    return std::ranges::count(sections, top) || std::ranges::count(others, path);
 }
 
 double quantity_of(const io::Document& document, std::string_view path) {
     double value = 0;
-    io::read_field(*io::find_key(path), required(document, path), io::Field(&value));
+    const io::Key& key = *io::find_key(path);
+    io::read_field(key, io::required(key, document, io::case_key_list()), io::Field(&value));
     return value;
 }
 
@@ -110,13 +75,13 @@ void check_models(const Input& input, const io::Document& document) {
     for (const std::string& model : input.models) {
         if (model != "half-space" && !document.find("substrate.thickness"))
             io::refuse(
-                document, "models",
+                document, "measurement.models",
                 model + " is a model of a layer, but substrate.thickness is missing",
                 "add thickness = \"8 mm\" or the like to [substrate], or leave out " + model);
         if ((model == "bem-layer" || model == "atlas") &&
             input.measurement != Measurement::static_shift)
             io::refuse(
-                document, "models",
+                document, "measurement.models",
                 "without tangential force " + model + " approximates what layer knows exactly",
                 "write \"layer\" instead");
     }
@@ -147,7 +112,7 @@ void check_lengths(const Input& input, double radius, const io::Document& docume
     const MeasuredColumns& columns = columns_of(input.measurement);
     const double largest = std::ranges::max(deep ? input.given : input.observed);
     if (largest >= radius)
-        io::refuse(document, "data",
+        io::refuse(document, key_of(input),
                    std::string(deep ? columns.given.name : columns.observed.name) + " reaches " +
                        io::shortest(largest) + " m, the indenter's radius is " +
                        io::shortest(radius) + " m: small deformations are assumed",
@@ -168,29 +133,32 @@ void check_round(const io::Document& document) {
 /// The rig as a case: what is to be found has a guess.
 contact::Case rig_of(const Input& input, const io::Document& document) {
     io::Document rig = document;
-    std::erase_if(rig.entries, [](const io::Entry& entry) {
-        return io::section_of(entry.path).empty() || is_nested_in_measurement(entry.path);
+    std::erase_if(rig.entries, [&](const io::Entry& entry) {
+        const bool is_free = (input.young_is_free && entry.path == "substrate.young") ||
+                             (input.friction_is_free && entry.path == "friction.coefficient");
+        return is_free || !describes_rig(entry.path);
     });
     std::erase_if(rig.sections, [](const io::Document::Section& section) {
-        return section.name == errors_section || is_nested_in_measurement(section.name);
+        return section.name != "load" && !describes_rig(section.name);
     });
     const bool sheared = input.measurement == Measurement::static_shift;
     check_round(document);
     const double radius = quantity_of(document, "indenter.radius");
     check_lengths(input, radius, document);
     std::vector<io::Entry> guesses{
-        io::overriding("models", case_models(input), document.find("models")->place)};
+        io::overriding("models", case_models(input), document.place_of("measurement.models"))};
     const auto guess = [&](const char* path, io::Value value) {
         guesses.push_back(io::overriding(path, std::move(value), input.data_file));
     };
     guess("load.tangential_ratio", 0.);
     double normal_force = 0;
     if (sheared) {
+        if (!document.find("load.normal_force"))
+            io::fail(
+                document.place_of("load.normal_force"), "", "missing key load.normal_force",
+                "add the force under which the shifts were measured: normal_force = \"21.1 N\"");
         normal_force = quantity_of(document, "load.normal_force");
     } else {
-        if (document.find("load.normal_force"))
-            io::refuse(document, "load.normal_force", "the normal force is in the table",
-                       "omit this key");
         const bool given = input.measurement == Measurement::contact_radius;
         normal_force = std::ranges::max(given ? input.given : input.observed);
         guess("load.normal_force", io::shortest(normal_force) + " N");
@@ -200,7 +168,7 @@ contact::Case rig_of(const Input& input, const io::Document& document) {
     if (!sheared || n_half_spaces == std::ssize(input.models)) guess("contact.coupling", false);
     if (input.young_is_free)
         guess("substrate.young", io::shortest(guessed_young(input, radius, normal_force)) + " Pa");
-    if (!document.find("friction.coefficient")) {
+    if (input.friction_is_free || (!sheared && !rig.find("friction.coefficient"))) {
         const double largest = std::ranges::max(input.given);
         guess("friction.coefficient", sheared ? 1.5 * largest / normal_force : 1.);
     }
@@ -213,25 +181,18 @@ contact::Case rig_of(const Input& input, const io::Document& document) {
     }
 }
 
-std::vector<Input::RigError> read_rig_errors(const io::Document& document) {
+/// Of what is taken as known.
+std::vector<Input::RigError> read_rig_errors(const Input& input, const io::Document& document) {
+    const bool sheared = input.measurement == Measurement::static_shift;
     std::vector<Input::RigError> errors;
-    for (const io::Entry& entry : document.entries) {
-        if (!is_nested_in_measurement(entry.path)) continue;
-        const std::string path = entry.path.substr(errors_section.size() + 1);
-        const io::CaseKey* key = io::find_key(path);
-        if (!key || !describes_rig(*key) || key->section() == "bem" || key->section() == "fem" ||
-            (key->kind != Kind::quantity && key->kind != Kind::number))
-            io::fail(entry.key_place, entry.path, "is no number that describes the rig",
-                     "write for example load.normal_force = \"0.1 N\"");
-        if (!document.find(path))
-            io::fail(entry.key_place, entry.path, "has an error, but no value",
-                     "give " + path + ", or omit its error");
-        io::Key error_key = *key;
-        error_key.range = {0, key->range.high, false, true};
-        error_key.reason = {};
-        double value = 0;
-        io::read_field(error_key, entry, io::Field(&value));
-        errors.push_back({key, value});
+    for (const io::UncertainKey& one : io::uncertain_keys(document, io::case_key_list())) {
+        const std::string_view path = one.key->path;
+        const bool is_free = (input.young_is_free && path == "substrate.young") ||
+                             (input.friction_is_free && path == "friction.coefficient");
+        const bool is_used =
+            sheared || (path != "friction.coefficient" && path != "load.normal_force");
+        if (describes_rig(path) && !is_free && is_used)
+            errors.push_back({io::find_key(path), one.number.value.standard_error});
     }
     return errors;
 }
@@ -245,39 +206,54 @@ void check_friction(const Input& input, const io::Document& document) {
         io::refuse(document, "friction.coefficient",
                    "the contact would slide: F_T of the table reaches " + io::shortest(largest) +
                        " N, mu F_N is " + io::shortest(limit) + " N",
-                   "correct it, or omit it to have it identified");
+                   "correct it, or name it in measurement.find");
 }
 
 }  // namespace
 
 std::string_view name_of(Measurement measurement) {
-    const auto& words = key_list().find("measurement")->choices;
-    return std::ranges::find(words, static_cast<int>(measurement), &io::Choice::enumerator)->word;
+    return table_of(measurement).name;
 }
 
-Input read_identification(const std::string& path) {
-    const io::Document document = io::parse_document(
-        io::read_input_file(path, "identification file"), path, is_nested_in_measurement);
-    io::require_kind(io::FileKind::measurement, document);
-    check_measurement_keys(document);
+Input read_identification(const std::string& path, const std::vector<std::string>& overrides) {
+    io::Document document = io::parse_document(io::read_input_file(path), path);
+    io::require_kind(io::FileKind::contact, document);
+    io::apply_overrides(document, overrides, io::case_file_keys());
+    io::check_known_of_rig(document, io::case_file_keys(), io::rolling_rig_keys());
+    if (!document.find_section("measurement"))
+        io::fail(path + ":1:1", "", "missing section [measurement]: nothing was measured",
+                 "add one with static_shift = \"shift.csv\", find = [\"substrate.young\"] and "
+                 "models = [\"half-space\", \"layer\"]");
     Input input;
     input.name = path;
-    for (const char* key : {"measurement", "models", "data"}) required(document, key);
-    io::read_given(own_keys(), input, document);
+    const auto table = std::ranges::find_if(
+        tables, [&](const Table& one) { return document.find(one.key) != nullptr; });
+    if (table == tables.end())
+        io::refuse_missing(io::rig_key(tables.front().key), document, io::case_file_keys());
+    input.measurement = table->measurement;
+    std::vector<std::string> find;
+    const auto read = [&](std::string_view key, const io::Field& field) {
+        io::read_or_default(io::rig_key(key), field, document, io::case_file_keys());
+    };
+    read(table->key, &input.data_file);
+    read("measurement.models", &input.models);
+    read("measurement.find", &find);
+    read("measurement.confidence", &input.confidence);
+    if (const io::Entry* title = document.find("title"))
+        io::read_field(*io::find_key("title"), *title, &input.title);
     input.data_file = document.path_of(input.data_file);
+    input.young_is_free = std::ranges::count(find, "substrate.young") > 0;
+    input.friction_is_free = std::ranges::count(find, "friction.coefficient") > 0;
+    if (input.friction_is_free && input.measurement != Measurement::static_shift)
+        io::refuse(document, "measurement.find",
+                   "without tangential force nothing tells the coefficient of friction",
+                   "leave out friction.coefficient");
     check_models(input, document);
-    input.young_is_free = !document.find("substrate.young");
-    input.friction_is_free =
-        input.measurement == Measurement::static_shift && !document.find("friction.coefficient");
-    if (!input.young_is_free && !input.friction_is_free)
-        io::refuse(document, "substrate.young", "nothing is left to be identified",
-                   "omit the key that is to be found");
-
-    io::told_at(document, "data", [&] { read_measured_table(input); });
+    io::told_at(document, key_of(input), [&] { read_measured_table(input); });
     input.rig = rig_of(input, document);
     input.rig.title = input.title;
     check_friction(input, document);
-    input.rig_errors = read_rig_errors(document);
+    input.rig_errors = read_rig_errors(input, document);
     return input;
 }
 

@@ -9,7 +9,7 @@
 
 namespace tricontact::experiments {
 
-/// What the file of an identification says: a rig, what was measured on it, and who explains it.
+/// What a case with [measurement] says: a rig, what was measured on it, and who explains it.
 struct IdentificationInput {
     enum class Measurement { static_shift, force_indentation, contact_radius };
 
@@ -25,7 +25,8 @@ struct IdentificationInput {
     std::vector<std::string> models;  ///< "half-space", "layer", "bem-layer", "fem"
     double confidence = 0.95;
     /// The rig; of E and mu, those that are not free are the file's. A free E is a guess by Hertz'
-    /// theory. The normal force is that of the file, or the largest of the measurement.
+    /// theory, whatever the file says. The normal force is that of the file, or the largest of the
+    /// measurement.
     contact::Case rig;
     bool young_is_free = true;
     bool friction_is_free = false;  ///< only a shift tells it
@@ -54,7 +55,8 @@ std::string_view name_of(IdentificationInput::Measurement measurement);
 
 /// Reads the file and the table that it names, every value checked. Throws contact::InputError in
 /// one line: `file:line:column: key = value: rule; remedy`.
-IdentificationInput read_identification(const std::string& path);
+IdentificationInput read_identification(const std::string& path,
+                                        const std::vector<std::string>& overrides = {});
 
 /// Reads `input.data_file`: the columns of the measurement and, if it is there, that of the
 /// observed values' standard errors, `<observed>_error`. Throws contact::InputError.

@@ -4,7 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "io/case/case_keys.h"
+#include "io/case/rig_file.h"
+#include "io/case/rig_keys.h"
 
 namespace tricontact::experiments {
 
@@ -18,9 +19,7 @@ struct Record {
 
 /// Runs of one procedure, repeated under equal conditions.
 struct Experiment {
-    /// Shakedown and ratcheting: one amplitude below, or beyond, the limit; limit: amplitude raised
-    /// in steps until the contact ratchets.
-    enum class Kind { shakedown, ratcheting, limit };
+    using Kind = io::RecordKind;
 
     /// The drive where no column says what it did: at constant speed between turning points.
     struct Drive {
@@ -40,22 +39,17 @@ struct Experiment {
     std::vector<Record> records;
 };
 
-/// What an experiment file says, its records included.
+/// What a case with [record] says, the records included.
 struct ExperimentInput {
-    /// Standard error of a number of the case, in the key's SI unit.
-    struct CaseError {
-        const io::CaseKey* key = nullptr;
-        double standard_error = 0;
-        std::string place;  ///< file:line:column
-    };
-
     Experiment experiment;
-    std::optional<std::string> case_file;  ///< with its folder
-    std::vector<CaseError> errors;         ///< none without a case
+    std::optional<std::string> case_file;     ///< the file itself, if it describes a contact
+    std::vector<io::UncertainKey> uncertain;  ///< numbers of that case
 };
 
-/// Reads the file and the records that it names. Throws contact::InputError in one line, of the
-/// file with place, value, rule and remedy, of a record with its line.
-ExperimentInput read_experiment(const std::string& path);
+/// Reads the file and the records that it names. Without `models` it holds records alone. Throws
+/// contact::InputError in one line, of the file with place, value, rule and remedy, of a record
+/// with its line.
+ExperimentInput read_experiment(const std::string& path,
+                                const std::vector<std::string>& overrides = {});
 
 }  // namespace tricontact::experiments

@@ -44,17 +44,22 @@ std::vector<report::Curve> with_models(const ExperimentEvaluation& e,
 }
 
 report::Figure periods_figure(const ExperimentEvaluation& e) {
-    return {.id = "shift_over_periods",
-            .title = "Shift over the rolling periods",
-            .caption = fmt::format(
-                "U with the roller upright, before the first period (n = 0) and after each; bars: "
-                "{:.4g} %, by the scatter of the runs or, for one run, by noise and drift. Lines: "
-                "the models on the case, same amplitude and periods.",
-                100 * e.confidence),
-            .x = {"period n [-]"},
-            .y = {"shift U [µm]"},
-            .curves = with_models(
-                e, e.shift, 0, [](const std::vector<double>& shift) { return scaled(shift, um); })};
+    report::Figure figure{
+        .id = "shift_over_periods",
+        .title = "Shift over the rolling periods",
+        .caption = fmt::format(
+            "U with the roller upright, before the first period (n = 0) and after each; bars: "
+            "{:.4g} %, by the scatter of the runs or, for one run, by noise and drift. Lines: "
+            "the models on the case, same amplitude and periods, their bars of 95 % by its "
+            "uncertain numbers and the mesh.",
+            100 * e.confidence),
+        .x = {"period n [-]"},
+        .y = {"shift U [µm]"},
+        .curves = with_models(e, e.shift, 0,
+                              [](const std::vector<double>& shift) { return scaled(shift, um); })};
+    for (std::size_t i = 0; i < e.predictions.size(); ++i)  // behind what was measured
+        figure.curves[i + 1].y_error = scaled(half_widths(e.predictions[i]), um);
+    return figure;
 }
 
 // No logarithm of what does not grow.

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "contact/error.h"
 #include "contact/special_values.h"
@@ -81,6 +82,19 @@ void put_together(ExperimentEvaluation& e) {
     if (!wobble.empty()) e.wobble = repeated(wobble, e.confidence);
     e.settled_shift = over_runs([](auto& run) { return run.stages.front().settling.settled; });
     e.increment = over_runs([](auto& run) { return run.stages.front().increment; });
+}
+
+// What the record gives: the scatter of its runs, or noise and drift of one.
+UncertaintySource source_of_record(const Repeated& measured) {
+    if (measured.runs < 2) return {"noise and drift", measured.at_95.standard_error};
+    return {"repeated runs", measured.at_95.standard_error, measured.runs - 1.};
+}
+
+// Half of Roache's grid convergence index (1998), which stands for two standard errors, of values
+// whose mesh is finer by a factor of two, by the first order that no model stays below.
+double numerical_standard_error(double fine, double coarse) {
+    constexpr double safety_factor = 1.25;
+    return safety_factor * std::abs(fine - coarse) / 2;
 }
 
 statistics::Fit line_of(const StageEvaluation& stage, double origin, double confidence) {
@@ -177,10 +191,10 @@ std::optional<LimitReading> read_limit(const RunEvaluation& run, State StageEval
 
 std::optional<bool> Deviation::differs() const {
     if (!has_errors || rest_is_missing) return {};
-    Estimate with_creep = measured;
-    (creep > 0 ? with_creep.high : with_creep.low) += creep;
-    if (differ(with_creep, predicted)) return true;
-    if (differ(measured, predicted)) return {};
+    const auto [low, high] = std::minmax({error.difference(), error.difference() + creep});
+    const double half = error.half_width();
+    if (low > half || high < -half) return true;
+    if (!error.agrees()) return {};
     return false;
 }
 
@@ -224,19 +238,41 @@ ExperimentEvaluation evaluate_experiment(const Experiment& experiment) {
     return e;
 }
 
+std::vector<double> half_widths(const ModelPrediction& p) {
+    std::vector<double> widths;
+    if (p.raised.empty()) return widths;
+    for (std::size_t n = 0; n < p.shift.size(); ++n) {
+        double squares = 0;
+        for (const std::vector<double>& raised : p.raised)
+            squares += std::pow(raised[n] - p.shift[n], 2);
+        if (!p.coarser.empty())
+            squares += std::pow(numerical_standard_error(p.shift[n], p.coarser[n]), 2);
+        widths.push_back(statistics::normal_quantile(.95) * std::sqrt(squares));
+    }
+    return widths;
+}
+
 void add_prediction(ExperimentEvaluation& e, ModelPrediction prediction) {
     const double n = e.periods;
     const auto add = [&](const char* name, const Repeated& measured, double n_drifted, auto&& of) {
         const double value = of(prediction.shift);
+        ComparisonError error{measured.at_95.value, value, {source_of_record(measured)}};
         double variance = 0;
-        for (const auto& raised : prediction.raised) {
-            const double change = of(raised) - value;
+        for (std::size_t i = 0; i < prediction.raised.size(); ++i) {
+            const double change = of(prediction.raised[i]) - value;
             variance += change * change;
+            error.sources.push_back(
+                {i < e.uncertain_numbers.size() ? e.uncertain_numbers[i] : std::string(),
+                 std::abs(change)});
         }
+        if (!prediction.coarser.empty())
+            error.sources.push_back(
+                {"mesh", numerical_standard_error(value, of(prediction.coarser))});
         Deviation d{prediction.model, name, measured.at_confidence,
                     statistics::with_interval(value, std::sqrt(variance),
                                               statistics::student_t(e.confidence, many))};
         d.has_errors = !prediction.raised.empty();
+        d.error = std::move(error);
         if (e.rolled_as.hold) {
             d.rest_is_missing = !e.rolled_as.hold_is_known;
             double drifted = 0;  // in one period

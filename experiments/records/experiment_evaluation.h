@@ -9,6 +9,8 @@
 #include "contact/case.h"
 #include "experiments/records/experiment.h"
 #include "experiments/records/experiment_run.h"
+#include "experiments/validation/comparison_error.h"
+#include "statistics/distribution.h"
 #include "statistics/error_propagation.h"
 
 namespace tricontact::experiments {
@@ -41,6 +43,7 @@ struct CaseQuantity {
     std::function<double&(contact::Case&)> of_case;  ///< the number, see as_the_rig_sets
     /// Largest value that it can have: nu = 1/2. Errors of a number at its end go downwards.
     double largest = std::numeric_limits<double>::infinity();
+    statistics::Distribution distribution = statistics::Distribution::normal;
 };
 
 /// Measured quantities over Hertz' scales of the case, as the thesis normalises (3.1.4).
@@ -64,21 +67,28 @@ struct ModelPrediction {
     /// `shift` when a quantity of the case grows by its standard error, one each, what else a rig
     /// sets (see as_the_rig_sets) being the same. None: no errors are stated.
     std::vector<std::vector<double>> raised;
+    /// `shift` on cells, elements or springs of twice the size; empty: not computed.
+    std::vector<double> coarser = {};
 };
+
+/// Half widths of the intervals of 95 % of its shifts, by the uncertain numbers of the case and the
+/// mesh, one per period [m]; empty if nothing is uncertain.
+std::vector<double> half_widths(const ModelPrediction& prediction);
 
 /// A quantity measured and by a model [m].
 struct Deviation {
     std::string model, quantity;
-    Estimate measured, predicted;  ///< predicted: by the errors of the case's numbers
-    bool has_errors = false;       ///< errors of the case's numbers are stated
+    Estimate measured, predicted;  ///< predicted: by the uncertain numbers of the case
+    bool has_errors = false;       ///< the case states uncertainties
+    ComparisonError error = {};    ///< by these, the record and the model's mesh
     bool rest_is_missing = false;  ///< of a relaxing substrate: how long F_T acted is not known
     /// Drift subtracted from the measured value that on a relaxing substrate may be creep, which
     /// the model's has [m].
     double creep = 0;
 
     double ratio() const { return measured.value / predicted.value; }
-    /// The intervals exclude each other, also with the creep back in the measured value. Empty
-    /// where that cannot be told.
+    /// The comparison disagrees, also with the creep back in the measured value. Empty where that
+    /// cannot be told.
     std::optional<bool> differs() const;
 };
 

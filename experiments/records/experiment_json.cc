@@ -34,6 +34,16 @@ static json predicted_json(const Deviation& d) {
     return Estimate{d.predicted.value, contact::undefined, contact::undefined, contact::undefined};
 }
 
+static json comparison_json(const Deviation& d) {
+    json sources = json::array();
+    for (const UncertaintySource& one : d.error.sources)
+        sources.push_back({{"name", one.name}, {"standard_error_m", one.standard_error}});
+    return {{"difference_m", d.error.difference()},
+            {"half_width_95_percent_m", d.has_errors ? json(d.error.half_width()) : json()},
+            {"resolution", d.has_errors ? json(d.error.resolution()) : json()},
+            {"sources", sources}};
+}
+
 static json rolled_json(const ExperimentEvaluation& e) {
     const RolledAs& as = e.rolled_as;
     return {{"rest_under_load_s", e.rest.time},
@@ -115,6 +125,7 @@ static json models_json(const ExperimentEvaluation& e) {
                                       {"measured_m", d.measured},
                                       {"predicted_m", predicted_json(d)},
                                       {"measured_over_predicted", d.ratio()},
+                                      {"comparison", comparison_json(d)},
                                       {"differs", d.differs()}});
         models.push_back(
             {{"model", p.model},

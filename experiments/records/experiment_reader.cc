@@ -1,9 +1,11 @@
 #include <algorithm>
 
 #include "experiments/records/experiment.h"
+#include "io/case/case_reader.h"
+#include "io/case/rig_file.h"
+#include "io/case/rig_keys.h"
 #include "io/keys/field_reader.h"
 #include "io/keys/input_file.h"
-#include "io/keys/key.h"
 #include "io/keys/key_checks.h"
 #include "io/keys/messages.h"
 #include "io/tables/csv_table.h"
@@ -12,48 +14,21 @@ namespace tricontact::experiments {
 
 namespace {
 
-const std::vector<io::PlacedKey<ExperimentInput>>& keys() {
-    using enum io::Dimension;
-    using enum Experiment::Kind;
-    using Input = ExperimentInput;
-    constexpr double longest = 1e9;  // [s], as in cases
-    static const std::vector<io::PlacedKey<Input>> keys{
-        {io::text_key("title", R"("title")", "what was measured"),
-         io::at<&Input::experiment, &Experiment::title>},
-        {io::choice_key("kind",
-                        {io::choice("shakedown", shakedown), io::choice("ratcheting", ratcheting),
-                         io::choice("limit", limit)},
-                        R"("shakedown")", "procedure"),
-         io::at<&Input::experiment, &Experiment::kind>},
-        {io::text_key("case", R"("case.toml")", "the case file"), io::at<&Input::case_file>},
-        {io::text_key("runs", R"(["run_1.csv"])", "the records")},
-        {io::number_key("confidence", {0.5, 0.999}, "0.683", "level of the intervals"),
-         io::at<&Input::experiment, &Experiment::confidence>},
-        {io::quantity_key("record.resolution", length, io::above_zero(1), R"("80 nm")",
-                          "step of the recorded shift"),
-         io::at<&Input::experiment, &Experiment::resolution>},
-        {io::quantity_key("record.loading", time, {-longest, longest}, R"("10 s")",
-                          "when the tangential load was applied"),
-         io::at<&Input::experiment, &Experiment::loading>},
-        {io::quantity_key("drive.start", time, {-longest, longest}, R"("60 s")",
-                          "when rolling began"),
-         [](Input& i) -> io::Field { return &i.experiment.drive.start; }},
-        {io::quantity_key("drive.period", time, io::above_zero(longest), R"("4.5 s")",
-                          "of the rolling"),
-         [](Input& i) -> io::Field { return &i.experiment.drive.period; }},
-        {io::quantity_key("drive.amplitude", length, io::above_zero(1), R"("1.1 mm")",
-                          "rolling amplitude"),
-         [](Input& i) -> io::Field { return &i.experiment.drive.amplitude; }},
-        {io::quantity_key("drive.speed", velocity, io::above_zero(1e9), R"("1 mm/s")",
-                          "speed of the drive"),
-         [](Input& i) -> io::Field { return &i.experiment.drive.speed; }},
-        {io::integer_key("drive.periods", {1, 100'000}, "12", "rolling periods"),
-         [](Input& i) -> io::Field { return &i.experiment.drive.periods.emplace(); }}};
-    return keys;
-}
-
-bool is_nested_in_experiment(std::string_view path) {
-    return path.starts_with("errors.");
+// What [record] says but for its runs.
+void read_keys(Experiment& e, const io::Document& document) {
+    const auto read = [&](std::string_view path, const io::Field& field) {
+        io::read_or_default(io::rig_key(path), field, document, io::case_file_keys());
+    };
+    read("record.kind", &e.kind);
+    read("record.confidence", &e.confidence);
+    read("record.resolution", &e.resolution);
+    read("record.loading", &e.loading);
+    read("record.drive.start", &e.drive.start);
+    read("record.drive.period", &e.drive.period);
+    read("record.drive.amplitude", &e.drive.amplitude);
+    read("record.drive.speed", &e.drive.speed);
+    if (document.find("record.drive.periods"))
+        read("record.drive.periods", &e.drive.periods.emplace());
 }
 
 Record read_record(const std::string& path) {
@@ -73,45 +48,13 @@ Record read_record(const std::string& path) {
 }
 
 std::vector<Record> read_records(const io::Document& document) {
-    const std::string remedy = R"(write for example runs = ["run_1.csv", "run_2.csv"])";
-    const io::Entry& entry = document.required("runs", remedy);
-    const auto* files = std::get_if<std::vector<std::string>>(&entry.value);
-    if (!files || files->empty())
-        io::fail(entry.place, entry.subject(), "must be a list of files", remedy);
+    const io::Key& key = io::rig_key("record.runs");
+    const io::Entry& entry = io::required(key, document, io::case_file_keys());
+    std::vector<std::string> files;
+    io::read_field(key, entry, &files);
     std::vector<Record> records;
-    for (auto file = files->begin(); file != files->end(); ++file) {
-        if (std::find(files->begin(), file, *file) != file)
-            io::fail(entry.place, entry.subject(), io::toml_string(*file) + " stands twice",
-                     "a record counts once");
-        records.push_back(read_record(document.path_of(*file)));
-    }
+    for (const std::string& file : files) records.push_back(read_record(document.path_of(file)));
     return records;
-}
-
-std::vector<ExperimentInput::CaseError> read_errors(const io::Document& document) {
-    std::vector<ExperimentInput::CaseError> errors;
-    for (const io::Entry& entry : document.entries) {
-        if (!is_nested_in_experiment(entry.path)) continue;
-        const std::string path = entry.path.substr(std::string_view("errors.").size());
-        const io::CaseKey* key = io::find_key(path);
-        if (!key || (key->kind != io::Key::Kind::quantity && key->kind != io::Key::Kind::number)) {
-            io::fail(entry.key_place, "",
-                     "unknown key " + entry.path + ": the case has no number " + path,
-                     io::did_you_mean(key ? "" : io::likely_path(path, io::case_key_list().paths()),
-                                      "docs/case-file.md lists the keys"));
-        }
-        double error = 0;
-        io::read_field(*key, entry, io::Field(&error));
-        if (!(error > 0))
-            io::fail(entry.place, entry.subject(), "a standard error must be positive",
-                     "omit what is exact");
-        errors.push_back({key, error, entry.place});
-    }
-    if (!errors.empty() && !document.find("case"))
-        io::fail(document.find_section("errors") ? document.find_section("errors")->place
-                                                 : errors.front().place,
-                 "", "[errors] are those of a case, but there is none", "add case = \"case.toml\"");
-    return errors;
 }
 
 // What the drive did, if no column says it.
@@ -119,45 +62,51 @@ void check_drive(const Experiment& e, const io::Document& document) {
     const auto n_recorded =
         std::ranges::count_if(e.records, [](const Record& r) { return !r.drive.empty(); });
     const bool all = n_recorded == std::ssize(e.records);
-    const std::string place = document.place_of("drive.start");
+    const std::string place = document.place_of("record.drive.start");
     if (!all && n_recorded > 0)
         io::fail(place, "", "some runs have a column drive, others have not",
                  "add it to all, or evaluate them in two files");
-    if (all && document.find_section("drive"))
-        io::fail(document.find_section("drive")->place, "",
-                 "[drive] and the column drive of the runs say it twice", "omit one of the two");
+    if (all && document.find_section("record.drive"))
+        io::fail(document.find_section("record.drive")->place, "",
+                 "[record.drive] and the column drive of the runs say it twice",
+                 "omit one of the two");
     if (all) return;
     if (e.kind == Experiment::Kind::limit)
         io::fail(place, "", "amplitudes that rise in steps need the column drive",
                  "record the drive: time [s], shift [um], drive [mm]");
     if (!e.drive.start || !e.drive.periods)
         io::fail(place, "", "without a column drive its start and number of periods must be known",
-                 "add start = \"60 s\" and periods = 12 below [drive]");
+                 "add start = \"60 s\" and periods = 12 below [record.drive]");
     if (e.drive.period && e.drive.speed)
-        io::fail(document.place_of("drive.speed"), "drive.speed", "period and speed say the same",
-                 "omit one of the two");
+        io::fail(document.place_of("record.drive.speed"), "record.drive.speed",
+                 "period and speed say the same", "omit one of the two");
     if (e.drive.speed && !e.drive.amplitude)
-        io::fail(document.place_of("drive.speed"), "drive.speed",
-                 "gives the period only together with drive.amplitude",
+        io::fail(document.place_of("record.drive.speed"), "record.drive.speed",
+                 "gives the period only together with record.drive.amplitude",
                  "add amplitude = \"1.1 mm\"");
 }
 
 }  // namespace
 
-ExperimentInput read_experiment(const std::string& path) {
-    const io::Document document = io::parse_document(io::read_input_file(path, "experiment file"),
-                                                     path, is_nested_in_experiment);
-    io::require_kind(io::FileKind::experiment, document);
-    io::check_names(document, io::KeyList(keys(), {}),
-                    {.sections = {"errors"},
-                     .is_open = is_nested_in_experiment,
-                     .remedy = "docs/experiment.md lists the keys"});
-    document.required("kind", R"(add kind = "shakedown", "ratcheting" or "limit")");
+ExperimentInput read_experiment(const std::string& path,
+                                const std::vector<std::string>& overrides) {
+    io::Document document = io::parse_document(io::read_input_file(path), path);
+    io::require_kind(io::FileKind::contact, document);
+    io::apply_overrides(document, overrides, io::case_file_keys());
+    io::check_known_of_rig(document, io::case_file_keys(), io::rolling_rig_keys());
+    if (!document.find_section("record"))
+        io::fail(path + ":1:1", "", "missing section [record]: nothing was recorded",
+                 "add one with kind = \"shakedown\" and runs = [\"run_1.csv\"]");
     ExperimentInput input;
     Experiment& e = input.experiment;
-    io::read_given(keys(), input, document);
-    if (input.case_file) input.case_file = document.path_of(*input.case_file);
-    input.errors = read_errors(document);
+    read_keys(e, document);
+    if (const io::Entry* title = document.find("title"))
+        io::read_field(*io::find_key("title"), *title, &e.title);
+    if (document.find("models")) {
+        io::resolve_case(document, {});  // checked before the records are read
+        input.case_file = path;
+        input.uncertain = io::uncertain_keys(document, io::case_key_list());
+    }
     e.records = read_records(document);
     check_drive(e, document);
     return input;

@@ -115,27 +115,16 @@ Verdict limit_verdict(const ExperimentEvaluation& e) {
 
 std::string why_not_compared(const Deviation& d) {
     if (!d.has_errors)
-        return "the case's numbers have no stated errors ([errors]): whether they differ cannot be "
-               "told";
+        return "the case states no uncertainty of its numbers: whether they differ cannot be told";
     if (d.rest_is_missing)
         return "how long F_T acted before the rolling is not known: whether they differ cannot be "
                "told";
     return fmt::format(
-        "the intervals exclude each other, but not if the drift that was subtracted, {} µm, is "
-        "creep of the substrate",
-        report::significant(um * d.creep, 2));
+        "{}; but not if the drift that was subtracted, {} µm, is creep of the substrate",
+        statement(d.error, "m"), report::significant(um * d.creep, 2));
 }
 
-/// Of what differs.
-std::string difference_text(const Deviation& d, double confidence) {
-    const Estimate difference =
-        statistics::with_interval(d.measured.value - d.predicted.value,
-                                  std::hypot(d.measured.half_width(), d.predicted.half_width()), 1);
-    return fmt::format("measured minus computed: {} ({}): they differ", shift(difference),
-                       level(confidence));
-}
-
-Verdict deviation_verdict(const Deviation& d, double confidence) {
+Verdict deviation_verdict(const Deviation& d) {
     const auto differs = d.differs();
     const auto standing = !differs ? cannot_tell : *differs ? fails : holds;
     const std::string computed =
@@ -143,9 +132,7 @@ Verdict deviation_verdict(const Deviation& d, double confidence) {
     return {standing,
             fmt::format("{}: {} = {}, measured {} ({}); {}.", report::display_name(d.model),
                         d.quantity, computed, shift(d.measured), report::percent(d.ratio()),
-                        !differs   ? why_not_compared(d)
-                        : *differs ? difference_text(d, confidence)
-                                   : "the intervals overlap")};
+                        differs ? statement(d.error, "m") : why_not_compared(d))};
 }
 
 // Of a relaxing substrate.
@@ -252,8 +239,7 @@ std::vector<Verdict> experiment_verdicts(const ExperimentEvaluation& e) {
         if (e.rolled_as.hold) verdicts.push_back(rest_verdict(e));
     } else {
         verdicts = {state_verdict(e), values_verdict(e), curvature_verdict(e)};
-        for (const Deviation& d : e.deviations)
-            verdicts.push_back(deviation_verdict(d, e.confidence));
+        for (const Deviation& d : e.deviations) verdicts.push_back(deviation_verdict(d));
         if (e.rolled_as.hold) verdicts.push_back(rest_verdict(e));
         for (const ModelPrediction& p : e.predictions)
             if (e.wobble && std::abs(p.wobble) > e.wobble->at_confidence.standard_error)

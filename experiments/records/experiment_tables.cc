@@ -22,7 +22,7 @@ report::WithError with_standard_error(const Estimate& e, double factor) {
 }
 
 std::string numbers_with_errors(const ExperimentEvaluation& e) {
-    if (e.uncertain_numbers.empty()) return "none is stated ([errors])";
+    if (e.uncertain_numbers.empty()) return "none is stated";
     return fmt::format("{}", fmt::join(e.uncertain_numbers, ", "));
 }
 
@@ -55,7 +55,7 @@ report::DocumentTable normalised_table(const ExperimentEvaluation& e) {
         .title = "Over Hertz' scales of the case",
         .note =
             "One standard error behind ±: of the measured value and of the case's numbers, first "
-            "order, independent; F_T and W are what the rig sets. Errors of the case: " +
+            "order, independent; F_T and W are what the rig sets. Uncertain numbers of the case: " +
             numbers_with_errors(e) + ".",
         .columns = report::columns("quantity", "value")};
     const auto add = [&](const char* name, const Estimate& u, double factor = 1) {
@@ -82,21 +82,46 @@ report::DocumentTable normalised_table(const ExperimentEvaluation& e) {
 report::DocumentTable deviations_table(const ExperimentEvaluation& e) {
     report::DocumentTable table{
         .id = "deviations",
-        .title = "Measured and computed",
-        .note = level(e.confidence) +
-                " intervals; of a model by the errors of the case's numbers: " +
-                numbers_with_errors(e) + ". They differ if the intervals exclude each other.",
+        .title = "Measured minus computed",
+        .note =
+            "After ASME V&V 20-2009: half width of the interval of 95 % behind ±, by the "
+            "record, the uncertain numbers of the case (" +
+            numbers_with_errors(e) +
+            ") and the mesh. Resolution: the least deviation of the computed value that would "
+            "have been called a disagreement in 95 of 100 such comparisons.",
         .columns = report::columns("model", "quantity", "measured [µm]", "computed [µm]",
-                                   "deviation of the measured", "differs")};
+                                   "difference [µm]", "resolution [%]:2", "agrees")};
     for (const Deviation& d : e.deviations)
-        table.rows.push_back({report::display_name(d.model), d.quantity,
-                              with_half_width(d.measured, um),
-                              d.has_errors ? report::Cell(with_half_width(d.predicted, um))
-                                           : report::Cell(um * d.predicted.value),
-                              report::percent(d.ratio()),
+        table.rows.push_back({report::display_name(d.model), d.quantity, um * d.error.measured,
+                              um * d.error.computed,
+                              d.has_errors
+                                  ? report::Cell(report::WithError{um * d.error.difference(),
+                                                                   um * d.error.half_width()})
+                                  : report::Cell(um * d.error.difference()),
+                              d.has_errors ? report::Cell(100 * d.error.resolution())
+                                           : report::Cell(contact::undefined),
                               !d.differs()   ? "cannot tell"
-                              : *d.differs() ? "yes"
-                                             : "no"});
+                              : *d.differs() ? "no"
+                                             : "yes"});
+    return table;
+}
+
+report::DocumentTable contributions_table(const ExperimentEvaluation& e) {
+    report::DocumentTable table{
+        .id = "contributions",
+        .title = "What the uncertainty is made of",
+        .note =
+            "Standard error that each source gives to measured minus computed, and its share of "
+            "the sum of their squares.",
+        .columns =
+            report::columns("model", "quantity", "source", "standard error [µm]:3", "share [%]:2")};
+    for (const Deviation& d : e.deviations) {
+        const double whole = d.error.standard_error();
+        for (const UncertaintySource& one : d.error.sources)
+            table.rows.push_back({report::display_name(d.model), d.quantity, one.name,
+                                  um * one.standard_error,
+                                  100 * one.standard_error * one.standard_error / (whole * whole)});
+    }
     return table;
 }
 
@@ -195,7 +220,10 @@ report::DocumentTable noise_table(const ExperimentEvaluation& e) {
 std::vector<report::DocumentTable> values_tables(const ExperimentEvaluation& e) {
     std::vector<report::DocumentTable> tables{values_table(e)};
     if (e.normalised) tables.push_back(normalised_table(e));
-    if (!e.deviations.empty()) tables.push_back(deviations_table(e));
+    if (!e.deviations.empty()) {
+        tables.push_back(deviations_table(e));
+        tables.push_back(contributions_table(e));
+    }
     return tables;
 }
 

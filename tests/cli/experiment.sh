@@ -27,10 +27,10 @@ refused() {
 
 # 1. The example, by the fast model only: its truth is that of bem-layer.
 mkdir examples && cp -r "$source_dir/examples/records" examples
-sed -i 's/^models = .*/models = ["mdr"]/' examples/records/synthetic_case.toml
+sed -i 's/^models = .*/models = ["mdr"]/' examples/records/synthetic_shakedown.toml
 expect 0 examples/records/synthetic_shakedown.toml --output example --quiet
 says "Shakedown in 3 of 3 runs" out
-says "they differ" out
+says "disagrees; this comparison would have seen" out
 [ -s err ] && complain "--quiet is not silent: $(cat err)"
 says '"state": "shakedown"' example/experiment.json
 says "curvature" example/report.html
@@ -41,33 +41,39 @@ cmp -s example/report.html again/report.html || complain "another time, another 
 # 2. The same records made again: equal bytes, but for what another processor's models round.
 grep -q SYNTHETIC examples/records/synthetic/run_1.csv || complain "a synthetic record does not say so"
 
-# 3. What is wrong with an experiment file.
+# 3. What is wrong with [record].
 run=examples/records/synthetic/run_1.csv
-write() { printf '%s\n' "$@" >data.toml; }
+# write LINE...: a file with records alone.
+write() { printf '%s\n' '[record]' "$@" >data.toml; }
+# of_case SED LINE...: the example's case with another [record].
+of_case() {
+    sed '/^\[record\]/,$d' examples/records/synthetic_shakedown.toml | sed "$1" >data.toml
+    shift
+    printf '%s\n' '[record]' "$@" >>data.toml
+}
+printf 'title = "nothing"\n' >data.toml
+refused "data.toml:1:1: missing section [record]: nothing was recorded"
 write 'runs = ["run.csv"]'
-refused "data.toml:1:1: missing key kind"
+refused "data.toml:1:1: missing key record.kind"
 write 'kind = "shakedwon"' 'runs = ["run.csv"]'
 refused '"shakedwon" is not one of "shakedown", "ratcheting", "limit"; did you mean "shakedown"?'
 write 'kind = "shakedown"'
-refused "missing key runs"
+refused "missing key record.runs"
 write 'kind = "shakedown"' "runs = [\"$run\", \"$run\"]"
-refused "stands twice; a record counts once"
+refused "stands twice; name each once"
 write 'kind = "shakedown"' 'runs = ["missing.csv"]'
 refused "missing.csv: the file cannot be read"
 write 'kind = "shakedown"' "runs = [\"$run\"]" 'confidnce = 0.9'
-refused "data.toml:3:1: unknown key confidnce; did you mean confidence?"
-write 'kind = "shakedown"' "runs = [\"$run\"]" '[drive]' 'period = "4 s"'
-refused "data.toml:3:1: [drive] and the column drive of the runs say it twice"
-write 'kind = "shakedown"' "runs = [\"$run\"]" '[record]' 'resolution = 80'
+refused "data.toml:4:1: unknown key record.confidnce; did you mean record.confidence?"
+write 'kind = "shakedown"' "runs = [\"$run\"]" '[record.drive]' 'period = "4 s"'
+refused "data.toml:4:1: [record.drive] and the column drive of the runs say it twice"
+write 'kind = "shakedown"' "runs = [\"$run\"]" 'resolution = 80'
 refused "data.toml:4:14: record.resolution = 80: must be a length, but has no unit"
-write 'kind = "shakedown"' "runs = [\"$run\"]" '[errors]' 'friction.coefficient = 0.01'
-refused "[errors] are those of a case, but there is none"
-write 'kind = "shakedown"' "runs = [\"$run\"]" 'case = "examples/records/synthetic_case.toml"' '[errors]' \
-    'load.normal_forse = "0.1 N"'
-refused "did you mean load.normal_force?"
-write 'kind = "shakedown"' "runs = [\"$run\"]" 'case = "examples/records/synthetic_case.toml"' '[errors]' \
-    'load.tangential_ratio = 0.01'
-refused "data.toml:5:25: errors.load.tangential_ratio: the case does not state this number"
+of_case 's/21.1 ± 0.1 N/21.1 ± 0.1 mm/' 'kind = "shakedown"' "runs = [\"$run\"]"
+refused 'load.normal_force = "21.1 ± 0.1 mm": "mm" is a unit of length, but this is a force'
+of_case 's/^amplitude_ratio = .*/amplitude_ratio = 0.24/; s/^thickness = .*/thickness_ratio = "0.9 ± 0.1"/' \
+    'kind = "shakedown"' "runs = [\"$run\"]"
+refused "substrate.thickness_ratio: an uncertainty of this ratio is not propagated; state the length"
 
 # 4. What is wrong with a record. record NAME COMMAND...: run 1 changed by awk.
 write 'kind = "shakedown"' 'runs = ["run.csv"]'
@@ -102,10 +108,10 @@ record '{ print $1, $2 }'
 refused "without a column drive its start and number of periods must be known"
 
 # 5. Without the drive its period is found, or given.
-write 'kind = "shakedown"' 'runs = ["run.csv"]' '[drive]' 'start = "30 s"' 'periods = 12'
+write 'kind = "shakedown"' 'runs = ["run.csv"]' '[record.drive]' 'start = "30 s"' 'periods = 12'
 expect 0 data.toml --output found --quiet
 says "Shakedown: residual ratcheting contributes at most" out
-write 'kind = "shakedown"' 'runs = ["run.csv"]' '[drive]' 'start = "30 s"' 'periods = 12' \
+write 'kind = "shakedown"' 'runs = ["run.csv"]' '[record.drive]' 'start = "30 s"' 'periods = 12' \
     'amplitude = "1.0807 mm"' 'speed = "1 mm/s"'
 expect 0 data.toml --output given --quiet
 says '"amplitude_m": 0.0010807' given/experiment.json
@@ -130,7 +136,7 @@ awk 'BEGIN {
     }
     for (i = 0; i < 40; i++) printf "%.2f,%.2f,0\n", t + i * 0.05, u
 }' >run.csv
-write 'kind = "limit"' 'runs = ["run.csv"]' 'case = "examples/records/synthetic_case.toml"'
+of_case '' 'kind = "limit"' 'runs = ["run.csv"]'
 expect 0 data.toml --output limit --quiet
 says "W_lim = 1.15 ± 0.05 mm" out
 says "MDR: W_lim" out
@@ -144,40 +150,40 @@ json() { "$python" -c "import json; print(json.load(open('$1'))$2)"; }
 run=examples/records/synthetic/run_1.csv
 cp "$source_dir/$run" run.csv
 ratio=$(awk 'BEGIN { printf "%.17g", 6.735 / (0.57 * 21.1) }')
-sed "s/^tangential_force.*/tangential_ratio = $ratio/" examples/records/synthetic_case.toml >ratio.toml
-cp examples/records/synthetic_case.toml force.toml
-for case in force ratio; do
-    write 'kind = "shakedown"' 'runs = ["run.csv"]' "case = \"$case.toml\"" '[errors]' \
-        'friction.coefficient = 0.02'
-    expect 0 data.toml --output "$case" --quiet
-done
+exact='s/21.1 ± 0.1 N/21.1 N/; s/"0.57 ± 0.01"/0.57/'
+as_ratio="s/^tangential_force.*/tangential_ratio = $ratio/"
+uncertain='s/^coefficient.*/coefficient = "0.57 ± 0.02"/'
+record=('kind = "shakedown"' 'runs = ["run.csv"]')
+of_case "$exact; $uncertain" "${record[@]}"
+expect 0 data.toml --output force --quiet
+of_case "$exact; $uncertain; $as_ratio" "${record[@]}"
+expect 0 data.toml --output ratio --quiet
 for number in "['normalised']['tangential_ratio']['standard_error']" \
     "['models'][0]['deviations'][0]['predicted_m']['high']"; do
     a=$(json force/experiment.json "$number") b=$(json ratio/experiment.json "$number")
     awk "BEGIN { exit !($a > 0 && ($a / $b - 1)^2 < 1e-12) }" || complain "$number: $a, $b"
 done
-write 'kind = "shakedown"' 'runs = ["run.csv"]' 'case = "ratio.toml"' '[errors]' \
-    'load.tangential_ratio = 0.01'
+of_case "$exact; s/^tangential_force.*/tangential_ratio = \"$ratio ± 0.01\"/" "${record[@]}"
 expect 0 data.toml --output set --quiet
 got=$(json set/experiment.json "['normalised']['tangential_ratio']['standard_error']")
 awk "BEGIN { exit !(($got / 0.01 - 1)^2 < 1e-12) }" || complain "error of the ratio: $got"
-write 'kind = "shakedown"' 'runs = ["run.csv"]' 'case = "ratio.toml"'
+of_case "$exact; $as_ratio" "${record[@]}"
 expect 0 data.toml --output plain --quiet
-says "no stated errors" out
-grep -q "they differ$" out && complain "models differ without errors"
+says "states no uncertainty" out
+grep -q "disagrees" out && complain "models differ without errors"
 grep -q "± 0 " out && complain "± 0: $(cat out)"
 [ "$(json plain/experiment.json "['models'][0]['deviations'][0]['differs']")" = None ] ||
     complain "differs without errors"
 
 # 8. A relaxing substrate rests under F_T as long as the record says, and rolls as fast: the model's
 #    static shift is that of a run with this hold.
-{
-    sed "s/^vtk.*/&/; /^\[bem\]/,\$d" ratio.toml
-    printf '[substrate.relaxation]\nG2 = "1.73 MPa"\neta = "17.3 MPa s"\n[output]\nvtk = "none"\n'
-} | sed 's/^periods.*/&\nspeed = "9 m\/s"/' >relaxing.toml
+of_case "$exact; $uncertain; $as_ratio; s/^periods.*/&\nspeed = \"9 m\/s\"/; /^\[bem\]/,\$d" \
+    '[substrate.relaxation]' 'G2 = "1.73 MPa"' 'eta = "17.3 MPa s"' '[output]' 'vtk = "none"'
+sed '/^\[record\]/d' data.toml >relaxing.toml
+# relaxing LINE...: that case with [record].
+relaxing() { (cat relaxing.toml && printf '%s\n' '[record]' 'kind = "shakedown"' "$@") >data.toml; }
 awk -F, 'NR > 3 && $1 < 4 { $2 = 0.0 } { print $1 "," $2 (NR > 2 ? "," $3 : "") }' run.csv >loaded.csv
-write 'kind = "shakedown"' 'runs = ["loaded.csv"]' 'case = "relaxing.toml"' '[record]' 'loading = "4 s"' \
-    '[errors]' 'friction.coefficient = 0.02'
+relaxing 'runs = ["loaded.csv"]' 'loading = "4 s"'
 expect 0 data.toml --output relaxing --quiet
 says "The substrate relaxes: the models rest under F_T for" out
 hold=$(json relaxing/experiment.json "['rolled_as']['hold_s']")
@@ -190,8 +196,7 @@ a=$(json relaxing/experiment.json "['models'][0]['shift_m'][0]")
 b=$(json run/summary.json "['models']['mdr']['static_shift_m']" 2>/dev/null ||
     json run/summary.json "['models'][0]['static_shift_m']")
 awk "BEGIN { exit !(($a / $b - 1)^2 < 1e-12) }" || complain "static shift $a, after a hold $b"
-write 'kind = "shakedown"' 'runs = ["run.csv"]' 'case = "relaxing.toml"' '[errors]' \
-    'friction.coefficient = 0.02'
+relaxing 'runs = ["run.csv"]'
 expect 0 data.toml --output missing --quiet
 says "the record does not say when F_T was applied" out
 says "how long F_T acted before the rolling is not known" out

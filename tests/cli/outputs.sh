@@ -39,8 +39,8 @@ models = ["mdr"]
 rolling.amplitude_ratio = [0.1, 0.2]
 TOML
 cp "$source_dir/examples/cases/walking_set_b.toml" slider.toml
-cp "$source_dir"/examples/rigs/sphere_parallel.toml rig.toml
-cp "$source_dir"/examples/measurements/thesis_static_shift.* .
+sed 's|\.\./measurements/||' "$source_dir"/examples/rigs/sphere_parallel.toml >rig.toml
+cp "$source_dir"/examples/measurements/thesis_static_shift.csv .
 experiment=$source_dir/examples/records/synthetic_shakedown.toml
 has_fem=$("$program" list | grep -c '^  fem ')
 
@@ -50,7 +50,7 @@ commands=(
     "summary.json run ball.toml" "limit.csv limit ball.toml" "creep.csv roll rolls.toml"
     "motion.csv walk slider.toml" "ball.inp export ball.toml" "refinement.csv refine ball.toml --model bem"
     "deviation.json deviation ball.toml --no-runs" "experiment.json experiment $experiment"
-    "rig.json rig rig.toml" "identify.json identify thesis_static_shift.toml"
+    "rig.json rig rig.toml" "identify.json identify rig.toml"
     "results.csv sweep study.toml" "results.sqlite sweep study.toml" "results.sqlite-journal sweep study.toml"
     "verification.json verify --short" ".tricontact limit ball.toml" "case.toml run ball.toml")
 ((has_fem)) && commands+=("mesh.msh mesh layer.toml")

@@ -40,7 +40,7 @@ tells sphere_parallel.txt '\(5\.1\.16\) has a square too many'
 tells results/sphere_parallel/report.html 'printed numbers do not follow from the others'
 
 # Of another rig no remark on the thesis; what nobody can compute does not follow from anything.
-sed -e 's/"8 mm"/"7 mm"/; /^maxwell_ratio/d' -e '/^\[printed\]/,$d' "$source_dir/examples/rigs/sphere_parallel.toml" >other.toml
+sed -e 's/"8 ± 0.1 mm"/"7 mm"/; /^maxwell_ratio/d' -e '/^\[printed\]/,$d' "$source_dir/examples/rigs/sphere_parallel.toml" >other.toml
 cat >>other.toml <<'END'
 [printed]
 thickness_ratio = {value = "0.78", source = "a note"}
@@ -57,11 +57,14 @@ tells results/other/report.html '1 of 2 printed numbers can be computed from the
 cmp -s again/rig.json results/sphere_parallel/rig.json || complain "rig.json differs"
 cmp -s again/report.html results/sphere_parallel/report.html || complain "report.html differs"
 
-refused "this is a contact case, not a rig file" rig "$source_dir/examples/cases/rig_sphere_parallel.toml"
+# A plain case lacks the layer that a rig is held against.
+refused "missing key substrate.thickness" rig "$source_dir/examples/cases/rig_sphere_parallel.toml"
+refused "this is a study, not a contact case; tricontact sweep computes it" rig \
+    "$source_dir/examples/studies/rig_layer.toml"
 refused "the file cannot be read" rig missing.toml
-sed 's/"8 mm"/"8 N"/' "$source_dir/examples/rigs/sphere_parallel.toml" >bad.toml
-refused 'bad.toml:13:13: substrate.thickness = "8 N": "N" is a unit of force' rig ../bad.toml
-sed 's/"8 mm"/"0.02 mm"/' "$source_dir/examples/rigs/sphere_parallel.toml" >bad.toml
+sed 's/"8 ± 0.1 mm"/"8 N"/' "$source_dir/examples/rigs/sphere_parallel.toml" >bad.toml
+refused 'bad.toml:16:13: substrate.thickness = "8 N": "N" is a unit of force' rig ../bad.toml
+sed 's/"8 ± 0.1 mm"/"0.02 mm"/' "$source_dir/examples/rigs/sphere_parallel.toml" >bad.toml
 refused "layer" rig ../bad.toml
 
 finish

@@ -7,7 +7,7 @@ rig=$source_dir/examples/rigs/sphere_parallel.toml
 
 # layer R [mm] b [mm] E [MPa] F_N [N] MU SIZE [mm]: writes rig.toml, case.toml
 layer() {
-    sed -e "s/radius = \"40 mm\"/radius = \"$1 mm\"/; s/thickness = \"8 mm\"/thickness = \"$2 mm\"/" \
+    sed -e "s/radius = \"40 mm\"/radius = \"$1 mm\"/; s/thickness = .*/thickness = \"$2 mm\"/" \
         -e "s/young = \"5.2 MPa\"/young = \"$3 MPa\"/; s/normal_force = .*/normal_force = \"$4 N\"/" \
         -e "s/coefficient = .*/coefficient = $5/; /^\[printed\]/,\$d" "$rig" >rig.toml
     cat >case.toml <<END

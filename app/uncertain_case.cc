@@ -1,0 +1,61 @@
+#include "app/uncertain_case.h"
+
+#include <fmt/format.h>
+
+#include <optional>
+
+#include "app/identification_models.h"
+#include "contact/error.h"
+
+namespace tricontact::app {
+
+namespace {
+
+using contact::Case;
+using experiments::CaseQuantity;
+
+/// Of an uncertain f_T or w: the force, or the length, that the rig sets.
+std::optional<CaseQuantity> set_quantity(const io::CaseKey& key, double standard_error, Case c,
+                                         double normal_force, double amplitude) {
+    const double* stated = number_of(key, c);
+    const std::string name(key.path);
+    if (stated && name == "load.tangential_ratio")
+        return CaseQuantity{
+            .name = name,
+            .standard_error = standard_error * c.friction_coefficient * normal_force,
+            .of_case = [](Case& set) -> double& { return *set.load.tangential_force; }};
+    if (stated && name == "rolling.amplitude_ratio")
+        return CaseQuantity{
+            .name = name,
+            .standard_error = standard_error * amplitude / *stated,
+            .of_case = [](Case& set) -> double& { return *set.rolling->amplitude; }};
+    return {};
+}
+
+}  // namespace
+
+UncertainCase uncertain_case(const Case& c, double normal_force, double amplitude,
+                             const std::vector<io::UncertainKey>& uncertain) {
+    UncertainCase result{experiments::as_the_rig_sets(c, normal_force, amplitude), {}};
+    for (const io::UncertainKey& one : uncertain) {
+        const io::CaseKey& key = *io::find_key(one.key->path);
+        const double error = one.number.value.standard_error;
+        auto quantity = set_quantity(key, error, c, normal_force, amplitude);
+        if (!quantity && !number_of(key, result.set))
+            throw contact::InputError(fmt::format(
+                "{}: {}: an uncertainty of this ratio is not propagated; state the length or the "
+                "force that it stands for",
+                one.place, key.path));
+        if (!quantity)
+            quantity = CaseQuantity{
+                .name = std::string(key.path),
+                .standard_error = error,
+                .of_case = [&key](Case& any) -> double& { return *number_of(key, any); },
+                .largest = key.range.high};
+        quantity->distribution = one.number.distribution;
+        result.quantities.push_back(std::move(*quantity));
+    }
+    return result;
+}
+
+}  // namespace tricontact::app

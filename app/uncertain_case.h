@@ -1,0 +1,25 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "contact/case.h"
+#include "experiments/records/experiment_evaluation.h"
+#include "io/case/rig_file.h"
+
+namespace tricontact::app {
+
+/// A case as the rig sets it, F_T [N] and W [m] in place of their ratios, and its uncertain numbers
+/// as they stand in it.
+struct UncertainCase {
+    contact::Case set;
+    std::vector<experiments::CaseQuantity> quantities;  ///< in the order of the file
+};
+
+/// `c` as it was read. `normal_force` [N], `amplitude` [m]: what its ratios stand for. Throws
+/// contact::InputError, naming the place, for a number that the resolved case does not state, such
+/// as a ratio of a layer's thickness.
+UncertainCase uncertain_case(const contact::Case& c, double normal_force, double amplitude,
+                             const std::vector<io::UncertainKey>& uncertain);
+
+}  // namespace tricontact::app

@@ -1,0 +1,120 @@
+#include "app/uncertain_prediction.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "contact/error.h"
+#include "contact/load_path.h"
+#include "contact/special_values.h"
+#include "statistics/distribution.h"
+
+namespace tricontact::app {
+
+namespace {
+
+using atlas::Prediction;
+using contact::Case;
+using experiments::CaseQuantity;
+
+constexpr double least_share = 1e-6;  // of a number's value: what a distribution reaches below 0
+
+double drawn(const CaseQuantity& number, double value, double u) {
+    double x =
+        value + number.standard_error * statistics::standard_quantile(number.distribution, u);
+    if (x > number.largest) x = 2 * number.largest - x;
+    return value > 0 ? std::max(x, least_share * value) : x;
+}
+
+/// One if it ratchets, zero if it settles, NaN where that is not said.
+double ratchets(contact::State state) {
+    switch (state) {
+        case contact::State::ratcheting:
+            return 1;
+        case contact::State::shakedown:
+            return 0;
+        default:
+            return contact::undefined;
+    }
+}
+
+std::optional<Prediction> prediction_if_any(const Case& c, const std::string& model) {
+    try {
+        return atlas::predict(c, model);
+    } catch (const contact::InputError&) {  // beyond the maps
+        return {};
+    }
+}
+
+double quantile(std::vector<double> values, double probability) {
+    const auto place = values.begin() + static_cast<std::ptrdiff_t>(
+                                            probability * static_cast<double>(values.size() - 1));
+    std::ranges::nth_element(values, place);
+    return *place;
+}
+
+/// Of the values of one function at all points; none where it is undefined.
+std::vector<double> defined_values(const statistics::SobolSample& sample, std::size_t function) {
+    std::vector<double> values;
+    for (const std::vector<double>& row : sample.values)
+        if (std::isfinite(row[function])) values.push_back(row[function]);
+    return values;
+}
+
+SampledQuantity described(const comparisons::Quantity& q, std::vector<double> values,
+                          const statistics::SobolIndices& indices) {
+    SampledQuantity result{.quantity = &q, .indices = indices};
+    const auto n = static_cast<double>(values.size());
+    for (const double value : values) result.mean += value / n;
+    for (const double value : values)
+        result.standard_deviation += std::pow(value - result.mean, 2) / (n - 1);
+    result.standard_deviation = std::sqrt(result.standard_deviation);
+    result.low = quantile(values, .025);
+    result.high = quantile(std::move(values), .975);
+    return result;
+}
+
+}  // namespace
+
+SampledPrediction sampled_prediction(const Case& c, const std::string& model,
+                                     const std::vector<io::UncertainKey>& uncertain,
+                                     int n_samples) {
+    const contact::HalfSpaceScales scales = contact::half_space_scales(c);
+    const double amplitude = c.rolling ? contact::path_amplitude(c, scales.contact_radius) : 0;
+    const UncertainCase numbers = uncertain_case(c, scales.normal_force, amplitude, uncertain);
+    const Prediction nominal = atlas::predict(numbers.set, model);
+    Case values = numbers.set;
+    const auto functions = [&](const std::vector<double>& u) {
+        Case at = numbers.set;
+        for (std::size_t i = 0; i < numbers.quantities.size(); ++i) {
+            const CaseQuantity& number = numbers.quantities[i];
+            number.of_case(at) = drawn(number, number.of_case(values), u[i]);
+        }
+        std::vector<double> found(nominal.entries.size() + 2, contact::undefined);
+        const auto prediction = prediction_if_any(at, model);
+        found[0] = prediction ? 0 : 1;
+        if (!prediction) return found;
+        found[1] = ratchets(prediction->state);
+        for (std::size_t k = 0; k < nominal.entries.size(); ++k)
+            if (const auto* entry = prediction->find(*nominal.entries[k].quantity))
+                found[k + 2] = entry->value.value;
+        return found;
+    };
+    const statistics::SobolSample sample = statistics::sobol_indices(
+        functions, static_cast<int>(numbers.quantities.size()), n_samples);
+    SampledPrediction result{.model = model, .n_samples = static_cast<int>(sample.points.size())};
+    for (const CaseQuantity& one : numbers.quantities) result.numbers.push_back(one.name);
+    result.outside = sample.indices[0].mean;
+    if (const auto states = defined_values(sample, 1); !states.empty()) {
+        result.ratchets = 0;
+        for (const double one : states)
+            *result.ratchets += one / static_cast<double>(states.size());
+    }
+    constexpr std::size_t enough = 20;  // for quantiles of 2.5 %
+    for (std::size_t k = 0; k < nominal.entries.size(); ++k)
+        if (auto found = defined_values(sample, k + 2); found.size() >= enough)
+            result.quantities.push_back(
+                described(*nominal.entries[k].quantity, std::move(found), sample.indices[k + 2]));
+    return result;
+}
+
+}  // namespace tricontact::app

@@ -1,0 +1,80 @@
+#include "experiments/validation/comparison_error.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "contact/number_text.h"
+#include "report/format.h"
+
+namespace tricontact::experiments {
+
+namespace {
+
+constexpr double confidence = .95;
+constexpr double many = 1e9;              // degrees of freedom that are as good as infinitely many
+constexpr double least_told_share = .01;  // of a contributor
+constexpr std::size_t most_told = 4;
+
+}  // namespace
+
+double ComparisonError::standard_error() const {
+    double squares = 0;
+    for (const UncertaintySource& one : sources) squares += one.standard_error * one.standard_error;
+    return std::sqrt(squares);
+}
+
+double ComparisonError::half_width() const {
+    const double error = standard_error();
+    if (error == 0) return 0;
+    double sum = 0;
+    for (const UncertaintySource& one : sources)
+        sum += std::pow(one.standard_error / error, 4) / one.degrees_of_freedom;
+    const double effective = sum > 0 ? std::min(1 / sum, many) : many;
+    return statistics::student_t(confidence, std::max(1, static_cast<int>(effective))) * error;
+}
+
+bool ComparisonError::agrees() const {
+    return std::abs(difference()) <= half_width();
+}
+
+double ComparisonError::resolution() const {
+    constexpr double one_sided = 2 * confidence - 1;  // as the confidence of a two-sided interval
+    return (half_width() + statistics::normal_quantile(one_sided) * standard_error()) /
+           std::abs(computed);
+}
+
+std::vector<std::pair<std::string, double>> ComparisonError::shares() const {
+    std::vector<std::pair<std::string, double>> shares;
+    const double error = standard_error();
+    if (error == 0) return shares;
+    for (const UncertaintySource& one : sources)
+        shares.emplace_back(one.name, std::pow(one.standard_error / error, 2));
+    std::ranges::stable_sort(shares, std::greater(), &std::pair<std::string, double>::second);
+    return shares;
+}
+
+std::string statement(const ComparisonError& error, const std::string& unit) {
+    const auto fitting =
+        report::fitting_unit(std::max(std::abs(error.difference()), error.half_width()), unit);
+    const double difference = error.difference() / fitting.factor;
+    std::string contributors;
+    for (const auto& [name, share] : error.shares()) {
+        if (share < least_told_share ||
+            std::ranges::count(contributors, ',') + 1 == static_cast<std::ptrdiff_t>(most_told))
+            break;
+        contributors +=
+            fmt::format("{}{} {:.0f} %", contributors.empty() ? "" : ", ", name, 100 * share);
+    }
+    return fmt::format(
+        "measured minus computed: {}{} {} (95 %): {}; this comparison would have seen {} %; "
+        "largest "
+        "contributors: {}",
+        difference > 0 ? "+" : "",
+        report::with_error(difference, error.half_width() / fitting.factor), fitting.symbol,
+        error.agrees() ? "agrees" : "disagrees", report::significant(100 * error.resolution(), 2),
+        contributors);
+}
+
+}  // namespace tricontact::experiments

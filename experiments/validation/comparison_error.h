@@ -1,0 +1,47 @@
+#pragma once
+
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "statistics/estimate.h"
+
+// What separates a measured quantity from a computed one, and how well that is known: ASME V&V
+// 20-2009, Standard for Verification and Validation in Computational Fluid Dynamics and Heat
+// Transfer; uncertainties after JCGM 100:2008 (GUM).
+namespace tricontact::experiments {
+
+/// One independent source of the uncertainty of a comparison.
+struct UncertaintySource {
+    std::string name;           ///< "friction.coefficient", "repeated runs", "mesh"
+    double standard_error = 0;  ///< that it gives to measured minus computed, in their unit
+    /// By how many values its standard error is known.
+    double degrees_of_freedom = std::numeric_limits<double>::infinity();
+};
+
+/// Measured minus computed. V&V 20 takes the other sign of E.
+struct ComparisonError {
+    double measured = 0, computed = 0;
+    std::vector<UncertaintySource> sources;
+
+    double difference() const { return measured - computed; }
+    /// u_val, (4-2-1): the root of the sum of squares of all sources.
+    double standard_error() const;
+    /// Of the interval of 95 % of the difference: Student's t of the effective degrees of freedom
+    /// (Welch and Satterthwaite; JCGM 100:2008, G.4) times u_val.
+    double half_width() const;
+    /// The interval holds zero.
+    bool agrees() const;
+    /// The least deviation of the computed value, relative to it, that this comparison would have
+    /// called a disagreement in 95 of 100 cases: the half width and the normal quantile of 95 %
+    /// times u_val.
+    double resolution() const;
+    /// The sources with their shares of u_val^2, the largest first; none if nothing is uncertain.
+    std::vector<std::pair<std::string, double>> shares() const;
+};
+
+/// "measured minus computed: +1.4 ± 6.8 µm (95 %): agrees; this comparison would have seen 12 %;
+/// largest contributors: substrate.young 61 %, repeated runs 22 %". `unit`: SI.
+std::string statement(const ComparisonError& error, const std::string& unit);
+
+}  // namespace tricontact::experiments

@@ -1,0 +1,59 @@
+// Whether adhesion counts: on each side of the threshold, by both theories, and without its datum.
+#include <cmath>
+
+#include "experiments/assumptions/rolling_parts.h"
+#include "tests/unit/experiments/assumptions/rig_reports.h"
+
+namespace tricontact::adhesion_assumption_test {
+namespace {
+
+using experiments::Rig;
+using experiments::Standing;
+
+Rig sphere(double radius, double force, double young, double work) {
+    return {.data = {{"R", {radius}},
+                     {"E_1", {206e9}},
+                     {"nu_1", {0.3}},
+                     {"b", {10 * radius}},
+                     {"E_2", {young}},
+                     {"nu_2", {0.5}},
+                     {"F_N", {force}},
+                     {"Dgamma", {work, work / 10}}}};
+}
+
+// F_off/F_N = 3/2 pi w R/F_N, and a of JKR: 1 + sqrt(6 pi w R/F_N)/3 for small adhesion.
+TEST(Adhesion, OfTheThesisRigIsNone) {
+    const auto a = experiments::no_adhesion(sphere(40e-3, 21.1, 5.2e6, .05));
+    EXPECT_EQ(a.standing(), Standing::holds);
+    EXPECT_NEAR(a.deciding_value(), 1.5 * M_PI * .05 * 40e-3 / 21.1, 1e-12);
+    EXPECT_NEAR(a.criteria[1].calculation.result.value,
+                std::sqrt(6 * M_PI * .05 * 40e-3 / 21.1) / 3, 3e-4);
+    EXPECT_NE(a.consequence.find("By Johnson, Kendall and Roberts"), std::string::npos)
+        << a.consequence;
+}
+
+TEST(Adhesion, OfASmallBallOnSoftRubberIsAViolation) {
+    const auto a = experiments::no_adhesion(sphere(5e-3, 20e-3, 1e6, .05));
+    EXPECT_EQ(a.standing(), Standing::fails);
+    // The error of the work of adhesion is propagated: F_off is in proportion to it.
+    EXPECT_NEAR(a.criteria[0].calculation.result.standard_error / a.deciding_value(), .1, 1e-6);
+}
+
+TEST(Adhesion, OfStiffSmallSpheresIsThatOfDerjaguinMullerAndToporov) {
+    const auto a = experiments::no_adhesion(sphere(1e-7, 1e-5, 100e9, .03));
+    EXPECT_NE(a.consequence.find("Derjaguin, Muller and Toporov"), std::string::npos)
+        << a.consequence;
+    EXPECT_NEAR(a.deciding_value(), 2 * M_PI * .03 * 1e-7 / 1e-5, 1e-12);
+}
+
+TEST(Adhesion, WithoutItsWorkIsNotTestable) {
+    Rig rig = sphere(40e-3, 21.1, 5.2e6, .05);
+    rig.data.erase("Dgamma");
+    const auto a = experiments::no_adhesion(rig);
+    EXPECT_EQ(a.standing(), Standing::cannot_tell);
+    EXPECT_EQ(a.missing, std::vector<std::string>{"rig.work_of_adhesion"});
+    EXPECT_TRUE(a.consequence.empty());
+}
+
+}  // namespace
+}  // namespace tricontact::adhesion_assumption_test
