@@ -7,6 +7,7 @@
 #include "contact/load_path.h"
 #include "contact/special_values.h"
 #include "statistics/distribution.h"
+#include "statistics/sample_quantile.h"
 
 namespace tricontact::app {
 
@@ -45,13 +46,6 @@ std::optional<Prediction> prediction_if_any(const Case& c, const std::string& mo
     }
 }
 
-double quantile(std::vector<double> values, double probability) {
-    const auto place = values.begin() + static_cast<std::ptrdiff_t>(
-                                            probability * static_cast<double>(values.size() - 1));
-    std::ranges::nth_element(values, place);
-    return *place;
-}
-
 /// Of the values of one function at all points; none where it is undefined.
 std::vector<double> defined_values(const statistics::SobolSample& sample, std::size_t function) {
     std::vector<double> values;
@@ -68,8 +62,8 @@ SampledQuantity described(const comparisons::Quantity& q, std::vector<double> va
     for (const double value : values)
         result.standard_deviation += std::pow(value - result.mean, 2) / (n - 1);
     result.standard_deviation = std::sqrt(result.standard_deviation);
-    result.low = quantile(values, .025);
-    result.high = quantile(std::move(values), .975);
+    result.low = statistics::sample_quantile(values, .025);
+    result.high = statistics::sample_quantile(std::move(values), .975);
     return result;
 }
 

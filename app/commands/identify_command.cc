@@ -60,10 +60,15 @@ double largest_difference(const std::vector<double>& a, const std::vector<double
     return difference / largest;
 }
 
+struct IdentifyOptions : CommandOptions {
+    bool posterior = false;
+};
+
 /// One model at work on the input.
 struct Identifier {
     const experiments::IdentificationInput& input_;
     int threads_;
+    bool has_posterior_;
     IdentificationTask task_ = task_of(input_);
 
     IdentifiedModel identify(const std::string& name, const std::vector<double>& curve_points) {
@@ -79,6 +84,11 @@ struct Identifier {
         if (slides(best)) return model;
         check_interpolation(model);
         model.contributions = input_contributions(name, input_, task_, best, threads_);
+        if (has_posterior_) {
+            std::vector<Properties> changes;
+            for (const auto& one : model.contributions) changes.push_back(one.change);
+            model.posterior = experiments::sample_posterior(task_, model.found, changes);
+        }
         model.curve = measured_values(name, input_.measurement, rig_with(input_, best),
                                       curve_points, threads_);
         return model;
@@ -129,7 +139,7 @@ std::vector<std::pair<std::string, std::string>> settings_of(
 }
 
 IdentificationStudy study_of(const experiments::IdentificationInput& input,
-                             const CommandOptions& options) {
+                             const IdentifyOptions& options) {
     IdentificationStudy study;
     study.input = input;
     study.title =
@@ -139,7 +149,7 @@ IdentificationStudy study_of(const experiments::IdentificationInput& input,
     study.settings = settings_of(input);
     study.command = "tricontact identify " + std::filesystem::path(input.name).filename().string();
     study.version = files::version;
-    Identifier identifier{input, options.threads};
+    Identifier identifier{input, options.threads, options.posterior};
     for (const std::string& name : input.models) {
         options.say(name);
         study.models.push_back(identifier.identify(name, study.curve_points));
@@ -169,17 +179,20 @@ void print(const IdentificationStudy& study) {
                                    std::string(columns_of(study.input.measurement).observed.unit),
                                    2));
     }
+    for (const IdentifiedModel& model : study.models)
+        if (model.posterior) std::cout << experiments::posterior_sentence(model) << '\n';
     for (const auto& verdict : experiments::identification_verdicts(study))
         std::cout << verdict.sentence << '\n';
 }
 
-void identify_properties(CommandOptions options) {
+void identify_properties(IdentifyOptions options) {
     const experiments::IdentificationInput input =
         experiments::read_identification(options.file, options.overrides);
     options.choose_folder();
     IdentificationStudy study;
-    options.fill({{"identify.json", "report.html"}}, [&] {
+    options.fill({{"identify.json", "report.html", "posterior.csv"}}, [&] {
         study = study_of(input, options);
+        if (options.posterior) options.write("posterior.csv", experiments::posterior_csv(study));
         options.write("identify.json", experiments::identification_json(study).dump(2) + '\n');
         options.write_report(experiments::identification_document(study), study.command);
     });
@@ -189,9 +202,11 @@ void identify_properties(CommandOptions options) {
 }  // namespace
 
 Command identify_command() {
-    return Declared<CommandOptions>("identify", "Find E and mu from a measurement on a rig",
-                                    identify_properties)
+    return Declared<IdentifyOptions>("identify", "Find E and mu from a measurement on a rig",
+                                     identify_properties)
         .on_case()
+        .flag("--posterior", &IdentifyOptions::posterior,
+              "Draw from the posterior density of E, mu and the uncertain inputs (posterior.csv)")
         .output("Folder (results/<case>)")
         .threads()
         .quiet("No progress");

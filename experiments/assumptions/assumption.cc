@@ -88,6 +88,9 @@ double probability_of_violation(const Criterion& criterion, int n_samples) {
     constexpr std::uint64_t seed = 1;
     const std::vector<Given>& given = criterion.calculation.given;
     const auto unit = statistics::latin_hypercube(n_samples, static_cast<int>(given.size()), seed);
+    const bool is_uncertain =
+        std::ranges::any_of(given, [](const Given& one) { return one.value.standard_error > 0; });
+    if (!is_uncertain) n_samples = 1;
     int n_defined = 0, n_violated = 0;
     for (int j = 0; j < n_samples; ++j) {
         Values x = values_of(given);

@@ -189,6 +189,31 @@ report::Figure map_figure(const IdentifiedModel& model) {
     return figure;
 }
 
+/// Its points, thinned.
+std::optional<report::Figure> posterior_figure(const IdentifiedModel& model) {
+    constexpr std::size_t most_drawn = 1500;
+    if (!model.posterior || !model.found.young || !model.found.friction) return {};
+    std::vector<double> young, friction;
+    const auto& points = model.posterior->points;
+    const std::size_t every = points.size() / most_drawn + 1;
+    for (std::size_t i = 0; i < points.size(); i += every) {
+        young.push_back(points[i].young);
+        friction.push_back(points[i].friction);
+    }
+    const Scaled scale(young, "Pa");
+    return report::Figure{.id = "posterior_" + report::id_of_model(model.name),
+                          .title = "What the data leave: " + model.name,
+                          .caption = posterior_sentence(model) +
+                                     " Points of the posterior density, thinned; the uncertain "
+                                     "inputs take all their values.",
+                          .x = {scale.label("modulus E")},
+                          .y = {"friction coefficient mu"},
+                          .curves = {{.name = "posterior",
+                                      .x = scale(young),
+                                      .y = friction,
+                                      .kind = report::Curve::Kind::points}}};
+}
+
 /// One row per model and property.
 report::DocumentTable value_table(const IdentificationStudy& study) {
     report::DocumentTable table{
@@ -292,7 +317,12 @@ report::Document identification_document(const IdentificationStudy& study) {
             values.figures.push_back(std::move(*figure));
     for (const IdentifiedModel& model : study.models)
         if (model.map) values.figures.push_back(map_figure(model));
+    for (const IdentifiedModel& model : study.models)
+        if (auto figure = posterior_figure(model)) values.figures.push_back(std::move(*figure));
     document.sections = {std::move(fit), std::move(values)};
+    const bool has_posterior = std::ranges::any_of(
+        study.models, [](const IdentifiedModel& model) { return model.posterior.has_value(); });
+    if (has_posterior) document.files.push_back({"points of the posterior", "posterior.csv"});
     return document;
 }
 

@@ -28,6 +28,21 @@ json estimate_json(const IdentifiedModel& model, Property property) {
             {"combined_standard_error", combined_standard_error(model, property)}};
 }
 
+json posterior_json(const IdentifiedModel& model) {
+    if (!model.posterior) return nullptr;
+    const Posterior& p = *model.posterior;
+    json result{{"points", p.points.size()},
+                {"effective_size", p.effective_size},
+                {"autocorrelation_time", p.autocorrelation_time},
+                {"acceptance", p.acceptance},
+                {"correlation", p.correlation}};
+    for (const Property property : both_properties)
+        if (model.found[property])
+            result[property == Property::young ? "young_Pa" : "friction_coefficient"] = {
+                {"median", p.median[property]}, {"interval", interval_json(p.interval[property])}};
+    return result;
+}
+
 json model_json(const IdentifiedModel& model) {
     const Identification& found = model.found;
     return {{"young_Pa", estimate_json(model, Property::young)},
@@ -39,6 +54,7 @@ json model_json(const IdentifiedModel& model) {
             {"r_squared", found.r_squared},
             {"goodness", found.goodness},
             {"interpolation_error", model.interpolation_error},
+            {"posterior", posterior_json(model)},
             {"fitted", found.fitted},
             {"residuals", found.residuals}};
 }

@@ -216,14 +216,10 @@ std::string_view name_of(Measurement measurement) {
 }
 
 Input read_identification(const std::string& path, const std::vector<std::string>& overrides) {
-    io::Document document = io::parse_document(io::read_input_file(path), path);
-    io::require_kind(io::FileKind::contact, document);
-    io::apply_overrides(document, overrides, io::case_file_keys());
-    io::check_known_of_rig(document, io::case_file_keys(), io::rolling_rig_keys());
-    if (!document.find_section("measurement"))
-        io::fail(path + ":1:1", "", "missing section [measurement]: nothing was measured",
-                 "add one with static_shift = \"shift.csv\", find = [\"substrate.young\"] and "
-                 "models = [\"half-space\", \"layer\"]");
+    const io::Document document = io::read_rig_document(
+        path, overrides, "measurement", "nothing was measured",
+        "add one with static_shift = \"shift.csv\", find = [\"substrate.young\"] and models = "
+        "[\"half-space\", \"layer\"]");
     Input input;
     input.name = path;
     const auto table = std::ranges::find_if(

@@ -8,6 +8,7 @@
 
 #include "experiments/identification/identification.h"
 #include "experiments/identification/identification_reader.h"
+#include "experiments/identification/posterior.h"
 #include "report/document.h"
 
 namespace tricontact::experiments {
@@ -35,6 +36,7 @@ struct IdentifiedModel {
     /// properties, over the largest value; empty for closed forms and at the edge of sliding.
     std::optional<double> interpolation_error;
     std::vector<InputContribution> contributions;
+    std::optional<Posterior> posterior;  ///< if it was asked for
     std::vector<double> curve;  ///< [SI] at the points of IdentificationStudy::curve_points
 };
 
@@ -71,6 +73,12 @@ std::string shown(const IdentifiedModel& model, Property property);
 /// The answer in sentences: the properties, the half-space's bias, whether the models explain what
 /// was measured, what cannot be told.
 std::vector<report::Verdict> identification_verdicts(const IdentificationStudy& study);
+
+/// "layer: posterior E = 3.79 MPa (3.74 to 3.83), mu = 0.61 (0.60 to 0.62), correlation -0.97; as
+/// good as 812 independent points (autocorrelation time 31 steps, 62 % accepted)."
+std::string posterior_sentence(const IdentifiedModel& model);
+/// Columns model, young [Pa], friction_coefficient; a row per point.
+std::string posterior_csv(const IdentificationStudy& study);
 
 nlohmann::ordered_json identification_json(const IdentificationStudy& study);
 report::Document identification_document(const IdentificationStudy& study);

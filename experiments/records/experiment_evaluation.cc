@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "comparisons/resolution/refinement.h"
 #include "contact/error.h"
 #include "contact/special_values.h"
 #include "statistics/estimate.h"
@@ -93,8 +94,7 @@ UncertaintySource source_of_record(const Repeated& measured) {
 // Half of Roache's grid convergence index (1998), which stands for two standard errors, of values
 // whose mesh is finer by a factor of two, by the first order that no model stays below.
 double numerical_standard_error(double fine, double coarse) {
-    constexpr double safety_factor = 1.25;
-    return safety_factor * std::abs(fine - coarse) / 2;
+    return comparisons::safety_factor * std::abs(fine - coarse) / 2;
 }
 
 statistics::Fit line_of(const StageEvaluation& stage, double origin, double confidence) {

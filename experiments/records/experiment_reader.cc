@@ -90,13 +90,9 @@ void check_drive(const Experiment& e, const io::Document& document) {
 
 ExperimentInput read_experiment(const std::string& path,
                                 const std::vector<std::string>& overrides) {
-    io::Document document = io::parse_document(io::read_input_file(path), path);
-    io::require_kind(io::FileKind::contact, document);
-    io::apply_overrides(document, overrides, io::case_file_keys());
-    io::check_known_of_rig(document, io::case_file_keys(), io::rolling_rig_keys());
-    if (!document.find_section("record"))
-        io::fail(path + ":1:1", "", "missing section [record]: nothing was recorded",
-                 "add one with kind = \"shakedown\" and runs = [\"run_1.csv\"]");
+    const io::Document document =
+        io::read_rig_document(path, overrides, "record", "nothing was recorded",
+                              "add one with kind = \"shakedown\" and runs = [\"run_1.csv\"]");
     ExperimentInput input;
     Experiment& e = input.experiment;
     read_keys(e, document);

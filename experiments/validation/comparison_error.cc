@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <boost/algorithm/string/replace.hpp>
 #include <cmath>
 
-#include "contact/number_text.h"
 #include "report/format.h"
 
 namespace tricontact::experiments {
@@ -16,6 +16,16 @@ constexpr double confidence = .95;
 constexpr double many = 1e9;              // degrees of freedom that are as good as infinitely many
 constexpr double least_told_share = .01;  // of a contributor
 constexpr std::size_t most_told = 4;
+
+/// "+1.4 ± 6.8": both to the second digit of the half width.
+std::string signed_with_half_width(double value, double half_width) {
+    const int decimals =
+        half_width > 0 ? std::max(0, 1 - static_cast<int>(std::floor(std::log10(half_width)))) : 3;
+    const double unit = std::pow(10., -decimals);
+    const double rounded = std::round(value / unit) * unit + 0.0;  // no "−0"
+    return boost::replace_all_copy(
+        fmt::format("{:+.{}f} ± {:.{}f}", rounded, decimals, half_width, decimals), "-", "−");
+}
 
 }  // namespace
 
@@ -68,11 +78,9 @@ std::string statement(const ComparisonError& error, const std::string& unit) {
             fmt::format("{}{} {:.0f} %", contributors.empty() ? "" : ", ", name, 100 * share);
     }
     return fmt::format(
-        "measured minus computed: {}{} {} (95 %): {}; this comparison would have seen {} %; "
-        "largest "
+        "measured minus computed: {} {} (95 %): {}; this comparison would have seen {} %; largest "
         "contributors: {}",
-        difference > 0 ? "+" : "",
-        report::with_error(difference, error.half_width() / fitting.factor), fitting.symbol,
+        signed_with_half_width(difference, error.half_width() / fitting.factor), fitting.symbol,
         error.agrees() ? "agrees" : "disagrees", report::significant(100 * error.resolution(), 2),
         contributors);
 }

@@ -61,6 +61,19 @@ void check_known_of_rig(const Document& document, const KeyList& all,
     uncertain_keys(document, all);
 }
 
+Document read_rig_document(const std::string& path, const std::vector<std::string>& overrides,
+                           std::string_view section, const std::string& missing,
+                           const std::string& remedy) {
+    Document document = parse_document(read_input_file(path), path);
+    require_kind(FileKind::contact, document);
+    apply_overrides(document, overrides, case_file_keys());
+    check_known_of_rig(document, case_file_keys(), rolling_rig_keys());
+    if (!document.find_section(section))
+        fail(path + ":1:1", "", "missing section [" + std::string(section) + "]: " + missing,
+             remedy);
+    return document;
+}
+
 std::vector<UncertainKey> RigFile::uncertain_of_case() const {
     std::vector<UncertainKey> result;
     std::ranges::copy_if(uncertain, std::back_inserter(result),

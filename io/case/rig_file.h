@@ -27,6 +27,13 @@ std::vector<UncertainKey> uncertain_keys(const Document& document, const KeyList
 void check_known_of_rig(const Document& document, const KeyList& all,
                         const std::vector<Key>& rig_keys);
 
+/// A case file with overrides, its names and the keys of its rig checked: for commands that do
+/// without some of the case. Throws contact::InputError, also where `section` is missing:
+/// "<missing>; <remedy>".
+Document read_rig_document(const std::string& path, const std::vector<std::string>& overrides,
+                           std::string_view section, const std::string& missing,
+                           const std::string& remedy);
+
 /// A case file as a rig is described by it: commands that need no uncertainties read its case.
 struct RigFile {
     Document document;  ///< overrides included

@@ -32,6 +32,22 @@ holds "$(number "['models']['half-space']['young_over_reference']") > 1.2" "the 
 holds "$(number "['models']['layer']['young_Pa']['change_by_standard_errors_of_inputs']['load.normal_force']") < 0" \
     "more force at the same shift is a stiffer hold, so a softer substrate"
 
+# The posterior is that of the likelihood where all is nearly linear: medians within a fifth, widths within a quarter of
+# the interval.
+"$program" identify shift.toml --output out --quiet --posterior >text || complain "posterior: $(cat text)"
+grep -q "^layer: posterior E = 4.2" text || complain "no posterior: $(cat text)"
+for property in young_Pa friction_coefficient; do
+    low=$(number "['models']['layer']['$property']['interval'][0]")
+    high=$(number "['models']['layer']['$property']['interval'][1]")
+    value=$(number "['models']['layer']['$property']['value']")
+    from=$(number "['models']['layer']['posterior']['$property']['interval'][0]")
+    to=$(number "['models']['layer']['posterior']['$property']['interval'][1]")
+    median=$(number "['models']['layer']['posterior']['$property']['median']")
+    holds "(($to - $from) / ($high - $low) - 1)^2 < 0.25^2" "width of the posterior of $property: $from to $to, not $low to $high"
+    holds "(($median - $value) / ($high - $low))^2 < 0.2^2" "median of the posterior of $property: $median, not $value"
+done
+[ "$(wc -l <out/posterior.csv)" -gt 1000 ] || complain "no points of the posterior"
+
 # By the maps: what the coupled runs of the data came from, within the maps' errors, in a second; the smallest force lies
 # below their least load.
 sed 's/^models = .*/models = ["half-space", "atlas"]/' shift.toml >mapped.toml

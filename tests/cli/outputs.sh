@@ -128,7 +128,7 @@ cp done/results.sqlite merged/ && "$program" sweep study.toml --output merged --
 mkdir own && cp ball.toml own/case.toml
 stays "own/case.toml: is an input" run own/case.toml --output own
 stays "own/case.toml: is an input" limit own/../own/case.toml --output own
-cp thesis_static_shift.csv own && cp thesis_static_shift.toml own/identify.json
+cp thesis_static_shift.csv own && cp rig.toml own/identify.json
 stays "own/identify.json: is an input" identify own/identify.json --output own
 rm own/identify.json
 stays "ball.toml: is an input" influence ball.toml --output ball.toml

@@ -57,6 +57,11 @@ tells results/other/report.html '1 of 2 printed numbers can be computed from the
 cmp -s again/rig.json results/sphere_parallel/rig.json || complain "rig.json differs"
 cmp -s again/report.html results/sphere_parallel/report.html || complain "report.html differs"
 
+# The chance of a violation: b/D_c = (8 ± 0.1)/(9 ± 0.5) is below 1 in Phi(1/0.51) = 97.5 % of the cases.
+"$program" rig "$source_dir/examples/rigs/sphere_parallel.toml" --samples 100 --output drawn >drawn.txt
+tells drawn.txt 'b/D_c = .* fails; violated in (9[5-9]|100)[.0]* % of the samples'
+tells drawn/rig.json '"probability_violated"'
+
 # A plain case lacks the layer that a rig is held against.
 refused "missing key substrate.thickness" rig "$source_dir/examples/cases/rig_sphere_parallel.toml"
 refused "this is a study, not a contact case; tricontact sweep computes it" rig \

@@ -1,0 +1,64 @@
+#include "experiments/identification/posterior.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace tricontact::experiments::posterior_test {
+namespace {
+
+// y = x E by known errors: with the prior flat in ln E the posterior of E is nearly normal, of mean
+// E_best and deviation sigma/sqrt(sum x^2). An input that changes E by c, one standard error, adds
+// c to it in squares.
+IdentificationTask line() {
+    IdentificationTask task;
+    for (int i = 1; i <= 5; ++i) {
+        task.observed.push_back(i * 4e6);
+        task.standard_errors.push_back(1e5);
+    }
+    task.model = [](const Properties& p) {
+        std::vector<double> values;
+        for (int i = 1; i <= 5; ++i) values.push_back(i * p.young);
+        return values;
+    };
+    task.start = {4e6, 1};
+    task.friction_is_free = false;
+    return task;
+}
+
+TEST(Posterior, OfALineIsTheNormalDensity) {
+    const IdentificationTask task = line();
+    const Posterior p = sample_posterior(task, identify(task), {});
+    const double sigma = 1e5 / std::sqrt(55);
+    EXPECT_GT(p.effective_size, 1000);
+    EXPECT_NEAR((p.median.young - 4e6) / sigma, 0, .15);
+    // Quantiles of 2.5 % of a thousand independent points scatter by 0.09 sigma.
+    EXPECT_NEAR((p.interval.young.high - 4e6) / sigma, 1.96, .3);
+    EXPECT_NEAR((p.interval.young.low - 4e6) / sigma, -1.96, .3);
+    EXPECT_FALSE(p.correlation);
+}
+
+TEST(Posterior, HoldsTheErrorsOfInputs) {
+    const IdentificationTask task = line();
+    const double c = 5e4;
+    const Posterior p = sample_posterior(task, identify(task), {{c, 0}});
+    const double sigma = std::hypot(1e5 / std::sqrt(55), c);
+    EXPECT_NEAR((p.interval.young.high - p.interval.young.low) / (2 * 1.96 * sigma), 1, .15);
+}
+
+// Without errors of the observations their deviation is told by the residuals: Student's t. Of five
+// values with one parameter t_0.975(4) = 2.78.
+TEST(Posterior, OfUnknownErrorsHasStudentsTails) {
+    IdentificationTask task = line();
+    task.standard_errors.clear();
+    const double noise[] = {1e5, -1e5, .5e5, -.5e5, 0};
+    for (int i = 0; i < 5; ++i) task.observed[i] += noise[i];
+    const Identification found = identify(task);
+    const Posterior p = sample_posterior(task, found, {});
+    EXPECT_NEAR(
+        (p.interval.young.high - p.interval.young.low) / (found.young->high - found.young->low), 1,
+        .2);
+}
+
+}  // namespace
+}  // namespace tricontact::experiments::posterior_test
