@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
 #include <string>
 
 #include "experiments/assumptions/check_rig.h"
@@ -19,8 +20,12 @@ inline experiments::Rig rig_file(const std::string& name) {
                                     walking::walk_file_keys());
 }
 
-inline experiments::RigReport report_of(const std::string& name) {
-    return experiments::check_rig(rig_file(name));
+/// Computed once: the layer's equations behind every derivative take a second.
+inline const experiments::RigReport& report_of(const std::string& name) {
+    static std::map<std::string, experiments::RigReport> reports;
+    const auto found = reports.find(name);
+    if (found != reports.end()) return found->second;
+    return reports[name] = experiments::check_rig(rig_file(name));
 }
 
 inline const experiments::Assumption& assumption_of(const experiments::RigReport& report,
