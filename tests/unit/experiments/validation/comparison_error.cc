@@ -55,9 +55,10 @@ TEST(ComparisonError, ADeviationOfItsResolutionIsSeen) {
 TEST(ComparisonError, IsTold) {
     const ComparisonError e{
         101.4e-6, 100e-6, {{"substrate.young", 3e-6}, {"repeated runs", 1e-6}, {"mesh", 1e-7}}};
-    EXPECT_EQ(statement(e, "m"),
-              "measured minus computed: +1.4 ± 6.2 µm (95 %): agrees; this comparison would have seen "
-              "11 %; largest contributors: substrate.young 90 %, repeated runs 10 %");
+    EXPECT_EQ(
+        statement(e, "m"),
+        "measured minus computed: +1.4 ± 6.2 µm (95 %): agrees; this comparison would have seen "
+        "11 %; largest contributors: substrate.young 90 %, repeated runs 10 %");
     const ComparisonError off{80e-6, 100e-6, {{"mesh", 1e-6}}};
     EXPECT_EQ(statement(off, "m").find("measured minus computed: −20.0 ± 2.0 µm (95 %): disagrees"),
               0U)
