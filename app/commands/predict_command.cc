@@ -123,9 +123,8 @@ void predict_case(const PredictOptions& options) {
     const Case& c = rig.c;
     if (options.samples > 0 && rig.uncertain_of_case().empty())
         options.refuse(
-            "no number of the case states an uncertainty; write for example thickness = \"8 ± 0.1 "
-            "mm\", "
-            "or leave out --samples");
+            "no number of the case states an uncertainty; write for example thickness = "
+            "\"8 ± 0.1 mm\", or leave out --samples");
     const std::vector<std::string> models =
         options.models.empty() ? options.told_of_file([&] { return atlas::predictable_models(c); })
                                : options.models;

@@ -181,8 +181,7 @@ void add_renamed(NewFile& file, const std::array<Renamed, n>& names) {
     }
 }
 
-template <std::size_t n>
-void add_errors(NewFile& file, const std::string& section, const std::array<Renamed, n>&) {
+void add_errors(NewFile& file, const std::string& section) {
     for (const io::Entry& entry : file.old().entries)
         if (entry.path.starts_with(section + '.'))
             file.add_error(entry.path.substr(section.size() + 1), entry.value);
@@ -236,7 +235,7 @@ std::string experiment_text(NewFile file) {
         for (const io::Entry& one : c.entries) file.add(one.path, one.value);
     }
     add_renamed(file, record_names);
-    add_errors(file, "errors", record_names);
+    add_errors(file, "errors");
     std::vector<std::string> runs;
     for (const auto& run : std::get<std::vector<std::string>>(old.find("runs")->value))
         runs.push_back(file.file_name(run, old));
@@ -247,7 +246,7 @@ std::string experiment_text(NewFile file) {
 std::string measurement_text(NewFile file) {
     const io::Document& old = file.old();
     add_renamed(file, measurement_names);
-    add_errors(file, "standard_errors", measurement_names);
+    add_errors(file, "standard_errors");
     const auto text_at = [&](const char* path, const char* remedy) {
         return std::get<std::string>(old.required(path, remedy).value);
     };

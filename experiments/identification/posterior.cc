@@ -1,5 +1,7 @@
 #include "experiments/identification/posterior.h"
 
+#include <gsl/gsl_statistics_double.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -98,21 +100,6 @@ Properties moved_by_inputs(Properties at, const std::vector<Properties>& changes
     return at;
 }
 
-double correlation_of(const std::vector<double>& x, const std::vector<double>& y) {
-    const auto n = static_cast<double>(x.size());
-    double mean_x = 0, mean_y = 0, xx = 0, yy = 0, xy = 0;
-    for (std::size_t i = 0; i < x.size(); ++i) {
-        mean_x += x[i] / n;
-        mean_y += y[i] / n;
-    }
-    for (std::size_t i = 0; i < x.size(); ++i) {
-        xx += (x[i] - mean_x) * (x[i] - mean_x);
-        yy += (y[i] - mean_y) * (y[i] - mean_y);
-        xy += (x[i] - mean_x) * (y[i] - mean_y);
-    }
-    return xy / std::sqrt(xx * yy);
-}
-
 }  // namespace
 
 Posterior sample_posterior(const IdentificationTask& task, const Identification& found,
@@ -138,7 +125,8 @@ Posterior sample_posterior(const IdentificationTask& task, const Identification&
                                         statistics::sample_quantile(values[property], 1 - tail)};
     }
     if (task.young_is_free && task.friction_is_free)
-        posterior.correlation = correlation_of(values.young, values.friction);
+        posterior.correlation = gsl_stats_correlation(
+            values.young.data(), 1, values.friction.data(), 1, values.young.size());
     return posterior;
 }
 

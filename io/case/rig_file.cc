@@ -23,6 +23,14 @@ bool has_uncertainty(const Entry& entry) {
     return text && states_uncertainty(*text);
 }
 
+Document case_document(std::string_view text, const std::string& name,
+                       const std::vector<std::string>& overrides) {
+    Document document = parse_document(text, name);
+    require_kind(FileKind::contact, document);
+    apply_overrides(document, overrides, case_file_keys());
+    return document;
+}
+
 // What is propagated is evaluated within the errors.
 void check_range(const Entry& entry, const Key& key, const statistics::Estimate& number) {
     const double error = number.standard_error;
@@ -64,9 +72,7 @@ void check_known_of_rig(const Document& document, const KeyList& all,
 Document read_rig_document(const std::string& path, const std::vector<std::string>& overrides,
                            std::string_view section, const std::string& missing,
                            const std::string& remedy) {
-    Document document = parse_document(read_input_file(path), path);
-    require_kind(FileKind::contact, document);
-    apply_overrides(document, overrides, case_file_keys());
+    Document document = case_document(read_input_file(path), path, overrides);
     check_known_of_rig(document, case_file_keys(), rolling_rig_keys());
     if (!document.find_section(section))
         fail(path + ":1:1", "", "missing section [" + std::string(section) + "]: " + missing,
@@ -83,10 +89,7 @@ std::vector<UncertainKey> RigFile::uncertain_of_case() const {
 
 RigFile parse_rig_file(std::string_view text, const std::string& name,
                        const std::vector<std::string>& overrides) {
-    RigFile rig;
-    rig.document = parse_document(text, name);
-    require_kind(FileKind::contact, rig.document);
-    apply_overrides(rig.document, overrides, case_file_keys());
+    RigFile rig{.document = case_document(text, name, overrides)};
     rig.c = resolve_case(rig.document, {});
     rig.uncertain = uncertain_keys(rig.document, case_file_keys());
     return rig;

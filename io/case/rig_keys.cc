@@ -1,7 +1,6 @@
 #include "io/case/rig_keys.h"
 
 #include <algorithm>
-#include <array>
 #include <stdexcept>
 #include <string>
 
@@ -150,12 +149,6 @@ KeyList with_rig_keys(const KeyList& case_keys, const std::vector<Key>& rig_keys
     std::vector<const Key*> keys(case_keys.keys().begin(), case_keys.keys().end());
     for (const Key& key : rig_keys) keys.push_back(&key);
     return {std::move(keys), case_keys.reference()};
-}
-
-bool is_of_rig(std::string_view path) {
-    const auto top = path.substr(0, path.find('.'));
-    constexpr std::array<std::string_view, 4> sections{"rig", "record", "measurement", "printed"};
-    return std::ranges::count(sections, top) > 0;
 }
 
 bool is_printed(std::string_view path) {

@@ -26,8 +26,6 @@ const Key& rig_key(std::string_view path);
 /// The keys of a case and those of its rig.
 KeyList with_rig_keys(const KeyList& case_keys, const std::vector<Key>& rig_keys);
 
-/// Whether the section of the path, or itself, is one of a rig.
-bool is_of_rig(std::string_view path);
 /// Whether the path is [printed], a quantity in it, or a part of one.
 bool is_printed(std::string_view path);
 
