@@ -196,6 +196,7 @@ SpeedLimit speed_limit(const Case& c, const TwinComparison& known, int n_threads
 
 void study_loading(const Case& c, const contact::Model& model, const History& history,
                    const Say& say, comparisons::LoadingStudy& study) {
+    if (c.prescribed_path) return;
     // Normal traction displaces tangentially in the model's bodies, whether the case asks for it.
     const auto coupled = model.sibling({.coupling = true});
     if (!coupled || !coupled->is_coupled()) return;
@@ -212,7 +213,7 @@ void study_loading(const Case& c, const contact::Model& model, const History& hi
 
 void study_relaxation(const Case& c, const contact::History& history, const RunOptions& options,
                       const Say& say, comparisons::RelaxationStudy& study) {
-    if (!c.relaxation) return;
+    if (!c.relaxation || c.prescribed_path) return;
     TwinComparison comparison;
     comparison.model = history.model;
     comparison.drive = comparisons::drive_values(c, history.amplitude);
@@ -236,7 +237,7 @@ void study_relaxation(const Case& c, const contact::History& history, const RunO
 
 void study_small_strains(const Case& c, const History& history, const RunOptions& options,
                          const Say& say, std::vector<comparisons::SmallStrains>& studies) {
-    if (c.law == Case::Law::linear || history.model != "fem") return;
+    if (c.law == Case::Law::linear || history.model != "fem" || c.prescribed_path) return;
     comparisons::SmallStrains study{
         .model = history.model,
         .finite = comparisons::Results(c, history),

@@ -18,6 +18,7 @@ std::string what_is_not_mapped(const Case& c) {
     if (!contact::is_hertz_round(c) && !c.is_line_contact())
         return "bodies other than smooth paraboloids, spheres and cylinders";
     if (c.tractive_rolling) return "rolling on";
+    if (c.prescribed_path) return "prescribed paths";
     if (c.relaxation) return "relaxing substrates";
     if (c.law != Case::Law::linear) return "finite strains";
     if (!comparisons::constant_loads(c)) return "oscillating loads";

@@ -100,12 +100,8 @@ contact::Vector2 path_extent(const contact::Case& c, double radius, double aside
         return {relaxing_reach(c, radius) + aside * radius, 0};
     const bool coupled = c.contact.coupling && (is_coupled(c.materials()) || c.layer.thickness);
     if (c.tractive_rolling) return {std::max(aside, coupled ? usual_rolled_aside : 0) * radius, 0};
-    contact::Vector2 extent = {aside * radius, aside * radius};
-    if (!c.rolling) return extent;
-    const double reach = rolling_amplitude(*c.rolling, radius);
-    extent[0] += std::abs(reach * std::cos(c.rolling->angle));
-    extent[1] += std::abs(reach * std::sin(c.rolling->angle));
-    return extent;
+    const auto [x, y] = contact::path_reach(c, radius);
+    return {aside * radius + x, aside * radius + y};
 }
 
 InteriorView view_of(const contact::Case& c, Body body, double spacing, int n_threads) {

@@ -9,6 +9,7 @@
 #include "contact/bodies/indenter.h"
 #include "contact/bodies/profile_curve.h"
 #include "contact/bodies/roughness.h"
+#include "contact/prescribed_path.h"
 #include "contact/substrates/dma_fit.h"
 #include "contact/substrates/material.h"
 #include "contact/substrates/relaxation.h"
@@ -164,6 +165,13 @@ struct Case {
         double speed = 0;     ///< v [m/s], which only a relaxing substrate feels; 0: slow
     };
 
+    /// Where `prescribed_path` comes from: a table in a file, or in the case file itself.
+    struct PathInput {
+        std::optional<std::string> file;
+        std::optional<std::string> table;
+        int steps = 10;  ///< from one row to the next, where the table has no such column
+    };
+
     struct Bem {
         std::optional<double> spacing;           ///< cell size h [m]
         std::optional<double> cells_per_radius;  ///< Hertz radius / h, instead
@@ -209,6 +217,9 @@ struct Case {
     Load load;
     std::optional<Rolling> rolling;                   ///< empty: static loading only
     std::optional<TractiveRolling> tractive_rolling;  ///< instead of `rolling`
+    std::optional<PathInput> path_input;
+    /// Instead of `rolling`; `load` then has its hardest normal control and no F_T.
+    std::optional<PrescribedPath> prescribed_path;
     Bem bem;
     Mdr mdr;
     Fem fem;

@@ -31,18 +31,73 @@ NormalControl mean_normal_control(const Case& c) {
     return {NormalControl::Kind::indentation, *c.load.indentation};
 }
 
-/// With friction, or in time, step by step.
-std::vector<LoadStep> pressing_steps(const Case& c) {
+/// From no load to that of `pressed`, all in proportion: with friction, or in time, step by step.
+std::vector<LoadStep> pressing_steps(const Case& c, const LoadStep& pressed) {
     const bool friction = c.load.press == Case::Press::friction;
     const bool in_time = c.load.press_time && *c.load.press_time > 0;
     const int n = friction || in_time ? c.load.press_steps : 1;
-    std::vector<LoadStep> steps(n, press_step(c));
+    std::vector<LoadStep> steps(n, pressed);
     for (int k = 1; k <= n; ++k) {
-        steps[k - 1].normal.value *= static_cast<double>(k) / n;
-        steps[k - 1].friction = friction;
-        if (c.load.press_time) steps[k - 1].duration = *c.load.press_time / n;
+        LoadStep& step = steps[k - 1];
+        const double share = static_cast<double>(k) / n;
+        step.normal.value *= share;
+        for (TangentialControl& control : step.tangential) control.value *= friction ? share : 0;
+        step.rotation *= friction ? share : 0;
+        step.friction = friction;
+        step.duration =
+            c.load.press_time ? *c.load.press_time / n : std::numeric_limits<double>::infinity();
     }
     return steps;
+}
+
+/// The state at a row of a prescribed path.
+LoadStep step_to(const PrescribedPath::Row& row, double phase) {
+    LoadStep step;
+    step.phase = phase;
+    step.offset = row.offset;
+    step.normal = row.normal;
+    step.tangential = row.tangential;
+    step.rotation = row.rotation;
+    step.recurs = false;
+    return step;
+}
+
+void check_carries(const Case& c, const LoadStep& step) {
+    double force = 0;
+    for (const TangentialControl& control : step.tangential)
+        if (control.kind == TangentialControl::Kind::force)
+            force = std::hypot(force, control.value);
+    if (step.normal.kind == NormalControl::Kind::force)
+        check_friction_limit(c, step.phase, force, step.normal.value);
+}
+
+/// The first row by pressing, the others one after the other; phases count rows.
+LoadPath prescribed(const Case& c) {
+    const PrescribedPath& prescribed = *c.prescribed_path;
+    const bool timed = prescribed.rows.back().time > prescribed.rows.front().time;
+    LoadPath path;
+    const LoadStep first = step_to(prescribed.rows.front(), 0);
+    if (!prescribed.starts_unloaded()) {
+        path.pressing = pressing_steps(c, first);
+        // What has slid freely is loaded when it has been pressed.
+        if (c.load.press == Case::Press::frictionless && prescribed.loads_first_row()) {
+            path.loading.push_back(first);
+            check_carries(c, first);
+        }
+    }
+    for (std::size_t r = 1; r < prescribed.rows.size(); ++r) {
+        const auto &from = prescribed.rows[r - 1], &to = prescribed.rows[r];
+        for (int k = 1; k <= to.steps; ++k) {
+            const double share = static_cast<double>(k) / to.steps;
+            LoadStep step = step_to(PrescribedPath::between(from, to, share),
+                                    static_cast<double>(r - 1) + share);
+            step.duration =
+                timed ? (to.time - from.time) / to.steps : std::numeric_limits<double>::infinity();
+            check_carries(c, step);
+            path.loading.push_back(step);
+        }
+    }
+    return path;
 }
 
 /// Waiting under constant loads: steps that grow as relaxation slows down.
@@ -117,7 +172,26 @@ LoadStep press_step(const Case& c) {
     return step;
 }
 
+Vector2 path_reach(const Case& c, double model_radius) {
+    if (c.prescribed_path) return c.prescribed_path->reach();
+    if (!c.rolling) return {0, 0};
+    const double reach = path_amplitude(c, model_radius);
+    const Vector2 along = direction(c.rolling->angle);
+    return {std::abs(reach * along[0]), std::abs(reach * along[1])};
+}
+
+double path_direction(const Case& c) {
+    if (c.prescribed_path) return c.prescribed_path->direction();
+    return c.rolling ? c.rolling->angle : 0;
+}
+
+bool is_mirror_symmetric(const Case& c) {
+    if (c.prescribed_path) return c.prescribed_path->is_along_x();
+    return !c.rolling || std::abs(std::sin(c.rolling->angle)) < 1e-12;
+}
+
 LoadPath make_load_path(const Case& c, double normal_force, double contact_radius) {
+    if (c.prescribed_path) return prescribed(c);
     const double mean_force = c.load.tangential_force ? *c.load.tangential_force
                                                       : c.load.tangential_ratio.value() *
                                                             c.friction_coefficient * normal_force;
@@ -137,7 +211,7 @@ LoadPath make_load_path(const Case& c, double normal_force, double contact_radiu
     };
 
     LoadPath path;
-    path.pressing = pressing_steps(c);
+    path.pressing = pressing_steps(c, press_step(c));
     path.loading.resize(1);
     loads_at(path.loading.front());
     const auto hold = hold_steps(path.loading.front(), c.load.hold);

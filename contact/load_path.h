@@ -3,29 +3,10 @@
 #include <vector>
 
 #include "contact/case.h"
+#include "contact/control.h"
 #include "contact/vector2.h"
 
 namespace tricontact::contact {
-
-/// What is prescribed normal to the surface.
-struct NormalControl {
-    enum class Kind { force, indentation };
-    Kind kind = Kind::force;
-    double value = 0;  ///< F_N [N], compression positive, or d [m]
-
-    bool operator==(const NormalControl&) const = default;
-};
-
-/// What is prescribed in one tangential direction.
-struct TangentialControl {
-    enum class Kind { force, shift, ratio };
-    Kind kind = Kind::force;
-    /// Force on the substrate [N], rigid shift of the indenter [m], or force on the substrate over
-    /// mu F_N of the same step [-], which coupled contact under a prescribed depth has to find.
-    double value = 0;
-
-    bool operator==(const TangentialControl&) const = default;
-};
 
 /// One quasi-static step; all values are those at its end.
 struct LoadStep {
@@ -35,13 +16,17 @@ struct LoadStep {
     std::array<TangentialControl, 2> tangential;  ///< x, y
     double duration = 0;   ///< [s], in which strains change linearly; infinite: all relaxes
     bool friction = true;  ///< false: the surface slides freely under the indenter in this step
+    /// Twist of the indenter since the start about the normal through its lowest point, from x
+    /// towards y [rad].
+    double rotation = 0;
+    bool recurs = true;  ///< a step at this phase of the period comes again and again
 };
 
-/// Loading once, then the same period again and again.
+/// Loading once, then the same period again and again; a prescribed path is all loading.
 struct LoadPath {
     std::vector<LoadStep> pressing;  ///< from the first touch, with or without friction
-    std::vector<LoadStep> loading;   ///< F_T, and the wait after it
-    std::vector<LoadStep> period;    ///< phases in (0, 1]; the last step has the roller upright
+    std::vector<LoadStep> loading;  ///< F_T and the hold after it, or all rows of a prescribed path
+    std::vector<LoadStep> period;   ///< phases in (0, 1]; the last step has the roller upright
     int max_periods = 0;
     bool run_all = false;
     double amplitude = 0;  ///< W [m]
@@ -57,6 +42,16 @@ double crest_factor(const Case& c);
 /// W [m], 0 without rolling. `model_radius`: contact radius that an amplitude of the model's own
 /// refers to [m].
 double path_amplitude(const Case& c, double model_radius);
+
+/// Half sides along x and y of the region that the indenter's lowest point sweeps [m];
+/// `model_radius` as of path_amplitude().
+Vector2 path_reach(const Case& c, double model_radius);
+
+/// The line on which the indenter rolls, to the x axis [rad]; 0 where it does not.
+double path_direction(const Case& c);
+
+/// Whether loads and path keep y = 0 a plane of symmetry.
+bool is_mirror_symmetric(const Case& c);
 
 /// mu F_N - F_T [N]; throws InputError if F_T > 0 reaches mu F_N.
 double check_friction_limit(const Case& c, double phase, double tangential_force,

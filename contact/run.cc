@@ -111,7 +111,9 @@ class Run {
             model_.release();
             pressed = model_.advance(press);
         }
-        if (path_matters()) {
+        if (case_.prescribed_path) {
+            follow_path();
+        } else if (path_matters()) {
             // The scales are those of pressing without friction and with all the time in the world;
             // the path may be another.
             model_.release();
@@ -119,9 +121,20 @@ class Run {
         } else {
             note(press, pressed, false);
         }
-        load();
+        if (!case_.prescribed_path) load();
         history_.tangential_force = history_.steps.back().tangential_force[0];
         history_.static_shift = history_.steps.back().shift[0];
+    }
+
+    /// Uncoupled contact on what does not relax forgets how it was pressed; it takes the last step.
+    void follow_path() {
+        model_.release();
+        const bool all = path_matters() || case_.prescribed_path->loads_first_row();
+        if (!path_.pressing.empty() && !all) take(path_.pressing.back(), true);
+        if (all)
+            for (const LoadStep& step : path_.pressing) take(step, &step == &path_.pressing.back());
+        perhaps_last_period_ = true;  // surfaces of the last row are kept
+        for (const LoadStep& step : path_.loading) take(step, step.phase == std::floor(step.phase));
     }
 
     void load() {
@@ -260,7 +273,8 @@ class Run {
 
     void note(const LoadStep& step, const StepRecord& record, bool quarter) {
         // Slow pressing takes no time that could be told.
-        if (case_.relaxation && std::isfinite(step.duration)) time_ += step.duration;
+        if ((case_.relaxation || case_.prescribed_path) && std::isfinite(step.duration))
+            time_ += step.duration;
         history_.steps.push_back(record);
         history_.steps.back().time = time_;
         if (!model_.audit().passed()) throw NotConverged(failed_audit(step));

@@ -75,10 +75,15 @@ StepRecord SurfaceModel::record(const LoadStep& step) const {
     r.offset = step.offset;
     r.indentation = now().normal->indentation;
     r.shift = now().shift;
+    r.rotation = rotation_;
     for (std::size_t i = 0; i < now().bound.size(); ++i) {
         r.normal_force += area[i] * p[i];
         r.tangential_force[0] += area[i] * t.x[i];
-        if (!mirrored) r.tangential_force[1] += area[i] * t.y[i];
+        if (!mirrored) {
+            r.tangential_force[1] += area[i] * t.y[i];
+            const Vector2 from{points().x[i] - step.offset[0], points().y[i] - step.offset[1]};
+            r.torque += area[i] * (from[0] * t.y[i] - from[1] * t.x[i]);
+        }
         switch (contact_state_[i]) {
             case ContactState::open:
                 r.open_area += area[i];

@@ -54,7 +54,7 @@ void SurfaceModel::release() {
     slip_ = TangentialField(n);
     contact_state_.assign(n, ContactState::open);
     for (auto* kept : {&least_pressure_, &slip_path_, &friction_work_}) kept->clear();
-    energy_ = material_dissipation_ = 0;
+    energy_ = material_dissipation_ = rotation_ = 0;
     substrate_->forget();
 }
 
@@ -68,7 +68,8 @@ StepRecord SurfaceModel::roll(const LoadStep& step, double rotation) {
 }
 
 StepRecord SurfaceModel::take(const LoadStep& step, const StepStart& before) {
-    phase_ = step.phase;
+    phase_ = step.recurs ? step.phase : 0;
+    rotation_ += before.rotation;
     solver_->solve(step, before);
     if (reaches_edge(points(), now().normal->pressure))
         throw ContactAtEdge(fmt::format(

@@ -35,7 +35,8 @@ class SurfaceModel final : public Model {
     std::string name() const override { return name_; }
     bool is_coupled() const override { return !solver_->coupling().is_decoupled(); }
     StepRecord advance(const LoadStep& step) override {
-        return take(step, {solver_->tractions(), now().displacement, now().shift});
+        return take(step, {solver_->tractions(), now().displacement, now().shift,
+                           step.rotation - rotation_});
     }
     /// Rolls on by one cell of the grid along x, in the frame that moves with the indenter: its
     /// offset stays, and all fields are advected by one cell before the step is taken. In it the
@@ -93,7 +94,8 @@ class SurfaceModel final : public Model {
     LargerGrid larger_grid_;
     std::optional<StaggeredSolver> solver_;
 
-    double phase_ = 0;
+    double phase_ = 0;                               // 0 of what does not recur
+    double rotation_ = 0;                            // of the indenter since the start [rad]
     TangentialField slip_;                           // of the last step [m]
     std::vector<double> slip_path_, friction_work_;  // since start_period(), see Surface
     std::vector<ContactState> contact_state_;

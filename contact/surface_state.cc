@@ -96,7 +96,7 @@ void transfer_solution(Archive& archive, Solution& s, Normal& normal) {
 template <class Archive, class Self>
 void SurfaceModel::transfer_rest(Archive& archive, Self& m) {
     archive(m.slip_.x, m.slip_.y, m.least_pressure_, m.slip_path_, m.friction_work_, m.phase_,
-            m.least_pressure_force_, m.energy_, m.contact_state_);
+            m.rotation_, m.least_pressure_force_, m.energy_, m.contact_state_);
     m.substrate_->transfer(archive);
 }
 

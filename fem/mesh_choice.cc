@@ -27,10 +27,8 @@ constexpr double end_fineness = 4;  // elements of a roller's ends in one of the
 
 /// Half sides of the region that the contact centre sweeps [m].
 Vector2 path_extent(const Case& c, double contact_radius) {
-    if (!c.rolling) return {0, 0};
-    const double reach = contact::path_amplitude(c, contact_radius);
-    return {std::abs(reach * std::cos(c.rolling->angle)),
-            is_symmetric(c) ? 0 : std::abs(reach * std::sin(c.rolling->angle))};
+    const Vector2 reach = contact::path_reach(c, contact_radius);
+    return {reach[0], is_symmetric(c) ? 0 : reach[1]};
 }
 
 /// Largest distance of a point in contact from the centre [m]; 0 when the edge is reached.
@@ -83,6 +81,7 @@ std::array<double, 4> pressed_values(const Case& c, double size, double radius,
                                      LayerCondenser& condenser) {
     Case still = middle_of(c);
     still.rolling.reset();
+    still.prescribed_path.reset();
     contact::SurfaceModel model(
         "fem", condenser.make(make_layer_mesh(spec_for(still, size, radius))),
         still.make_indenter(), c.friction_coefficient, c.fem.tolerance, c.contact);
@@ -134,7 +133,7 @@ double size_that_fits(const Case& c, meshes::LayerMeshSpec spec, const MemorySho
 }  // namespace
 
 bool is_symmetric(const Case& c) {
-    return !c.rolling || std::abs(std::sin(c.rolling->angle)) < 1e-12;
+    return contact::is_mirror_symmetric(c);
 }
 
 meshes::LayerMeshSpec spec_for(const Case& c, double size, double contact_radius, double shift) {
@@ -165,6 +164,7 @@ double probe_radius(const Case& c, const contact::NormalControl& control,
                     LayerCondenser& condenser) {
     Case still = c;  // pressed only
     still.rolling.reset();
+    still.prescribed_path.reset();
     const Vector2 half = half_space_scales(c).half_widths;
     // The patch of a cylinder or roller is as long as it: only the width along x is asked for.
     const double widest = c.is_cylindrical() ? half[0] : std::max(half[0], half[1]);

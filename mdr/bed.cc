@@ -38,6 +38,8 @@ const BedData& checked(const BedData& data) {
 
 double position_on_line(const std::string& model, const contact::LoadStep& step,
                         const contact::Vector2& direction, double spacing) {
+    if (step.rotation != 0)
+        throw InputError(model + ": a line of springs cannot be twisted; take bem or bem-layer");
     if (step.tangential[1].value != 0)
         throw InputError(
             model +

@@ -198,12 +198,12 @@ std::unique_ptr<contact::Model> make_layer_model(const contact::Case& c, int ele
     const std::shared_ptr<const PlaneProfile> profile =
         make_plane_profile(*c.make_axisymmetric_indenter(), table);
     const HalfWidths a = probe(c, *profile);
-    const double path = std::abs(contact::path_amplitude(c, a.mean));
+    const double path = contact::norm(contact::path_reach(c, a.mean));
     const double spacing =
         std::min(a.mean / elements_per_radius, LayerSprings::longest_element * *c.layer.thickness);
-    return std::make_unique<LayerModel>(
-        springs_of(c, final_margin * a.largest + path, spacing), profile, c.friction_coefficient,
-        c.rolling ? c.rolling->angle : 0, contact::common_relaxation("mdr-layer", c));
+    return std::make_unique<LayerModel>(springs_of(c, final_margin * a.largest + path, spacing),
+                                        profile, c.friction_coefficient, contact::path_direction(c),
+                                        contact::common_relaxation("mdr-layer", c));
 }
 
 }  // namespace tricontact::mdr

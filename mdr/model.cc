@@ -45,11 +45,11 @@ std::unique_ptr<contact::Model> make_model(const contact::Case& c) {
     data.effective_shear_modulus = c.materials().effective_shear_modulus();
     data.friction_coefficient = c.friction_coefficient;
     data.n_springs = c.mdr.springs;
-    data.rolling_angle = c.rolling ? c.rolling->angle : 0;
+    data.rolling_angle = contact::path_direction(c);
     // 1 % more: the discrete contact is not exactly as wide as the continuous one.
     data.half_length =
         1.01 * (half_width(c, *data.profile, peak_factor) +
-                std::abs(contact::path_amplitude(c, half_width(c, *data.profile, 1))));
+                contact::norm(contact::path_reach(c, half_width(c, *data.profile, 1))));
     data.relaxation = contact::common_relaxation("mdr", contact::without_layer(c));
     if (data.relaxation) return std::make_unique<RelaxingBed>(std::move(data));
     return std::make_unique<SpringBed>(std::move(data));

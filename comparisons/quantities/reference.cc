@@ -11,7 +11,8 @@
 namespace tricontact::comparisons {
 
 bool constant_loads(const contact::Case& c) {
-    return c.load.normal_amplitude_ratio == 0 && c.load.tangential_amplitude_ratio == 0;
+    return !c.prescribed_path && c.load.normal_amplitude_ratio == 0 &&
+           c.load.tangential_amplitude_ratio == 0;
 }
 
 bool in_unit_range(double ratio) {

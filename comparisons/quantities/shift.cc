@@ -17,6 +17,12 @@ bool rolled(const Subject& s) {
     return !s.history.shift_per_period.empty();
 }
 
+/// A prescribed path has no state between loading and rolling.
+std::optional<double> static_shift_of(const Subject& s) {
+    if (s.c.prescribed_path) return {};
+    return s.history.static_shift;
+}
+
 double final_shift_of(const History& h) {
     return h.shift_per_period.empty() ? h.static_shift : h.shift_per_period.back();
 }
@@ -72,8 +78,9 @@ constexpr Quantity static_shift{
     .unit = "m",
     .name = "static shift",
     .meaning = "Rigid-body displacement of the indenter along F_T after loading, before rolling.",
+    .defined = "without a prescribed path",
     .source = "Cattaneo (1938), Mindlin (1949)",
-    .of = [](const Subject& s) { return finite(s.history.static_shift); },
+    .of = [](const Subject& s) { return finite(static_shift_of(s).value_or(NAN)); },
     .exact = [](const Reference& r) { return exact_static(r, r.hertz.unit_shift); },
     .part = Part::pressed,
     .is_refined = true,
@@ -81,7 +88,7 @@ constexpr Quantity static_shift{
 
 constinit const Quantity static_shift_ratio = over_unit_shift(
     static_shift, "static_shift_ratio", "u_stat", "Static shift over the model's own U_max.",
-    [](const Subject& s) { return ratio(s, s.history.static_shift); },
+    [](const Subject& s) { return ratio(s, static_shift_of(s)); },
     [](const Reference& r) { return exact_static(r, 1); });
 
 constexpr Quantity final_shift{
@@ -90,7 +97,8 @@ constexpr Quantity final_shift{
     .unit = "m",
     .name = "final shift",
     .meaning =
-        "Shift with the indenter upright after the last period; without rolling the static one.",
+        "Shift with the indenter upright after the last period; without rolling the static one, "
+        "after a prescribed path that at its end.",
     .of = [](const Subject& s) { return finite(final_shift_of(s.history)); },
     .exact =
         [](const Reference& r) {

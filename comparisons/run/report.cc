@@ -79,7 +79,7 @@ std::vector<DocumentSection> study_sections(const contact::Case& c,
     if (c.layer.thickness || !variants.empty())
         add("loading", "Coupling and pressing", treatment_sentences(c, c.models, variants),
             variants.empty() ? Tables() : Tables{variants_table(variants)});
-    if (c.relaxation)
+    if (c.relaxation && !c.prescribed_path)
         add("relaxation", "Relaxation", relaxation_sentences(c, extras.relaxation),
             extras.relaxation.twins.empty() ? Tables()
                                             : Tables{relaxation_table(c, extras.relaxation)});

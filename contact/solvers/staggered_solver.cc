@@ -17,7 +17,7 @@ namespace {
 constexpr std::size_t most_kept_bytes = std::size_t{1} << 28;
 
 /// The phase within its period, rounded: n + 1/3 has other last bits for each n. All that comes
-/// before rolling has phase 0.
+/// before rolling has phase 0, and so has what does not recur: it begins where the last step ended.
 long key_of_phase(double phase) {
     constexpr long parts = 1'000'000'000;
     return std::lround((phase - std::floor(phase)) * parts) % parts;
@@ -57,7 +57,7 @@ void StaggeredSolver::make_solvers() {
 
 Vector2 StaggeredSolver::rotated(const StepStart& before, std::size_t i) const {
     if (before.rotation == 0) return {};
-    const double ahead = spin_point * points().spacing[0];
+    const double ahead = before.advected ? spin_point * points().spacing[0] : 0;
     return {-before.rotation * (points().y[i] - now_.offset[1]),
             before.rotation * (points().x[i] + ahead - now_.offset[0])};
 }
@@ -131,7 +131,7 @@ void StaggeredSolver::resume(ContactSolution solution, double phase) {
 }
 
 void StaggeredSolver::solve_coupled(const LoadStep& step, const StepStart& before) {
-    recall_start(step.phase);
+    recall_start(step.recurs ? step.phase : 0);
     std::vector<double> height = update_height();
     FixedPoint iteration;
     for (int k = 1; k <= FixedPoint::max_iterations; ++k) {

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "contact/load_path.h"
 #include "io/case/case_checks.h"
 
 namespace tricontact::io {
@@ -63,9 +64,9 @@ void check_cells(const Case& c, const Document& document) {
 }
 
 void check_path(const Case& c, const Document& document) {
-    if (!c.rolling || contact::is_nominally_flat(c)) return;
+    if (contact::is_nominally_flat(c)) return;
     const double path =
-        contact::rolling_amplitude(*c.rolling, contact::half_space_scales(c).contact_radius);
+        contact::norm(contact::path_reach(c, contact::half_space_scales(c).contact_radius));
     if (2 * path < *c.bem.period) return;
     refuse(document, "bem.period",
            "is not longer than the rolling path of " + rounded(2 * path) +

@@ -102,6 +102,7 @@ double check_steps(const Case& c, const HalfSpaceScales& s, const Document& docu
     if (c.tractive_rolling)  // loading, then one per cell
         return 2 + c.tractive_rolling->distance * (c.bem.spacing ? s.contact_radius / *c.bem.spacing
                                                                  : *c.bem.cells_per_radius);
+    if (c.prescribed_path) return c.load.press_steps + c.prescribed_path->n_steps();
     if (!c.rolling) return 2;
     const double amplitude = contact::path_amplitude(c, s.contact_radius);
     const bool increment = c.rolling->steps == Case::Steps::increment;
@@ -130,19 +131,16 @@ void check_bem(const Case& c, const HalfSpaceScales& s, double steps, const Docu
                "fewer than " + rounded(fewest_cells) + " cells in the contact radius of " +
                    rounded(radius) + " m: too coarse",
                "use a spacing of at most " + rounded(radius / 10) + " m");
-    const double w = contact::path_amplitude(c, s.contact_radius);
-    const double angle = c.rolling ? c.rolling->angle : 0;
+    const contact::Vector2 reach = contact::path_reach(c, s.contact_radius);
     const bool whole_period = c.bem.period && contact::is_nominally_flat(c);
     const double crest = 1 + c.load.normal_amplitude_ratio;
     const double grown = c.load.normal_force ? std::cbrt(crest) : std::sqrt(crest);
-    const double n_x = whole_period
-                           ? *c.bem.period / h
-                           : 2 * (grown * s.half_widths[0] + w * std::abs(std::cos(angle))) / h;
+    const double n_x =
+        whole_period ? *c.bem.period / h : 2 * (grown * s.half_widths[0] + reach[0]) / h;
     const double n_y = whole_period          ? n_x
                        : c.is_line_contact() ? 1
-                       : c.is_cylindrical()
-                           ? c.indenter.length / h
-                           : 2 * (grown * s.half_widths[1] + w * std::abs(std::sin(angle))) / h;
+                       : c.is_cylindrical()  ? c.indenter.length / h
+                                             : 2 * (grown * s.half_widths[1] + reach[1]) / h;
     if (std::max(n_x, n_y) > most_cells)
         refuse(document, key,
                "contact and rolling path need a grid of " + rounded(std::ceil(n_x)) + " x " +
@@ -157,7 +155,7 @@ void check_bem(const Case& c, const HalfSpaceScales& s, double steps, const Docu
 
 void check_mdr(const Case& c, const HalfSpaceScales& s, double steps, const Document& document) {
     const double a = s.contact_radius;
-    const double in_contact = c.mdr.springs * a / (a + contact::path_amplitude(c, a));
+    const double in_contact = c.mdr.springs * a / (a + contact::norm(contact::path_reach(c, a)));
     if (in_contact < fewest_springs)
         refuse(document, "mdr.springs",
                "fewer than " + rounded(fewest_springs) + " springs in the contact: too coarse",
@@ -181,6 +179,7 @@ void check_case(const Case& c, const Document& document) {
     check_scales(scales, document);
     check_coupling(c, document);
     check_sphere(c, scales, document);
+    check_prescribed_path(c, document);
     check_tractive_rolling(c, document);
     check_oscillation(c, document);
     check_relaxation(c, document);

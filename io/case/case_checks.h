@@ -20,10 +20,26 @@ inline bool computes(const contact::Case& c, std::string_view model) {
     return std::ranges::count(c.models, model) > 0;
 }
 
+/// The key that says where the rows of [path] come from.
+std::string path_key(const Document& document);
+
 /// The key that presses the contact.
 inline std::string load_key(const Document& document) {
+    if (document.find_section("path")) return path_key(document);
     return document.find("load.indentation") ? "load.indentation" : "load.normal_force";
 }
+
+/// 1 - F_T/(mu F_N) that solvers over surfaces need: they balance forces to 1e-10 of mu F_N, and
+/// what a contact that all but slides still holds back goes with the square of the angles between
+/// tractions and force, 1e-3 here. The springs of mdr have no angles.
+inline constexpr double closest_to_sliding = 1e-6;
+
+/// Reads the rows of [path], in place of the keys of [load] that they prescribe.
+void resolve_path(contact::Case& c, const Document& document);
+
+/// Prescribed paths: the bodies, models and materials know the motions, and friction carries the
+/// forces.
+void check_prescribed_path(const contact::Case& c, const Document& document);
 
 /// Rules that concern several keys at once: friction limit, coupling of the materials, scale of
 /// the contact against the indenter, resolution and cost.

@@ -28,7 +28,8 @@ enum KeyGroup {
     steps,
     cell_size,
     element_size,
-    relaxation
+    relaxation,
+    path_rows
 };
 
 // Declarations by sections.
@@ -39,6 +40,7 @@ std::vector<CaseKey> contact_keys();     // and [friction]
 std::vector<CaseKey> load_keys();
 std::vector<CaseKey> rolling_keys();
 std::vector<CaseKey> tractive_keys();
+std::vector<CaseKey> path_keys();
 
 /// The place of a key of a relaxing case, see at().
 template <auto... members>

@@ -24,6 +24,7 @@ void make_optional_parts(Case& c, const Document& document) {
     if (document.find_section("lower_layer")) c.lower_layers_input = Case::LowerLayersInput{};
     if (document.find_section("ground")) c.layer.ground = contact::Material{};
     if (document.find_section("tractive_rolling")) c.tractive_rolling = Case::TractiveRolling{};
+    if (document.find_section("path")) c.path_input = Case::PathInput{};
     if (!document.find_section("rolling")) return;
     c.rolling = Case::Rolling{};
     if (document.find("rolling.speed")) c.rolling->speed = 1;
@@ -52,6 +53,7 @@ void make_paths_absolute(Case& c, const Document& document) {
     if (!c.fem.cache.empty() && c.fem.cache != "none")
         c.fem.cache = absolute_path(c.fem.cache, *document.find("fem.cache"), document);
     make_absolute(c.indenter.file, "indenter.file");
+    if (c.path_input) make_absolute(c.path_input->file, "path.file");
     make_absolute(c.relaxation_input.dma, "substrate.relaxation.dma");
     for (const auto* file : {&c.fem.mesh, &c.bem.influence})  // the models read them
         if (*file) note_input_file(**file);
@@ -67,6 +69,7 @@ Case resolve(const Document& document) {
     check_indenter_keys(c, document);
     for (const CaseKey& key : case_keys()) read_or_default(key, place_of(key, c), document, keys);
     make_paths_absolute(c, document);
+    resolve_path(c, document);
     resolve_height_map(c, document);
     resolve_lower_layers(c, document);
     resolve_relaxation(c, document);

@@ -57,9 +57,8 @@ struct Patch {
 
 Patch patch_of(const Case& c, double contact_radius) {
     const double across = c.is_cylindrical() ? c.indenter.length / 2 : contact_radius;
-    const double w = contact::path_amplitude(c, contact_radius);
-    const double angle = c.rolling ? c.rolling->angle : 0;
-    return {contact_radius + w * std::abs(std::cos(angle)), across + w * std::abs(std::sin(angle))};
+    const contact::Vector2 reach = contact::path_reach(c, contact_radius);
+    return {contact_radius + reach[0], across + reach[1]};
 }
 
 void check_extent(const Case& c, const Patch& patch, const RadiusBounds& a,
@@ -117,7 +116,7 @@ double n_elements(const Case& c, const Patch& patch, double h) {
 // Three per node, two nodes per element and direction. Load and rolling along one line: one half
 // stands for both.
 double n_unknowns(const Case& c, const Patch& patch, double h) {
-    const bool half = !c.rolling || std::abs(std::sin(c.rolling->angle)) < 1e-9;
+    const bool half = contact::is_mirror_symmetric(c);
     const double n_x = 4 * std::ceil(patch.x / h) + 1;
     const double n_y =
         c.is_cylindrical() ? 2 * n_along(c, h) + 1 : (half ? 2 : 4) * std::ceil(patch.y / h) + 1;

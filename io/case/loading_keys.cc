@@ -14,6 +14,7 @@ using Reference = Case::AmplitudeReference;
 using Steps = Case::Steps;
 using Until = Case::Until;
 using Tractive = Case::TractiveRolling;
+using Path = Case::PathInput;
 
 constexpr double full_turn = 2 * std::numbers::pi;
 constexpr std::string_view no_time_reversal = "time does not go backwards";
@@ -24,53 +25,59 @@ Field in_steps(Case& c) {
     return c.rolling && c.rolling->steps == kind ? in(c.rolling, member) : Field();
 }
 
+/// Loads of a case without [path], whose rows prescribe them.
+template <auto... members>
+Field unless_prescribed(Case& c) {
+    return c.path_input ? Field() : in(c, members...);
+}
+
 }  // namespace
 
 std::vector<CaseKey> load_keys() {
     return {
         {quantity_key("load.normal_force", Dimension::force, above_zero(1e15), R"("21.1 N")",
                       "normal force F_N, compression positive", {.alternative = normal_load}),
-         at<&Case::load, &Load::normal_force>},
+         unless_prescribed<&Case::load, &Load::normal_force>},
         {length_key("load.indentation", R"("0.5 mm")", "indentation depth d",
                     {.alternative = normal_load}),
-         at<&Case::load, &Load::indentation>},
+         unless_prescribed<&Case::load, &Load::indentation>},
         {number_key("load.tangential_ratio", {-1, 1, false, false}, "0.56",
                     "F_T/(mu F_N), tangential force along x; below 0 with "
                     "[tractive_rolling] alone, where it drives",
                     {.alternative = tangential_load}),
-         at<&Case::load, &Load::tangential_ratio>},
+         unless_prescribed<&Case::load, &Load::tangential_ratio>},
         {quantity_key(
              "load.tangential_force", Dimension::force, {-1e15, 1e15}, R"("6.7 N")",
              "tangential force F_T along x; below 0 with [tractive_rolling] alone, where it drives",
              {.alternative = tangential_load}),
-         at<&Case::load, &Load::tangential_force>},
+         unless_prescribed<&Case::load, &Load::tangential_force>},
         {number_key("load.limit_fraction", above_zero(1e6), "0.5",
                     "F_T over the load at which each model's own pressures, without friction, "
                     "have their limit of shakedown at this amplitude, f_T,lim mu F_N",
                     {.alternative = tangential_load, .needs = "rolling"}),
-         at<&Case::load, &Load::limit_fraction>},
+         unless_prescribed<&Case::load, &Load::limit_fraction>},
         {number_key(
              "load.limit_excess", {0, 1, false, false}, "0.3",
              "share of the way from each model's own limit, as of limit_fraction, to mu F_N: "
              "F_T = mu F_N (f_T,lim + limit_excess (1 - f_T,lim)), which ratchets",
              {.alternative = tangential_load, .needs = "rolling"}),
-         at<&Case::load, &Load::limit_excess>},
+         unless_prescribed<&Case::load, &Load::limit_excess>},
         {number_key("load.normal_amplitude_ratio", {0, 1, true, false}, "0.2",
                     "superposed triangular oscillation of the normal load over its mean",
                     {.default_value = "0.0"}),
-         at<&Case::load, &Load::normal_amplitude_ratio>},
+         unless_prescribed<&Case::load, &Load::normal_amplitude_ratio>},
         {quantity_key("load.normal_phase", Dimension::angle, {-full_turn, full_turn}, R"("90 deg")",
                       "phase by which the normal oscillation leads the rolling",
                       {.default_value = R"("0 rad")", .needs = "load.normal_amplitude_ratio"}),
-         at<&Case::load, &Load::normal_phase>},
+         unless_prescribed<&Case::load, &Load::normal_phase>},
         {number_key("load.tangential_amplitude_ratio", from_zero(1000), "0.2",
                     "superposed triangular oscillation of F_T over its mean",
                     {.default_value = "0.0"}),
-         at<&Case::load, &Load::tangential_amplitude_ratio>},
+         unless_prescribed<&Case::load, &Load::tangential_amplitude_ratio>},
         {quantity_key("load.tangential_phase", Dimension::angle, {-full_turn, full_turn},
                       R"("90 deg")", "phase by which the oscillation of F_T leads the rolling",
                       {.default_value = R"("0 rad")", .needs = "load.tangential_amplitude_ratio"}),
-         at<&Case::load, &Load::tangential_phase>},
+         unless_prescribed<&Case::load, &Load::tangential_phase>},
         {choice_key(
              "load.press",
              {choice("friction", Press::friction), choice("frictionless", Press::frictionless)},
@@ -175,6 +182,22 @@ std::vector<CaseKey> tractive_keys() {
                       R"("20 mm/s")", "speed v of rolling, which the substrate relaxes by",
                       {.required = true, .needs = "substrate.relaxation"}),
          if_relaxing<&Case::tractive_rolling, &Tractive::speed>}};
+}
+
+std::vector<CaseKey> path_keys() {
+    return {
+        {text_key(
+             "path.file", R"("path.csv")",
+             "table of loads and motions, row by row, instead of those of [load] and [rolling]",
+             {.alternative = path_rows}),
+         at<&Case::path_input, &Path::file>},
+        {text_key("path.table", R"("normal_force [N], shift_x [um]\n20, 0\n20, 5")",
+                  "the same table in the case file itself", {.alternative = path_rows}),
+         at<&Case::path_input, &Path::table>},
+        {integer_key("path.steps", {1, 100000}, "10",
+                     "equal steps from one row to the next, where the table has no column `steps`",
+                     {.default_value = "10"}),
+         at<&Case::path_input, &Path::steps>}};
 }
 
 }  // namespace tricontact::io

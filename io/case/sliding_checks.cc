@@ -16,11 +16,6 @@ using contact::Case;
 using contact::HalfSpaceScales;
 using contact::triangle_wave;
 
-// 1 - F_T/(mu F_N) that solvers over surfaces need: they balance forces to 1e-10 of mu F_N, and
-// what a contact that all but slides still holds back goes with the square of the angles between
-// tractions and force, 1e-3 here. The springs of mdr have no angles.
-constexpr double closest_to_sliding = 1e-6;
-
 // As a contact rolls, cells enter and leave it. A sum of pressures over them varies by up to this
 // times the square of cells over contact radius (seen: 0.26, of a power law of 1.4): at a fixed
 // indentation that is F_N.

@@ -11,7 +11,7 @@ namespace {
 using contact::StepRecord;
 using Place = std::variant<const double*, const int*>;
 
-constexpr std::array<HistoryColumn, 24> columns{{
+constexpr std::array<HistoryColumn, 26> columns{{
     {"phase", [](const StepRecord& s) { return Place(&s.phase); }},
     {"time_s", [](const StepRecord& s) { return Place(&s.time); }},
     {"offset_x_m", [](const StepRecord& s) { return Place(&s.offset[0]); }},
@@ -22,6 +22,8 @@ constexpr std::array<HistoryColumn, 24> columns{{
     {"indentation_m", [](const StepRecord& s) { return Place(&s.indentation); }},
     {"shift_x_m", [](const StepRecord& s) { return Place(&s.shift[0]); }},
     {"shift_y_m", [](const StepRecord& s) { return Place(&s.shift[1]); }},
+    {"rotation_rad", [](const StepRecord& s) { return Place(&s.rotation); }},
+    {"torque_N_m", [](const StepRecord& s) { return Place(&s.torque); }},
     {"dissipation_J", [](const StepRecord& s) { return Place(&s.dissipation); }},
     {"material_dissipation_J", [](const StepRecord& s) { return Place(&s.material_dissipation); }},
     {"stored_energy_J", [](const StepRecord& s) { return Place(&s.stored_energy); }},

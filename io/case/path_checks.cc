@@ -1,0 +1,137 @@
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "contact/load_path.h"
+#include "io/case/case_checks.h"
+#include "io/tables/path_table.h"
+
+namespace tricontact::io {
+
+namespace {
+
+using contact::Case;
+using contact::NormalControl;
+using contact::PrescribedPath;
+using contact::TangentialControl;
+
+/// What a path says instead.
+constexpr std::array prescribed_keys{
+    "load.normal_force",           "load.indentation",
+    "load.tangential_ratio",       "load.tangential_force",
+    "load.limit_fraction",         "load.limit_excess",
+    "load.normal_amplitude_ratio", "load.tangential_amplitude_ratio"};
+
+void check_alone(const Case& c, const Document& document) {
+    for (const char* key : prescribed_keys)
+        if (document.find(key))
+            refuse(document, key, "contradicts [path], whose rows prescribe all loads",
+                   "give one of the two");
+    if (c.load.hold != 0)
+        refuse(document, "load.hold", "contradicts [path], whose rows say how long loads are held",
+               "omit it, and give a row that changes nothing but the time");
+    for (const char* section : {"rolling", "tractive_rolling"})
+        if (const auto* found = document.find_section(section))
+            fail(found->place, fmt::format("[{}]", section),
+                 "contradicts [path], whose rows say how the indenter rolls",
+                 "give one of the two");
+}
+
+bool is_timed(const PrescribedPath& path) {
+    return path.rows.back().time > path.rows.front().time;
+}
+
+bool lies_on_a_line(const PrescribedPath& path) {
+    const double angle = path.direction();
+    const double scale = contact::norm(path.reach());
+    return std::ranges::all_of(path.rows, [&](const PrescribedPath::Row& row) {
+        return std::abs(row.offset[1] * std::cos(angle) - row.offset[0] * std::sin(angle)) <=
+               1e-9 * scale;
+    });
+}
+
+bool loads_across(const PrescribedPath& path) {
+    return std::ranges::any_of(
+        path.rows, [](const PrescribedPath::Row& row) { return row.tangential[1].value != 0; });
+}
+
+/// Some bodies, models and materials know fewer motions.
+void check_motions(const Case& c, const Document& document) {
+    const PrescribedPath& path = *c.prescribed_path;
+    const std::string key = path_key(document);
+    const auto refuse_motions = [&](const std::string& what, const std::string& remedy) {
+        if (path.twists())
+            refuse(document, key, what + " cannot be twisted", "omit rotation, or " + remedy);
+        if (loads_across(path))
+            refuse(document, key, what + " knows no tangential load or shift along y",
+                   "omit these columns, or " + remedy);
+    };
+    for (const std::string& model : c.models) {
+        if (!model.starts_with("mdr")) continue;
+        refuse_motions(model + ", a line of springs,", "leave out " + model);
+        if (!lies_on_a_line(path))
+            refuse(document, key,
+                   model + ", a line of springs, rolls along one line through its start",
+                   "let all offsets lie on one, or leave out " + model);
+    }
+    if (c.is_cylindrical()) {
+        refuse_motions("the contact of a cylinder or roller", "take a body of revolution");
+        if (path.reach()[1] > 0)
+            refuse(document, key, "a cylinder or roller rolls across its axis, along x, only",
+                   "omit offset_y, or take a body of revolution");
+    }
+    if (c.law != Case::Law::linear && path.twists())
+        refuse(document, key, "fem does not twist the indenter at finite strains",
+               "omit rotation, or set substrate.material to \"linear\"");
+    if (c.relaxation && !is_timed(path))
+        refuse(document, key, "a relaxing substrate needs times, and the path has no column time",
+               "add a column time [s]");
+}
+
+/// Forces that friction carries, in all rows; between two rows the ratio is below that of one.
+void check_carried(const Case& c, const Document& document) {
+    const bool springs_alone = c.models == std::vector<std::string>{"mdr"};
+    const auto& rows = c.prescribed_path->rows;
+    for (std::size_t r = 0; r < rows.size(); ++r) {
+        double force = 0;
+        for (const TangentialControl& control : rows[r].tangential)
+            if (control.kind == TangentialControl::Kind::force)
+                force = std::hypot(force, control.value);
+        if (force == 0 || rows[r].normal.kind != NormalControl::Kind::force) continue;
+        const double limit = c.friction_coefficient * rows[r].normal.value;
+        if (force <= (springs_alone ? 1 : 1 - closest_to_sliding) * limit && force < limit)
+            continue;
+        refuse(document, path_key(document),
+               fmt::format("row {}: the tangential force {} N reaches the friction limit mu F_N = "
+                           "{} N: the contact slides",
+                           r + 1, rounded(force), rounded(limit)),
+               "reduce it, or prescribe the shift");
+    }
+}
+
+}  // namespace
+
+std::string path_key(const Document& document) {
+    return used(document, "path.table", "path.file");
+}
+
+void resolve_path(Case& c, const Document& document) {
+    if (!c.path_input) return;
+    const Case::PathInput& input = *c.path_input;
+    c.prescribed_path =
+        input.file ? read_path_file(*input.file, input.steps)
+                   : read_path_text(*input.table, document.name + ": path.table", input.steps);
+    check_alone(c, document);
+    const NormalControl hardest = c.prescribed_path->hardest_normal();
+    (hardest.kind == NormalControl::Kind::force ? c.load.normal_force : c.load.indentation) =
+        hardest.value;
+    c.load.tangential_force = 0;
+}
+
+void check_prescribed_path(const Case& c, const Document& document) {
+    if (!c.prescribed_path) return;
+    check_motions(c, document);
+    check_carried(c, document);
+}
+
+}  // namespace tricontact::io
