@@ -29,10 +29,11 @@ double torque_ratio(double stick_radius_ratio) {
     const double c = stick_radius_ratio;
     check_unit_interval("Lubkin", "c/a", c);
     if (c == 1) return 0;
+    constexpr double least = 1e-8;  // below, k rounds to 1; s^2 K(k) is negligible
     // By parts: int_c^1 s^3 dphi = c^3 phi(c) + 3 int_c^1 s^2 phi(s) ds.
     boost::math::quadrature::tanh_sinh<double> rule;
     const double rest =
-        rule.integrate([](double s) { return s > 0 ? 3 * s * s * elliptic(s) : 0; }, c, 1.);
+        rule.integrate([](double s) { return s > least ? 3 * s * s * elliptic(s) : 0; }, c, 1.);
     const double inner = c > 0 ? c * c * c * elliptic(c) : 0;
     return 4 / std::numbers::pi * (inner + rest);
 }

@@ -86,6 +86,23 @@ std::string own_load_sentence(const contact::Case& c, const Summaries& summaries
                        share, fmt::join(loads, ", "));
 }
 
+/// A linear model leaves the contact where it is, however far it is shifted.
+std::string far_shift_sentence(const contact::Case& c, const Summaries&) {
+    constexpr double far = .1;  // of the contact radius
+    if (!c.prescribed_path || c.law != contact::Case::Law::linear) return {};
+    double farthest = 0;
+    for (const auto& row : c.prescribed_path->rows)
+        for (const auto& control : row.tangential)
+            if (control.kind == contact::TangentialControl::Kind::shift)
+                farthest = std::max(farthest, std::abs(control.value));
+    const double ratio = farthest / contact::half_space_scales(c).contact_radius;
+    if (ratio <= far) return {};
+    return fmt::format(
+        "The path prescribes shifts up to {} of the contact radius: these models, of small "
+        "displacements, leave the contact where it is on the substrate.",
+        report::significant(ratio, 2));
+}
+
 }  // namespace
 
 std::vector<std::string> uncoupled_half_spaces(const contact::Case& c, const Summaries& summaries) {
@@ -103,7 +120,7 @@ std::vector<std::string> limitations(const contact::Case& c, const Summaries& su
             "across it: its result is the same for every angle. Transformed back to three "
             "dimensions its traction may exceed μp: the bound holds spring by spring only.");
     for (const auto& sentence : {own_load_sentence, thickness_sentence, uncoupled_sentence,
-                                 coupled_sentence, pressure_sentence})
+                                 coupled_sentence, pressure_sentence, far_shift_sentence})
         findings.push_back(sentence(c, summaries));
     if (c.indenter.shape == contact::Case::Shape::sphere)
         findings.push_back(

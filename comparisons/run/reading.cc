@@ -83,6 +83,9 @@ std::string factor(const Results& s, const Quantity& q, const char* letter) {
 std::string verdict_sentence(const contact::Case& c, const Results& s, const Reference& r) {
     using namespace quantities;
     const std::string name = report::display_name(s.model);
+    if (!s.number(static_shift))
+        return fmt::format("{}: at the end of the path the shift is {}.", name,
+                           with_ratio(s, final_shift, final_shift_ratio));
     if (!s.state() && s.number(quantities::tangential_ratio) == 0.)
         return fmt::format("{}: pressed without a tangential force.", name);
     if (!s.state())

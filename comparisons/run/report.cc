@@ -5,6 +5,7 @@
 #include "comparisons/half_space/layer_report.h"
 #include "comparisons/quantities/results.h"
 #include "comparisons/run/figures.h"
+#include "comparisons/run/path_section.h"
 #include "comparisons/run/reading.h"
 #include "comparisons/run/relaxation_report.h"
 #include "comparisons/run/report_tables.h"
@@ -34,6 +35,8 @@ std::string headline(const Results& s) {
     using namespace quantities;
     if (s.state() == State::ratcheting)
         return "shift per period " + with_ratio(s, shift_increment, shift_increment_ratio);
+    if (!s.state() && !s.number(static_shift))
+        return "shift at the end of the path " + with_ratio(s, final_shift, final_shift_ratio);
     if (!s.state()) return "static shift " + with_ratio(s, static_shift, static_shift_ratio);
     if (s.number(settled_shift))
         return "settled shift " + with_ratio(s, settled_shift, settled_shift_ratio);
@@ -52,7 +55,9 @@ Verdict verdict_of(const Results& s) {
     if (kappa) sentence += ", κ = " + report::significant(kappa, 3);
     if (eta) sentence += ", η = " + report::significant(eta, 3);
     return {standing_of(s.state()), sentence + ".",
-            s.state() ? contact::name_of(*s.state()) : "static"};
+            s.state()                            ? contact::name_of(*s.state())
+            : s.number(quantities::static_shift) ? "static"
+                                                 : "path"};
 }
 
 DocumentSection results_section(const contact::Case& c, const std::vector<Results>& results) {
@@ -128,6 +133,7 @@ report::Document run_document(const contact::Case& c, const std::string& resolve
                               .plots = "plots"};
     for (const Results& s : results) document.verdicts.push_back(verdict_of(s));
     document.sections = {{"reading", "Reading", reading(c, results)}, results_section(c, results)};
+    if (c.prescribed_path) document.sections.push_back(path_section(c, histories));
     for (DocumentSection& section : study_sections(c, histories, extras))
         document.sections.push_back(std::move(section));
     Figures figures = make_figures(c, histories);

@@ -77,7 +77,7 @@ class RowMaker {
         if (part == Part::cost)
             for (auto& column : table.columns) column.digits = 3;
         if (part == Part::pressed && case_.layer.thickness) table.rows.push_back(body_row());
-        const bool always = part != Part::ends && part != Part::inside;
+        const bool always = !case_.prescribed_path && part != Part::ends && part != Part::inside;
         for (const Quantity* q : all_quantities())
             if (q->part == part && (always || is_known(*q))) table.rows.push_back(row(*q));
         return table;

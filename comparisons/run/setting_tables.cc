@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <cmath>
 #include <numbers>
 
@@ -157,6 +159,13 @@ void add_rolling(const Case& c, Settings& settings) {
 
 void add_load(const Case& c, Settings& settings) {
     const Case::Load& load = c.load;
+    if (c.prescribed_path) {
+        settings.add("prescribed path",
+                     fmt::format("{} rows, {} steps", c.prescribed_path->rows.size(),
+                                 c.prescribed_path->n_steps()));
+        add_treatment(c, settings);
+        return;
+    }
     settings.add("normal force F_N", load.normal_force, "N");
     settings.add("indentation d, prescribed", load.indentation, "m");
     settings.add("tangential force F_T", load.tangential_force, "N");
@@ -218,7 +227,8 @@ report::DocumentTable derived_table(const Case& c) {
     add("indentation d", r.hertz.indentation, "m");
     add(std::string(pressure_name(c)) + (contact::has_conical_tip(c) ? " p_m" : " p_0"),
         r.hertz.peak_pressure, "Pa");
-    add("normal force F_N", r.hertz.normal_force, "N");
+    add(c.prescribed_path ? "largest normal force F_N" : "normal force F_N", r.hertz.normal_force,
+        "N");
     add("friction limit μF_N", c.friction_coefficient * r.hertz.normal_force, "N");
     add("unit of shift U_max", r.hertz.unit_shift, "m");
     if (std::isfinite(r.tangential_ratio)) add("f_T = F_T/(μF_N)", r.tangential_ratio);

@@ -118,9 +118,10 @@ std::string path_key(const Document& document) {
 void resolve_path(Case& c, const Document& document) {
     if (!c.path_input) return;
     const Case::PathInput& input = *c.path_input;
-    c.prescribed_path =
-        input.file ? read_path_file(*input.file, input.steps)
-                   : read_path_text(*input.table, document.name + ": path.table", input.steps);
+    told_at(document, path_key(document), [&] {
+        c.prescribed_path = input.file ? read_path_file(*input.file, input.steps)
+                                       : read_path_text(*input.table, "table", input.steps);
+    });
     check_alone(c, document);
     const NormalControl hardest = c.prescribed_path->hardest_normal();
     (hardest.kind == NormalControl::Kind::force ? c.load.normal_force : c.load.indentation) =

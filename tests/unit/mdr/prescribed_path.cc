@@ -71,12 +71,17 @@ TEST(MdrPrescribedPath, ObliqueLoadingBelowFrictionNeverSlips) {
     Sphere sphere;
     const auto history = sphere.follow({{0, 0}, {20, 8}}, 10);
     const double expected = .4 * sphere.stiffness_ratio() * sphere.depth(20);
-    // Of ten steps each presses a ring that has missed half of its step's shift: first order. In
-    // the limit of small steps it has missed nothing.
+    // In each step the new ring has missed a part of the step's shift. The first one is as large as
+    // its depth, which goes with F_N^(2/3) and so with steps^(-2/3). In the limit nothing is
+    // missed.
     const auto finer = sphere.follow({{0, 0}, {20, 8}}, 20);
-    const double error = last_shift(history) - expected, half = last_shift(finer) - expected;
-    EXPECT_NEAR(std::log2(error / half), 1, .15);
-    EXPECT_NEAR(2 * half - error, 0, 3e-3 * expected);
+    const auto finest = sphere.follow({{0, 0}, {20, 8}}, 160);
+    const double error = last_shift(history) - expected, half = last_shift(finer) - expected,
+                 least = last_shift(finest) - expected;
+    EXPECT_NEAR(std::log2(half / least) / 3, 2. / 3, .05);
+    EXPECT_LT(std::abs(error), .1 * expected);
+    const double eighth = std::pow(8, 2. / 3);
+    EXPECT_NEAR((eighth * least - half) / (eighth - 1), 0, 1e-3 * expected);
     // Within a step some of the new ring slips; the ring is as wide as the step is long.
     EXPECT_NEAR(finer.steps.back().slip_area / history.steps.back().slip_area, .5, .1);
 }

@@ -38,6 +38,8 @@ TEST(HistoryCsv, HoldsEveryNumberOfEveryStepExactly) {
     s.tangential_force = {6.7 / 3, 1e22 / 3};
     s.indentation = 5e-4 / 3;
     s.shift = {1e-5 / 3, -1e-6 / 3};
+    s.rotation = 1e-2 / 3;
+    s.torque = -1e-3 / 3;
     s.dissipation = 1e-9 / 7;
     s.material_dissipation = 1e-9 / 11;
     s.largest_stretch = 12. / 11;
@@ -66,6 +68,8 @@ TEST(HistoryCsv, HoldsEveryNumberOfEveryStepExactly) {
                                                  {"indentation_m", s.indentation},
                                                  {"shift_x_m", s.shift[0]},
                                                  {"shift_y_m", s.shift[1]},
+                                                 {"rotation_rad", s.rotation},
+                                                 {"torque_N_m", s.torque},
                                                  {"dissipation_J", s.dissipation},
                                                  {"material_dissipation_J", s.material_dissipation},
                                                  {"stored_energy_J", s.stored_energy},

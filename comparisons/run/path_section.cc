@@ -1,0 +1,170 @@
+#include "comparisons/run/path_section.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "report/format.h"
+
+namespace tricontact::comparisons {
+
+namespace {
+
+using contact::History;
+using contact::StepRecord;
+
+constexpr std::size_t most_points = 3000;  // of a line: more than the picture has pixels
+constexpr double negligible = 1e-7;        // of the largest value: the solvers' tolerance
+constexpr std::size_t most_rows = 200, most_open_rows = 12;
+
+/// What a path prescribes or a model answers, of one step.
+struct Magnitude {
+    std::string title, name, base;  ///< "Shift U_x", "shift U_x", "m"
+    std::function<double(const StepRecord&)> of;
+
+    double largest(const Histories& histories) const {
+        double largest = 0;
+        for (const History& history : histories)
+            for (const StepRecord& step : history.steps)
+                largest = std::max(largest, std::abs(of(step)));
+        return largest;
+    }
+};
+
+const Magnitude shift_x{"Shift U_x", "shift U_x", "m",
+                        [](const StepRecord& s) { return s.shift[0]; }};
+const Magnitude shift_y{"Shift U_y", "shift U_y", "m",
+                        [](const StepRecord& s) { return s.shift[1]; }};
+const Magnitude force_x{"Force F_x", "force F_x", "N",
+                        [](const StepRecord& s) { return s.tangential_force[0]; }};
+const Magnitude force_y{"Force F_y", "force F_y", "N",
+                        [](const StepRecord& s) { return s.tangential_force[1]; }};
+const Magnitude normal_force{"Normal force F_N", "normal force F_N", "N",
+                             [](const StepRecord& s) { return s.normal_force; }};
+const Magnitude indentation{"Indentation d", "indentation d", "m",
+                            [](const StepRecord& s) { return s.indentation; }};
+const Magnitude torque{"Torque M", "torque M", "N m", [](const StepRecord& s) { return s.torque; }};
+const Magnitude rotation{"Rotation", "rotation", "rad",
+                         [](const StepRecord& s) { return s.rotation; }};
+
+/// What the models answer: of each pair of force and motion the one that is not prescribed.
+std::vector<const Magnitude*> answers(const contact::PrescribedPath& path) {
+    using contact::NormalControl, contact::TangentialControl;
+    const auto& row = path.rows.front();
+    std::vector<const Magnitude*> list;
+    list.push_back(row.tangential[0].kind == TangentialControl::Kind::force ? &shift_x : &force_x);
+    if (!path.is_along_x())
+        list.push_back(row.tangential[1].kind == TangentialControl::Kind::force ? &shift_y
+                                                                                : &force_y);
+    list.push_back(row.normal.kind == NormalControl::Kind::force ? &indentation : &normal_force);
+    if (path.twists()) list.push_back(&torque);
+    return list;
+}
+
+/// The last step at each row of the path.
+std::vector<const StepRecord*> at_rows(const History& history) {
+    std::vector<const StepRecord*> rows;
+    for (const StepRecord& step : history.steps) {
+        if (step.phase != std::floor(step.phase)) continue;
+        const auto row = static_cast<std::size_t>(step.phase);
+        if (rows.size() <= row) rows.resize(row + 1, nullptr);
+        rows[row] = &step;
+    }
+    return rows;
+}
+
+report::DocumentTable row_table(const contact::PrescribedPath& path, const Histories& histories) {
+    report::DocumentTable table{
+        .id = "path",
+        .title = "At the rows of the path",
+        .note =
+            "Rows count from 0. Without a value: that row is the indenter out of contact. W: "
+            "frictional work since the first row.",
+        .columns = {{"row"}},
+        .folded = path.rows.size() > most_open_rows};
+    const auto shown = report::thinned(path.rows.size(), most_rows);
+    for (const std::size_t r : shown) table.rows.push_back({static_cast<int>(r)});
+    const auto add = [&](const History& history, const std::string& name, const report::Unit& unit,
+                         const auto& value_of) {
+        table.columns.push_back(
+            {fmt::format("{} {} [{}]", report::display_name(history.model), name, unit.symbol)});
+        const auto rows = at_rows(history);
+        for (std::size_t i = 0; i < shown.size(); ++i) {
+            const StepRecord* step = shown[i] < rows.size() ? rows[shown[i]] : nullptr;
+            table.rows[i].push_back(report::number_cell(
+                step ? std::optional(value_of(step)) : std::nullopt, unit.factor));
+        }
+    };
+    for (const Magnitude* magnitude : answers(path)) {
+        const double largest = magnitude->largest(histories);
+        const report::Unit unit = report::fitting_unit(largest, magnitude->base);
+        for (const History& history : histories)
+            add(history, magnitude->name.substr(magnitude->name.rfind(' ') + 1), unit,
+                [&](const StepRecord* step) {
+                    const double value = magnitude->of(*step);
+                    return std::abs(value) <= negligible * largest ? 0 : value;
+                });
+    }
+    for (const History& history : histories) {
+        std::vector<double> work{0};
+        for (const StepRecord& step : history.steps) work.push_back(work.back() + step.dissipation);
+        const auto first = at_rows(history).front();
+        const double pressed = first ? work[first - history.steps.data() + 1] : 0;
+        add(history, "W", report::fitting_unit(work.back() - pressed, "J"),
+            [&](const StepRecord* step) {
+                return work[step - history.steps.data() + 1] - pressed;
+            });
+    }
+    return table;
+}
+
+/// One magnitude over another, or over the rows of the path, of all models.
+report::Figure figure_of(const std::string& id, const std::string& title, const Magnitude& y,
+                         const Magnitude* x, const Histories& histories) {
+    const report::Unit y_unit = report::fitting_unit(y.largest(histories), y.base);
+    const report::Unit x_unit =
+        x ? report::fitting_unit(x->largest(histories), x->base) : report::Unit{};
+    report::Figure figure{
+        .id = id,
+        .title = title,
+        .x = {x ? fmt::format("{} [{}]", x->name, x_unit.symbol) : "row of the path"},
+        .y = {fmt::format("{} [{}]", y.name, y_unit.symbol)}};
+    for (std::size_t i = 0; i < histories.size(); ++i) {
+        const auto& steps = histories[i].steps;
+        report::Curve curve = curve_of(histories[i], i);
+        for (const std::size_t k : report::thinned(steps.size(), most_points))
+            curve.add((x ? x->of(steps[k]) : steps[k].phase) / x_unit.factor,
+                      y.of(steps[k]) / y_unit.factor);
+        figure.curves.push_back(std::move(curve));
+    }
+    return figure;
+}
+
+}  // namespace
+
+report::DocumentSection path_section(const contact::Case& c, const Histories& histories) {
+    if (!c.prescribed_path) return {};
+    const contact::PrescribedPath& path = *c.prescribed_path;
+    report::DocumentSection section{
+        .id = "path", .heading = "Along the path", .tables = {row_table(path, histories)}};
+    const auto add = [&](const char* id, const std::string& title, const Magnitude& y,
+                         const Magnitude* x) {
+        // What stays zero has no picture.
+        if (y.largest(histories) == 0 || (x && x->largest(histories) == 0)) return;
+        section.figures.push_back(figure_of(id, title, y, x, histories));
+    };
+    for (const Magnitude* magnitude : answers(path))
+        add(magnitude == &shift_x || magnitude == &force_x   ? "path_x"
+            : magnitude == &shift_y || magnitude == &force_y ? "path_y"
+            : magnitude == &torque                           ? "path_torque"
+                                                             : "path_normal",
+            magnitude->title + " along the path", *magnitude, nullptr);
+    add("path_loop", "Force F_x over shift U_x", force_x, &shift_x);
+    if (!path.is_along_x()) add("path_loop_y", "Force F_y over shift U_y", force_y, &shift_y);
+    if (path.twists()) add("path_twist", "Torque over rotation", torque, &rotation);
+    return section;
+}
+
+}  // namespace tricontact::comparisons

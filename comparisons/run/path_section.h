@@ -1,0 +1,12 @@
+#pragma once
+
+#include "comparisons/run/figures.h"
+#include "report/document.h"
+
+namespace tricontact::comparisons {
+
+/// What the models did along a prescribed path: values at its rows, and curves of all steps. Empty
+/// heading without such a path.
+report::DocumentSection path_section(const contact::Case& c, const Histories& histories);
+
+}  // namespace tricontact::comparisons
