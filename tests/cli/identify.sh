@@ -144,6 +144,40 @@ grep -q "and the errors of the rig's data" text || complain "uncertain inputs: $
 grep -qE '·10|e-[0-9]' text && complain "a power of ten: $(cat text)"
 grep -q "p < 0.001" text || complain "chance: $(cat text)"
 
+# 10. Several tables together: shifts and depths tell E, mu and b of the layer, and no product of them alone; the
+#     half-space explains neither.
+sed 's/, "atlas"//' "$source_dir/examples/measurements/rig_joint.toml" >joint.toml
+cp "$source_dir/examples/measurements/rig_indentation.csv" .
+"$program" identify joint.toml --output out --quiet >text || complain "joint: $(cat text)"
+for truth in young_Pa:4.22e6 friction_coefficient:0.57 thickness_m:0.008; do
+    low=$(number "['models']['layer']['${truth%:*}']['interval'][0]")
+    high=$(number "['models']['layer']['${truth%:*}']['interval'][1]")
+    holds "$low < ${truth#*:} && ${truth#*:} < $high && $high - $low < 0.05 * ${truth#*:}" \
+        "${truth%:*} is $low to $high"
+done
+grep -q "told only in the combination" text && complain "a product where all is told: $(cat text)"
+grep -q "^Use the values of layer: chi^2 rejects the half-space." text || complain "no choice: $(cat text)"
+[ "$(number "['models']['layer']['told_combinations']")" = "[]" ] || complain "told combinations"
+[ "$(number "['models']['half-space'].get('thickness_m')")" = None ] || complain "the half-space's thickness"
+[ "$(number "['models']['layer']['tables']['force-indentation']['degrees_of_freedom'] < 7")" = True ] ||
+    complain "rows less the share of the parameters"
+# Forces at depths of a half-space tell E sqrt(R) alone.
+sed 's/^find = .*/find = ["substrate.young", "indenter.radius"]/; s/"half-space", "layer"/"half-space"/' \
+    "$source_dir/examples/measurements/rig_indentation.toml" >product.toml
+"$program" identify product.toml --output out --quiet >text || complain "a product: $(cat text)"
+grep -q "E and R are told only in the combination E R^0.50 (standard error" text || complain "no product: $(cat text)"
+grep -q "E cannot be told, R cannot be told" text || complain "each alone: $(cat text)"
+
+# 11. A history tells modulus, share and time of a Prony term; its table was made with 4.22 MPa, 0.3, 10 s.
+cp "$source_dir/examples/measurements/rig_relaxation.csv" .
+"$program" identify "$source_dir/examples/measurements/rig_relaxation.toml" --output out --quiet >text || complain "relaxation"
+for truth in young_Pa:4.22e6 relative_modulus_1:0.3 relaxation_time_1_s:10; do
+    low=$(number "['models']['layer']['${truth%:*}']['interval'][0]")
+    high=$(number "['models']['layer']['${truth%:*}']['interval'][1]")
+    holds "$low < ${truth#*:} && ${truth#*:} < $high && $high - $low < 0.1 * ${truth#*:}" \
+        "${truth%:*} is $low to $high"
+done
+
 # refused EXPECTED SED [TABLE]: the file of 2 changed, TABLE in place of its table.
 n=0
 refused() {
@@ -182,8 +216,14 @@ refused 'the contact would slide: F_T of the table reaches 11 N, mu F_N is 10.55
     's/^find = .*/find = ["substrate.young"]/; s/^\[load\]/[friction]\ncoefficient = 0.5\n[load]/'
 refused 'unknown section [mesurement]; did you mean measurement?' 's/^\[measurement/[mesurement/'
 refused 'missing section [measurement]: nothing was measured' '/^\[measurement/,$d'
-refused 'missing: exactly one of measurement.static_shift, measurement.force_indentation' '/^static_shift/d'
-refused 'contradicts measurement.static_shift' 's/^find/contact_radius = "radius.csv"\nfind/'
+refused 'nothing was measured; name a table: static_shift' '/^static_shift/d'
+refused 'no history tells substrate.relaxation.times' 's/^find = .*/find = ["substrate.relaxation.times"]/'
+refused 'has no effect without measurement.held_indentation' 's/^find/force_relaxation = "r.csv"\nfind/'
+refused 'with shifts, nu is found by half-space and atlas, not by layer' 's/^find = .*/find = ["substrate.poisson"]/'
+refused 'lengths of a layer under a sphere are not in proportion' \
+    's/^find = .*/find = ["indenter.radius"]/; s/^radius/shape = "sphere"\nradius/'
+refused 'finds radius and thickness only of a rigid paraboloid' \
+    's/^find = .*/find = ["substrate.young", "indenter.radius"]/; s/206 GPa/30 MPa/; s/^\[load\]/[friction]\ncoefficient = 0.57\n[load]/'
 refused 'missing.csv: ' 's/rig_static_shift.csv/missing.csv/'
 refused 'missing key measurement.find' '/^find/d'
 refused '"substrate.yung" is not one of' 's/"substrate.young"/"substrate.yung"/'
