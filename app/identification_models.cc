@@ -224,18 +224,20 @@ double* number_of(const io::CaseKey& key, Case& c) {
     return nullptr;
 }
 
+void check_lengths_scale(const experiments::IdentificationInput& input) {
+    if (!input.is_free("indenter.radius") && !input.is_free("substrate.thickness")) return;
+    for (const std::string& model : input.models)
+        if (model != "half-space" && !is_scaled(input.rig))
+            throw contact::InputError(
+                "measurement.find: " + model +
+                " finds radius and thickness only of a rigid paraboloid on one layer on a rigid "
+                "base; find the modulus and friction, or take the model half-space");
+}
+
 experiments::Prediction prediction_of(const std::string& model,
                                       const experiments::IdentificationInput& input, int threads) {
-    const bool is_scaled_rig = is_scaled(input.rig);
-    const bool has_lengths =
-        input.is_free("indenter.radius") || input.is_free("substrate.thickness");
-    if (has_lengths && !is_scaled_rig && model != "half-space")
-        throw contact::InputError(
-            "measurement.find: " + model +
-            " finds radius and thickness only of a rigid paraboloid on one layer on a rigid base; "
-            "find the modulus and friction, or take the model half-space");
     std::shared_ptr<PressTable> presses_of;
-    if (is_scaled_rig && model != "half-space")
+    if (is_scaled(input.rig) && model != "half-space")
         presses_of = std::make_shared<PressTable>(model, relaxed(input.rig),
                                                   input.is_free("substrate.poisson"), threads);
     std::vector<TableModel> tables;

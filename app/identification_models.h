@@ -49,6 +49,10 @@ std::vector<double> measured_values(const std::string& model,
 /// Name of the model in models.h that computes static shifts for one of an identification.
 std::string shift_model(const std::string& model);
 
+/// Throws InputError where radius or thickness are to be found of a rig whose lengths are not in
+/// proportion to them.
+void check_lengths_scale(const experiments::IdentificationInput& input);
+
 /// What a model says about all tables, as a function of its parameters: closed forms and maps, or
 /// interpolated in what its runs depend on, made when they are first needed: lengths of a
 /// paraboloid on a layer are in proportion to b^2/R (heights) and b, so that E, R and b count as

@@ -202,6 +202,7 @@ void print(const IdentificationStudy& study) {
 void identify_properties(IdentifyOptions options) {
     const IdentificationInput input =
         experiments::read_identification(options.file, options.overrides);
+    check_lengths_scale(input);
     options.choose_folder();
     IdentificationStudy study;
     options.fill({{"identify.json", "report.html", "posterior.csv"}}, [&] {
