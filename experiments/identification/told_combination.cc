@@ -2,9 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "report/format.h"
+#include "statistics/estimate.h"
 
 namespace tricontact::experiments {
 
@@ -12,6 +14,16 @@ namespace {
 
 // A power below this part of the largest one takes no part in a product.
 constexpr double least_part = .03;
+
+/// Standard error of ln v; where bounds tell more than the linearised likelihood, of an interval as
+/// wide as that of the likelihood.
+double error_alone(const Identification& found, std::size_t k) {
+    const double linearised = found.logarithmic.standard_errors[k];
+    const auto [low, high] = found.parameters[k].likelihood;
+    if (!(low > 0 && std::isfinite(high))) return linearised;
+    return std::min(linearised,
+                    std::log(high / low) / (2 * statistics::normal_quantile(found.confidence)));
+}
 
 std::string power(const std::string& symbol, double exponent) {
     if (std::abs(exponent - 1) < .005) return symbol;
@@ -30,7 +42,7 @@ std::string told_to(double error) {
 std::vector<ToldCombination> told_combinations(const Identification& found) {
     std::vector<std::size_t> untold;
     for (std::size_t k = 0; k < found.free.size(); ++k)
-        if (found.logarithmic.standard_errors[k] > untold_error &&
+        if (error_alone(found, k) > untold_error &&
             !found.free[k].is_at_bound(found.parameters[k].value))
             untold.push_back(k);
     std::vector<ToldCombination> combinations;
@@ -55,19 +67,20 @@ std::vector<ToldCombination> told_combinations(const Identification& found) {
 }
 
 std::string sentence(const ToldCombination& combination, const Identification& found) {
-    std::string names, product, alone;
+    std::string names, product, alone, where;
     for (std::size_t i = 0; i < combination.parameters.size(); ++i) {
         const std::size_t k = combination.parameters[i];
         const std::string& symbol = found.free[k].symbol;
         const bool is_last = i + 1 == combination.parameters.size();
         names += (i == 0 ? "" : is_last ? " and " : ", ") + symbol;
         product += (i == 0 ? "" : " ") + power(symbol, combination.exponents[i]);
-        alone += fmt::format("{}{}: {}", i == 0 ? "" : ", ", symbol,
-                             told_to(found.logarithmic.standard_errors[k]));
+        if (found.free[k].scale == FreeParameter::Scale::linear) where = " near the best values";
+        alone +=
+            fmt::format("{}{}: {}", i == 0 ? "" : ", ", symbol, told_to(error_alone(found, k)));
     }
     return fmt::format(
-        "{} are told only in the combination {} (standard error {} %), not each alone ({}).", names,
-        product, report::significant(100 * combination.standard_error, 2), alone);
+        "{} are told only in the combination {}{} (standard error {} %), not each alone ({}).",
+        names, product, where, report::significant(100 * combination.standard_error, 2), alone);
 }
 
 }  // namespace tricontact::experiments

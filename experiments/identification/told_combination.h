@@ -20,11 +20,11 @@ inline constexpr double untold_error = 0.25;
 
 /// All of them, best told first; empty where every parameter is told alone, or only one is not.
 /// From the principal directions of the linearised likelihood among the parameters (in logarithms)
-/// that are not told alone, whatever the others are.
+/// that are not told alone, whatever the others are. Powers of nu or g hold near the best values.
 std::vector<ToldCombination> told_combinations(const Identification& found);
 
-/// "E and R are told only in the combination E R^0.50 (standard error 0.4 %); alone E is not (80
-/// %), nor is R (at all)."
+/// "E and R are told only in the combination E R^0.50 (standard error 0.4 %), not each alone (E: 80
+/// %, R: not at all)."
 std::string sentence(const ToldCombination& combination, const Identification& found);
 
 }  // namespace tricontact::experiments

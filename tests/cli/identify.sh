@@ -178,6 +178,39 @@ for truth in young_Pa:4.22e6 relative_modulus_1:0.3 relaxation_time_1_s:10; do
         "${truth%:*} is $low to $high"
 done
 
+# 12. Creep of a standard solid under a constant force, closed form: d^(3/2) ~ J(t) = 1 - g exp(-(1 - g) t/tau).
+cat >creep.toml <<'END'
+[indenter]
+radius = "40 mm"
+[substrate]
+poisson = 0.5
+[substrate.relaxation]
+relative_moduli = [0.2]
+times = ["5 s"]
+[measurement]
+indentation_creep = "creep.csv"
+held_force = "5 N"
+find = ["substrate.young", "substrate.relaxation.relative_moduli", "substrate.relaxation.times"]
+models = ["half-space"]
+END
+awk 'BEGIN { print "time [s], indentation [um]"
+    for (t = 1; t <= 100; t *= 1.6) {
+        J = 1 - 0.4 * exp(-t * 0.6 / 10)
+        printf "%.10g, %.10g\n", t, 1e6 * (3 * 5 * J / (4 * 4e6 / 0.75 * sqrt(0.04)))^(2 / 3) } }' >creep.csv
+"$program" identify creep.toml --output out --quiet >text || complain "creep: $(cat text)"
+for truth in young_Pa:4e6 relative_modulus_1:0.4 relaxation_time_1_s:10; do
+    value=$(number "['models']['half-space']['${truth%:*}']['value']")
+    holds "($value / ${truth#*:} - 1)^2 < 1e-12" "${truth%:*} of creep is $value" # digits of the table
+done
+
+# 13. Poisson's ratio follows from depths on a layer, not on a half-space.
+sed 's/^find = .*/find = ["substrate.young", "substrate.poisson"]/' \
+    "$source_dir/examples/measurements/rig_indentation.toml" >poisson.toml
+"$program" identify poisson.toml --output out --quiet >text || complain "nu: $(cat text)"
+grep -q "^layer .* 0.49. (0.48. to 0.500)" text || complain "nu by the layer: $(cat text)"
+grep -q "^half-space .* cannot be told" text || complain "nu by the half-space: $(cat text)"
+grep -q "told only in" text && complain "E is told by the bounds of nu: $(cat text)"
+
 # refused EXPECTED SED [TABLE]: the file of 2 changed, TABLE in place of its table.
 n=0
 refused() {

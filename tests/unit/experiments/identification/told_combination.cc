@@ -110,6 +110,29 @@ TEST(ToldCombination, ForcesAndRadiiTogetherTellBoth) {
     EXPECT_LT(found.logarithmic.standard_errors[0], .05);
 }
 
+// A half-space tells E/(1 - nu^2), and nu is between 0 and 1/2: so E is told to 7 %, which is no
+// "only in the combination".
+TEST(ToldCombination, NotWhereBoundsTellOneOfBoth) {
+    const auto model = [](const std::vector<double>& v) {
+        return forces({v[0] * .75 / (1 - v[1] * v[1]), radius});
+    };
+    IdentificationTask task =
+        task_of(model, {{"depths", model({young, .4}), std::vector(12, force_error)}});
+    task.parameters[1] = {.key = "substrate.poisson",
+                          .name = "poisson",
+                          .symbol = "nu",
+                          .scale = FreeParameter::Scale::linear,
+                          .low = 0,
+                          .high = .5,
+                          .start = .45};
+    const auto found = identify(task);
+    EXPECT_TRUE(told_combinations(found).empty());
+    const auto& [low, high] = found.parameters[0].likelihood;
+    EXPECT_NEAR(high / low, 1 / .75, .01);  // and the error of E*
+    EXPECT_EQ(found.parameters[1].likelihood.low, 0);
+    EXPECT_EQ(found.parameters[1].likelihood.high, .5);
+}
+
 // On a layer of known thickness the depth is measured against b: E and R are told by the curve's
 // shape. Bonded incompressible layer, Dimitriadis et al. 2002, Biophys. J. 82, 2798, eq. 1.
 TEST(ToldCombination, NotWhereTheLayerTellsThemApart) {
