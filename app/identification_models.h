@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "contact/load_path.h"
 #include "experiments/identification/identification_report.h"
 
 namespace tricontact::app {
@@ -16,32 +17,66 @@ double* number_of(const io::CaseKey& key, contact::Case& c);
 std::vector<double> static_shifts(const std::string& model, const contact::Case& rig,
                                   const std::vector<double>& forces, int threads);
 
+/// A contact pressed without friction [N, m].
+struct Pressed {
+    double normal_force = 0, contact_radius = 0, indentation = 0;
+};
+/// By one of the models of an identification; "atlas" and "bem-layer" stand for the exact theory of
+/// the layer. Throws InputError, NotConverged.
+std::vector<Pressed> presses(const std::string& model, const contact::Case& rig,
+                             const std::vector<contact::NormalControl>& controls, int threads);
+
+/// The rig whose substrate is relaxed, as slow measurements find it.
+contact::Case relaxed(contact::Case c);
+
+/// How the rig is pressed for the rows of a table: one press of each, or a single one that relaxes.
+std::vector<contact::NormalControl> controls_of(
+    const experiments::IdentificationInput::Table& table, const contact::Case& rig,
+    const std::vector<double>& given);
+/// What the table shows of these presses [SI].
+std::vector<double> values_of_presses(const experiments::IdentificationInput::Table& table,
+                                      const contact::Case& rig, const std::vector<double>& given,
+                                      const std::vector<Pressed>& all);
+
 /// What one of the models of an identification ("half-space", "layer", "atlas", "bem-layer", "fem")
-/// says about a measurement on the rig, one value [SI] for each of those `given`; E and mu are the
-/// rig's. Throws InputError, NotConverged.
+/// says about a table's measurement on the rig, one value [SI] for each of those `given`. A
+/// substrate of the rig that relaxes is relaxed but in histories. Throws InputError, NotConverged.
 std::vector<double> measured_values(const std::string& model,
-                                    experiments::IdentificationInput::Measurement measurement,
+                                    const experiments::IdentificationInput::Table& table,
                                     const contact::Case& rig, const std::vector<double>& given,
                                     int threads);
 
 /// Name of the model in models.h that computes static shifts for one of an identification.
 std::string shift_model(const std::string& model);
 
-/// What a model says about the measurement, as a function of E and mu: a closed form, or
-/// interpolated in E, in F_T/(mu F_N) and, where friction and pressure are coupled, in mu from runs
-/// of the model, made when they are first needed. `input` is to outlive it. Throws InputError,
-/// NotConverged.
+/// Throws InputError where radius or thickness are to be found of a rig whose lengths are not in
+/// proportion to them.
+void check_lengths_scale(const experiments::IdentificationInput& input);
+
+/// What a model says about all tables, as a function of its parameters: closed forms and maps, or
+/// interpolated in what its runs depend on, made when they are first needed: lengths of a
+/// paraboloid on a layer are in proportion to b^2/R (heights) and b, so that E, R and b count as
+/// the load F R/(E b^3) alone; beside it, mu where friction and pressure are coupled, nu where it
+/// is free. `input` is to outlive it. Throws InputError (a rig whose lengths are not in
+/// proportion), NotConverged.
 experiments::Prediction prediction_of(const std::string& model,
                                       const experiments::IdentificationInput& input, int threads);
 
-/// The input's rig with these properties.
+/// The input's rig with these values of the model's parameters.
 contact::Case rig_with(const experiments::IdentificationInput& input,
-                       const experiments::Properties& properties);
+                       const std::vector<experiments::FreeParameter>& parameters,
+                       const std::vector<double>& values);
 
-/// What a standard error of each input that has one does to the properties found, to first order:
+/// All tables, one after another, computed, not interpolated.
+std::vector<double> values_of_tables(const std::string& model,
+                                     const experiments::IdentificationInput& input,
+                                     const contact::Case& rig, int threads);
+
+/// What a standard error of each input that has one does to the values found, to first order:
 /// what it does to the model's values, taken off the observed ones.
 std::vector<experiments::InputContribution> input_contributions(
     const std::string& model, const experiments::IdentificationInput& input,
-    const experiments::IdentificationTask& task, const experiments::Properties& best, int threads);
+    const experiments::IdentificationTask& task, const experiments::Identification& found,
+    int threads);
 
 }  // namespace tricontact::app

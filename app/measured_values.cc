@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 
 #include "app/case_run.h"
 #include "app/identification_models.h"
@@ -48,11 +49,6 @@ Case pressed(const Case& rig, const NormalControl& control) {
     return c;
 }
 
-/// What is measured when the rig is pressed: the force at a depth, or the radius under a force.
-struct Pressed {
-    double normal_force = 0, contact_radius = 0;
-};
-
 std::vector<Pressed> presses_of_model(const std::string& name, const Case& rig,
                                       const std::vector<NormalControl>& controls, int threads) {
     // The deepest one decides how far the model reaches.
@@ -64,29 +60,11 @@ std::vector<Pressed> presses_of_model(const std::string& name, const Case& rig,
         contact::LoadStep step = contact::press_step(pressed(rig, control));
         step.friction = false;
         const auto record = model->advance(step);
-        presses.push_back({record.normal_force, model->scales().contact_radius});
+        presses.push_back(
+            {record.normal_force, model->scales().contact_radius, record.indentation});
     }
     require_sound(model->audit(), name);
     return presses;
-}
-
-std::vector<Pressed> presses(const std::string& model, const Case& rig,
-                             const std::vector<NormalControl>& controls, int threads) {
-    // Springs coupled by any layers make the normal contact exact but for their spacing.
-    const bool exact = model == "layer" && comparisons::why_no_exact_theory(rig).empty();
-    if (model != "half-space" && !exact)
-        return presses_of_model(shift_model(model), rig, controls, threads);
-    std::vector<Pressed> all;
-    for (const auto& control : controls)
-        if (exact) {
-            const auto layer = theory::solve_layer_contact(
-                comparisons::elastic_layer(rig), *rig.make_axisymmetric_indenter(), control);
-            all.push_back({layer.normal_force, layer.contact_radius});
-        } else {
-            const auto hertz = contact::half_space_scales(pressed(rig, control));
-            all.push_back({hertz.normal_force, hertz.contact_radius});
-        }
-    return all;
 }
 
 /// Of the maps of the layer. Throws InputError where they are not about the rig, or do not reach.
@@ -113,6 +91,27 @@ std::vector<double> mapped_shifts(Case c, const std::vector<double>& forces) {
 
 }  // namespace
 
+std::vector<Pressed> presses(const std::string& model, const Case& rig,
+                             const std::vector<NormalControl>& controls, int threads) {
+    // Without friction the layer's exact theory is what its maps and elements approximate.
+    if (model == "atlas" || model == "bem-layer") return presses("layer", rig, controls, threads);
+    // Springs coupled by any layers make the normal contact exact but for their spacing.
+    const bool exact = model == "layer" && comparisons::why_no_exact_theory(rig).empty();
+    if (model != "half-space" && !exact)
+        return presses_of_model(shift_model(model), rig, controls, threads);
+    std::vector<Pressed> all;
+    for (const auto& control : controls)
+        if (exact) {
+            const auto layer = theory::solve_layer_contact(
+                comparisons::elastic_layer(rig), *rig.make_axisymmetric_indenter(), control);
+            all.push_back({layer.normal_force, layer.contact_radius, layer.indentation});
+        } else {
+            const auto hertz = contact::half_space_scales(pressed(rig, control));
+            all.push_back({hertz.normal_force, hertz.contact_radius, hertz.indentation});
+        }
+    return all;
+}
+
 std::string shift_model(const std::string& model) {
     return model == "layer" ? "mdr-layer" : model;
 }
@@ -134,21 +133,76 @@ std::vector<double> static_shifts(const std::string& name, const Case& rig,
     return shifts;
 }
 
-std::vector<double> measured_values(const std::string& model, Measurement measurement,
+std::vector<NormalControl> controls_of(const experiments::IdentificationInput::Table& table,
+                                       const Case& rig, const std::vector<double>& given) {
+    std::vector<NormalControl> controls;
+    switch (table.measurement) {
+        case Measurement::force_indentation:
+            for (const double depth : given)
+                controls.push_back({NormalControl::Kind::indentation, depth});
+            break;
+        case Measurement::force_relaxation:
+            controls.push_back({NormalControl::Kind::indentation, table.held});
+            break;
+        case Measurement::indentation_creep: {
+            // A contact that only grows has at t the depth of an elastic one under F J(t)/J(inf)
+            // (Lee and Radok 1960, J. Appl. Mech. 27, 438).
+            const contact::Retardation creep(*rig.relaxation, 0);
+            for (const double t : given) {
+                double compliance = creep.relaxed;
+                for (const auto& branch : creep.branches)
+                    compliance -= branch.compliance * std::exp(-t / branch.time);
+                controls.push_back({NormalControl::Kind::force, table.held * compliance});
+            }
+            break;
+        }
+        default:
+            for (const double force : given)
+                controls.push_back({NormalControl::Kind::force, force});
+    }
+    return controls;
+}
+
+std::vector<double> values_of_presses(const experiments::IdentificationInput::Table& table,
+                                      const Case& rig, const std::vector<double>& given,
+                                      const std::vector<Pressed>& all) {
+    std::vector<double> values;
+    switch (table.measurement) {
+        case Measurement::force_relaxation:  // F(t)/F(inf) = G(t)/G_inf
+            for (const double t : given) {
+                double ratio = 1;
+                for (const auto& [share, time] : rig.relaxation->branches)
+                    ratio += share * std::exp(-t / time);
+                values.push_back(all.front().normal_force * ratio);
+            }
+            break;
+        case Measurement::force_indentation:
+            for (const Pressed& one : all) values.push_back(one.normal_force);
+            break;
+        case Measurement::indentation_creep:
+            for (const Pressed& one : all) values.push_back(one.indentation);
+            break;
+        default:
+            for (const Pressed& one : all) values.push_back(one.contact_radius);
+    }
+    return values;
+}
+
+Case relaxed(Case c) {
+    c.relaxation.reset();
+    return c;
+}
+
+std::vector<double> measured_values(const std::string& model,
+                                    const experiments::IdentificationInput::Table& table,
                                     const Case& rig, const std::vector<double>& given,
                                     int threads) {
-    if (measurement == Measurement::static_shift)
-        return model == "half-space" ? half_space_shifts(rig, given)
-                                     : static_shifts(shift_model(model), rig, given, threads);
-    const bool deep = measurement == Measurement::force_indentation;
-    std::vector<NormalControl> controls;
-    for (const double value : given)
-        controls.push_back(
-            {deep ? NormalControl::Kind::indentation : NormalControl::Kind::force, value});
-    std::vector<double> values;
-    for (const Pressed& press : presses(model, rig, controls, threads))
-        values.push_back(deep ? press.normal_force : press.contact_radius);
-    return values;
+    const Case slow = relaxed(rig);
+    if (table.measurement == Measurement::static_shift)
+        return model == "half-space" ? half_space_shifts(slow, given)
+                                     : static_shifts(shift_model(model), slow, given, threads);
+    return values_of_presses(table, rig, given,
+                             presses(model, slow, controls_of(table, rig, given), threads));
 }
 
 }  // namespace tricontact::app

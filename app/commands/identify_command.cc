@@ -10,28 +10,26 @@ namespace tricontact::app {
 
 namespace {
 
+using experiments::IdentificationInput;
 using experiments::IdentificationStudy;
 using experiments::IdentificationTask;
 using experiments::IdentifiedModel;
-using experiments::Properties;
-using experiments::Property;
-using Measurement = experiments::IdentificationInput::Measurement;
+using Measurement = IdentificationInput::Measurement;
 
-constexpr int n_curve_points = 60, n_profile_points = 41, n_map_points = 41;
-// Interpolated and direct model values at the best properties may differ by this, over the largest
-// value; ten times what the tables are made for, where grid cells make a curve rough.
+constexpr int n_curve_points = 60;
+// Of a profile, and of a map along each axis; with three parameters and more fewer, each of which
+// takes a search.
+constexpr int n_points = 41, n_points_of_many = 21;
+// Interpolated and direct model values at the best values may differ by this, over the largest
+// of a table; ten times what the tables are made for, where grid cells make a curve rough.
 constexpr double largest_interpolation_error = 5e-3;
 
-IdentificationTask task_of(const experiments::IdentificationInput& input) {
-    IdentificationTask task;
-    task.observed = input.observed;
-    task.standard_errors = input.standard_errors;
-    task.start = {input.rig.substrate.young, input.rig.friction_coefficient};
-    task.young_is_free = input.young_is_free;
-    task.friction_is_free = input.friction_is_free;
-    if (input.friction_is_free)
-        task.least_friction = std::ranges::max(input.given) / *input.rig.load.normal_force;
-    task.confidence = input.confidence;
+IdentificationTask task_of(const IdentificationInput& input, const std::string& model) {
+    IdentificationTask task{.parameters = experiments::parameters_of(input, model),
+                            .confidence = input.confidence};
+    for (const auto& table : input.tables)
+        task.tables.push_back({std::string(experiments::name_of(table.measurement)), table.observed,
+                               table.standard_errors});
     return task;
 }
 
@@ -41,23 +39,15 @@ std::vector<double> equal_steps(double from, double to, int n) {
     return values;
 }
 
-/// Over the ranges of both profiles.
-experiments::SquaresMap map_of(const IdentificationTask& task, const IdentifiedModel& model) {
-    const auto range = [](const experiments::Profile& profile) {
-        return equal_steps(profile.value.front(), profile.value.back(), n_map_points);
-    };
-    experiments::SquaresMap map{range(*model.profiles.young), range(*model.profiles.friction), {}};
-    map.values = experiments::sums_of_squares(task, map.young, map.friction);
-    return map;
-}
-
-double largest_difference(const std::vector<double>& a, const std::vector<double>& b) {
-    double difference = 0, largest = 0;
-    for (std::size_t i = 0; i < a.size(); ++i) {
-        difference = std::max(difference, std::abs(a[i] - b[i]));
-        largest = std::max(largest, std::abs(b[i]));
-    }
-    return difference / largest;
+/// Where the curves of a table are drawn: times at equal ratios.
+std::vector<double> curve_points_of(const IdentificationInput::Table& table) {
+    const auto [least, largest] = std::ranges::minmax(table.given);
+    const bool is_history = table.measurement == Measurement::force_relaxation ||
+                            table.measurement == Measurement::indentation_creep;
+    if (!is_history) return equal_steps(largest / n_curve_points, largest, n_curve_points);
+    auto points = equal_steps(std::log(least), std::log(largest), n_curve_points);
+    for (double& point : points) point = std::exp(point);
+    return points;
 }
 
 struct IdentifyOptions : CommandOptions {
@@ -66,96 +56,119 @@ struct IdentifyOptions : CommandOptions {
 
 /// One model at work on the input.
 struct Identifier {
-    const experiments::IdentificationInput& input_;
-    int threads_;
-    bool has_posterior_;
-    IdentificationTask task_ = task_of(input_);
+    const IdentificationInput& input_;
+    const IdentifyOptions& options_;
+    const std::vector<std::vector<double>>& curve_points_;
+    IdentificationTask task_ = {};
 
-    IdentifiedModel identify(const std::string& name, const std::vector<double>& curve_points) {
-        task_.model = prediction_of(name, input_, threads_);
+    IdentifiedModel identify(const std::string& name) {
+        task_ = task_of(input_, name);
+        task_.model = prediction_of(name, input_, options_.threads);
         IdentifiedModel model;
         model.name = name;
         model.found = experiments::identify(task_);
-        const Properties best = model.found.best;
-        if (input_.young_is_free) task_.start.young = best.young;  // of the next model
-        if (model.found.young) model.profiles.young = profile(model, Property::young);
-        if (model.found.friction) model.profiles.friction = profile(model, Property::friction);
-        if (model.found.young && model.found.friction) model.map = map_of(task_, model);
-        if (slides(best)) return model;
-        check_interpolation(model);
-        model.contributions = input_contributions(name, input_, task_, best, threads_);
-        if (has_posterior_) {
-            std::vector<Properties> changes;
+        draw(model);
+        if (slides(model.found)) return model;
+        const Case rig = rig_with(input_, model.found.free, model.found.best());
+        check_interpolation(model, rig);
+        model.contributions =
+            input_contributions(name, input_, task_, model.found, options_.threads);
+        if (options_.posterior) {
+            std::vector<std::vector<double>> changes;
             for (const auto& one : model.contributions) changes.push_back(one.change);
             model.posterior = experiments::sample_posterior(task_, model.found, changes);
         }
-        model.curve = measured_values(name, input_.measurement, rig_with(input_, best),
-                                      curve_points, threads_);
+        for (std::size_t t = 0; t < input_.tables.size(); ++t)
+            model.curves.push_back(
+                measured_values(name, input_.tables[t], rig, curve_points_[t], options_.threads));
         return model;
     }
 
-    experiments::Profile profile(const IdentifiedModel& model, Property property) const {
-        return experiments::profile_of(task_, model.found, property, n_profile_points);
+    /// Profiles and maps.
+    void draw(IdentifiedModel& model) const {
+        const std::size_t m = task_.parameters.size();
+        const int n = m > 2 ? n_points_of_many : n_points;
+        for (std::size_t k = 0; k < m; ++k)
+            model.profiles.push_back(experiments::profile_of(task_, model.found, k, n));
+        const auto range = [&](std::size_t k) {
+            const auto& values = model.profiles[k].value;
+            return equal_steps(values.front(), values.back(), n);
+        };
+        for (std::size_t i = 0; i < m; ++i)
+            for (std::size_t k = i + 1; k < m; ++k) {
+                experiments::SquaresMap map{i, k, range(i), range(k), {}};
+                map.values = experiments::squares_of_pair(task_, model.found, i, k, map.x, map.y);
+                model.maps.push_back(std::move(map));
+            }
     }
 
     /// The largest force is all that this mu holds: models have no state there.
-    bool slides(const Properties& best) const {
+    static bool slides(const experiments::Identification& found) {
         constexpr double margin = 1e-6;
-        return input_.friction_is_free && best.friction < (1 + margin) * task_.least_friction;
+        const auto k = found.find("friction.coefficient");
+        return k && found.parameters[*k].value < (1 + margin) * found.free[*k].low;
     }
 
-    void check_interpolation(IdentifiedModel& model) const {
+    void check_interpolation(IdentifiedModel& model, const Case& rig) const {
         if (model.name == "half-space") return;
-        const auto direct =
-            measured_values(model.name, input_.measurement, rig_with(input_, model.found.best),
-                            input_.given, threads_);
-        model.interpolation_error = largest_difference(model.found.fitted, direct);
-        if (*model.interpolation_error > largest_interpolation_error)
+        double error = 0;
+        for (std::size_t t = 0; t < input_.tables.size(); ++t) {
+            const auto& fitted = model.found.tables[t].fitted;
+            const auto direct = measured_values(model.name, input_.tables[t], rig,
+                                                input_.tables[t].given, options_.threads);
+            const double largest = std::ranges::max(direct);
+            for (std::size_t i = 0; i < direct.size(); ++i)
+                error = std::max(error, std::abs(fitted[i] - direct[i]) / largest);
+        }
+        model.interpolation_error = error;
+        if (error > largest_interpolation_error)
             throw contact::NotConverged(fmt::format(
                 "{}: interpolated values are {:.1e} off the model's own, allowed {:.0e}; take a "
                 "finer resolution",
-                model.name, *model.interpolation_error, largest_interpolation_error));
+                model.name, error, largest_interpolation_error));
     }
 };
 
-std::vector<std::pair<std::string, std::string>> settings_of(
-    const experiments::IdentificationInput& input) {
+std::vector<std::pair<std::string, std::string>> settings_of(const IdentificationInput& input) {
     const Case& rig = input.rig;
-    std::vector<std::pair<std::string, std::string>> settings{
-        {"measurement", std::string(experiments::name_of(input.measurement))},
-        {"table", std::filesystem::path(input.data_file).filename().string()},
-        {"observations", std::to_string(input.observed.size())},
-        {"R", report::given_quantity(rig.indenter.radius, "m")},
-        {"nu", report::as_given(rig.substrate.poisson)}};
+    std::vector<std::pair<std::string, std::string>> settings;
+    for (const auto& table : input.tables)
+        settings.emplace_back(
+            std::string(experiments::name_of(table.measurement)),
+            fmt::format("{}, {} observations",
+                        std::filesystem::path(table.data_file).filename().string(),
+                        table.observed.size()));
+    const auto add = [&](const char* key, const char* symbol, const std::string& value) {
+        if (!input.is_free(key)) settings.emplace_back(symbol, value);
+    };
+    add("indenter.radius", "R", report::given_quantity(rig.indenter.radius, "m"));
+    add("substrate.poisson", "nu", report::as_given(rig.substrate.poisson));
     if (rig.layer.thickness)
-        settings.emplace_back("b", report::given_quantity(*rig.layer.thickness, "m"));
-    if (input.measurement == Measurement::static_shift)
-        settings.emplace_back("F_N", report::given_quantity(*rig.load.normal_force, "N"));
-    if (!input.young_is_free)
-        settings.emplace_back("E", report::given_quantity(rig.substrate.young, "Pa"));
-    if (!input.friction_is_free && input.measurement == Measurement::static_shift)
-        settings.emplace_back("mu", report::as_given(rig.friction_coefficient));
+        add("substrate.thickness", "b", report::given_quantity(*rig.layer.thickness, "m"));
+    add("substrate.young", "E", report::given_quantity(rig.substrate.young, "Pa"));
+    if (!input.find(Measurement::static_shift)) return settings;
+    settings.emplace_back("F_N", report::given_quantity(*rig.load.normal_force, "N"));
+    add("friction.coefficient", "mu", report::as_given(rig.friction_coefficient));
     return settings;
 }
 
-IdentificationStudy study_of(const experiments::IdentificationInput& input,
-                             const IdentifyOptions& options) {
+IdentificationStudy study_of(const IdentificationInput& input, const IdentifyOptions& options) {
     IdentificationStudy study;
     study.input = input;
     study.title =
         input.title.empty() ? std::filesystem::path(input.name).stem().string() : input.title;
-    const double largest = std::ranges::max(input.given);
-    study.curve_points = equal_steps(largest / n_curve_points, largest, n_curve_points);
+    for (const auto& table : input.tables) study.curve_points.push_back(curve_points_of(table));
     study.settings = settings_of(input);
     study.command = "tricontact identify " + std::filesystem::path(input.name).filename().string();
     study.version = files::version;
-    Identifier identifier{input, options.threads, options.posterior};
+    Identifier identifier{input, options, study.curve_points};
     for (const std::string& name : input.models) {
         options.say(name);
-        study.models.push_back(identifier.identify(name, study.curve_points));
+        study.models.push_back(identifier.identify(name));
     }
     if (input.rig.layer.thickness) {
-        const Case rig = rig_with(input, reference_model(study).found.best);
+        const auto& found = reference_model(study).found;
+        const Case rig = rig_with(input, found.free, found.best());
         study.thickness_ratio =
             *rig.layer.thickness / (2 * contact::half_space_scales(rig).contact_radius);
     }
@@ -163,21 +176,22 @@ IdentificationStudy study_of(const experiments::IdentificationInput& input,
 }
 
 void print(const IdentificationStudy& study) {
-    std::cout << fmt::format("{:<11} {:<32} {:<26} {:>8}  {}\n", "model", "E", "mu", "R^2",
-                             "residuals");
+    const auto& parameters = study.input.parameters;
+    std::cout << fmt::format("{:<11}", "model");
+    for (const auto& p : parameters) std::cout << fmt::format(" {:<32}", p.symbol);
+    std::cout << fmt::format(" {:>8}  {}\n", "R^2", "chi^2");
     for (const IdentifiedModel& model : study.models) {
         const auto& found = model.found;
-        std::cout << fmt::format(
-            "{:<11} {:<32} {:<26} {:>8.5f}  {}\n", model.name,
-            found.young ? experiments::shown(model, experiments::Property::young) : "given",
-            found.friction ? experiments::shown(model, experiments::Property::friction) : "given",
-            found.r_squared,
-            found.goodness
-                ? fmt::format("chi^2 = {:.3g}, {} degrees of freedom", found.sum_of_squares,
-                              found.degrees_of_freedom)
-                : report::quantity(found.residual_standard_deviation,
-                                   std::string(columns_of(study.input.measurement).observed.unit),
-                                   2));
+        std::cout << fmt::format("{:<11}", model.name);
+        for (const auto& p : parameters) {
+            const auto k = found.find(p.key, p.index);
+            std::cout << fmt::format(" {:<32}", k ? experiments::shown(model, *k) : "none");
+        }
+        std::cout << fmt::format(" {:>8.5f}  {}\n", found.r_squared,
+                                 found.goodness
+                                     ? fmt::format("{:.3g}, {} degrees of freedom",
+                                                   found.sum_of_squares, found.degrees_of_freedom)
+                                     : "errors estimated");
     }
     for (const IdentifiedModel& model : study.models)
         if (model.posterior) std::cout << experiments::posterior_sentence(model) << '\n';
@@ -186,8 +200,9 @@ void print(const IdentificationStudy& study) {
 }
 
 void identify_properties(IdentifyOptions options) {
-    const experiments::IdentificationInput input =
+    const IdentificationInput input =
         experiments::read_identification(options.file, options.overrides);
+    check_lengths_scale(input);
     options.choose_folder();
     IdentificationStudy study;
     options.fill({{"identify.json", "report.html", "posterior.csv"}}, [&] {
@@ -202,11 +217,13 @@ void identify_properties(IdentifyOptions options) {
 }  // namespace
 
 Command identify_command() {
-    return Declared<IdentifyOptions>("identify", "Find E and mu from a measurement on a rig",
-                                     identify_properties)
+    return Declared<IdentifyOptions>(
+               "identify", "Find E, nu, mu, lengths and Prony terms from measurements on a rig",
+               identify_properties)
         .on_case()
         .flag("--posterior", &IdentifyOptions::posterior,
-              "Draw from the posterior density of E, mu and the uncertain inputs (posterior.csv)")
+              "Draw from the posterior density of what is found and the uncertain inputs "
+              "(posterior.csv)")
         .output("Folder (results/<case>)")
         .threads()
         .quiet("No progress");

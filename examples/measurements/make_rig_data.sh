@@ -52,6 +52,16 @@ noisy() {
 } >"$folder/rig_indentation.csv"
 
 {
+    echo "# Synthetic, no measurement: bem-layer, relaxed E = $young, held at 0.3 mm; times G(t)/G_inf of"
+    echo "# g = G_1/G_0 = 0.3, tau = 10 s; noise 0.05 N, seed 3; made by make_rig_data.sh."
+    echo "time [s], normal_force [N], normal_force_error [N]"
+    relaxed=$(value normal_force_N "load.indentation=300 um" load.press=frictionless)
+    for time in 0.5 1 2 4 6 8 10 15 20 30 40 60 80; do
+        awk -v t="$time" -v F="$relaxed" 'BEGIN { print t, F * (1 + 0.3 / 0.7 * exp(-t / 10)) }'
+    done | noisy 3 0.05 1
+} >"$folder/rig_relaxation.csv"
+
+{
     echo "# Not measured: equation (2.1.18) of the thesis with its E = 5.2 MPa, mu = 0.57, nu = 1/2,"
     echo "# R = 40 mm, F_N = 21.1 N; made by make_rig_data.sh."
     echo "tangential_force [N], shift [um]"

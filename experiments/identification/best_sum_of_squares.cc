@@ -3,143 +3,194 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <boost/math/tools/minima.hpp>
 #include <cmath>
-#include <limits>
 #include <stdexcept>
 
 #include "contact/error.h"
 #include "contact/special_values.h"
-#include "statistics/regression.h"
 
 namespace tricontact::experiments {
 
 namespace {
 
-// Of q: so that a minimum between two of them is the only one there (sums of squares of forces and
-// shifts have one or, at an end, none).
-constexpr int n_friction_values = 24;
-// A minimum is told from its neighbours by the square root of what a double resolves.
-constexpr int minimum_bits = std::numeric_limits<double>::digits / 2;
+// Of F_T/(mu F_N) at the largest force, and of Poisson's ratio: a sum of squares may have a minimum
+// at small ones and one close to sliding, or at 1/2.
+constexpr double scanned_ratios[] = {.3, .6, .85, .97};
+constexpr double scanned_poissons[] = {.25, .47};
+// Errors estimated from residuals and parameters found with them stand still to this.
+constexpr double error_tolerance = 1e-6;
+constexpr int most_rounds = 60;
+// Of the largest value of a table: exact data have rounding for an error.
+constexpr double least_relative_error = 1e-12;
+constexpr double first_relative_error = 1e-2;
+// Rows of a table left beside the parameters that it tells, below which its error is unknown.
+constexpr double least_rows_left = .5;
 
-// Of ln E, in the search for a start of least squares; and the largest step of it.
-constexpr double scale_tolerance = 1e-3, largest_scale_step = 2;
-constexpr int most_scale_steps = 50;
+double largest_of(const ObservedTable& table) {
+    double largest = 0;
+    for (const double value : table.observed) largest = std::max(largest, std::abs(value));
+    return largest;
+}
 
-void check(const IdentificationTask& task, int n_free) {
-    if (n_free == 0) throw std::invalid_argument("nothing is to be identified");
-    if (task.observed.size() <= static_cast<std::size_t>(n_free))
-        throw std::invalid_argument(fmt::format("{} observations do not determine {} properties",
-                                                task.observed.size(), n_free));
-    if (!task.standard_errors.empty() && task.standard_errors.size() != task.observed.size())
-        throw std::invalid_argument("one standard error per observation");
-    if (task.friction_is_free && !(task.least_friction > 0))
-        throw std::invalid_argument("without a tangential force nothing tells the friction");
+void check(const IdentificationTask& task) {
+    const std::size_t n = task.n_observations(), m = task.parameters.size();
+    if (m == 0) throw std::invalid_argument("nothing is to be identified");
+    if (n <= m)
+        throw std::invalid_argument(
+            fmt::format("{} observations do not determine {} parameters", n, m));
+    for (const ObservedTable& table : task.tables)
+        if (!table.standard_errors.empty() && table.standard_errors.size() != table.observed.size())
+            throw std::invalid_argument("one standard error per observation");
+    for (const FreeParameter& p : task.parameters)
+        if (!(p.low >= 0 && p.low < p.high) ||
+            (p.scale != FreeParameter::Scale::linear && !(p.low > 0)))
+            throw std::invalid_argument("no range of " + p.key);
+}
+
+std::vector<statistics::ErrorGroup> groups_of(const IdentificationTask& task) {
+    std::vector<statistics::ErrorGroup> groups;
+    for (const ObservedTable& table : task.tables)
+        groups.push_back({table.observed.size(), !table.standard_errors.empty()});
+    return groups;
+}
+
+/// All combinations of the scanned values, other parameters at their start.
+std::vector<std::vector<double>> starts_of(const std::vector<FreeParameter>& parameters) {
+    std::vector<std::vector<double>> starts{{}};
+    for (const FreeParameter& p : parameters) {
+        std::vector<double> values{p.coordinate(p.start)};
+        if (p.scale == FreeParameter::Scale::reciprocal)
+            values.assign(std::begin(scanned_ratios), std::end(scanned_ratios));
+        else if (p.key == "substrate.poisson")
+            values.assign(std::begin(scanned_poissons), std::end(scanned_poissons));
+        std::vector<std::vector<double>> longer;
+        for (const auto& start : starts)
+            for (const double value : values) {
+                longer.push_back(start);
+                longer.back().push_back(value);
+            }
+        starts = std::move(longer);
+    }
+    return starts;
 }
 
 }  // namespace
 
-BestSumOfSquares::BestSumOfSquares(const IdentificationTask& task)
-    : task_(task), guess_(task.start.young) {
-    check(task, n_free());
-    for (const double error : task.standard_errors) weights_.push_back(1 / (error * error));
+BestSumOfSquares::BestSumOfSquares(const IdentificationTask& task) : task_(task) {
+    check(task);
+    for (const ObservedTable& table : task.tables) {
+        observed_.insert(observed_.end(), table.observed.begin(), table.observed.end());
+        const auto& stated = table.standard_errors;
+        errors_.insert(errors_.end(), stated.begin(), stated.end());
+        errors_.resize(observed_.size(), first_relative_error * largest_of(table));
+    }
+    for (const FreeParameter& p : task.parameters) {
+        bounds_.low.push_back(p.least());
+        bounds_.high.push_back(p.largest());
+    }
 }
 
-double BestSumOfSquares::at(const Properties& properties) const {
-    std::vector<double> values;
+BestSumOfSquares::BestSumOfSquares(const IdentificationTask& task,
+                                   std::vector<double> standard_errors)
+    : BestSumOfSquares(task) {
+    errors_ = std::move(standard_errors);
+}
+
+std::vector<double> BestSumOfSquares::residuals(const std::vector<double>& x) const {
+    std::vector<double> values = task_.model(values_of(task_.parameters, x));
+    for (std::size_t i = 0; i < values.size(); ++i)
+        values[i] = (observed_[i] - values[i]) / errors_[i];
+    return values;
+}
+
+double BestSumOfSquares::at(const std::vector<double>& x) const {
+    double sum = 0;
     try {
-        values = task_.model(properties);
+        for (const double r : residuals(x)) sum += r * r;
     } catch (const contact::InputError&) {
         return contact::infinity;  // no such contact
-    }
-    double sum = 0;
-    for (std::size_t i = 0; i < values.size(); ++i) {
-        const double residual = task_.observed[i] - values[i];
-        sum += weight(i) * residual * residual;
     }
     return std::isfinite(sum) ? sum : contact::infinity;
 }
 
-/// Where the model's values need no common factor to be nearest the observed ones: close to the
-/// best E, and found without straying far, since a model's values are nearly a power of E.
-double BestSumOfSquares::scaled_young(double guess, double friction) const {
-    const auto log_factor = [&](double log_young) {
-        const auto values = task_.model({std::exp(log_young), friction});
-        double ym = 0, mm = 0;
-        for (std::size_t i = 0; i < values.size(); ++i) {
-            ym += weight(i) * task_.observed[i] * values[i];
-            mm += weight(i) * values[i] * values[i];
+statistics::BoundedFit BestSumOfSquares::best_from(const std::vector<double>& x) const {
+    return statistics::fit_within([this](const auto& at) { return residuals(at); }, x, bounds_);
+}
+
+statistics::BoundedFit BestSumOfSquares::best() {
+    statistics::BoundedFit best{{}, contact::infinity};
+    std::string undefined, reason;
+    for (const auto& start : starts_of(task_.parameters)) {
+        try {
+            residuals(start);
+            auto fit = best_from(start);
+            if (fit.sum_of_squares < best.sum_of_squares) best = std::move(fit);
+        } catch (const contact::InputError& error) {
+            undefined = error.what();
+        } catch (const contact::NotConverged& error) {
+            reason = error.what();
         }
-        if (!(ym > 0))
-            throw contact::NotConverged("identification: the observations have the wrong sign");
-        return std::log(ym / mm);
-    };
-    double before = std::log(guess), x = before + scale_tolerance, f_before = log_factor(before);
-    for (int i = 0; i < most_scale_steps; ++i) {
-        const double f = log_factor(x), step = -f * (x - before) / (f - f_before);
-        before = x;
-        f_before = f;
-        x += std::clamp(step, -largest_scale_step, largest_scale_step);
-        if (std::abs(step) < scale_tolerance) return std::exp(x);
     }
-    throw contact::NotConverged("identification: no value of E explains the observations");
+    if (best.x.empty() && !undefined.empty()) throw contact::InputError(undefined);
+    if (best.x.empty())
+        throw contact::NotConverged("identification: nothing explains the observations: " + reason);
+    if (std::ranges::all_of(task_.tables, [](const auto& t) { return !t.standard_errors.empty(); }))
+        return best;
+    for (int i = 0; i < most_rounds; ++i) {
+        const double change = estimate_errors(best.x);
+        best = best_from(best.x);
+        if (change < error_tolerance) return best;
+    }
+    throw contact::NotConverged(
+        "identification: the errors of the tables cannot be told from their residuals; state them");
 }
 
-LeastSquares BestSumOfSquares::best_young(double friction) const {
-    if (!task_.young_is_free) {
-        const Properties fixed{task_.start.young, friction};
-        return {fixed, at(fixed)};
-    }
-    // By its logarithm: E stays positive, and what is measured is nearly a power of it.
-    const double unit = scaled_young(guess_, friction);
-    const auto young_of = [&](double p) { return unit * std::exp(p - 1); };
-    const auto model = [&](const std::vector<double>& p) {
-        return task_.model({young_of(p[0]), friction});
-    };
-    statistics::FitOptions options;
-    options.weights = weights_;
-    const statistics::Fit fit = statistics::fit_nonlinear(model, task_.observed, {1.}, options);
-    guess_ = young_of(fit.parameters[0].value);
-    return {{guess_, friction}, fit.residual_sum_of_squares};
+statistics::BoundedFit BestSumOfSquares::profile(std::size_t k, double coordinate,
+                                                 std::vector<double> x) const {
+    statistics::Bounds held = bounds_;
+    held.low[k] = held.high[k] = x[k] = coordinate;
+    if (!std::isfinite(at(x))) return {std::move(x), contact::infinity};
+    return statistics::fit_within([this](const auto& at) { return residuals(at); }, x, held);
 }
 
-// `along`: from mu to what is least there.
-template <class Along>
-LeastSquares BestSumOfSquares::least_along_friction(const Along& along) const {
-    const auto sum_at = [&](double q) { return along(task_.least_friction / q).sum; };
-    const double lowest = 1 / largest_friction_ratio;
-    const auto value = [&](int k) {
-        return lowest + (1 - lowest) * std::clamp(k, 0, n_friction_values) / n_friction_values;
-    };
-    int k_best = 0;
-    double least = contact::infinity;
-    for (int k = n_friction_values; k >= 0; --k)
-        if (const double sum = sum_at(value(k)); sum < least) {
-            least = sum;
-            k_best = k;
+std::vector<std::vector<double>> BestSumOfSquares::logarithmic_slopes(
+    const std::vector<double>& x) const {
+    auto columns = statistics::slopes([this](const auto& at) { return residuals(at); }, x, bounds_);
+    for (std::size_t k = 0; k < columns.size(); ++k) {
+        const FreeParameter& p = task_.parameters[k];
+        const double value = p.value(x[k]);
+        for (double& slope : columns[k]) slope *= p.is_at_bound(value) ? 0 : p.slope(value);
+    }
+    return columns;
+}
+
+statistics::JointCovariance BestSumOfSquares::covariance(const std::vector<double>& x) const {
+    return statistics::joint_covariance(logarithmic_slopes(x), groups_of(task_));
+}
+
+double BestSumOfSquares::estimate_errors(const std::vector<double>& x) {
+    const auto residual = residuals(x);
+    const auto left = covariance(x).degrees_of_freedom;
+    double change = 0;
+    std::size_t row = 0;
+    for (std::size_t t = 0; t < task_.tables.size(); ++t) {
+        const ObservedTable& table = task_.tables[t];
+        const std::size_t end = row + table.observed.size();
+        if (table.standard_errors.empty()) {
+            if (left[t] < least_rows_left)
+                throw contact::NotConverged(
+                    "identification: the table " + table.name +
+                    " tells parameters but not its own errors; state them in its last column");
+            double sum = 0;
+            for (std::size_t i = row; i < end; ++i) sum += std::pow(residual[i] * errors_[i], 2);
+            const double error =
+                std::max(std::sqrt(sum / left[t]), least_relative_error * largest_of(table));
+            change = std::max(change, std::abs(error / errors_[row] - 1));
+            std::fill(errors_.begin() + row, errors_.begin() + end, error);
         }
-    const auto [q, sum] = boost::math::tools::brent_find_minima(sum_at, value(k_best - 1),
-                                                                value(k_best + 1), minimum_bits);
-    return along(task_.least_friction / (sum < least ? q : value(k_best)));
-}
-
-LeastSquares BestSumOfSquares::best_friction(double young) const {
-    if (!task_.friction_is_free) {
-        const Properties fixed{young, task_.start.friction};
-        return {fixed, at(fixed)};
+        row = end;
     }
-    return least_along_friction([&](double friction) {
-        return LeastSquares{{young, friction}, at({young, friction})};
-    });
-}
-
-double BestSumOfSquares::profile(Property property, double value) const {
-    return (property == Property::young ? best_friction(value) : best_young(value)).sum;
-}
-
-LeastSquares BestSumOfSquares::best() const {
-    if (!task_.friction_is_free) return best_young(task_.start.friction);
-    return least_along_friction([&](double friction) { return best_young(friction); });
+    return change;
 }
 
 }  // namespace tricontact::experiments

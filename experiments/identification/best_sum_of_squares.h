@@ -1,48 +1,49 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "experiments/identification/identification.h"
+#include "statistics/bounded_least_squares.h"
 
 namespace tricontact::experiments {
 
-/// Where a sum of squares is least, and how little that is.
-struct LeastSquares {
-    Properties at;
-    double sum = 0;
-};
-
-/// The sum of squares of an identification as a function of E and mu, and its minima along either.
-/// mu is searched as q = least_friction/mu, F_T/(mu F_N) of the largest force: from 0, where
-/// nothing would slip and mu does not matter, to 1, where the contact would be about to slide.
+/// The sum of squares of an identification over the coordinates of its parameters, and its minima.
 class BestSumOfSquares {
   public:
-    /// Throws std::invalid_argument if the task is none.
+    /// Unknown errors begin as equal parts of what each table holds. Throws std::invalid_argument
+    /// if the task is none.
     explicit BestSumOfSquares(const IdentificationTask& task);
+    /// With these errors, one per observation.
+    BestSumOfSquares(const IdentificationTask& task, std::vector<double> standard_errors);
 
+    /// Of observed minus fitted values over their errors.
+    std::vector<double> residuals(const std::vector<double>& x) const;
     /// Infinite where the model is not defined.
-    double at(const Properties& properties) const;
-    /// The least sum with this value of a property, the other one at its best if it is free. Throws
-    /// contact::NotConverged, contact::InputError.
-    double profile(Property property, double value) const;
-    /// The best of all.
-    LeastSquares best() const;
+    double at(const std::vector<double>& x) const;
+    /// From several starts over the ranges of mu and nu, with all else at its guess; unknown
+    /// errors are estimated from the tables in turn. Throws contact::InputError where the model is
+    /// not defined at any start, contact::NotConverged.
+    statistics::BoundedFit best();
+    /// From one start, with the errors as they are.
+    statistics::BoundedFit best_from(const std::vector<double>& x) const;
+    /// The least sum with one coordinate held, searched from `x`.
+    statistics::BoundedFit profile(std::size_t k, double coordinate, std::vector<double> x) const;
 
-    int n_free() const { return task_.young_is_free + task_.friction_is_free; }
-    /// 1/variance of each observation; empty: equal.
-    const std::vector<double>& weights() const { return weights_; }
-    double weight(std::size_t i) const { return weights_.empty() ? 1 : weights_[i]; }
+    const statistics::Bounds& bounds() const { return bounds_; }
+    const std::vector<double>& standard_errors() const { return errors_; }
+    /// Of ln v at x; parameters at a bound tell nothing.
+    statistics::JointCovariance covariance(const std::vector<double>& x) const;
+    /// Slopes of residuals by ln v, a column per parameter.
+    std::vector<std::vector<double>> logarithmic_slopes(const std::vector<double>& x) const;
 
   private:
-    double scaled_young(double guess, double friction) const;
-    LeastSquares best_young(double friction) const;
-    LeastSquares best_friction(double young) const;
-    template <class Along>
-    LeastSquares least_along_friction(const Along& along) const;
+    /// Largest relative change of an error.
+    double estimate_errors(const std::vector<double>& x);
 
     const IdentificationTask& task_;
-    std::vector<double> weights_;
-    mutable double guess_;  // of E: the last one found
+    std::vector<double> observed_, errors_;
+    statistics::Bounds bounds_;
 };
 
 }  // namespace tricontact::experiments

@@ -16,226 +16,291 @@ namespace tricontact::experiments {
 
 namespace {
 
-// First step from the best value when an edge of an interval is looked for, and its growth.
-constexpr double first_step = 1e-4, step_growth = 1.6;
-// An edge to 1e-9 of the property: far below any error of it.
-constexpr int edge_bits = 30;
-// Of central differences, over the property: error and rounding in balance to 1e-7 of the slope.
-constexpr double difference_step = 1e-4;
+// First step from the best value when an edge of an interval is looked for: of the linearised half
+// width, else of the coordinate; and its growth.
+constexpr double first_part = .7, first_step = 1e-4, step_growth = 1.6;
+// An edge to 1e-7 of the interval: far below any error of it.
+constexpr int edge_bits = 24;
 // Figures show a profile beyond the edges of its interval, by this part of it.
 constexpr double profile_margin = 0.3;
 constexpr double widest_profile = 10;  // in best values, where an interval is open
 
-/// How much a sum of squares may exceed the least one with n properties held.
-double level(const IdentificationTask& task, double least, int n_held, int degrees_of_freedom) {
-    if (!task.standard_errors.empty()) return least + gsl_cdf_chisq_Pinv(task.confidence, n_held);
-    const double f = gsl_cdf_fdist_Pinv(task.confidence, n_held, degrees_of_freedom);
-    return least * (1 + n_held * f / degrees_of_freedom);
+/// By how much a sum of squares exceeds the least one with n parameters held. `degrees` of the
+/// errors' estimate: infinite for known ones.
+double excess(double confidence, int n_held, double degrees) {
+    if (std::isinf(degrees)) return gsl_cdf_chisq_Pinv(confidence, n_held);
+    return n_held * gsl_cdf_fdist_Pinv(confidence, n_held, degrees);
 }
 
-/// Where the profile of a property leaves a level; where it does not, the bound of the property.
-double edge(const BestSumOfSquares& squares, const IdentificationTask& task, Property property,
-            double best, double level, bool upwards) {
-    const bool young = property == Property::young;
-    const double farthest = young && upwards ? best * largest_young_ratio
-                            : young          ? best / largest_young_ratio
-                                    : task.least_friction * (upwards ? largest_friction_ratio : 1);
-    // Outwards by growing steps in the logarithm, then the root between the last two.
-    const double end = std::abs(std::log(farthest / best));
-    const auto value = [&](double x) { return best * std::exp(upwards ? x : -x); };
-    // An infinite sum has no root finder: a large one has its edge at the same place.
-    const auto excess = [&](double x) {
-        return std::min(squares.profile(property, value(x)) - level, 1e300);
+double quantile(double confidence, double degrees) {
+    return std::sqrt(excess(confidence, 1, degrees));
+}
+
+/// What an open end of an interval is.
+double open_end(const FreeParameter& p, bool upwards) {
+    const bool is_wide = p.scale == FreeParameter::Scale::logarithmic;
+    if (upwards)
+        return is_wide || p.scale == FreeParameter::Scale::reciprocal ? contact::infinity : p.high;
+    return is_wide ? 0 : p.low;
+}
+
+/// Another parameter than the k-th is as far from its start as is looked at.
+bool is_cut_off(const std::vector<FreeParameter>& parameters, std::size_t k,
+                const std::vector<double>& x) {
+    for (std::size_t other = 0; other < x.size(); ++other)
+        if (other != k && parameters[other].scale == FreeParameter::Scale::logarithmic &&
+            parameters[other].is_at_bound(parameters[other].value(x[other])))
+            return true;
+    return false;
+}
+
+/// The value where the profile of a parameter leaves a level, upwards or downwards in value; open
+/// where only the range of another one ends it.
+double edge(const BestSumOfSquares& squares, const std::vector<FreeParameter>& parameters,
+            std::size_t k, const statistics::BoundedFit& best, double level, double start_step,
+            bool upwards) {
+    const FreeParameter& p = parameters[k];
+    const bool is_reciprocal = p.scale == FreeParameter::Scale::reciprocal;
+    const bool rises = upwards != is_reciprocal;
+    const double from = best.x[k], end = std::abs((rises ? p.largest() : p.least()) - from);
+    std::vector<double> nearest = best.x;  // where the others are best, at the last place
+    const auto coordinate = [&](double way) {
+        return std::clamp(from + (rises ? way : -way), p.least(), p.largest());
     };
-    double inside = 0, below = excess(inside), step = first_step;
-    if (below >= 0) return best;  // exact observations, to rounding
+    // An infinite sum has no root finder: a large one has its edge at the same place.
+    const auto beyond = [&](double way) {
+        const auto fit = squares.profile(k, coordinate(way), nearest);
+        if (std::isfinite(fit.sum_of_squares)) nearest = fit.x;
+        return std::min(fit.sum_of_squares - level, 1e300);
+    };
+    double inside = 0, below = best.sum_of_squares - level, step = start_step;
+    if (below >= 0) return p.value(from);  // exact observations, to rounding
     while (inside < end) {
         const double outside = std::min(end, inside + step);
-        const double beyond = excess(outside);
-        if (beyond >= 0)
-            return value(
-                contact::bracketed_root(excess, inside, outside, below, beyond, edge_bits));
+        const double excess = beyond(outside);
+        if (excess >= 0) {
+            const double root =
+                contact::bracketed_root(beyond, inside, outside, below, excess, edge_bits);
+            if (is_cut_off(parameters, k, nearest)) break;
+            return p.value(coordinate(root));
+        }
         inside = outside;
-        below = beyond;
+        below = excess;
         step *= step_growth;
     }
-    return upwards ? contact::infinity : young ? 0 : task.least_friction;
+    return open_end(p, upwards);
 }
 
-std::vector<Property> free_properties(const IdentificationTask& task) {
-    std::vector<Property> properties;
-    if (task.young_is_free) properties.push_back(Property::young);
-    if (task.friction_is_free) properties.push_back(Property::friction);
-    return properties;
-}
-
-/// Least squares once more in the properties themselves, from the best ones: their covariance.
-/// Empty where there is none, at the edge of what the model is defined for.
-std::optional<statistics::Fit> linearised(const IdentificationTask& task,
-                                          const BestSumOfSquares& squares,
-                                          const LeastSquares& best) {
-    const auto properties = free_properties(task);
-    std::vector<double> start;
-    for (const Property property : properties) start.push_back(best.at[property]);
-    const auto model = [&](const std::vector<double>& p) {
-        Properties trial = best.at;
-        for (std::size_t k = 0; k < p.size(); ++k) trial[properties[k]] = p[k];
-        if (!(trial.young > 0) || (task.friction_is_free && trial.friction < task.least_friction))
-            throw std::domain_error("no such material");
-        return task.model(trial);
-    };
-    statistics::FitOptions options{task.confidence, squares.weights()};
-    options.weights_are_absolute = !task.standard_errors.empty();
-    try {
-        return statistics::fit_nonlinear(model, task.observed, start, options);
-    } catch (const std::domain_error&) {
-    } catch (const contact::InputError&) {
-    } catch (const contact::NotConverged&) {
-    }
-    return {};
-}
-
-/// The last digits of the best properties; false if the fit went elsewhere.
-bool take_over(const statistics::Fit& fit, const IdentificationTask& task, LeastSquares& best) {
-    const auto properties = free_properties(task);
-    Properties at = best.at;
-    for (std::size_t k = 0; k < properties.size(); ++k) at[properties[k]] = fit.parameters[k].value;
-    if (fit.residual_sum_of_squares > best.sum ||
-        (task.friction_is_free && at.friction > task.least_friction * largest_friction_ratio))
-        return false;
-    best = {at, fit.residual_sum_of_squares};
-    return true;
-}
-
-/// Slope of all fitted values by one property.
-std::vector<double> slope(const IdentificationTask& task, const Properties& best,
-                          Property property) {
-    const double value = best[property];
-    const double high = value * (1 + difference_step);
-    double low = value * (1 - difference_step);
-    if (property == Property::friction) low = std::max(low, task.least_friction);
-    const auto values_at = [&](double changed) {
-        Properties properties = best;
-        properties[property] = changed;
-        return task.model(properties);
-    };
-    const auto above = values_at(high), below = values_at(low);
-    std::vector<double> slopes;
-    for (std::size_t i = 0; i < above.size(); ++i)
-        slopes.push_back((above[i] - below[i]) / (high - low));
-    return slopes;
-}
-
-std::vector<double> half_widths(const IdentificationTask& task, const Properties& best,
-                                const statistics::Fit& fit, double factor) {
-    std::vector<std::vector<double>> slopes;
-    for (const Property property : free_properties(task))
-        slopes.push_back(slope(task, best, property));
+/// Half widths of the fitted values' intervals over their errors.
+std::vector<double> half_widths(const std::vector<std::vector<double>>& columns,
+                                const Identification& found) {
+    const auto& c = found.logarithmic.covariance;
+    const double degrees = std::ranges::min(found.logarithmic.effective_degrees);
     std::vector<double> widths;
-    for (std::size_t i = 0; i < task.observed.size(); ++i) {
+    for (std::size_t i = 0; i < columns.front().size(); ++i) {
         double variance = 0;
-        for (std::size_t k = 0; k < slopes.size(); ++k)
-            for (std::size_t l = 0; l < slopes.size(); ++l)
-                variance += slopes[k][i] * fit.covariance[k][l] * slopes[l][i];
-        widths.push_back(factor * std::sqrt(variance));
+        for (std::size_t k = 0; k < columns.size(); ++k)
+            for (std::size_t l = 0; l < columns.size(); ++l)
+                variance += columns[k][i] * c[k][l] * columns[l][i];
+        widths.push_back(quantile(found.confidence, degrees) * std::sqrt(std::max(0., variance)));
     }
     return widths;
 }
 
-statistics::Estimate estimate_of(double value, const statistics::Estimate* linear) {
-    if (!linear || !(linear->standard_error > 0) || !std::isfinite(linear->standard_error))
-        return {value, contact::infinity, -contact::infinity, contact::infinity};
-    return {value, linear->standard_error, linear->low, linear->high};
+/// Weighted sum of squares about the mean.
+double total_of(const std::vector<double>& observed, const std::vector<double>& errors) {
+    double mean = 0, weights = 0, total = 0;
+    for (std::size_t i = 0; i < observed.size(); ++i) {
+        mean += observed[i] / (errors[i] * errors[i]);
+        weights += 1 / (errors[i] * errors[i]);
+    }
+    mean /= weights;
+    for (std::size_t i = 0; i < observed.size(); ++i)
+        total += std::pow((observed[i] - mean) / errors[i], 2);
+    return total;
 }
 
-void add_goodness(const IdentificationTask& task, const BestSumOfSquares& squares,
-                  Identification& found) {
-    found.fitted = task.model(found.best);
-    double mean = 0, sum_of_weights = 0, total = 0;
-    for (std::size_t i = 0; i < task.observed.size(); ++i) {
-        found.residuals.push_back(task.observed[i] - found.fitted[i]);
-        mean += squares.weight(i) * task.observed[i];
-        sum_of_weights += squares.weight(i);
+void add_tables(const IdentificationTask& task, const BestSumOfSquares& squares,
+                const std::vector<double>& x, Identification& found) {
+    const auto residuals = squares.residuals(x);
+    const auto widths = half_widths(squares.logarithmic_slopes(x), found);
+    const auto& errors = squares.standard_errors();
+    double known = 0, known_degrees = 0, explained = 0, total = 0;
+    std::size_t row = 0;
+    for (std::size_t t = 0; t < task.tables.size(); ++t) {
+        const ObservedTable& table = task.tables[t];
+        TableFit fit;
+        fit.degrees_of_freedom = found.logarithmic.degrees_of_freedom[t];
+        double squares_si = 0;
+        for (std::size_t i = 0; i < table.observed.size(); ++i, ++row) {
+            fit.standard_errors.push_back(errors[row]);
+            fit.residuals.push_back(residuals[row] * errors[row]);
+            fit.fitted.push_back(table.observed[i] - fit.residuals[i]);
+            fit.fitted_half_widths.push_back(widths[row] * errors[row]);
+            fit.sum_of_squares += residuals[row] * residuals[row];
+            squares_si += fit.residuals[i] * fit.residuals[i];
+        }
+        fit.residual_standard_deviation = std::sqrt(squares_si / fit.degrees_of_freedom);
+        const double about_mean = total_of(table.observed, fit.standard_errors);
+        fit.r_squared = 1 - fit.sum_of_squares / about_mean;
+        explained += fit.sum_of_squares;
+        total += about_mean;
+        if (!table.standard_errors.empty()) {
+            fit.goodness = gsl_cdf_chisq_Q(fit.sum_of_squares, fit.degrees_of_freedom);
+            known += fit.sum_of_squares;
+            known_degrees += fit.degrees_of_freedom;
+        }
+        found.tables.push_back(std::move(fit));
     }
-    mean /= sum_of_weights;
-    for (std::size_t i = 0; i < task.observed.size(); ++i)
-        total += squares.weight(i) * std::pow(task.observed[i] - mean, 2);
-    found.r_squared = 1 - found.sum_of_squares / total;
-    found.residual_standard_deviation = std::sqrt(found.sum_of_squares / found.degrees_of_freedom);
-    if (!squares.weights().empty())
-        found.goodness = gsl_cdf_chisq_Q(found.sum_of_squares, found.degrees_of_freedom);
+    found.r_squared = 1 - explained / total;
+    if (known_degrees > 0) found.goodness = gsl_cdf_chisq_Q(known, known_degrees);
+}
+
+statistics::Estimate linearised(const FreeParameter& p, double value, double relative,
+                                double factor) {
+    if (!std::isfinite(relative) || p.is_at_bound(value))
+        return {value, contact::infinity, -contact::infinity, contact::infinity};
+    return statistics::with_interval(value, value * relative, factor);
 }
 
 }  // namespace
 
-Identification identify(const IdentificationTask& task) {
-    const BestSumOfSquares squares(task);
-    LeastSquares best = squares.best();
-    if (!std::isfinite(best.sum))
-        throw contact::NotConverged("identification: no value of E explains the observations");
-    std::optional<statistics::Fit> fit = linearised(task, squares, best);
-    if (fit && !take_over(*fit, task, best)) fit.reset();
+std::size_t IdentificationTask::n_observations() const {
+    std::size_t n = 0;
+    for (const ObservedTable& table : tables) n += table.observed.size();
+    return n;
+}
 
-    Identification found;
-    found.best = best.at;
-    found.sum_of_squares = best.sum;
-    found.confidence = task.confidence;
-    found.degrees_of_freedom = static_cast<int>(task.observed.size()) - squares.n_free();
-    found.level_of_interval = {level(task, best.sum, 1, found.degrees_of_freedom),
-                               level(task, best.sum, 2, found.degrees_of_freedom)};
-    std::size_t k = 0;
-    for (const Property property : free_properties(task)) {
-        const double value = best.at[property];
+std::vector<double> Identification::best() const {
+    std::vector<double> values;
+    for (const ParameterEstimate& estimate : parameters) values.push_back(estimate.value);
+    return values;
+}
+
+std::optional<std::size_t> Identification::find(const std::string& key, std::size_t index) const {
+    for (std::size_t k = 0; k < free.size(); ++k)
+        if (free[k].key == key && free[k].index == index) return k;
+    return {};
+}
+
+std::optional<double> Identification::correlation(std::size_t i, std::size_t k) const {
+    const auto told = [&](std::size_t p) {
+        return std::isfinite(parameters[p].standard_error) && logarithmic.covariance[p][p] > 0;
+    };
+    if (!told(i) || !told(k)) return {};
+    const auto& c = logarithmic.covariance;
+    return c[i][k] / std::sqrt(c[i][i] * c[k][k]);
+}
+
+double Identification::level_of_pair(std::size_t i, std::size_t k) const {
+    const auto& degrees = logarithmic.effective_degrees;
+    return sum_of_squares + excess(confidence, 2, std::min(degrees[i], degrees[k]));
+}
+
+Identification identify(const IdentificationTask& task) {
+    BestSumOfSquares squares(task);
+    const statistics::BoundedFit best = squares.best();
+    Identification found{.free = task.parameters,
+                         .sum_of_squares = best.sum_of_squares,
+                         .confidence = task.confidence,
+                         .logarithmic = squares.covariance(best.x)};
+    found.degrees_of_freedom = static_cast<int>(task.n_observations() - task.parameters.size());
+    for (std::size_t k = 0; k < task.parameters.size(); ++k) {
+        const FreeParameter& p = task.parameters[k];
+        const double value = p.value(best.x[k]), degrees = found.logarithmic.effective_degrees[k];
+        const double relative = found.logarithmic.standard_errors[k];
+        const double factor = quantile(task.confidence, degrees);
+        ParameterEstimate estimate{linearised(p, value, relative, factor)};
+        estimate.level = best.sum_of_squares + factor * factor;
+        const double width = std::abs(factor * relative * p.slope(value));
+        const double step = std::isfinite(width) && width > 0 ? first_part * width : first_step;
         const auto edge_at = [&](bool upwards) {
-            return edge(squares, task, property, value, found.level_of_interval[0], upwards);
+            return edge(squares, task.parameters, k, best, estimate.level, step, upwards);
         };
-        found[property] = {estimate_of(value, fit ? &fit->parameters[k++] : nullptr),
-                           {edge_at(false), edge_at(true)}};
+        estimate.likelihood = {edge_at(false), edge_at(true)};
+        found.parameters.push_back(estimate);
     }
-    const bool both_told = found.young && found.friction &&
-                           std::isfinite(found.young->standard_error) &&
-                           std::isfinite(found.friction->standard_error);
-    if (both_told)
-        found.correlation =
-            fit->covariance[0][1] / (found.young->standard_error * found.friction->standard_error);
-    if (fit) {
-        const double factor = task.standard_errors.empty()
-                                  ? statistics::student_t(task.confidence, found.degrees_of_freedom)
-                                  : statistics::normal_quantile(task.confidence);
-        found.fitted_half_widths = half_widths(task, best.at, *fit, factor);
-    }
-    add_goodness(task, squares, found);
+    add_tables(task, squares, best.x, found);
     return found;
 }
 
-Profile profile_of(const IdentificationTask& task, const Identification& found, Property property,
+std::vector<double> best_nearby(const IdentificationTask& task, const Identification& found,
+                                const std::vector<double>& observed) {
+    IdentificationTask other = task;
+    std::vector<double> errors;
+    std::size_t row = 0;
+    for (std::size_t t = 0; t < other.tables.size(); ++t) {
+        for (double& value : other.tables[t].observed) value = observed[row++];
+        const auto& stated = found.tables[t].standard_errors;
+        errors.insert(errors.end(), stated.begin(), stated.end());
+    }
+    const BestSumOfSquares squares(other, errors);
+    return values_of(task.parameters,
+                     squares.best_from(coordinates_of(task.parameters, found.best())).x);
+}
+
+namespace {
+
+std::vector<double> errors_of(const Identification& found) {
+    std::vector<double> errors;
+    for (const TableFit& table : found.tables)
+        errors.insert(errors.end(), table.standard_errors.begin(), table.standard_errors.end());
+    return errors;
+}
+
+}  // namespace
+
+Profile profile_of(const IdentificationTask& task, const Identification& found, std::size_t k,
                    int n_points) {
-    const BestSumOfSquares squares(task);
-    const auto& estimate = found[property];
-    if (!estimate) throw std::invalid_argument("a property that was not free has no profile");
-    const double best = estimate->value;
+    const BestSumOfSquares squares(task, errors_of(found));
+    const FreeParameter& p = task.parameters[k];
+    const ParameterEstimate& estimate = found.parameters[k];
+    const double best = estimate.value;
     const double lowest =
-        property == Property::friction ? task.least_friction : best / widest_profile;
-    const auto [low, high] = estimate->likelihood;
-    const double from = std::max(lowest, low - profile_margin * (best - low));
-    const double to = std::min(best * widest_profile, high + profile_margin * (high - best));
+        p.scale == FreeParameter::Scale::logarithmic ? best / widest_profile : p.low;
+    const auto [low, high] = estimate.likelihood;
+    const double from = std::max({lowest, p.low, low - profile_margin * (best - low)});
+    const double to =
+        std::min({best * widest_profile, p.high, high + profile_margin * (high - best)});
     Profile profile;
+    std::vector<double> x = coordinates_of(task.parameters, found.best());
     for (int i = 0; i < n_points; ++i) {
         profile.value.push_back(from + (to - from) * i / (n_points - 1));
-        profile.sum_of_squares.push_back(squares.profile(property, profile.value.back()));
+        const auto fit = squares.profile(k, p.coordinate(profile.value.back()), x);
+        if (std::isfinite(fit.sum_of_squares)) x = fit.x;
+        profile.sum_of_squares.push_back(fit.sum_of_squares);
     }
     return profile;
 }
 
-std::vector<double> sums_of_squares(const IdentificationTask& task,
-                                    const std::vector<double>& young,
-                                    const std::vector<double>& friction) {
-    const BestSumOfSquares squares(task);
+std::vector<double> squares_of_pair(const IdentificationTask& task, const Identification& found,
+                                    std::size_t first, std::size_t second,
+                                    const std::vector<double>& first_values,
+                                    const std::vector<double>& second_values) {
+    const BestSumOfSquares squares(task, errors_of(found));
+    const auto& c = found.logarithmic.covariance;
+    const auto best = found.best();
+    const auto x = coordinates_of(task.parameters, best);
+    const double determinant =
+        c[first][first] * c[second][second] - c[first][second] * c[first][second];
     std::vector<double> sums;
-    for (const double mu : friction)
-        for (const double modulus : young) {
-            const double sum =
-                mu < task.least_friction ? contact::infinity : squares.at({modulus, mu});
+    for (const double v : second_values)
+        for (const double u : first_values) {
+            std::vector<double> at = x;
+            const double du = std::log(u / best[first]), dv = std::log(v / best[second]);
+            for (std::size_t k = 0; k < at.size() && determinant > 0; ++k) {
+                const double by_u =
+                    (c[k][first] * c[second][second] - c[k][second] * c[first][second]) /
+                    determinant;
+                const double by_v =
+                    (c[k][second] * c[first][first] - c[k][first] * c[first][second]) / determinant;
+                const FreeParameter& p = task.parameters[k];
+                at[k] = std::clamp(p.coordinate(best[k] * std::exp(by_u * du + by_v * dv)),
+                                   p.least(), p.largest());
+            }
+            at[first] = task.parameters[first].coordinate(u);
+            at[second] = task.parameters[second].coordinate(v);
+            const double sum = squares.at(at);
             sums.push_back(std::isfinite(sum) ? sum : contact::undefined);
         }
     return sums;

@@ -1,98 +1,112 @@
 #pragma once
 
-#include <array>
 #include <functional>
 #include <optional>
+#include <string>
 #include <vector>
 
+#include "experiments/identification/free_parameter.h"
 #include "statistics/estimate.h"
+#include "statistics/joint_covariance.h"
 
 namespace tricontact::experiments {
 
-/// What an identification is after.
-enum class Property { young, friction };
-inline constexpr std::array both_properties{Property::young, Property::friction};
-
-/// Something of each.
-template <class Value>
-struct PerProperty {
-    Value young = {}, friction = {};
-
-    Value& operator[](Property p) { return p == Property::young ? young : friction; }
-    const Value& operator[](Property p) const { return p == Property::young ? young : friction; }
-};
-using Properties = PerProperty<double>;  ///< E of the substrate [Pa], mu [-]
-
-/// Values [SI] that a model gives instead of the measured ones, one per observation.
-using Prediction = std::function<std::vector<double>(const Properties&)>;
-
-/// Observations to be explained by a model, least squares (Wetter 2016, A.1.2): errors of the
-/// observed values are independent and normal, what they are plotted over is known.
-struct IdentificationTask {
+/// Observations whose errors are independent and normal, of one standard deviation or of stated
+/// ones.
+struct ObservedTable {
+    std::string name;                     ///< "static-shift"
     std::vector<double> observed;         ///< [SI]
     std::vector<double> standard_errors;  ///< [SI], one each; empty: equal, told by the residuals
-    Prediction model;                     ///< defined for E > 0, mu > least_friction
-    Properties start;                     ///< fixed where not free; else a guess of E
-    bool young_is_free = true;
-    bool friction_is_free = true;
-    /// Largest F_T/F_N of the observations: the contact did not slide, so mu is not below it.
-    double least_friction = 0;
-    double confidence = 0.95;
 };
 
-/// Where a profile does not reach its level, a bound is that of the property: 0 for E,
-/// `least_friction` for mu, or infinity.
+/// Values [SI] that a model gives instead of the observed ones, those of all tables one after
+/// another. Throws contact::InputError where it is not defined.
+using Prediction = std::function<std::vector<double>(const std::vector<double>& values)>;
+
+/// Tables to be explained by a model, least squares over all of them (Wetter 2016, A.1.2): what the
+/// observed values are plotted over is known.
+struct IdentificationTask {
+    std::vector<FreeParameter> parameters;
+    std::vector<ObservedTable> tables;
+    Prediction model;
+    double confidence = 0.95;
+
+    std::size_t n_observations() const;
+};
+
+/// An end at a bound of a parameter where the profile does not reach its level: 0 or what the
+/// parameter cannot be below, its largest value (1/2 of Poisson's ratio) or infinity.
 struct Interval {
     double low = 0, high = 0;
 };
 
-/// One property found.
-/// Standard error and interval are those of the linearised model, by Student's t (normal: known
-/// errors); infinite if the observations do not tell.
-struct PropertyEstimate : statistics::Estimate {
-    /// All values that the likelihood ratio does not reject, other properties at their best.
+/// One parameter found. Standard error and interval are those of the linearised model, by Student's
+/// t (normal: known errors); infinite if the observations do not tell, or at a bound.
+struct ParameterEstimate : statistics::Estimate {
+    /// All values that the likelihood ratio does not reject, other parameters at their best.
     Interval likelihood;
+    double level = 0;  ///< sum of squares at its ends
+};
+
+/// How one table is explained.
+struct TableFit {
+    std::vector<double> fitted, residuals;   ///< [SI]; observed minus fitted
+    std::vector<double> fitted_half_widths;  ///< [SI] of the intervals of the fitted values
+    std::vector<double> standard_errors;     ///< [SI] stated, or estimated from the residuals
+    double sum_of_squares = 0;               ///< of residuals over these
+    double degrees_of_freedom = 0;  ///< rows less the share of the parameters that they tell
+    double r_squared = 0;           ///< (A.1.10)
+    double residual_standard_deviation = 0;  ///< [SI]
+    std::optional<double> goodness;          ///< P(chi^2 above this), for known errors
 };
 
 /// What one model makes of the observations.
-struct Identification : PerProperty<std::optional<PropertyEstimate>> {  ///< those that were free
-    Properties best;
-    /// Of E and mu in the linearised model; empty unless both were free and told.
-    std::optional<double> correlation;
-    std::vector<double> fitted, residuals;   ///< [SI]; observed minus fitted
-    std::vector<double> fitted_half_widths;  ///< [SI] of the intervals of the fitted values
-    double sum_of_squares = 0;               ///< of residuals over their errors, or [SI^2]
+struct Identification {
+    std::vector<FreeParameter> free;
+    std::vector<ParameterEstimate> parameters;  ///< in their order
+    std::vector<TableFit> tables;
+    double sum_of_squares = 0;  ///< of residuals over their standard errors, stated or estimated
     int degrees_of_freedom = 0;
-    double r_squared = 0;                       ///< (A.1.10)
-    double residual_standard_deviation = 0;     ///< [SI]; of residuals over their errors, [-]
-    std::optional<double> goodness;             ///< P(chi^2 above this), for known errors
-    std::array<double, 2> level_of_interval{};  ///< sums of squares at the edges of intervals, and
-                                                ///< of the region of both properties
+    double r_squared = 0;            ///< of all tables, weighted
+    std::optional<double> goodness;  ///< P(chi^2 above this), over the tables of known errors
     double confidence = 0;
+    /// Of ln v of all parameters but those at a bound, of which nothing is told.
+    statistics::JointCovariance logarithmic;
+
+    std::vector<double> best() const;
+    /// Place of a parameter; empty if it was not free.
+    std::optional<std::size_t> find(const std::string& key, std::size_t index = 0) const;
+    /// In the linearised model; empty where one of both is not told.
+    std::optional<double> correlation(std::size_t i, std::size_t k) const;
+    /// Sum of squares at the edge of the region of two parameters.
+    double level_of_pair(std::size_t i, std::size_t k) const;
 };
 
-/// Largest mu over `least_friction` that is looked at; a profile still below its level there is
-/// open.
-inline constexpr double largest_friction_ratio = 1e3;
-/// E that is looked at: from the best one over this to this times it.
-inline constexpr double largest_young_ratio = 1e3;
-
-/// Throws std::invalid_argument unless something is free and there are more observations than free
-/// properties, contact::NotConverged if no E explains anything.
+/// Unknown errors of each table are its residuals' root mean square over its degrees of freedom,
+/// found with the parameters in turn. Throws std::invalid_argument unless something is free and
+/// there are more observations than parameters, contact::InputError if the
+/// model is defined nowhere near the guesses, contact::NotConverged if nothing explains the
+/// observations, or a table tells its parameters but not its errors.
 Identification identify(const IdentificationTask& task);
 
-/// Sum of squares with one property given, the other at its best if it is free.
+/// The best parameters for other observations, searched from those found, with their errors.
+std::vector<double> best_nearby(const IdentificationTask& task, const Identification& found,
+                                const std::vector<double>& observed);
+
+/// Sum of squares with one parameter given, the others at their best.
 struct Profile {
     std::vector<double> value;           ///< increasing
     std::vector<double> sum_of_squares;  ///< as Identification's
 };
 /// Over somewhat more than the interval of the likelihood, `n_points` values.
-Profile profile_of(const IdentificationTask& task, const Identification& found, Property property,
+Profile profile_of(const IdentificationTask& task, const Identification& found, std::size_t k,
                    int n_points);
 
-/// Sum of squares over a grid, E fastest. NaN where the model is not defined.
-std::vector<double> sums_of_squares(const IdentificationTask& task,
-                                    const std::vector<double>& young,
-                                    const std::vector<double>& friction);
+/// Sum of squares over two parameters, the first fastest; the others follow by their regression on
+/// these two in the linearised model. NaN where the model is not defined.
+std::vector<double> squares_of_pair(const IdentificationTask& task, const Identification& found,
+                                    std::size_t first, std::size_t second,
+                                    const std::vector<double>& first_values,
+                                    const std::vector<double>& second_values);
 
 }  // namespace tricontact::experiments

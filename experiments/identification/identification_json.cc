@@ -1,5 +1,6 @@
 
 #include "experiments/identification/identification_report.h"
+#include "experiments/identification/told_combination.h"
 #include "report/json_number.h"
 
 namespace tricontact::experiments {
@@ -13,19 +14,17 @@ json interval_json(const Interval& interval) {
     return json::array({interval.low, interval.high});
 }
 
-json estimate_json(const IdentifiedModel& model, Property property) {
-    const auto& estimate = model.found[property];
-    if (!estimate) return nullptr;
+json estimate_json(const IdentifiedModel& model, std::size_t k) {
+    const ParameterEstimate& estimate = model.found.parameters[k];
     json inputs = json::object();
-    for (const InputContribution& input : model.contributions)
-        inputs[input.key] = input.change[property];
-    return {{"value", estimate->value},
-            {"standard_error", estimate->standard_error},
-            {"interval", interval_json(full_interval(model, property))},
-            {"linearised_interval", interval_json({estimate->low, estimate->high})},
-            {"likelihood_interval", interval_json(estimate->likelihood)},
+    for (const InputContribution& input : model.contributions) inputs[input.key] = input.change[k];
+    return {{"value", estimate.value},
+            {"standard_error", estimate.standard_error},
+            {"interval", interval_json(full_interval(model, k))},
+            {"linearised_interval", interval_json({estimate.low, estimate.high})},
+            {"likelihood_interval", interval_json(estimate.likelihood)},
             {"change_by_standard_errors_of_inputs", inputs},
-            {"combined_standard_error", combined_standard_error(model, property)}};
+            {"combined_standard_error", combined_standard_error(model, k)}};
 }
 
 json posterior_json(const IdentifiedModel& model) {
@@ -34,29 +33,69 @@ json posterior_json(const IdentifiedModel& model) {
     json result{{"points", p.points.size()},
                 {"effective_size", p.effective_size},
                 {"autocorrelation_time", p.autocorrelation_time},
-                {"acceptance", p.acceptance},
-                {"correlation", p.correlation}};
-    for (const Property property : both_properties)
-        if (model.found[property])
-            result[property == Property::young ? "young_Pa" : "friction_coefficient"] = {
-                {"median", p.median[property]}, {"interval", interval_json(p.interval[property])}};
+                {"acceptance", p.acceptance}};
+    const auto& free = model.found.free;
+    for (std::size_t k = 0; k < free.size(); ++k)
+        result[free[k].name] = {{"median", p.median[k]},
+                                {"interval", interval_json(p.interval[k])}};
+    for (std::size_t i = 0; i < free.size(); ++i)
+        for (std::size_t k = i + 1; k < free.size(); ++k)
+            result["correlations"][free[i].name][free[k].name] = p.correlation[i][k];
     return result;
 }
 
-json model_json(const IdentifiedModel& model) {
+json table_json(const TableFit& fit) {
+    return {{"fitted", fit.fitted},
+            {"residuals", fit.residuals},
+            {"standard_errors", fit.standard_errors},
+            {"sum_of_squares", fit.sum_of_squares},
+            {"degrees_of_freedom", fit.degrees_of_freedom},
+            {"residual_standard_deviation", fit.residual_standard_deviation},
+            {"r_squared", fit.r_squared},
+            {"goodness", fit.goodness}};
+}
+
+json combinations_json(const Identification& found) {
+    json list = json::array();
+    for (const ToldCombination& one : told_combinations(found)) {
+        json exponents;
+        for (std::size_t i = 0; i < one.parameters.size(); ++i)
+            exponents[found.free[one.parameters[i]].name] = one.exponents[i];
+        list.push_back({{"exponents", exponents}, {"relative_standard_error", one.standard_error}});
+    }
+    return list;
+}
+
+json model_json(const IdentifiedModel& model, const IdentificationStudy& study) {
     const Identification& found = model.found;
-    return {{"young_Pa", estimate_json(model, Property::young)},
-            {"friction_coefficient", estimate_json(model, Property::friction)},
-            {"correlation", found.correlation},
-            {"sum_of_squares", found.sum_of_squares},
-            {"degrees_of_freedom", found.degrees_of_freedom},
-            {"residual_standard_deviation", found.residual_standard_deviation},
-            {"r_squared", found.r_squared},
-            {"goodness", found.goodness},
-            {"interpolation_error", model.interpolation_error},
-            {"posterior", posterior_json(model)},
-            {"fitted", found.fitted},
-            {"residuals", found.residuals}};
+    json result;
+    for (const FreeParameter& p : study.input.parameters) {
+        const auto k = found.find(p.key, p.index);
+        result[p.name] = k ? estimate_json(model, *k) : json(nullptr);
+    }
+    for (std::size_t i = 0; i < found.free.size(); ++i)
+        for (std::size_t k = i + 1; k < found.free.size(); ++k)
+            result["correlations"][found.free[i].name][found.free[k].name] =
+                found.correlation(i, k);
+    result["told_combinations"] = combinations_json(found);
+    result["sum_of_squares"] = found.sum_of_squares;
+    result["degrees_of_freedom"] = found.degrees_of_freedom;
+    result["r_squared"] = found.r_squared;
+    result["goodness"] = found.goodness;
+    result["is_rejected"] = is_rejected(model);
+    result["interpolation_error"] = model.interpolation_error;
+    result["posterior"] = posterior_json(model);
+    for (std::size_t t = 0; t < found.tables.size(); ++t)
+        result["tables"][std::string(name_of(study.input.tables[t].measurement))] =
+            table_json(found.tables[t]);
+    return result;
+}
+
+/// "young_over_reference": the name without its unit.
+std::string ratio_name(const FreeParameter& p) {
+    std::string name = p.name.starts_with("friction") ? "friction" : p.name;
+    if (!p.unit.empty()) name.resize(name.rfind('_'));
+    return name + "_over_reference";
 }
 
 }  // namespace
@@ -66,22 +105,24 @@ json identification_json(const IdentificationStudy& study) {
     result["version"] = study.version;
     result["command"] = study.command;
     result["title"] = study.title;
-    result["measurement"] = name_of(study.input.measurement);
     result["confidence"] = study.models.front().found.confidence;
     for (const auto& [name, value] : study.settings) result["settings"][name] = value;
-    result["given"] = study.input.given;
-    result["observed"] = study.input.observed;
-    result["standard_errors"] = study.input.standard_errors;
+    for (const auto& table : study.input.tables)
+        result["tables"][std::string(name_of(table.measurement))] = {
+            {"given", table.given},
+            {"observed", table.observed},
+            {"standard_errors", table.standard_errors}};
     const IdentifiedModel& reference = reference_model(study);
     result["reference"] = reference.name;
     result["thickness_over_contact_width"] = study.thickness_ratio;
     for (const IdentifiedModel& model : study.models) {
-        json values = model_json(model);
-        if (model.found.young)
-            values["young_over_reference"] = model.found.best.young / reference.found.best.young;
-        if (model.found.friction)
-            values["friction_over_reference"] =
-                model.found.best.friction / reference.found.best.friction;
+        json values = model_json(model, study);
+        for (std::size_t k = 0; k < model.found.free.size(); ++k) {
+            const FreeParameter& p = model.found.free[k];
+            if (const auto other = reference.found.find(p.key, p.index))
+                values[ratio_name(p)] =
+                    model.found.parameters[k].value / reference.found.parameters[*other].value;
+        }
         result["models"][model.name] = std::move(values);
     }
     result["verdicts"] = report::list_of(identification_verdicts(study),

@@ -21,21 +21,33 @@ namespace {
 
 using Input = IdentificationInput;
 using Measurement = Input::Measurement;
+constexpr double guessed_poisson = .45;
 
-struct Table {
+using Table = Input::Table;
+
+struct TableKey {
     Measurement measurement;
-    std::string_view name, key;
+    std::string_view name, key, held;  // key of what is held
 };
-constexpr std::array<Table, 3> tables{
+constexpr std::array<TableKey, 5> table_keys{
     {{Measurement::static_shift, "static-shift", "measurement.static_shift"},
      {Measurement::force_indentation, "force-indentation", "measurement.force_indentation"},
-     {Measurement::contact_radius, "contact-radius", "measurement.contact_radius"}}};
+     {Measurement::contact_radius, "contact-radius", "measurement.contact_radius"},
+     {Measurement::force_relaxation, "force-relaxation", "measurement.force_relaxation",
+      "measurement.held_indentation"},
+     {Measurement::indentation_creep, "indentation-creep", "measurement.indentation_creep",
+      "measurement.held_force"}}};
 
-const Table& table_of(Measurement measurement) {
-    return *std::ranges::find(tables, measurement, &Table::measurement);
+const TableKey& key_of(Measurement measurement) {
+    return *std::ranges::find(table_keys, measurement, &TableKey::measurement);
 }
-std::string key_of(const Input& input) {
-    return std::string(table_of(input.measurement).key);
+
+bool is_sheared(const Input& input) {
+    return input.find(Measurement::static_shift) != nullptr;
+}
+bool is_history(const Table& table) {
+    return table.measurement == Measurement::force_relaxation ||
+           table.measurement == Measurement::indentation_creep;
 }
 
 /// Keys of a case that describe a rig; loads along the surface and rolling are not in what was
@@ -59,7 +71,7 @@ double quantity_of(const io::Document& document, std::string_view path) {
 /// What the models of the case have to be so that its checks are those of the identification's. The
 /// closed forms of the half-space need none.
 std::vector<std::string> case_models(const Input& input) {
-    const bool sheared = input.measurement == Measurement::static_shift;
+    const bool sheared = is_sheared(input);
     std::set<std::string> models;
     for (const std::string& model : input.models)
         if (model != "half-space")
@@ -78,8 +90,7 @@ void check_models(const Input& input, const io::Document& document) {
                 document, "measurement.models",
                 model + " is a model of a layer, but substrate.thickness is missing",
                 "add thickness = \"8 mm\" or the like to [substrate], or leave out " + model);
-        if ((model == "bem-layer" || model == "atlas") &&
-            input.measurement != Measurement::static_shift)
+        if ((model == "bem-layer" || model == "atlas") && !is_sheared(input))
             io::refuse(
                 document, "measurement.models",
                 "without tangential force " + model + " approximates what layer knows exactly",
@@ -88,18 +99,25 @@ void check_models(const Input& input, const io::Document& document) {
 }
 
 /// E by Hertz' theory of an incompressible half-space from the row of the largest value [Pa]; mu
-/// infinite.
-double guessed_young(const Input& input, double radius, double normal_force) {
-    const auto row = std::ranges::max_element(input.observed) - input.observed.begin();
-    const double x = input.given[row], y = input.observed[row];
+/// infinite, relaxed.
+double guessed_young(const Table& table, double radius, double normal_force) {
+    const auto row = std::ranges::max_element(table.observed) - table.observed.begin();
+    const double x = table.given[row], y = table.observed[row];
     constexpr double over_plane = 0.75;                  // E/E*
     constexpr double shear_over_plane = 2. / 3;          // G*/E*
     const double cube = 3. / 4 * radius * normal_force;  // a^3 E*
-    switch (input.measurement) {
+    const auto of_depth = [&](double force, double depth) {
+        return over_plane * 3. / 4 * force / std::sqrt(radius * depth * depth * depth);
+    };
+    switch (table.measurement) {
         case Measurement::force_indentation:
-            return over_plane * 3. / 4 * y / std::sqrt(radius * x * x * x);
+            return of_depth(y, x);
         case Measurement::contact_radius:
             return over_plane * 3. / 4 * radius * x / (y * y * y);
+        case Measurement::force_relaxation:
+            return of_depth(std::ranges::min(table.observed), table.held);
+        case Measurement::indentation_creep:
+            return of_depth(table.held, y);
         case Measurement::static_shift:
             break;
     }
@@ -107,12 +125,19 @@ double guessed_young(const Input& input, double radius, double normal_force) {
 }
 
 /// Lengths of a contact are small against the indenter's radius, unless their unit is wrong.
-void check_lengths(const Input& input, double radius, const io::Document& document) {
-    const bool deep = input.measurement == Measurement::force_indentation;
-    const MeasuredColumns& columns = columns_of(input.measurement);
-    const double largest = std::ranges::max(deep ? input.given : input.observed);
+void check_lengths(const Table& table, double radius, const io::Document& document) {
+    const bool deep = table.measurement == Measurement::force_indentation;
+    if (table.measurement == Measurement::force_relaxation) {
+        if (table.held >= radius)
+            io::refuse(document, "measurement.held_indentation",
+                       "not below the indenter's radius: small deformations are assumed",
+                       "check the units");
+        return;
+    }
+    const MeasuredColumns& columns = columns_of(table.measurement);
+    const double largest = std::ranges::max(deep ? table.given : table.observed);
     if (largest >= radius)
-        io::refuse(document, key_of(input),
+        io::refuse(document, std::string(key_of(table.measurement).key),
                    std::string(deep ? columns.given.name : columns.observed.name) + " reaches " +
                        io::shortest(largest) + " m, the indenter's radius is " +
                        io::shortest(radius) + " m: small deformations are assumed",
@@ -130,25 +155,39 @@ void check_round(const io::Document& document) {
                "take \"paraboloid\" or \"sphere\"");
 }
 
+/// Of a table without tangential forces [N].
+double largest_force(const Table& table) {
+    switch (table.measurement) {
+        case Measurement::contact_radius:
+            return std::ranges::max(table.given);
+        case Measurement::indentation_creep:
+            return table.held;
+        default:
+            return std::ranges::max(table.observed);
+    }
+}
+
 /// The rig as a case: what is to be found has a guess.
-contact::Case rig_of(const Input& input, const io::Document& document) {
+contact::Case rig_of(const Input& input, const std::vector<std::string>& find,
+                     const io::Document& document) {
     io::Document rig = document;
     std::erase_if(rig.entries, [&](const io::Entry& entry) {
-        const bool is_free = (input.young_is_free && entry.path == "substrate.young") ||
-                             (input.friction_is_free && entry.path == "friction.coefficient");
-        return is_free || !describes_rig(entry.path);
+        const bool is_guessed =
+            entry.path == "substrate.young" || entry.path == "friction.coefficient";
+        return (is_guessed && std::ranges::count(find, entry.path)) || !describes_rig(entry.path);
     });
     std::erase_if(rig.sections, [](const io::Document::Section& section) {
         return section.name != "load" && !describes_rig(section.name);
     });
-    const bool sheared = input.measurement == Measurement::static_shift;
+    const bool sheared = is_sheared(input);
     check_round(document);
     const double radius = quantity_of(document, "indenter.radius");
-    check_lengths(input, radius, document);
+    for (const Table& table : input.tables) check_lengths(table, radius, document);
     std::vector<io::Entry> guesses{
         io::overriding("models", case_models(input), document.place_of("measurement.models"))};
+    const auto is_free = [&](std::string_view key) { return std::ranges::count(find, key) > 0; };
     const auto guess = [&](const char* path, io::Value value) {
-        guesses.push_back(io::overriding(path, std::move(value), input.data_file));
+        guesses.push_back(io::overriding(path, std::move(value), input.tables.front().data_file));
     };
     guess("load.tangential_ratio", 0.);
     double normal_force = 0;
@@ -159,19 +198,21 @@ contact::Case rig_of(const Input& input, const io::Document& document) {
                 "add the force under which the shifts were measured: normal_force = \"21.1 N\"");
         normal_force = quantity_of(document, "load.normal_force");
     } else {
-        const bool given = input.measurement == Measurement::contact_radius;
-        normal_force = std::ranges::max(given ? input.given : input.observed);
+        for (const Table& table : input.tables)
+            normal_force = std::max(normal_force, largest_force(table));
         guess("load.normal_force", io::shortest(normal_force) + " N");
     }
     // Frictionless contact knows no coupling, and the half-space's closed forms have none.
     const auto n_half_spaces = std::ranges::count(input.models, "half-space");
     if (!sheared || n_half_spaces == std::ssize(input.models)) guess("contact.coupling", false);
-    if (input.young_is_free)
-        guess("substrate.young", io::shortest(guessed_young(input, radius, normal_force)) + " Pa");
-    if (input.friction_is_free || (!sheared && !rig.find("friction.coefficient"))) {
-        const double largest = std::ranges::max(input.given);
-        guess("friction.coefficient", sheared ? 1.5 * largest / normal_force : 1.);
-    }
+    if (is_free("substrate.young"))
+        guess("substrate.young",
+              io::shortest(guessed_young(input.tables.front(), radius, normal_force)) + " Pa");
+    if (is_free("substrate.poisson") && !rig.find("substrate.poisson"))
+        guess("substrate.poisson", guessed_poisson);
+    if (is_free("friction.coefficient") || (!sheared && !rig.find("friction.coefficient")))
+        guess("friction.coefficient",
+              sheared ? 1.5 * std::ranges::max(input.tables.front().given) / normal_force : 1.);
     try {
         return io::resolve_case(rig, guesses);
     } catch (const contact::InputError& error) {
@@ -183,24 +224,61 @@ contact::Case rig_of(const Input& input, const io::Document& document) {
 
 /// Of what is taken as known.
 std::vector<Input::RigError> read_rig_errors(const Input& input, const io::Document& document) {
-    const bool sheared = input.measurement == Measurement::static_shift;
+    const bool sheared = is_sheared(input);
     std::vector<Input::RigError> errors;
     for (const io::UncertainKey& one : io::uncertain_keys(document, io::case_key_list())) {
         const std::string_view path = one.key->path;
-        const bool is_free = (input.young_is_free && path == "substrate.young") ||
-                             (input.friction_is_free && path == "friction.coefficient");
         const bool is_used =
             sheared || (path != "friction.coefficient" && path != "load.normal_force");
-        if (describes_rig(path) && !is_free && is_used)
+        if (describes_rig(path) && !input.is_free(path) && is_used)
             errors.push_back({io::find_key(path), one.number.value.standard_error});
     }
     return errors;
 }
 
+/// What the tables and models can tell.
+void check_find(const Input& input, const std::vector<std::string>& find,
+                const io::Document& document) {
+    const auto is_free = [&](std::string_view key) { return std::ranges::count(find, key) > 0; };
+    const auto refuse = [&](const std::string& rule, const std::string& remedy) {
+        io::refuse(document, "measurement.find", rule, remedy);
+    };
+    if (is_free("friction.coefficient") && !is_sheared(input))
+        refuse("without tangential force nothing tells the coefficient of friction",
+               "leave out friction.coefficient");
+    const bool is_timed = std::ranges::any_of(input.tables, is_history);
+    for (const char* key : {"substrate.relaxation.relative_moduli", "substrate.relaxation.times"})
+        if (is_free(key) && !is_timed)
+            refuse(std::string("no history tells ") + key,
+                   "add force_relaxation or indentation_creep, or leave it out");
+    if (is_timed && !document.find_section("substrate.relaxation"))
+        refuse("the tables hold a history, but the case has no [substrate.relaxation]",
+               "add relative_moduli and times, whose values are where the search starts");
+    const auto has = [&](const char* model) { return std::ranges::count(input.models, model) > 0; };
+    if (is_free("substrate.thickness") && has("half-space") && find.size() == 1)
+        refuse("a half-space has no thickness", "leave out half-space of models");
+    if (is_free("substrate.poisson") && is_sheared(input))
+        for (const char* model : {"bem-layer", "fem", "layer"})
+            if (has(model))
+                refuse(std::string("with shifts, nu is found by half-space and atlas, not by ") +
+                           model,
+                       "take the model atlas, or leave out substrate.poisson");
+    if (is_free("substrate.poisson") && has("fem"))
+        refuse("fem does not find nu", "take the model layer");
+    const io::Entry* shape = document.find("indenter.shape");
+    const auto* word = shape ? std::get_if<std::string>(&shape->value) : nullptr;
+    const bool is_scaled = is_free("indenter.radius") || is_free("substrate.thickness");
+    if (is_scaled && word && *word == "sphere" &&
+        std::ranges::count(input.models, "half-space") != std::ssize(input.models))
+        refuse("lengths of a layer under a sphere are not in proportion to each other",
+               "take shape = \"paraboloid\", which the sphere is near its tip");
+}
+
 /// Sliding contacts have no static shift.
 void check_friction(const Input& input, const io::Document& document) {
-    if (input.measurement != Measurement::static_shift || input.friction_is_free) return;
-    const double largest = std::ranges::max(input.given);
+    const Table* shifts = input.find(Measurement::static_shift);
+    if (!shifts || input.is_free("friction.coefficient")) return;
+    const double largest = std::ranges::max(shifts->given);
     const double limit = input.rig.friction_coefficient * *input.rig.load.normal_force;
     if (largest >= limit)
         io::refuse(document, "friction.coefficient",
@@ -212,7 +290,16 @@ void check_friction(const Input& input, const io::Document& document) {
 }  // namespace
 
 std::string_view name_of(Measurement measurement) {
-    return table_of(measurement).name;
+    return key_of(measurement).name;
+}
+
+const Table* Input::find(Measurement measurement) const {
+    const auto found = std::ranges::find(tables, measurement, &Table::measurement);
+    return found == tables.end() ? nullptr : &*found;
+}
+
+bool Input::is_free(std::string_view key) const {
+    return std::ranges::find(parameters, key, &FreeParameter::key) != parameters.end();
 }
 
 Input read_identification(const std::string& path, const std::vector<std::string>& overrides) {
@@ -222,32 +309,37 @@ Input read_identification(const std::string& path, const std::vector<std::string
         "[\"half-space\", \"layer\"]");
     Input input;
     input.name = path;
-    const auto table = std::ranges::find_if(
-        tables, [&](const Table& one) { return document.find(one.key) != nullptr; });
-    if (table == tables.end())
-        io::refuse_missing(io::rig_key(tables.front().key), document, io::case_file_keys());
-    input.measurement = table->measurement;
     std::vector<std::string> find;
     const auto read = [&](std::string_view key, const io::Field& field) {
         io::read_or_default(io::rig_key(key), field, document, io::case_file_keys());
     };
-    read(table->key, &input.data_file);
+    for (const TableKey& one : table_keys) {
+        if (!document.find(one.key)) continue;
+        Table& table = input.tables.emplace_back(Table{.measurement = one.measurement});
+        read(one.key, &table.data_file);
+        table.data_file = document.path_of(table.data_file);
+        if (!one.held.empty()) read(one.held, &table.held);
+    }
+    if (input.tables.empty())
+        io::fail(document.place_of("measurement.find"), "", "nothing was measured",
+                 "name a table: static_shift = \"shift.csv\", force_indentation, contact_radius, "
+                 "force_relaxation or indentation_creep");
     read("measurement.models", &input.models);
     read("measurement.find", &find);
     read("measurement.confidence", &input.confidence);
     if (const io::Entry* title = document.find("title"))
         io::read_field(*io::find_key("title"), *title, &input.title);
-    input.data_file = document.path_of(input.data_file);
-    input.young_is_free = std::ranges::count(find, "substrate.young") > 0;
-    input.friction_is_free = std::ranges::count(find, "friction.coefficient") > 0;
-    if (input.friction_is_free && input.measurement != Measurement::static_shift)
-        io::refuse(document, "measurement.find",
-                   "without tangential force nothing tells the coefficient of friction",
-                   "leave out friction.coefficient");
+    check_find(input, find, document);
     check_models(input, document);
-    io::told_at(document, key_of(input), [&] { read_measured_table(input); });
-    input.rig = rig_of(input, document);
+    // Of several tables each needs a row that is left for its own error.
+    const std::size_t least_rows = input.tables.size() == 1 ? find.size() + 1 : 2;
+    for (Table& table : input.tables)
+        io::told_at(document, std::string(key_of(table.measurement).key),
+                    [&] { read_measured_table(table, least_rows); });
+    input.rig = rig_of(input, find, document);
     input.rig.title = input.title;
+    input.parameters =
+        io::told_at(document, "measurement.find", [&] { return free_parameters(input, find); });
     check_friction(input, document);
     input.rig_errors = read_rig_errors(input, document);
     return input;

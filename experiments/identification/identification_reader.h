@@ -5,13 +5,20 @@
 #include <vector>
 
 #include "contact/case.h"
+#include "experiments/identification/free_parameter.h"
 #include "io/case/case_keys.h"
 
 namespace tricontact::experiments {
 
 /// What a case with [measurement] says: a rig, what was measured on it, and who explains it.
 struct IdentificationInput {
-    enum class Measurement { static_shift, force_indentation, contact_radius };
+    enum class Measurement {
+        static_shift,
+        force_indentation,
+        contact_radius,
+        force_relaxation,
+        indentation_creep
+    };
 
     /// A known input whose standard error shall be carried into the result.
     struct RigError {
@@ -19,24 +26,33 @@ struct IdentificationInput {
         double standard_error = 0;  ///< [SI]
     };
 
+    struct Table {
+        Measurement measurement = Measurement::static_shift;
+        std::string data_file;                ///< as it is opened
+        double held = 0;                      ///< of a history: indentation [m] or force [N]
+        std::vector<double> given;            ///< [SI] F_T, d, F_N or t of each row
+        std::vector<double> observed;         ///< [SI] U, F_N, a, F_N or d
+        std::vector<double> standard_errors;  ///< [SI] of the observed; empty: not stated
+    };
+
     std::string title;
     std::string name;  ///< of the file
-    Measurement measurement = Measurement::static_shift;
-    std::vector<std::string> models;  ///< "half-space", "layer", "bem-layer", "fem"
+    std::vector<Table> tables;
+    std::vector<FreeParameter> parameters;
+    std::vector<std::string> models;  ///< "half-space", "layer", "atlas", "bem-layer", "fem"
     double confidence = 0.95;
-    /// The rig; of E and mu, those that are not free are the file's. A free E is a guess by Hertz'
-    /// theory, whatever the file says. The normal force is that of the file, or the largest of the
-    /// measurement.
+    /// The rig; free parameters at their guesses. A free E is a guess by Hertz' theory, whatever
+    /// the file says. The normal force is that of the file, or the largest of the measurement.
     contact::Case rig;
-    bool young_is_free = true;
-    bool friction_is_free = false;  ///< only a shift tells it
     std::vector<RigError> rig_errors;
 
-    std::string data_file;                ///< as it is opened
-    std::vector<double> given;            ///< [SI] F_T, d or F_N of each row
-    std::vector<double> observed;         ///< [SI] U, F_N or a
-    std::vector<double> standard_errors;  ///< [SI] of the observed; empty: not stated
+    const Table* find(Measurement measurement) const;
+    bool is_free(std::string_view key) const;
 };
+
+/// What a model can find of them: the half-space has no thickness.
+std::vector<FreeParameter> parameters_of(const IdentificationInput& input,
+                                         const std::string& model);
 
 /// A column of a measurement.
 struct MeasuredColumn {
@@ -53,13 +69,19 @@ const MeasuredColumns& columns_of(IdentificationInput::Measurement measurement);
 /// "static-shift" ...
 std::string_view name_of(IdentificationInput::Measurement measurement);
 
-/// Reads the file and the table that it names, every value checked. Throws contact::InputError in
+/// Reads the file and the tables that it names, every value checked. Throws contact::InputError in
 /// one line: `file:line:column: key = value: rule; remedy`.
 IdentificationInput read_identification(const std::string& path,
                                         const std::vector<std::string>& overrides = {});
 
-/// Reads `input.data_file`: the columns of the measurement and, if it is there, that of the
-/// observed values' standard errors, `<observed>_error`. Throws contact::InputError.
-void read_measured_table(IdentificationInput& input);
+/// Reads `table.data_file`: the columns of the measurement and, if it is there, that of the
+/// observed values' standard errors, `<observed>_error`. `least_rows`: those that determine what is
+/// to be found by this table alone. Throws contact::InputError.
+void read_measured_table(IdentificationInput::Table& table, std::size_t least_rows);
+
+/// The parameters that measurement.find names. `rig`: the case, with guesses. Throws
+/// contact::InputError without a place.
+std::vector<FreeParameter> free_parameters(const IdentificationInput& input,
+                                           const std::vector<std::string>& find);
 
 }  // namespace tricontact::experiments

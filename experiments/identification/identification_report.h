@@ -13,72 +13,89 @@
 
 namespace tricontact::experiments {
 
-/// What the standard error of a known input does to the properties found, first order.
+/// What the standard error of a known input does to the parameters found, first order.
 struct InputContribution {
-    std::string key;            ///< "load.normal_force"
-    double standard_error = 0;  ///< [SI]
-    Properties change;          ///< of E [Pa] and mu by one standard error
+    std::string key;             ///< "load.normal_force"
+    double standard_error = 0;   ///< [SI]
+    std::vector<double> change;  ///< of each parameter [SI] by one standard error
 };
 
-/// Sums of squares over E and mu.
+/// Sums of squares over two parameters.
 struct SquaresMap {
-    std::vector<double> young, friction;  ///< increasing
-    std::vector<double> values;           ///< E fastest
+    std::size_t first = 0, second = 0;  ///< of the parameters
+    std::vector<double> x, y;           ///< their values, increasing
+    std::vector<double> values;         ///< x fastest
 };
 
 /// One model of an identification: what it finds, and what is drawn of it.
 struct IdentifiedModel {
-    std::string name;  ///< "half-space", "layer", "bem-layer", "fem"
+    std::string name;  ///< "half-space", "layer", "atlas", "bem-layer", "fem"
     Identification found;
-    PerProperty<std::optional<Profile>> profiles;  ///< of what was free
-    std::optional<SquaresMap> map;                 ///< if both were free
+    std::vector<Profile> profiles;  ///< one per parameter
+    std::vector<SquaresMap> maps;   ///< of each two parameters
     /// Largest difference between the interpolated model and the model itself at the best
-    /// properties, over the largest value; empty for closed forms and at the edge of sliding.
+    /// values, over the largest value of a table; empty for closed forms and at the edge of
+    /// sliding.
     std::optional<double> interpolation_error;
     std::vector<InputContribution> contributions;
     std::optional<Posterior> posterior;  ///< if it was asked for
-    std::vector<double> curve;  ///< [SI] at the points of IdentificationStudy::curve_points
+    /// [SI] at the points of IdentificationStudy::curve_points, of each table.
+    std::vector<std::vector<double>> curves;
 };
 
-/// Standard error of E [Pa] or mu from the residuals and all inputs, independent of each other
+/// Standard error of a parameter [SI] from the residuals and all inputs, independent of each other
 /// (Wetter 2016, A.1.4).
-double combined_standard_error(const IdentifiedModel& model, Property property);
+double combined_standard_error(const IdentifiedModel& model, std::size_t k);
 
-/// Standard error of E [Pa] or mu from the inputs alone.
-double input_standard_error(const IdentifiedModel& model, Property property);
+/// Standard error of a parameter [SI] from the inputs alone.
+double input_standard_error(const IdentifiedModel& model, std::size_t k);
 
-/// The interval of a property that was free: that of the likelihood, widened in squares by the
-/// errors of the inputs, which are normal and known. Open ends stay open.
-Interval full_interval(const IdentifiedModel& model, Property property);
+/// The interval of a parameter: that of the likelihood, widened in squares by the errors of the
+/// inputs, which are normal and known. Open ends stay open, bounds of a parameter are kept.
+Interval full_interval(const IdentifiedModel& model, std::size_t k);
 
 /// A measurement, and what all models make of it.
 struct IdentificationStudy {
     IdentificationInput input;
     std::string title;
-    std::vector<double> curve_points;  ///< [SI], increasing
+    std::vector<std::vector<double>> curve_points;  ///< [SI], increasing, of each table
     std::vector<IdentifiedModel> models;
-    /// Layer's thickness over the width of Hertz' contact for the E of the reference model.
+    /// Layer's thickness over the width of Hertz' contact for the values of the reference model.
     std::optional<double> thickness_ratio;
     std::vector<std::pair<std::string, std::string>> settings;  ///< name, value with unit
     std::string command, version;
 };
 
-/// The model whose properties count: the most complete one. Finite elements before boundary
-/// elements of the layer, the layer's theory, the half-space.
+/// The most complete model: finite elements before boundary elements of the layer, its maps, the
+/// layer's theory, the half-space.
 const IdentifiedModel& reference_model(const IdentificationStudy& study);
 
 /// "4.22 MPa (4.15 to 4.31)", the full interval; "above 0.12" where it is open.
-std::string shown(const IdentifiedModel& model, Property property);
+std::string shown(const IdentifiedModel& model, std::size_t k);
 
-/// The answer in sentences: the properties, the half-space's bias, whether the models explain what
-/// was measured, what cannot be told.
+/// The answer in sentences: the values, the half-space's bias, whether the models explain what
+/// was measured, which one is to be used, what cannot be told apart or at all.
 std::vector<report::Verdict> identification_verdicts(const IdentificationStudy& study);
+
+/// Whether the intervals of a parameter of two models overlap, beside the errors of inputs that
+/// both share.
+bool overlap(const IdentifiedModel& a, const IdentifiedModel& b, const std::string& key,
+             std::size_t index = 0);
+/// Which model's values are to be used, and why; empty if there is only one.
+std::optional<report::Verdict> model_to_use(const IdentificationStudy& study);
+/// Chance exceeds the sum of squares so rarely that the model is to blame.
+bool is_rejected(const IdentifiedModel& model);
 
 /// "layer: posterior E = 3.79 MPa (3.74 to 3.83), mu = 0.61 (0.60 to 0.62), correlation -0.97; as
 /// good as 812 independent points (autocorrelation time 31 steps, 62 % accepted)."
 std::string posterior_sentence(const IdentifiedModel& model);
-/// Columns model, young [Pa], friction_coefficient; a row per point.
+/// Columns model and all parameters; a row per point, empty what a model has not.
 std::string posterior_csv(const IdentificationStudy& study);
+
+/// Data and models, residuals; profiles; the map of each two parameters, and points of the
+/// posterior over the same axes.
+std::vector<report::Figure> fit_figures(const IdentificationStudy& study);
+std::vector<report::Figure> parameter_figures(const IdentificationStudy& study);
 
 nlohmann::ordered_json identification_json(const IdentificationStudy& study);
 report::Document identification_document(const IdentificationStudy& study);

@@ -19,37 +19,40 @@ const MeasuredColumns& columns_of(Measurement measurement) {
          "indentation [um], normal_force [N], normal_force_error [N]"},
         {{"normal_force", "normal force F_N", force},
          {"contact_radius", "contact radius a", length},
-         "normal_force [N], contact_radius [mm], contact_radius_error [mm]"}};
+         "normal_force [N], contact_radius [mm], contact_radius_error [mm]"},
+        {{"time", "time t", time},
+         {"normal_force", "normal force F_N", force},
+         "time [s], normal_force [N], normal_force_error [N]"},
+        {{"time", "time t", time},
+         {"indentation", "indentation d", length},
+         "time [s], indentation [um], indentation_error [um]"}};
     return columns[static_cast<int>(measurement)];
 }
 
-void read_measured_table(IdentificationInput& input) {
-    const auto& [given, observed, example] = columns_of(input.measurement);
+void read_measured_table(IdentificationInput::Table& measured, std::size_t least_rows) {
+    const auto& [given, observed, example] = columns_of(measured.measurement);
     const std::string error_column = std::string(observed.name) + "_error";
     const io::CsvTable table =
-        io::read_csv_table(input.data_file, {.kind = "table of a measurement",
-                                             .header = std::string(example),
-                                             .most_rows = 10'000,
-                                             .thinning = "thin it out, or take means"});
+        io::read_csv_table(measured.data_file, {.kind = "table of a measurement",
+                                                .header = std::string(example),
+                                                .most_rows = 10'000,
+                                                .thinning = "thin it out, or take means"});
     table.check_names({given.name, observed.name, error_column});
-    input.given = table.values(given.name, given.dimension);
-    input.observed = table.values(observed.name, observed.dimension);
+    measured.given = table.values(given.name, given.dimension);
+    measured.observed = table.values(observed.name, observed.dimension);
     table.check_positive(given.name);
     // A shift may be lost in noise; a force or radius that is not there was not measured.
-    if (input.measurement != Measurement::static_shift) table.check_positive(observed.name);
+    if (measured.measurement != Measurement::static_shift) table.check_positive(observed.name);
     if (table.has(error_column)) {
-        input.standard_errors = table.values(error_column, observed.dimension);
+        measured.standard_errors = table.values(error_column, observed.dimension);
         table.check_positive(error_column);
     }
-    const int n_free = input.young_is_free + input.friction_is_free;
-    if (table.n_rows() <= static_cast<std::size_t>(n_free))
+    if (table.n_rows() < least_rows)
         table.refuse_header(
-            "the table has " + std::to_string(table.n_rows()) + " rows, which do not determine " +
-            (n_free == 2           ? "E and mu"
-             : input.young_is_free ? "E"
-                                   : "mu") +
-            " and how well it is known: " + std::to_string(n_free + 1) + " at least");
-    if (!(std::ranges::max(input.observed) > 0))
+            "the table has " + std::to_string(table.n_rows()) +
+            " rows, which do not determine the values to be found and how well they are known: " +
+            std::to_string(least_rows) + " at least");
+    if (!(std::ranges::max(measured.observed) > 0))
         table.refuse_value(0, observed.name, "no value is positive",
                            "check the sign: the shift is that in the direction of the force");
 }

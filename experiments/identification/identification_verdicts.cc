@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 
 #include "experiments/identification/identification_report.h"
+#include "experiments/identification/told_combination.h"
 #include "report/format.h"
 #include "statistics/regression.h"
 
@@ -15,9 +15,8 @@ namespace {
 using report::Verdict;
 using enum Verdict::Standing;
 
-// Chance exceeds the sum of squares so rarely that the model is to blame.
-constexpr double least_goodness = 0.01;
-// A property that moves by less than this is not called different.
+const std::string young_key = "substrate.young", friction_key = "friction.coefficient";
+// A modulus that moves by less than this is not called different.
 constexpr double least_bias = 0.005;
 
 /// "E = 4.2 MPa (4.1 MPa to 4.3 MPa)", "mu above 0.3".
@@ -37,45 +36,13 @@ std::string what_else(const IdentificationStudy& study, const IdentifiedModel& m
 Verdict values_found(const IdentificationStudy& study, const IdentifiedModel& model) {
     const Identification& found = model.found;
     std::string sentence = model.name + ": ";
-    if (found.young) sentence += named("E", shown(model, Property::young));
-    if (found.young && found.friction) sentence += ", ";
-    if (found.friction) sentence += named("mu", shown(model, Property::friction));
+    for (std::size_t k = 0; k < found.free.size(); ++k)
+        sentence += (k == 0 ? "" : ", ") + named(found.free[k].symbol, shown(model, k));
     sentence += fmt::format("; intervals of {:g} %, from the likelihood{}.", 100 * found.confidence,
                             what_else(study, model));
     if (&model == &reference_model(study) && study.models.size() > 1)
         sentence += " This is the most complete model.";
     return {finding, sentence};
-}
-
-/// What one standard error of an input does to a property, relative.
-double relative_change(const IdentifiedModel& model, const std::string& key, Property property) {
-    const auto input = std::ranges::find(model.contributions, key, &InputContribution::key);
-    if (input == model.contributions.end()) return 0;
-    return input->change[property] / model.found[property]->value;
-}
-
-/// Standard error of a property of one model over that of the other by the errors of the inputs,
-/// which are the same for both.
-double shared_error(const IdentifiedModel& a, const IdentifiedModel& b, Property property) {
-    std::set<std::string> keys;
-    for (const IdentifiedModel* model : {&a, &b})
-        for (const InputContribution& input : model->contributions) keys.insert(input.key);
-    double error = 0;
-    for (const std::string& key : keys)
-        error = std::hypot(error,
-                           relative_change(a, key, property) - relative_change(b, key, property));
-    return error;
-}
-
-/// The intervals of the likelihood overlap, or are no further apart than the inputs' errors move
-/// one model's value against the other's.
-bool overlap(const IdentifiedModel& a, const IdentifiedModel& b, Property property) {
-    const Interval of_a = a.found[property]->likelihood;
-    const Interval of_b = b.found[property]->likelihood;
-    const double gap = std::max(of_a.low - of_b.high, of_b.low - of_a.high);
-    const double reach =
-        statistics::normal_quantile(a.found.confidence) * shared_error(a, b, property);
-    return gap <= reach * b.found[property]->value;
 }
 
 std::string off(double ratio) {
@@ -87,17 +54,18 @@ std::string off(double ratio) {
 std::optional<Verdict> bias(const IdentificationStudy& study) {
     const IdentifiedModel& reference = reference_model(study);
     const auto half_space = std::ranges::find(study.models, "half-space", &IdentifiedModel::name);
-    if (half_space == study.models.end() || &*half_space == &reference || !reference.found.young)
-        return {};
-    const double ratio = half_space->found.best.young / reference.found.best.young;
+    const auto k = reference.found.find(young_key);
+    if (half_space == study.models.end() || &*half_space == &reference || !k) return {};
+    const std::size_t i = *half_space->found.find(young_key);
+    const double of_half_space = half_space->found.parameters[i].value,
+                 of_layer = reference.found.parameters[*k].value, ratio = of_half_space / of_layer;
     if (std::abs(ratio - 1) < least_bias)
         return Verdict{holds, fmt::format("The half-space finds E within {:.1f} % of {}.",
                                           100 * least_bias, reference.name)};
-    std::string sentence =
-        fmt::format("The half-space finds E = {}, {} {}: ",
-                    report::quantity(half_space->found.best.young, "Pa", 3), reference.name,
-                    report::quantity(reference.found.best.young, "Pa", 3));
-    if (overlap(*half_space, reference, Property::young))
+    std::string sentence = fmt::format(
+        "The half-space finds E = {}, {} {}: ", report::quantity(of_half_space, "Pa", 3),
+        reference.name, report::quantity(of_layer, "Pa", 3));
+    if (overlap(*half_space, reference, young_key))
         return Verdict{
             cannot_tell,
             sentence +
@@ -106,28 +74,46 @@ std::optional<Verdict> bias(const IdentificationStudy& study) {
     if (study.thickness_ratio)
         sentence += fmt::format("; the layer is {} contact widths thick",
                                 report::significant(*study.thickness_ratio, 2));
-    if (half_space->found.friction && !overlap(*half_space, reference, Property::friction))
-        sentence +=
-            "; its mu is " + off(half_space->found.best.friction / reference.found.best.friction);
+    const auto mu = half_space->found.find(friction_key),
+               other = reference.found.find(friction_key);
+    if (mu && other && !overlap(*half_space, reference, friction_key))
+        sentence += "; its mu is " + off(half_space->found.parameters[*mu].value /
+                                         reference.found.parameters[*other].value);
     return Verdict{fails, sentence + "."};
 }
 
+/// Of the tables whose errors are known.
 Verdict explains(const IdentifiedModel& model) {
     const Identification& found = model.found;
-    const bool good = *found.goodness >= least_goodness;
+    double squares = 0, degrees = 0;
+    for (const TableFit& table : found.tables)
+        if (table.goodness) {
+            squares += table.sum_of_squares;
+            degrees += table.degrees_of_freedom;
+        }
+    const bool good = !is_rejected(model);
     return {
         good ? holds : fails,
-        fmt::format("{} {} the measurement: chi^2 = {} with {} degrees of freedom, {} by chance.",
+        fmt::format("{} {} the measurement: chi^2 = {} with {:.4g} degrees of freedom, {} by "
+                    "chance.",
                     model.name, good ? "explains" : "does not explain",
-                    report::significant(found.sum_of_squares, 3), found.degrees_of_freedom,
-                    report::p_value(*found.goodness))};
+                    report::significant(squares, 3), degrees, report::p_value(*found.goodness))};
+}
+
+/// Parameters of which nothing is told alone, in the products that are told, or at all.
+void add_untold(const IdentifiedModel& model, std::vector<Verdict>& verdicts) {
+    for (const ToldCombination& one : told_combinations(model.found))
+        verdicts.push_back({cannot_tell, model.name + ": " + sentence(one, model.found)});
+    const auto mu = model.found.find(friction_key);
+    if (mu && std::isinf(model.found.parameters[*mu].likelihood.high))
+        verdicts.push_back({cannot_tell, model.name +
+                                             " cannot tell mu: all larger ones are as likely. "
+                                             "Measure at larger forces, closer to sliding."});
 }
 
 /// A fit that looks good is no proof of the half-space.
 std::optional<Verdict> fit_tells_nothing(const IdentificationStudy& study) {
-    const auto good = [](const IdentifiedModel& m) {
-        return m.found.goodness && *m.found.goodness >= least_goodness;
-    };
+    const auto good = [](const IdentifiedModel& m) { return m.found.goodness && !is_rejected(m); };
     const auto biased = bias(study);
     if (study.models.size() < 2 || !biased || biased->standing != fails ||
         !std::ranges::all_of(study.models, good))
@@ -147,38 +133,38 @@ const IdentifiedModel& reference_model(const IdentificationStudy& study) {
     return study.models.front();  // the half-space alone
 }
 
-std::string shown(const IdentifiedModel& model, Property property) {
-    const auto text = [&](double value) {
-        return property == Property::young ? report::quantity(value, "Pa", 3)
-                                           : report::significant(value, 3);
-    };
-    const auto [low, high] = full_interval(model, property);
-    if (std::isinf(high) && low <= 0) return "cannot be told";
-    if (std::isinf(high)) return "above " + text(low);
-    if (low <= 0) return "below " + text(high);
-    return fmt::format("{} ({} to {})", text(model.found[property]->value), text(low), text(high));
+std::string shown(const IdentifiedModel& model, std::size_t k) {
+    const FreeParameter& p = model.found.free[k];
+    const auto [low, high] = full_interval(model, k);
+    const bool is_open_below = low <= p.low && p.scale != FreeParameter::Scale::reciprocal;
+    const bool is_open_above = high >= p.high;
+    if (is_open_above && is_open_below) return "cannot be told";
+    if (is_open_above && std::isinf(high)) return "above " + p.shown(low);
+    if (is_open_below) return "below " + p.shown(high);
+    return fmt::format("{} ({} to {})", p.shown(model.found.parameters[k].value), p.shown(low),
+                       p.shown(high));
 }
 
-double input_standard_error(const IdentifiedModel& model, Property property) {
+double input_standard_error(const IdentifiedModel& model, std::size_t k) {
     double error = 0;
     for (const InputContribution& input : model.contributions)
-        error = std::hypot(error, input.change[property]);
+        error = std::hypot(error, input.change[k]);
     return error;
 }
 
-double combined_standard_error(const IdentifiedModel& model, Property property) {
-    const auto& estimate = model.found[property];
-    return std::hypot(estimate ? estimate->standard_error : 0,
-                      input_standard_error(model, property));
+double combined_standard_error(const IdentifiedModel& model, std::size_t k) {
+    return std::hypot(model.found.parameters[k].standard_error, input_standard_error(model, k));
 }
 
-Interval full_interval(const IdentifiedModel& model, Property property) {
-    const PropertyEstimate& estimate = *model.found[property];
+Interval full_interval(const IdentifiedModel& model, std::size_t k) {
+    const ParameterEstimate& estimate = model.found.parameters[k];
+    const FreeParameter& p = model.found.free[k];
     const double half =
-        statistics::normal_quantile(model.found.confidence) * input_standard_error(model, property);
+        statistics::normal_quantile(model.found.confidence) * input_standard_error(model, k);
     const auto [low, high] = estimate.likelihood;
+    const double above = estimate.value + std::hypot(high - estimate.value, half);
     return {std::max(0., estimate.value - std::hypot(estimate.value - low, half)),
-            estimate.value + std::hypot(high - estimate.value, half)};
+            p.scale == FreeParameter::Scale::linear ? std::min(above, p.high) : above};
 }
 
 std::vector<Verdict> identification_verdicts(const IdentificationStudy& study) {
@@ -188,12 +174,10 @@ std::vector<Verdict> identification_verdicts(const IdentificationStudy& study) {
     if (auto verdict = bias(study)) verdicts.push_back(std::move(*verdict));
     for (const IdentifiedModel& model : study.models) {
         if (model.found.goodness) verdicts.push_back(explains(model));
-        if (model.found.friction && std::isinf(model.found.friction->likelihood.high))
-            verdicts.push_back({cannot_tell, model.name +
-                                                 " cannot tell mu: all larger ones are as likely. "
-                                                 "Measure at larger forces, closer to sliding."});
+        add_untold(model, verdicts);
     }
     if (auto verdict = fit_tells_nothing(study)) verdicts.push_back(std::move(*verdict));
+    if (auto verdict = model_to_use(study)) verdicts.push_back(std::move(*verdict));
     return verdicts;
 }
 

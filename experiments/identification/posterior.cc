@@ -18,27 +18,25 @@ namespace {
 
 using Point = std::vector<double>;
 
-constexpr std::uint64_t walkers_seed = 1, sampler_seed = 2, inputs_seed = 3;
+constexpr std::uint64_t walkers_seed = 1, sampler_seed = 2, inputs_seed = 3, noise_seed = 4;
 constexpr std::size_t n_walkers = 40;
-// Where the linearised standard error is larger, or unknown, walkers start within this part.
+// Where the linearised standard error of a coordinate is larger, or unknown, walkers start within
+// this.
 constexpr double widest_start = .1;
+constexpr std::size_t n_predictions = 400;
+constexpr int most_start_draws = 100'000;
 
-/// Variables of the sampler: ln E and least_friction/mu, as far as they are free.
+/// Over the coordinates of the parameters.
 class Density {
   public:
     explicit Density(const IdentificationTask& task) : task_(task) {}
 
-    Properties properties(const Point& p) const {
-        Properties result = task_.start;
-        std::size_t i = 0;
-        if (task_.young_is_free) result.young = std::exp(p[i++]);
-        if (task_.friction_is_free) result.friction = task_.least_friction / p[i];
-        return result;
-    }
-    double operator()(const Point& p) const {
-        if (task_.friction_is_free && !(p.back() > 0 && p.back() < 1)) return -contact::infinity;
+    double operator()(const Point& x) const {
+        for (std::size_t k = 0; k < x.size(); ++k)
+            if (!(x[k] > task_.parameters[k].least() && x[k] < task_.parameters[k].largest()))
+                return -contact::infinity;
         try {
-            const double found = log_likelihood(task_.model(properties(p)));
+            const double found = log_likelihood(task_.model(values_of(task_.parameters, x)));
             return std::isfinite(found) ? found : -contact::infinity;
         } catch (const contact::InputError&) {
             return -contact::infinity;  // no such contact
@@ -47,22 +45,23 @@ class Density {
 
   private:
     double log_likelihood(const std::vector<double>& values) const {
-        double sum = 0;
-        for (std::size_t i = 0; i < values.size(); ++i) {
-            const double error = task_.standard_errors.empty() ? 1 : task_.standard_errors[i];
-            sum += std::pow((task_.observed[i] - values[i]) / error, 2);
+        double logarithm = 0;
+        std::size_t row = 0;
+        for (const ObservedTable& table : task_.tables) {
+            double sum = 0;
+            for (std::size_t i = 0; i < table.observed.size(); ++i, ++row) {
+                const double error = table.standard_errors.empty() ? 1 : table.standard_errors[i];
+                sum += std::pow((table.observed[i] - values[row]) / error, 2);
+            }
+            logarithm -= table.standard_errors.empty()
+                             ? static_cast<double>(table.observed.size()) / 2 * std::log(sum)
+                             : sum / 2;
         }
-        if (!task_.standard_errors.empty()) return -sum / 2;
-        return -static_cast<double>(values.size()) / 2 * std::log(sum);
+        return logarithm;
     }
 
     const IdentificationTask& task_;
 };
-
-double start_width(const std::optional<PropertyEstimate>& estimate) {
-    if (!estimate) return widest_start;
-    return std::min(estimate->standard_error / estimate->value, widest_start);
-}
 
 /// Of mean 0 and standard deviation 1.
 double normal(statistics::SplitMix64& random) {
@@ -75,58 +74,97 @@ double normal(statistics::SplitMix64& random) {
 std::vector<Point> start_walkers(const Density& density, const IdentificationTask& task,
                                  const Identification& found) {
     statistics::SplitMix64 random(walkers_seed);
+    const Point best = coordinates_of(task.parameters, found.best());
     std::vector<Point> walkers;
-    while (walkers.size() < n_walkers) {
-        Point p;
-        if (task.young_is_free)
-            p.push_back(std::log(found.best.young) + start_width(found.young) * normal(random));
-        if (task.friction_is_free)
-            p.push_back(std::clamp(task.least_friction / found.best.friction *
-                                       (1 + start_width(found.friction) * normal(random)),
-                                   1e-3, 1 - 1e-3 * random.uniform()));
-        if (std::isfinite(density(p))) walkers.push_back(std::move(p));
+    for (int draw = 0; walkers.size() < n_walkers; ++draw) {
+        if (draw == most_start_draws)
+            throw contact::NotConverged("posterior: the model is not defined around the best fit");
+        Point x = best;
+        for (std::size_t k = 0; k < x.size(); ++k) {
+            const FreeParameter& p = task.parameters[k];
+            const double width =
+                std::abs(p.slope(found.parameters[k].value)) * found.logarithmic.standard_errors[k];
+            x[k] += (width < widest_start ? width : widest_start) * normal(random);
+            // At a bound half of the walkers would begin beyond it: reflected.
+            if (x[k] > p.largest()) x[k] = 2 * p.largest() - x[k];
+            if (x[k] < p.least()) x[k] = 2 * p.least() - x[k];
+        }
+        if (std::isfinite(density(x))) walkers.push_back(std::move(x));
     }
     return walkers;
 }
 
-Properties moved_by_inputs(Properties at, const std::vector<Properties>& changes,
-                           double least_friction, statistics::SplitMix64& random) {
-    for (const Properties& change : changes) {
+/// In coordinates, where what is positive stays so.
+Point moved_by_inputs(Point x, const std::vector<Point>& steps,
+                      const std::vector<FreeParameter>& parameters,
+                      statistics::SplitMix64& random) {
+    for (const Point& step : steps) {
         const double deviation = normal(random);
-        at.young += deviation * change.young;
-        at.friction += deviation * change.friction;
+        for (std::size_t k = 0; k < x.size(); ++k) x[k] += deviation * step[k];
     }
-    at.friction = std::max(at.friction, least_friction);  // the contact held
-    return at;
+    for (std::size_t k = 0; k < x.size(); ++k)
+        x[k] = std::clamp(x[k], parameters[k].least(), parameters[k].largest());
+    return x;
+}
+
+std::vector<Interval> predicted_values(const IdentificationTask& task, const Identification& found,
+                                       const std::vector<Point>& points) {
+    statistics::SplitMix64 random(noise_seed);
+    std::vector<std::vector<double>> values(task.n_observations());
+    const std::size_t every = std::max<std::size_t>(1, points.size() / n_predictions);
+    for (std::size_t i = 0; i < points.size(); i += every) {
+        const auto predicted = task.model(values_of(task.parameters, points[i]));
+        std::size_t row = 0;
+        for (const TableFit& table : found.tables)
+            for (const double error : table.standard_errors) {
+                values[row].push_back(predicted[row] + error * normal(random));
+                ++row;
+            }
+    }
+    const double tail = (1 - task.confidence) / 2;
+    std::vector<Interval> intervals;
+    for (const auto& one : values)
+        intervals.push_back(
+            {statistics::sample_quantile(one, tail), statistics::sample_quantile(one, 1 - tail)});
+    return intervals;
 }
 
 }  // namespace
 
 Posterior sample_posterior(const IdentificationTask& task, const Identification& found,
-                           const std::vector<Properties>& changes) {
+                           const std::vector<std::vector<double>>& changes) {
     const Density density(task);
     const statistics::EnsembleSample sample =
         statistics::sample_ensemble(density, start_walkers(density, task, found), sampler_seed);
     Posterior posterior{.acceptance = sample.acceptance,
                         .autocorrelation_time = std::ranges::max(sample.autocorrelation_times),
-                        .effective_size = sample.effective_size()};
+                        .effective_size = sample.effective_size(),
+                        .predicted = predicted_values(task, found, sample.points)};
+    const std::size_t m = task.parameters.size();
+    std::vector<Point> steps;  // of coordinates
+    for (const auto& change : changes) {
+        Point& step = steps.emplace_back();
+        for (std::size_t k = 0; k < m; ++k) {
+            const double value = found.parameters[k].value;
+            step.push_back(task.parameters[k].slope(value) * change[k] / value);
+        }
+    }
     statistics::SplitMix64 random(inputs_seed);
-    PerProperty<std::vector<double>> values;
-    for (const Point& p : sample.points) {
+    std::vector<std::vector<double>> values(m);
+    for (const Point& x : sample.points) {
         posterior.points.push_back(
-            moved_by_inputs(density.properties(p), changes, task.least_friction, random));
-        for (const Property property : both_properties)
-            values[property].push_back(posterior.points.back()[property]);
+            values_of(task.parameters, moved_by_inputs(x, steps, task.parameters, random)));
+        for (std::size_t k = 0; k < m; ++k) values[k].push_back(posterior.points.back()[k]);
     }
     const double tail = (1 - task.confidence) / 2;
-    for (const Property property : both_properties) {
-        posterior.median[property] = statistics::sample_quantile(values[property], .5);
-        posterior.interval[property] = {statistics::sample_quantile(values[property], tail),
-                                        statistics::sample_quantile(values[property], 1 - tail)};
+    for (const auto& one : values) {
+        posterior.median.push_back(statistics::sample_quantile(one, .5));
+        posterior.interval.push_back(
+            {statistics::sample_quantile(one, tail), statistics::sample_quantile(one, 1 - tail)});
+        auto& row = posterior.correlation.emplace_back();
+        for (const auto& other : values)
+            row.push_back(gsl_stats_correlation(one.data(), 1, other.data(), 1, one.size()));
     }
-    if (task.young_is_free && task.friction_is_free)
-        posterior.correlation = gsl_stats_correlation(
-            values.young.data(), 1, values.friction.data(), 1, values.young.size());
     return posterior;
 }
 

@@ -9,16 +9,14 @@ namespace tricontact::experiments {
 std::string posterior_sentence(const IdentifiedModel& model) {
     const Posterior& p = *model.posterior;
     std::string text = model.name + ": posterior";
-    if (model.found.young)
-        text += fmt::format(" E = {} ({} to {})", report::quantity(p.median.young, "Pa", 3),
-                            report::quantity(p.interval.young.low, "Pa", 3),
-                            report::quantity(p.interval.young.high, "Pa", 3));
-    if (model.found.friction)
-        text += fmt::format("{} mu = {} ({} to {})", model.found.young ? "," : "",
-                            report::significant(p.median.friction, 3),
-                            report::significant(p.interval.friction.low, 3),
-                            report::significant(p.interval.friction.high, 3));
-    if (p.correlation) text += ", correlation " + report::significant(*p.correlation, 2);
+    for (std::size_t k = 0; k < model.found.free.size(); ++k) {
+        const FreeParameter& one = model.found.free[k];
+        text += fmt::format("{} {} = {} ({} to {})", k == 0 ? "" : ",", one.symbol,
+                            one.shown(p.median[k]), one.shown(p.interval[k].low),
+                            one.shown(p.interval[k].high));
+    }
+    if (p.median.size() == 2)
+        text += ", correlation " + report::significant(p.correlation[0][1], 2);
     return text + fmt::format(
                       "; as good as {:.0f} independent points (autocorrelation time {:.0f} steps, "
                       "{:.0f} % accepted).",
@@ -26,12 +24,20 @@ std::string posterior_sentence(const IdentifiedModel& model) {
 }
 
 std::string posterior_csv(const IdentificationStudy& study) {
-    std::string text = "model,young_Pa,friction_coefficient\n";
-    for (const IdentifiedModel& model : study.models)
-        if (model.posterior)
-            for (const Properties& point : model.posterior->points)
-                text += fmt::format("{},{},{}\n", model.name, io::shortest(point.young),
-                                    io::shortest(point.friction));
+    std::string text = "model";
+    for (const FreeParameter& p : study.input.parameters) text += "," + p.name;
+    text += '\n';
+    for (const IdentifiedModel& model : study.models) {
+        if (!model.posterior) continue;
+        for (const auto& point : model.posterior->points) {
+            text += model.name;
+            for (const FreeParameter& p : study.input.parameters) {
+                const auto k = model.found.find(p.key, p.index);
+                text += "," + (k ? io::shortest(point[*k]) : "");
+            }
+            text += '\n';
+        }
+    }
     return text;
 }
 

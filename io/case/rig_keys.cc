@@ -10,8 +10,7 @@ namespace {
 
 using enum Dimension;
 
-constexpr double longest = 1e9;      // [s]
-constexpr int measured_table = 100;  // group of alternatives; cases have their own
+constexpr double longest = 1e9;  // [s]
 
 std::vector<Key> record_keys() {
     return {
@@ -46,24 +45,45 @@ std::vector<Key> record_keys() {
 }
 
 std::vector<Key> measurement_keys() {
-    const KeyExtras one_table{.alternative = measured_table};
     return {
         text_key("measurement.static_shift", R"("shift.csv")",
                  "table of tangential forces and the shifts they caused under load.normal_force, "
-                 "before any rolling",
-                 one_table),
+                 "before any rolling"),
         text_key("measurement.force_indentation", R"("indentation.csv")",
-                 "table of indentations and the normal forces they took", one_table),
+                 "table of indentations and the normal forces they took"),
         text_key("measurement.contact_radius", R"("radius.csv")",
-                 "table of normal forces and contact radii", one_table),
-        list_of(choice_key("measurement.find", {{"substrate.young"}, {"friction.coefficient"}},
-                           R"(["substrate.young"])",
-                           "keys that follow from the table; their values in the case are not used",
-                           {.required = true})),
+                 "table of normal forces and contact radii"),
+        text_key(
+            "measurement.force_relaxation", R"("relaxation.csv")",
+            "table of times since measurement.held_indentation was reached at once, and normal "
+            "forces",
+            {.needs = "measurement.held_indentation"}),
+        length_key("measurement.held_indentation", R"("0.3 mm")",
+                   "indentation d of force_relaxation", {.needs = "measurement.force_relaxation"}),
+        text_key(
+            "measurement.indentation_creep", R"("creep.csv")",
+            "table of times since measurement.held_force was applied at once, and indentations",
+            {.needs = "measurement.held_force"}),
+        quantity_key("measurement.held_force", force, above_zero(1e9), R"("5 N")",
+                     "normal force of indentation_creep",
+                     {.needs = "measurement.indentation_creep"}),
+        list_of(
+            choice_key("measurement.find",
+                       {{"substrate.young"},
+                        {"substrate.poisson"},
+                        {"substrate.thickness"},
+                        {"substrate.relaxation.relative_moduli"},
+                        {"substrate.relaxation.times"},
+                        {"indenter.radius"},
+                        {"friction.coefficient"}},
+                       R"(["substrate.young"])",
+                       "keys that follow from the tables; of E and mu the case's values are not "
+                       "used, of others they are where the search starts",
+                       {.required = true})),
         list_of(choice_key("measurement.models",
                            {{"half-space"}, {"layer"}, {"atlas"}, {"bem-layer"}, {"fem"}},
                            R"(["half-space", "layer"])",
-                           "models that explain the table: closed forms of the half-space, the "
+                           "models that explain the tables: closed forms of the half-space, the "
                            "theory of the layer, the shipped maps, or a model that computes",
                            {.required = true})),
         number_key("measurement.confidence", {0.5, 0.9999}, "0.95", "level of the intervals",

@@ -144,6 +144,73 @@ grep -q "and the errors of the rig's data" text || complain "uncertain inputs: $
 grep -qE '·10|e-[0-9]' text && complain "a power of ten: $(cat text)"
 grep -q "p < 0.001" text || complain "chance: $(cat text)"
 
+# 10. Several tables together: shifts and depths tell E, mu and b of the layer, and no product of them alone; the
+#     half-space explains neither.
+sed 's/, "atlas"//' "$source_dir/examples/measurements/rig_joint.toml" >joint.toml
+cp "$source_dir/examples/measurements/rig_indentation.csv" .
+"$program" identify joint.toml --output out --quiet >text || complain "joint: $(cat text)"
+for truth in young_Pa:4.22e6 friction_coefficient:0.57 thickness_m:0.008; do
+    low=$(number "['models']['layer']['${truth%:*}']['interval'][0]")
+    high=$(number "['models']['layer']['${truth%:*}']['interval'][1]")
+    holds "$low < ${truth#*:} && ${truth#*:} < $high && $high - $low < 0.05 * ${truth#*:}" \
+        "${truth%:*} is $low to $high"
+done
+grep -q "told only in the combination" text && complain "a product where all is told: $(cat text)"
+grep -q "^Use the values of layer: chi^2 rejects the half-space." text || complain "no choice: $(cat text)"
+[ "$(number "['models']['layer']['told_combinations']")" = "[]" ] || complain "told combinations"
+[ "$(number "['models']['half-space'].get('thickness_m')")" = None ] || complain "the half-space's thickness"
+[ "$(number "['models']['layer']['tables']['force-indentation']['degrees_of_freedom'] < 7")" = True ] ||
+    complain "rows less the share of the parameters"
+# Forces at depths of a half-space tell E sqrt(R) alone.
+sed 's/^find = .*/find = ["substrate.young", "indenter.radius"]/; s/"half-space", "layer"/"half-space"/' \
+    "$source_dir/examples/measurements/rig_indentation.toml" >product.toml
+"$program" identify product.toml --output out --quiet >text || complain "a product: $(cat text)"
+grep -q "E and R are told only in the combination E R^0.50 (standard error" text || complain "no product: $(cat text)"
+grep -q "E cannot be told, R cannot be told" text || complain "each alone: $(cat text)"
+
+# 11. A history tells modulus, share and time of a Prony term; its table was made with 4.22 MPa, 0.3, 10 s.
+cp "$source_dir/examples/measurements/rig_relaxation.csv" .
+"$program" identify "$source_dir/examples/measurements/rig_relaxation.toml" --output out --quiet >text || complain "relaxation"
+for truth in young_Pa:4.22e6 relative_modulus_1:0.3 relaxation_time_1_s:10; do
+    low=$(number "['models']['layer']['${truth%:*}']['interval'][0]")
+    high=$(number "['models']['layer']['${truth%:*}']['interval'][1]")
+    holds "$low < ${truth#*:} && ${truth#*:} < $high && $high - $low < 0.1 * ${truth#*:}" \
+        "${truth%:*} is $low to $high"
+done
+
+# 12. Creep of a standard solid under a constant force, closed form: d^(3/2) ~ J(t) = 1 - g exp(-(1 - g) t/tau).
+cat >creep.toml <<'END'
+[indenter]
+radius = "40 mm"
+[substrate]
+poisson = 0.5
+[substrate.relaxation]
+relative_moduli = [0.2]
+times = ["5 s"]
+[measurement]
+indentation_creep = "creep.csv"
+held_force = "5 N"
+find = ["substrate.young", "substrate.relaxation.relative_moduli", "substrate.relaxation.times"]
+models = ["half-space"]
+END
+awk 'BEGIN { print "time [s], indentation [um]"
+    for (t = 1; t <= 100; t *= 1.6) {
+        J = 1 - 0.4 * exp(-t * 0.6 / 10)
+        printf "%.10g, %.10g\n", t, 1e6 * (3 * 5 * J / (4 * 4e6 / 0.75 * sqrt(0.04)))^(2 / 3) } }' >creep.csv
+"$program" identify creep.toml --output out --quiet >text || complain "creep: $(cat text)"
+for truth in young_Pa:4e6 relative_modulus_1:0.4 relaxation_time_1_s:10; do
+    value=$(number "['models']['half-space']['${truth%:*}']['value']")
+    holds "($value / ${truth#*:} - 1)^2 < 1e-12" "${truth%:*} of creep is $value" # digits of the table
+done
+
+# 13. Poisson's ratio follows from depths on a layer, not on a half-space.
+sed 's/^find = .*/find = ["substrate.young", "substrate.poisson"]/' \
+    "$source_dir/examples/measurements/rig_indentation.toml" >poisson.toml
+"$program" identify poisson.toml --output out --quiet >text || complain "nu: $(cat text)"
+grep -q "^layer .* 0.49. (0.48. to 0.500)" text || complain "nu by the layer: $(cat text)"
+grep -q "^half-space .* cannot be told" text || complain "nu by the half-space: $(cat text)"
+grep -q "told only in" text && complain "E is told by the bounds of nu: $(cat text)"
+
 # refused EXPECTED SED [TABLE]: the file of 2 changed, TABLE in place of its table.
 n=0
 refused() {
@@ -182,8 +249,14 @@ refused 'the contact would slide: F_T of the table reaches 11 N, mu F_N is 10.55
     's/^find = .*/find = ["substrate.young"]/; s/^\[load\]/[friction]\ncoefficient = 0.5\n[load]/'
 refused 'unknown section [mesurement]; did you mean measurement?' 's/^\[measurement/[mesurement/'
 refused 'missing section [measurement]: nothing was measured' '/^\[measurement/,$d'
-refused 'missing: exactly one of measurement.static_shift, measurement.force_indentation' '/^static_shift/d'
-refused 'contradicts measurement.static_shift' 's/^find/contact_radius = "radius.csv"\nfind/'
+refused 'nothing was measured; name a table: static_shift' '/^static_shift/d'
+refused 'no history tells substrate.relaxation.times' 's/^find = .*/find = ["substrate.relaxation.times"]/'
+refused 'has no effect without measurement.held_indentation' 's/^find/force_relaxation = "r.csv"\nfind/'
+refused 'with shifts, nu is found by half-space and atlas, not by layer' 's/^find = .*/find = ["substrate.poisson"]/'
+refused 'lengths of a layer under a sphere are not in proportion' \
+    's/^find = .*/find = ["indenter.radius"]/; s/^radius/shape = "sphere"\nradius/'
+refused 'finds radius and thickness only of a rigid paraboloid' \
+    's/^find = .*/find = ["substrate.young", "indenter.radius"]/; s/"layer"/"bem-layer"/; s/206 GPa/30 MPa/; s/^\[load\]/[friction]\ncoefficient = 0.57\n[load]/'
 refused 'missing.csv: ' 's/rig_static_shift.csv/missing.csv/'
 refused 'missing key measurement.find' '/^find/d'
 refused '"substrate.yung" is not one of' 's/"substrate.young"/"substrate.yung"/'

@@ -159,18 +159,18 @@ TEST(ErrorBars, OfDriftsThatContradictEachOther) {
 // of two is least (1 - c)^(-2/dof), since F of two has a closed quantile.
 TEST(ErrorBars, EstimatedFromFewObservationsAreStudents) {
     experiments::IdentificationTask task;
-    task.observed = {1.1, 1.9, 3.2, 3.9};
-    task.model = [](const experiments::Properties& p) {
-        return std::vector<double>{p.young, 2 * p.young, 3 * p.young, 4 * p.young};
+    task.parameters = {experiments::young_parameter(1)};
+    task.tables = {{"line", {1.1, 1.9, 3.2, 3.9}, {}}};
+    task.model = [](const std::vector<double>& v) {
+        return std::vector<double>{v[0], 2 * v[0], 3 * v[0], 4 * v[0]};
     };
-    task.start = {1, 1};
-    task.friction_is_free = false;
     const experiments::Identification found = experiments::identify(task);
     ASSERT_EQ(found.degrees_of_freedom, 3);
-    const double half = 3.182446 * found.young->standard_error;
-    EXPECT_NEAR(found.young->likelihood.high, found.young->value + half, 1e-6);
-    EXPECT_NEAR(found.young->likelihood.low, found.young->value - half, 1e-6);
-    EXPECT_NEAR(found.level_of_interval[1] / found.sum_of_squares, std::pow(0.05, -2. / 3), 1e-9);
+    const experiments::ParameterEstimate& young = found.parameters[0];
+    const double half = 3.182446 * young.standard_error;
+    EXPECT_NEAR(young.likelihood.high, young.value + half, 1e-6);
+    EXPECT_NEAR(young.likelihood.low, young.value - half, 1e-6);
+    EXPECT_NEAR(found.level_of_pair(0, 0) / found.sum_of_squares, std::pow(0.05, -2. / 3), 1e-9);
 }
 
 }  // namespace

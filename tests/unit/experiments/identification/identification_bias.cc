@@ -46,11 +46,10 @@ contact::HalfSpaceScales hertz(double young, contact::NormalControl control) {
 template <class Model>
 double half_space_young(double observed, const Model& model) {
     IdentificationTask task;
-    task.observed.assign(3, observed);
-    task.model = [&](const Properties& p) { return std::vector<double>(3, model(p.young)); };
-    task.start = {1e6, friction};
-    task.friction_is_free = false;
-    return identify(task).best.young;
+    task.parameters = {young_parameter(1e6)};
+    task.tables = {{"radius", std::vector<double>(3, observed), {}}};
+    task.model = [&](const std::vector<double>& v) { return std::vector<double>(3, model(v[0])); };
+    return identify(task).best()[0];
 }
 
 // layer.md, from exact solutions of its own: U_max of the layer with 4.22 MPa is that of the

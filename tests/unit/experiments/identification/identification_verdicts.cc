@@ -17,9 +17,9 @@ IdentifiedModel model(const std::string& name, double young, Interval young_inte
                       double friction, Interval friction_interval) {
     IdentifiedModel m;
     m.name = name;
-    m.found.best = {young, friction};
-    m.found.young = PropertyEstimate{{young}, young_interval};
-    m.found.friction = PropertyEstimate{{friction}, friction_interval};
+    m.found.free = {young_parameter(young), friction_parameter(.4)};
+    m.found.parameters = {{{young}, young_interval}, {{friction}, friction_interval}};
+    m.found.logarithmic.standard_errors = {.01, .01};
     m.found.confidence = .95;
     return m;
 }
@@ -35,7 +35,7 @@ std::vector<report::Verdict> verdicts_of(const IdentifiedModel& half_space,
 TEST(IdentificationVerdicts, SayHowFarTheHalfSpaceIsOff) {
     const auto verdicts = verdicts_of(model("half-space", 5.7e6, {5.6e6, 5.8e6}, .54, {.53, .55}),
                                       model("layer", 4.2e6, {4.1e6, 4.3e6}, .57, {.56, .58}));
-    ASSERT_EQ(verdicts.size(), 2U);
+    ASSERT_EQ(verdicts.size(), 3U);
     EXPECT_EQ(
         verdicts[0].sentence,
         "layer: E = 4.20 MPa (4.10 MPa to 4.30 MPa), mu = 0.570 (0.560 to 0.580); intervals "
@@ -45,6 +45,9 @@ TEST(IdentificationVerdicts, SayHowFarTheHalfSpaceIsOff) {
     EXPECT_EQ(verdicts[1].sentence,
               "The half-space finds E = 5.70 MPa, layer 4.20 MPa: 36 % too high; the layer is 0.83 "
               "contact widths thick; its mu is 5.3 % too low.");
+    EXPECT_EQ(verdicts[2].sentence,
+              "Use the values of layer: those of the half-space differ (E by 36 %) by more than "
+              "these data resolve.");
 }
 
 TEST(IdentificationVerdicts, SayNothingThatTheMeasurementDoesNot) {
@@ -62,6 +65,18 @@ TEST(IdentificationVerdicts, AThickLayerIsAHalfSpace) {
     const auto verdicts = verdicts_of(model("half-space", 5.01e6, {4.9e6, 5.1e6}, .5, {.4, .6}),
                                       model("layer", 5e6, {4.9e6, 5.1e6}, .5, {.4, .6}));
     EXPECT_EQ(verdicts[1].standing, report::Verdict::Standing::holds);
+    EXPECT_EQ(verdicts.back().sentence.substr(0, 24), "The half-space suffices:");
+}
+
+TEST(IdentificationVerdicts, ARejectedModelIsNotUsed) {
+    auto half_space = model("half-space", 5.01e6, {4.9e6, 5.1e6}, .5, {.4, .6});
+    auto layer = model("layer", 5e6, {4.9e6, 5.1e6}, .5, {.4, .6});
+    half_space.found.goodness = .001;
+    layer.found.goodness = .3;
+    EXPECT_EQ(verdicts_of(half_space, layer).back().sentence,
+              "Use the values of layer: chi^2 rejects the half-space.");
+    layer.found.goodness = .002;
+    EXPECT_EQ(verdicts_of(half_space, layer).back().standing, report::Verdict::Standing::fails);
 }
 
 // Depths of a sphere: F = 4/3 E* R^(1/2) d^(3/2), so that an error of R moves E by half of it. R of
@@ -81,21 +96,19 @@ TEST(IdentificationIntervals, CoverTheTruthAsOftenAsTheyClaimWithUncertainInputs
     for (int k = 0; k < n; ++k) {
         const double assumed = radius + radius_error * gauss(random);
         IdentificationTask task;
-        task.observed = forces(young, radius);
-        for (double& force : task.observed) force += force_error * gauss(random);
-        task.standard_errors.assign(task.observed.size(), force_error);
-        task.model = [&](const Properties& p) { return forces(p.young, assumed); };
-        task.start = {young, 1};
-        task.friction_is_free = false;
+        task.parameters = {young_parameter(young)};
+        task.tables = {{"depths", forces(young, radius), std::vector<double>(12, force_error)}};
+        for (double& force : task.tables[0].observed) force += force_error * gauss(random);
+        task.model = [&](const std::vector<double>& v) { return forces(v[0], assumed); };
         IdentifiedModel model;
         model.name = "half-space";
         model.found = identify(task);
-        const double found = model.found.best.young;
+        const double found = model.found.best()[0];
         model.contributions = {
-            {"indenter.radius", radius_error, {-found / 2 * radius_error / assumed, 0}}};
+            {"indenter.radius", radius_error, {-found / 2 * radius_error / assumed}}};
         const auto holds = [&](const Interval& i) { return i.low <= young && young <= i.high; };
-        n_full += holds(full_interval(model, Property::young));
-        n_likelihood += holds(model.found.young->likelihood);
+        n_full += holds(full_interval(model, 0));
+        n_likelihood += holds(model.found.parameters[0].likelihood);
     }
     // Three standard deviations of 400 trials at 0.95 are 0.033.
     EXPECT_NEAR(n_full / double(n), 0.95, 0.033);
@@ -106,14 +119,14 @@ TEST(IdentificationIntervals, OpenEndsStayOpenAndErrorsAddInSquares) {
     auto m = model("layer", 4e6, {3.7e6, 4.4e6}, .5, {.4, infinity});
     m.contributions = {{"a", 1, {.3e6, .1}}, {"b", 1, {.4e6, 0}}};
     const double half = 1.959964 * .5e6;  // 0.3 and 0.4 in squares
-    const Interval young = full_interval(m, Property::young);
+    const Interval young = full_interval(m, 0);
     EXPECT_NEAR(young.low, 4e6 - std::hypot(.3e6, half), 1);
     EXPECT_NEAR(young.high, 4e6 + std::hypot(.4e6, half), 1);
-    const Interval friction = full_interval(m, Property::friction);
+    const Interval friction = full_interval(m, 1);
     EXPECT_NEAR(friction.low, .5 - std::hypot(.1, .1959964), 1e-6);
     EXPECT_EQ(friction.high, infinity);
     m.contributions = {{"a", 1, {9e6, 0}}};
-    EXPECT_EQ(full_interval(m, Property::young).low, 0);
+    EXPECT_EQ(full_interval(m, 0).low, 0);
 }
 
 // Both models take the same radius: its error moves both values alike, not one against the other. A
@@ -133,8 +146,7 @@ TEST(IdentificationVerdicts, SharedErrorsDoNotHideABias) {
 TEST(IdentificationVerdicts, ProbabilitiesAreNoPowersOfTen) {
     auto m = model("layer", 4.2e6, {4.1e6, 4.3e6}, .57, {.56, .58});
     m.found.goodness = 5.6e-287;
-    m.found.sum_of_squares = 1344;
-    m.found.degrees_of_freedom = 10;
+    m.found.tables = {{.sum_of_squares = 1344, .degrees_of_freedom = 10, .goodness = 5.6e-287}};
     IdentificationStudy study;
     study.models = {m};
     EXPECT_EQ(

@@ -1,0 +1,107 @@
+#include "experiments/identification/free_parameter.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "report/format.h"
+
+namespace tricontact::experiments {
+
+namespace {
+
+// Around the guess of E, and of mu over the least one: whatever lies beyond cannot be told.
+constexpr double widest_young = 1e3, widest_friction = 1e3;
+constexpr double bound_margin = 1e-6;
+
+}  // namespace
+
+double FreeParameter::coordinate(double v) const {
+    switch (scale) {
+        case Scale::logarithmic:
+            return std::log(v);
+        case Scale::reciprocal:
+            return low / v;
+        case Scale::linear:
+            break;
+    }
+    return v;
+}
+
+double FreeParameter::value(double x) const {
+    switch (scale) {
+        case Scale::logarithmic:
+            return std::exp(x);
+        case Scale::reciprocal:
+            return low / x;
+        case Scale::linear:
+            break;
+    }
+    return x;
+}
+
+double FreeParameter::slope(double v) const {
+    switch (scale) {
+        case Scale::logarithmic:
+            return 1;
+        case Scale::reciprocal:
+            return -low / v;
+        case Scale::linear:
+            break;
+    }
+    return v;
+}
+
+double FreeParameter::least() const {
+    return std::min(coordinate(low), coordinate(high));
+}
+
+double FreeParameter::largest() const {
+    return std::max(coordinate(low), coordinate(high));
+}
+
+bool FreeParameter::is_at_bound(double v) const {
+    const double x = coordinate(v), margin = bound_margin * (largest() - least());
+    return x < least() + margin || x > largest() - margin;
+}
+
+std::string FreeParameter::shown(double v) const {
+    return unit.empty() ? report::significant(v, 3) : report::quantity(v, unit, 3);
+}
+
+FreeParameter young_parameter(double start) {
+    return {.key = "substrate.young",
+            .name = "young_Pa",
+            .symbol = "E",
+            .unit = "Pa",
+            .low = start / widest_young,
+            .high = start * widest_young,
+            .start = start};
+}
+
+FreeParameter friction_parameter(double largest_force_ratio) {
+    return {.key = "friction.coefficient",
+            .name = "friction_coefficient",
+            .symbol = "mu",
+            .scale = FreeParameter::Scale::reciprocal,
+            .low = largest_force_ratio,
+            .high = largest_force_ratio * widest_friction,
+            .start = 1.5 * largest_force_ratio};
+}
+
+std::vector<double> coordinates_of(const std::vector<FreeParameter>& parameters,
+                                   const std::vector<double>& values) {
+    std::vector<double> x;
+    for (std::size_t k = 0; k < values.size(); ++k)
+        x.push_back(parameters[k].coordinate(values[k]));
+    return x;
+}
+
+std::vector<double> values_of(const std::vector<FreeParameter>& parameters,
+                              const std::vector<double>& coordinates) {
+    std::vector<double> values;
+    for (std::size_t k = 0; k < coordinates.size(); ++k)
+        values.push_back(parameters[k].value(coordinates[k]));
+    return values;
+}
+
+}  // namespace tricontact::experiments

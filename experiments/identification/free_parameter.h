@@ -1,0 +1,47 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace tricontact::experiments {
+
+/// A number of a rig that is to be found.
+struct FreeParameter {
+    /// In which it is searched and, between its bounds, as likely beforehand everywhere: ln v,
+    /// low/v or v.
+    enum class Scale { logarithmic, reciprocal, linear };
+
+    std::string key;        ///< of the case: "substrate.young"
+    std::size_t index = 0;  ///< of a list's element
+    std::string name;       ///< of files: "young_Pa"
+    std::string symbol;     ///< "E"
+    std::string unit = {};  ///< "Pa"; empty: a pure number
+    Scale scale = Scale::logarithmic;
+    double low = 0, high = 0;  ///< looked at between these [SI], positive; linear: low may be 0
+    double start = 0;          ///< a guess [SI]
+
+    double coordinate(double value) const;
+    double value(double coordinate) const;
+    /// Of the coordinate by ln v.
+    double slope(double value) const;
+    /// Least and largest coordinate.
+    double least() const;
+    double largest() const;
+    /// At a bound, to 1e-6 of the range of coordinates.
+    bool is_at_bound(double value) const;
+    /// "4.20 MPa", "0.570".
+    std::string shown(double value) const;
+};
+
+/// Young's modulus [Pa], from this to that part of the start.
+FreeParameter young_parameter(double start);
+/// Coefficient of friction: the largest F_T/F_N of the observations held, so it is not less.
+FreeParameter friction_parameter(double largest_force_ratio);
+
+std::vector<double> coordinates_of(const std::vector<FreeParameter>& parameters,
+                                   const std::vector<double>& values);
+std::vector<double> values_of(const std::vector<FreeParameter>& parameters,
+                              const std::vector<double>& coordinates);
+
+}  // namespace tricontact::experiments

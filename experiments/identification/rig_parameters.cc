@@ -1,0 +1,116 @@
+#include <algorithm>
+
+#include "contact/error.h"
+#include "experiments/identification/identification_reader.h"
+
+namespace tricontact::experiments {
+
+namespace {
+
+using Measurement = IdentificationInput::Measurement;
+using Scale = FreeParameter::Scale;
+
+// Around the value of the case.
+constexpr double widest_length = 100, widest_time = 1e4;
+// Of a Prony term, over the unrelaxed modulus.
+constexpr double least_modulus = 1e-6, largest_modulus = .999;
+
+FreeParameter length(std::string key, std::string name, std::string symbol, double start) {
+    return {.key = std::move(key),
+            .name = std::move(name),
+            .symbol = std::move(symbol),
+            .unit = "m",
+            .low = start / widest_length,
+            .high = start * widest_length,
+            .start = start};
+}
+
+/// All terms of the case's series.
+void add_terms(const contact::Relaxation& relaxation, const std::string& key,
+               std::vector<FreeParameter>& parameters) {
+    for (std::size_t i = 0; i < relaxation.branches.size(); ++i) {
+        const auto& [ratio, time] = relaxation.branches[i];
+        const std::string number = std::to_string(i + 1);
+        FreeParameter p{.key = key, .index = i};
+        if (key == "substrate.relaxation.times") {
+            p.name = "relaxation_time_" + number + "_s";
+            p.symbol = "tau_" + number;
+            p.unit = "s";
+            p.low = time / widest_time;
+            p.high = time * widest_time;
+            p.start = time;
+        } else {
+            p.name = "relative_modulus_" + number;
+            p.symbol = "g_" + number;
+            p.scale = Scale::linear;
+            p.low = least_modulus;
+            p.high = largest_modulus;
+            p.start = ratio / relaxation.instantaneous_ratio();
+        }
+        parameters.push_back(std::move(p));
+    }
+}
+
+}  // namespace
+
+std::vector<FreeParameter> free_parameters(const IdentificationInput& input,
+                                           const std::vector<std::string>& find) {
+    const contact::Case& rig = input.rig;
+    const auto unrelaxed = contact::Case::RelaxationInput::Modulus::unrelaxed;
+    if (rig.relaxation) {
+        if (rig.relaxation_input.modulus == unrelaxed)
+            throw contact::InputError(
+                "E is found as the relaxed modulus, but substrate.relaxation.modulus says "
+                "\"unrelaxed\"; say \"relaxed\"");
+        if (rig.relaxation->bulk == contact::Relaxation::Bulk::elastic &&
+            rig.substrate.poisson < .5)
+            throw contact::InputError(
+                "histories are evaluated for a constant Poisson's ratio, but the bulk modulus does "
+                "not relax; leave out substrate.relaxation.bulk");
+    }
+    std::vector<FreeParameter> parameters;
+    for (const std::string& key : find) {
+        if (key == "substrate.young") {
+            parameters.push_back(young_parameter(rig.substrate.young));
+        } else if (key == "substrate.poisson") {
+            parameters.push_back({.key = key,
+                                  .name = "poisson",
+                                  .symbol = "nu",
+                                  .scale = Scale::linear,
+                                  .low = 0,
+                                  .high = .5,
+                                  .start = rig.substrate.poisson});
+        } else if (key == "friction.coefficient") {
+            parameters.push_back(
+                friction_parameter(std::ranges::max(input.find(Measurement::static_shift)->given) /
+                                   *rig.load.normal_force));
+        } else if (key == "indenter.radius") {
+            parameters.push_back(length(key, "indenter_radius_m", "R", rig.indenter.radius));
+        } else if (key == "substrate.thickness") {
+            if (!rig.layer.thickness)
+                throw contact::InputError(
+                    "substrate.thickness is missing; give a value from which the search starts");
+            parameters.push_back(length(key, "thickness_m", "b", *rig.layer.thickness));
+        } else {
+            add_terms(*rig.relaxation, key, parameters);
+        }
+    }
+    std::size_t n_rows = 0;
+    for (const auto& table : input.tables) n_rows += table.observed.size();
+    if (n_rows <= parameters.size())
+        throw contact::InputError(std::to_string(n_rows) + " rows do not determine " +
+                                  std::to_string(parameters.size()) +
+                                  " values and how well they are known; measure more, find fewer");
+    return parameters;
+}
+
+std::vector<FreeParameter> parameters_of(const IdentificationInput& input,
+                                         const std::string& model) {
+    std::vector<FreeParameter> parameters = input.parameters;
+    if (model == "half-space")
+        std::erase_if(parameters,
+                      [](const FreeParameter& p) { return p.key == "substrate.thickness"; });
+    return parameters;
+}
+
+}  // namespace tricontact::experiments
