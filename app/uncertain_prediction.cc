@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "contact/error.h"
 #include "contact/load_path.h"
@@ -24,6 +25,21 @@ double drawn(const CaseQuantity& number, double value, double u) {
         value + number.standard_error * statistics::standard_quantile(number.distribution, u);
     if (x > number.largest) x = 2 * number.largest - x;
     return value > 0 ? std::max(x, least_share * value) : x;
+}
+
+/// Uniform numbers in place of independent ones, by a Gaussian copula.
+std::vector<double> correlated(const std::vector<double>& u,
+                               const statistics::Correlations::Matrix& correlation) {
+    if (correlation.empty()) return u;
+    const auto root = statistics::triangular_root(correlation, u.size());
+    std::vector<double> result(u.size());
+    for (std::size_t i = 0; i < u.size(); ++i) {
+        double z = 0;
+        for (std::size_t k = 0; k <= i; ++k)
+            z += root[i][k] * statistics::standard_quantile(statistics::Distribution::normal, u[k]);
+        result[i] = std::erfc(-z / std::numbers::sqrt2) / 2;
+    }
+    return result;
 }
 
 /// One if it ratchets, zero if it settles, NaN where that is not said.
@@ -55,7 +71,7 @@ std::vector<double> defined_values(const statistics::SobolSample& sample, std::s
 }
 
 SampledQuantity described(const comparisons::Quantity& q, std::vector<double> values,
-                          const statistics::SobolIndices& indices) {
+                          const std::optional<statistics::SobolIndices>& indices) {
     SampledQuantity result{.quantity = &q, .indices = indices};
     const auto n = static_cast<double>(values.size());
     for (const double value : values) result.mean += value / n;
@@ -71,13 +87,17 @@ SampledQuantity described(const comparisons::Quantity& q, std::vector<double> va
 
 SampledPrediction sampled_prediction(const Case& c, const std::string& model,
                                      const std::vector<io::UncertainKey>& uncertain,
-                                     int n_samples) {
+                                     const statistics::Correlations& correlations, int n_samples) {
     const contact::HalfSpaceScales scales = contact::half_space_scales(c);
     const double amplitude = c.rolling ? contact::path_amplitude(c, scales.contact_radius) : 0;
     const UncertainCase numbers = uncertain_case(c, scales.normal_force, amplitude, uncertain);
+    std::vector<std::string> names;
+    for (const CaseQuantity& one : numbers.quantities) names.push_back(one.name);
+    const auto correlation = correlations.of(names);
     const Prediction nominal = atlas::predict(numbers.set, model);
     Case values = numbers.set;
-    const auto functions = [&](const std::vector<double>& u) {
+    const auto functions = [&](const std::vector<double>& independent) {
+        const std::vector<double> u = correlated(independent, correlation);
         Case at = numbers.set;
         for (std::size_t i = 0; i < numbers.quantities.size(); ++i) {
             const CaseQuantity& number = numbers.quantities[i];
@@ -96,7 +116,7 @@ SampledPrediction sampled_prediction(const Case& c, const std::string& model,
     const statistics::SobolSample sample = statistics::sobol_indices(
         functions, static_cast<int>(numbers.quantities.size()), n_samples);
     SampledPrediction result{.model = model, .n_samples = static_cast<int>(sample.points.size())};
-    for (const CaseQuantity& one : numbers.quantities) result.numbers.push_back(one.name);
+    result.numbers = names;
     result.outside = sample.indices[0].mean;
     if (const auto states = defined_values(sample, 1); !states.empty()) {
         result.ratchets = 0;
@@ -106,8 +126,9 @@ SampledPrediction sampled_prediction(const Case& c, const std::string& model,
     constexpr std::size_t enough = 20;  // for quantiles of 2.5 %
     for (std::size_t k = 0; k < nominal.entries.size(); ++k)
         if (auto found = defined_values(sample, k + 2); found.size() >= enough)
-            result.quantities.push_back(
-                described(*nominal.entries[k].quantity, std::move(found), sample.indices[k + 2]));
+            result.quantities.push_back(described(
+                *nominal.entries[k].quantity, std::move(found),
+                correlation.empty() ? std::optional(sample.indices[k + 2]) : std::nullopt));
     return result;
 }
 

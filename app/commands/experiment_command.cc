@@ -46,6 +46,7 @@ struct Predictions {
         const double amplitude = contact::path_amplitude(c, hertz.contact_radius);
         for (const io::UncertainKey& one : input_.uncertain)
             evaluation_.uncertain_numbers.emplace_back(one.key->path);
+        evaluation_.correlation = input_.correlations.of(evaluation_.uncertain_numbers);
         experiments::normalise(
             evaluation_, c,
             uncertain_case(c, hertz.normal_force, amplitude, input_.uncertain).quantities);

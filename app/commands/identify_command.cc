@@ -73,15 +73,29 @@ struct Identifier {
         check_interpolation(model, rig);
         model.contributions =
             input_contributions(name, input_, task_, model.found, options_.threads);
+        model.correlations = input_.correlations;
         if (options_.posterior) {
-            std::vector<std::vector<double>> changes;
-            for (const auto& one : model.contributions) changes.push_back(one.change);
+            const auto changes = independent_changes(model);
             model.posterior = experiments::sample_posterior(task_, model.found, changes);
         }
         for (std::size_t t = 0; t < input_.tables.size(); ++t)
             model.curves.push_back(
                 measured_values(name, input_.tables[t], rig, curve_points_[t], options_.threads));
         return model;
+    }
+
+    /// What independent normal numbers do to the parameters in place of the correlated inputs.
+    static std::vector<std::vector<double>> independent_changes(const IdentifiedModel& model) {
+        std::vector<std::string> keys;
+        for (const auto& one : model.contributions) keys.push_back(one.key);
+        const auto root = statistics::triangular_root(model.correlations.of(keys), keys.size());
+        std::vector<std::vector<double>> changes(
+            keys.size(), std::vector<double>(model.found.parameters.size(), 0.));
+        for (std::size_t i = 0; i < keys.size(); ++i)
+            for (std::size_t j = 0; j <= i; ++j)
+                for (std::size_t k = 0; k < changes[j].size(); ++k)
+                    changes[j][k] += root[i][j] * model.contributions[i].change[k];
+        return changes;
     }
 
     /// Profiles and maps.

@@ -40,28 +40,31 @@ std::string text_of(const Prediction& p) {
 
 /// Shares of the variance, the largest first, as far as they are a percent.
 std::string contributors(const SampledQuantity& sampled, const std::vector<std::string>& numbers) {
+    if (!sampled.indices) return "";
     std::vector<std::pair<double, std::string>> shares;
     for (std::size_t i = 0; i < numbers.size(); ++i)
-        if (const double share = 100 * sampled.indices.total[i]; share >= 1)
+        if (const double share = 100 * sampled.indices->total[i]; share >= 1)
             shares.emplace_back(share, fmt::format("{} {:.0f} %", numbers[i], share));
     std::ranges::sort(shares, std::greater());
     std::vector<std::string> words;
     for (auto& [share, word] : shares) words.push_back(std::move(word));
-    return fmt::format("{}", fmt::join(words, ", "));
+    return "; by " + fmt::format("{}", fmt::join(words, ", "));
 }
 
 std::string text_of(const SampledPrediction& p) {
     std::string text =
         fmt::format("{}: {} samples of {}\n", p.model, p.n_samples, fmt::join(p.numbers, ", "));
+    if (!p.quantities.empty() && !p.quantities.front().indices)
+        text += "  numbers are correlated: the variance has no shares that add up\n";
     if (p.ratchets) text += fmt::format("  ratchets in {:.3g} % of them\n", 100 * *p.ratchets);
     if (p.outside > 0) text += fmt::format("  beyond the maps in {:.3g} %\n", 100 * p.outside);
     for (const SampledQuantity& one : p.quantities) {
         if (!(one.standard_deviation > 0)) continue;
         const char* unit = *one.quantity->unit ? one.quantity->unit : "";
-        text += fmt::format("  {:<44} {} to {}{}{} (95 %); by {}\n",
-                            comparisons::label_of(*one.quantity), report::significant(one.low, 4),
-                            report::significant(one.high, 4), *unit ? " " : "", unit,
-                            contributors(one, p.numbers));
+        text +=
+            fmt::format("  {:<44} {} to {}{}{} (95 %){}\n", comparisons::label_of(*one.quantity),
+                        report::significant(one.low, 4), report::significant(one.high, 4),
+                        *unit ? " " : "", unit, contributors(one, p.numbers));
     }
     return text;
 }
@@ -69,12 +72,13 @@ std::string text_of(const SampledPrediction& p) {
 Json json_of(const SampledPrediction& p) {
     Json quantities = Json::object();
     for (const SampledQuantity& one : p.quantities)
-        quantities[one.quantity->key] = {{"mean", one.mean},
-                                         {"standard_deviation", one.standard_deviation},
-                                         {"quantile_2.5_percent", one.low},
-                                         {"quantile_97.5_percent", one.high},
-                                         {"first_order_indices", one.indices.first},
-                                         {"total_indices", one.indices.total}};
+        quantities[one.quantity->key] = {
+            {"mean", one.mean},
+            {"standard_deviation", one.standard_deviation},
+            {"quantile_2.5_percent", one.low},
+            {"quantile_97.5_percent", one.high},
+            {"first_order_indices", one.indices ? Json(one.indices->first) : Json()},
+            {"total_indices", one.indices ? Json(one.indices->total) : Json()}};
     return {{"numbers", p.numbers},
             {"samples", p.n_samples},
             {"share_beyond_the_maps", p.outside},
@@ -135,7 +139,8 @@ void predict_case(const PredictOptions& options) {
     if (options.samples > 0)
         for (const std::string& model : models)
             samples.push_back(options.told_of_file([&] {
-                return sampled_prediction(c, model, rig.uncertain_of_case(), options.samples);
+                return sampled_prediction(c, model, rig.uncertain_of_case(), rig.correlations,
+                                          options.samples);
             }));
     const std::string json = json_text(c, predictions, samples);
     if (options.json)

@@ -51,6 +51,15 @@ std::optional<double> value_if_any(const Calculation& calculation, const Values&
     }
 }
 
+/// Of what goes into a formula; empty: independent.
+statistics::Correlations::Matrix correlation_of(const std::vector<Given>& given) {
+    std::vector<std::string> keys;
+    for (const Given& one : given) keys.push_back(one.key);
+    const auto rig =
+        std::ranges::find_if(given, [](const Given& one) { return !one.correlations.empty(); });
+    return rig == given.end() ? statistics::Correlations::Matrix() : rig->correlations.of(keys);
+}
+
 }  // namespace
 
 Values values_of(const std::vector<Given>& given) {
@@ -63,7 +72,8 @@ Calculation calculate(std::string name, std::string symbol, std::string formula,
                       std::string unit, std::vector<Given> given, statistics::Quantity function) {
     std::vector<Estimate> quantities;
     for (const Given& one : given) quantities.push_back(one.value);
-    const Estimate result = statistics::propagate(function, quantities).result;
+    const Estimate result =
+        statistics::propagate(function, quantities, correlation_of(given)).result;
     return {std::move(name), std::move(symbol), std::move(formula),  std::move(source),
             std::move(unit), std::move(given),  std::move(function), result};
 }
@@ -91,12 +101,14 @@ double probability_of_violation(const Criterion& criterion, int n_samples) {
     const bool is_uncertain =
         std::ranges::any_of(given, [](const Given& one) { return one.value.standard_error > 0; });
     if (!is_uncertain) n_samples = 1;
+    const auto root = statistics::triangular_root(correlation_of(given), given.size());
     int n_defined = 0, n_violated = 0;
     for (int j = 0; j < n_samples; ++j) {
         Values x = values_of(given);
         for (std::size_t i = 0; i < x.size(); ++i)
-            x[i] += given[i].value.standard_error *
-                    statistics::standard_quantile(statistics::Distribution::normal, unit[i][j]);
+            for (std::size_t k = 0; k <= i; ++k)
+                x[i] += given[i].value.standard_error * root[i][k] *
+                        statistics::standard_quantile(statistics::Distribution::normal, unit[k][j]);
         const auto value = value_if_any(criterion.calculation, x);
         if (!value) continue;
         ++n_defined;

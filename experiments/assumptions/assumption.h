@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "report/document.h"
+#include "statistics/correlations.h"
 #include "statistics/error_propagation.h"
 
 namespace tricontact::experiments {
@@ -16,7 +17,9 @@ using statistics::Estimate;
 struct Given {
     std::string symbol;  ///< "W"
     Estimate value;
-    std::string unit;  ///< SI, "1" of pure numbers
+    std::string unit;      ///< SI, "1" of pure numbers
+    std::string key = {};  ///< symbol by which the rig's correlations name it; empty: independent
+    statistics::Correlations correlations = {};  ///< those of the rig
 };
 
 /// One formula with the numbers put in: what a report shows of the arithmetic.

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "io/case/rig_file.h"
+#include "statistics/correlations.h"
 #include "statistics/estimate.h"
 
 namespace tricontact::experiments {
@@ -31,6 +32,7 @@ struct Rig {
     std::string title;
     std::map<std::string, Estimate> data;  ///< SI units, by symbol; only what the file states
     std::vector<PrintedValue> printed;
+    statistics::Correlations correlations;  ///< of the data, by symbol
 
     bool has(const std::string& symbol) const { return data.contains(symbol); }
     /// Throws std::out_of_range.

@@ -31,7 +31,8 @@ const DerivedQuantity* derived(const Rig& rig, std::string_view symbol) {
 std::optional<Given> quantity_of(const Rig& rig, const std::string& symbol) {
     const std::string shown = symbol.substr(0, symbol.find('\''));
     if (rig.has(symbol))
-        return Given{shown, rig[symbol], std::string(io::si_unit(stated(rig, symbol)->dimension))};
+        return Given{shown, rig[symbol], std::string(io::si_unit(stated(rig, symbol)->dimension)),
+                     std::string(symbol), rig.correlations};
     const DerivedQuantity* quantity = derived(rig, symbol);
     if (!quantity) return {};
     if (const auto value = quantity->of(rig))

@@ -132,6 +132,21 @@ void check_covered(const io::RigFile& file) {
                        "omit one of the two");
 }
 
+/// Of the numbers that formulas have.
+statistics::Correlations by_symbols(const statistics::Correlations& of_keys, Rig::Kind kind) {
+    std::vector<std::string> keys, symbols;
+    for (const RigSymbol& one : rig_symbols(kind)) {
+        keys.emplace_back(one.path);
+        symbols.emplace_back(one.symbol);
+    }
+    const auto matrix = of_keys.of(keys);
+    statistics::Correlations result;
+    for (std::size_t i = 0; i < matrix.size(); ++i)
+        for (std::size_t j = 0; j < i; ++j)
+            if (matrix[i][j] != 0) result.add(symbols[i], symbols[j], matrix[i][j]);
+    return result;
+}
+
 /// What follows from the resolved case where the file has no such key.
 void complete(Rig& rig, const io::RigFile& file) {
     const Case& c = file.c;
@@ -163,6 +178,7 @@ Rig rolling_rig(const io::RigFile& file) {
     check_covered(file);
     read_symbols(rig, file.document, io::case_file_keys());
     complete(rig, file);
+    rig.correlations = by_symbols(file.correlations, rig.kind);
     read_printed(rig, file.document);
     return rig;
 }
@@ -176,6 +192,8 @@ Rig walking_rig(const io::Document& document, const io::KeyList& keys) {
     for (const char* path : {"machine.mass", "contact.diameter", "contact.young"})
         io::required(*keys.find(path), document, keys);
     read_symbols(rig, document, keys);
+    rig.correlations =
+        by_symbols(io::correlations(document, io::uncertain_keys(document, keys)), rig.kind);
     read_printed(rig, document);
     return rig;
 }

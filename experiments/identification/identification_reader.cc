@@ -342,6 +342,8 @@ Input read_identification(const std::string& path, const std::vector<std::string
         io::told_at(document, "measurement.find", [&] { return free_parameters(input, find); });
     check_friction(input, document);
     input.rig_errors = read_rig_errors(input, document);
+    input.correlations =
+        io::correlations(document, io::uncertain_keys(document, io::case_file_keys()));
     return input;
 }
 

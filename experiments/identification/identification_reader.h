@@ -7,6 +7,7 @@
 #include "contact/case.h"
 #include "experiments/identification/free_parameter.h"
 #include "io/case/case_keys.h"
+#include "statistics/correlations.h"
 
 namespace tricontact::experiments {
 
@@ -45,6 +46,7 @@ struct IdentificationInput {
     /// the file says. The normal force is that of the file, or the largest of the measurement.
     contact::Case rig;
     std::vector<RigError> rig_errors;
+    statistics::Correlations correlations;  ///< of what is uncertain, by keys
 
     const Table* find(Measurement measurement) const;
     bool is_free(std::string_view key) const;

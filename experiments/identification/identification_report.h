@@ -38,13 +38,14 @@ struct IdentifiedModel {
     /// sliding.
     std::optional<double> interpolation_error;
     std::vector<InputContribution> contributions;
-    std::optional<Posterior> posterior;  ///< if it was asked for
+    statistics::Correlations correlations;  ///< of the inputs, by keys
+    std::optional<Posterior> posterior;     ///< if it was asked for
     /// [SI] at the points of IdentificationStudy::curve_points, of each table.
     std::vector<std::vector<double>> curves;
 };
 
-/// Standard error of a parameter [SI] from the residuals and all inputs, independent of each other
-/// (Wetter 2016, A.1.4).
+/// Standard error of a parameter [SI] from the residuals, independent of the inputs, and all inputs
+/// with their correlations (Wetter 2016, A.1.4).
 double combined_standard_error(const IdentifiedModel& model, std::size_t k);
 
 /// Standard error of a parameter [SI] from the inputs alone.

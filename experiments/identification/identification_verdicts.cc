@@ -146,10 +146,13 @@ std::string shown(const IdentifiedModel& model, std::size_t k) {
 }
 
 double input_standard_error(const IdentifiedModel& model, std::size_t k) {
-    double error = 0;
-    for (const InputContribution& input : model.contributions)
-        error = std::hypot(error, input.change[k]);
-    return error;
+    std::vector<std::string> keys;
+    std::vector<double> changes;
+    for (const InputContribution& input : model.contributions) {
+        keys.push_back(input.key);
+        changes.push_back(input.change[k]);
+    }
+    return std::sqrt(statistics::combined_variance(changes, model.correlations.of(keys)));
 }
 
 double combined_standard_error(const IdentifiedModel& model, std::size_t k) {

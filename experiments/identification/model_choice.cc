@@ -28,13 +28,14 @@ double relative_change(const IdentifiedModel& model, const std::string& key, std
 /// which are the same for both.
 double shared_error(const IdentifiedModel& a, std::size_t of_a, const IdentifiedModel& b,
                     std::size_t of_b) {
-    std::set<std::string> keys;
+    std::set<std::string> all;
     for (const IdentifiedModel* model : {&a, &b})
-        for (const InputContribution& input : model->contributions) keys.insert(input.key);
-    double error = 0;
+        for (const InputContribution& input : model->contributions) all.insert(input.key);
+    const std::vector<std::string> keys(all.begin(), all.end());
+    std::vector<double> changes;
     for (const std::string& key : keys)
-        error = std::hypot(error, relative_change(a, key, of_a) - relative_change(b, key, of_b));
-    return error;
+        changes.push_back(relative_change(a, key, of_a) - relative_change(b, key, of_b));
+    return std::sqrt(statistics::combined_variance(changes, a.correlations.of(keys)));
 }
 
 /// By how much the simpler model's values differ from those of the reference, "E by 3.1 %".

@@ -44,6 +44,7 @@ struct ExperimentInput {
     Experiment experiment;
     std::optional<std::string> case_file;     ///< the file itself, if it describes a contact
     std::vector<io::UncertainKey> uncertain;  ///< numbers of that case
+    statistics::Correlations correlations;    ///< of these, by their keys
 };
 
 /// Reads the file and the records that it names. Without `models` it holds records alone. Throws

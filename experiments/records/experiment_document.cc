@@ -58,7 +58,7 @@ report::Figure periods_figure(const ExperimentEvaluation& e) {
         .curves = with_models(e, e.shift, 0,
                               [](const std::vector<double>& shift) { return scaled(shift, um); })};
     for (std::size_t i = 0; i < e.predictions.size(); ++i)  // behind what was measured
-        figure.curves[i + 1].y_error = scaled(half_widths(e.predictions[i]), um);
+        figure.curves[i + 1].y_error = scaled(half_widths(e.predictions[i], e.correlation), um);
     return figure;
 }
 

@@ -238,13 +238,15 @@ ExperimentEvaluation evaluate_experiment(const Experiment& experiment) {
     return e;
 }
 
-std::vector<double> half_widths(const ModelPrediction& p) {
+std::vector<double> half_widths(const ModelPrediction& p,
+                                const statistics::Correlations::Matrix& correlation) {
     std::vector<double> widths;
     if (p.raised.empty()) return widths;
     for (std::size_t n = 0; n < p.shift.size(); ++n) {
-        double squares = 0;
+        std::vector<double> changes;
         for (const std::vector<double>& raised : p.raised)
-            squares += std::pow(raised[n] - p.shift[n], 2);
+            changes.push_back(raised[n] - p.shift[n]);
+        double squares = statistics::combined_variance(changes, correlation);
         if (!p.coarser.empty())
             squares += std::pow(numerical_standard_error(p.shift[n], p.coarser[n]), 2);
         widths.push_back(statistics::normal_quantile(.95) * std::sqrt(squares));
@@ -257,14 +259,17 @@ void add_prediction(ExperimentEvaluation& e, ModelPrediction prediction) {
     const auto add = [&](const char* name, const Repeated& measured, double n_drifted, auto&& of) {
         const double value = of(prediction.shift);
         ComparisonError error{measured.at_95.value, value, {source_of_record(measured)}};
-        double variance = 0;
+        std::vector<double> changes;
         for (std::size_t i = 0; i < prediction.raised.size(); ++i) {
             const double change = of(prediction.raised[i]) - value;
-            variance += change * change;
+            changes.push_back(change);
             error.sources.push_back(
                 {i < e.uncertain_numbers.size() ? e.uncertain_numbers[i] : std::string(),
                  std::abs(change)});
         }
+        const double variance = statistics::combined_variance(changes, e.correlation);
+        if (!e.correlation.empty())
+            error.covariance = variance - statistics::combined_variance(changes, {});
         if (!prediction.coarser.empty())
             error.sources.push_back(
                 {"mesh", numerical_standard_error(value, of(prediction.coarser))});

@@ -10,6 +10,7 @@
 #include "experiments/records/experiment.h"
 #include "experiments/records/experiment_run.h"
 #include "experiments/validation/comparison_error.h"
+#include "statistics/correlations.h"
 #include "statistics/distribution.h"
 #include "statistics/error_propagation.h"
 
@@ -72,8 +73,9 @@ struct ModelPrediction {
 };
 
 /// Half widths of the intervals of 95 % of its shifts, by the uncertain numbers of the case and the
-/// mesh, one per period [m]; empty if nothing is uncertain.
-std::vector<double> half_widths(const ModelPrediction& prediction);
+/// mesh, one per period [m]; empty if nothing is uncertain. `correlation`: of these numbers.
+std::vector<double> half_widths(const ModelPrediction& prediction,
+                                const statistics::Correlations::Matrix& correlation = {});
 
 /// A quantity measured and by a model [m].
 struct Deviation {
@@ -122,12 +124,13 @@ struct ExperimentEvaluation {
     double amplitude = 0;    ///< mean of the first stages [m]; 0: unknown
     Rest rest;
     RolledAs rolled_as;
-    std::vector<std::string> uncertain_numbers;  ///< of the case: whose standard error is stated
-    Repeated static_shift;                       ///< u_stat [m]
-    Repeated final_shift;                        ///< u_sd: upright after the last common period [m]
-    Repeated settled_shift;                      ///< extrapolated [m]
-    Repeated increment;                          ///< Du, second half of the periods [m]
-    std::vector<Estimate> shift;                 ///< per period, at `confidence` [m]
+    std::vector<std::string> uncertain_numbers;    ///< of the case: whose standard error is stated
+    statistics::Correlations::Matrix correlation;  ///< of these; empty: independent
+    Repeated static_shift;                         ///< u_stat [m]
+    Repeated final_shift;         ///< u_sd: upright after the last common period [m]
+    Repeated settled_shift;       ///< extrapolated [m]
+    Repeated increment;           ///< Du, second half of the periods [m]
+    std::vector<Estimate> shift;  ///< per period, at `confidence` [m]
     /// Of each period, u_n - u_(n-1), at `confidence` [m]; of one run by noise.
     std::vector<Estimate> period_increments;
 

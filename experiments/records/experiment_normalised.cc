@@ -36,14 +36,18 @@ double at_numbers(const OfCase& f, Case c, const std::vector<CaseQuantity>& quan
 
 /// Errors of the case's numbers and of one measured value propagated.
 Estimate propagated(const OfCase& f, Case c, const std::vector<CaseQuantity>& quantities,
-                    const Estimate& measured) {
+                    statistics::Correlations::Matrix correlation, const Estimate& measured) {
     std::vector<Estimate> inputs;
     for (const CaseQuantity& quantity : quantities)
         inputs.push_back({quantity.of_case(c), quantity.standard_error});
     inputs.push_back(measured);
+    if (!correlation.empty()) {  // the measured value is independent of them
+        for (auto& row : correlation) row.push_back(0);
+        correlation.emplace_back(inputs.size(), 0.).back() = 1;
+    }
     return statistics::propagate(
                [&](const std::vector<double>& x) { return at_numbers(f, c, quantities, x); },
-               inputs)
+               inputs, correlation)
         .result;
 }
 
@@ -68,7 +72,7 @@ void normalise(ExperimentEvaluation& e, const Case& given,
         given.rolling ? contact::rolling_amplitude(*given.rolling, hertz.contact_radius) : 0;
     const Case c = as_the_rig_sets(given, hertz.normal_force, amplitude);
     const auto result = [&](const OfCase& f, const Estimate& measured = {}) {
-        return propagated(f, c, quantities, measured);
+        return propagated(f, c, quantities, e.correlation, measured);
     };
     const auto over_unit = [](const Case& k, double shift) {
         return shift / contact::half_space_scales(k).unit_shift;

@@ -102,6 +102,8 @@ ExperimentInput read_experiment(const std::string& path,
         io::resolve_case(document, {});  // checked before the records are read
         input.case_file = path;
         input.uncertain = io::uncertain_keys(document, io::case_key_list());
+        input.correlations =
+            io::correlations(document, io::uncertain_keys(document, io::case_file_keys()));
     }
     e.records = read_records(document);
     check_drive(e, document);

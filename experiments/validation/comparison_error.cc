@@ -30,9 +30,9 @@ std::string signed_with_half_width(double value, double half_width) {
 }  // namespace
 
 double ComparisonError::standard_error() const {
-    double squares = 0;
+    double squares = covariance;
     for (const UncertaintySource& one : sources) squares += one.standard_error * one.standard_error;
-    return std::sqrt(squares);
+    return std::sqrt(std::max(0., squares));
 }
 
 double ComparisonError::half_width() const {
@@ -61,6 +61,7 @@ std::vector<std::pair<std::string, double>> ComparisonError::shares() const {
     if (error == 0) return shares;
     for (const UncertaintySource& one : sources)
         shares.emplace_back(one.name, std::pow(one.standard_error / error, 2));
+    if (covariance != 0) shares.emplace_back("correlations", covariance / (error * error));
     std::ranges::stable_sort(shares, std::greater(), &std::pair<std::string, double>::second);
     return shares;
 }

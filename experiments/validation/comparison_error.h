@@ -11,7 +11,7 @@
 // Transfer; uncertainties after JCGM 100:2008 (GUM).
 namespace tricontact::experiments {
 
-/// One independent source of the uncertainty of a comparison.
+/// One source of the uncertainty of a comparison.
 struct UncertaintySource {
     std::string name;           ///< "friction.coefficient", "repeated runs", "mesh"
     double standard_error = 0;  ///< that it gives to measured minus computed, in their unit
@@ -23,9 +23,12 @@ struct UncertaintySource {
 struct ComparisonError {
     double measured = 0, computed = 0;
     std::vector<UncertaintySource> sources;
+    /// Twice the sum of the covariances of what the sources give, in the unit squared; 0: they are
+    /// independent.
+    double covariance = 0;
 
     double difference() const { return measured - computed; }
-    /// u_val, (4-2-1): the root of the sum of squares of all sources.
+    /// u_val, (4-2-1): the root of the sum of squares of all sources and their covariances.
     double standard_error() const;
     /// Of the interval of 95 % of the difference: Student's t of the effective degrees of freedom
     /// (Welch and Satterthwaite; JCGM 100:2008, G.4) times u_val.
@@ -36,7 +39,8 @@ struct ComparisonError {
     /// called a disagreement in 95 of 100 cases: the half width and the normal quantile of 95 %
     /// times u_val.
     double resolution() const;
-    /// The sources with their shares of u_val^2, the largest first; none if nothing is uncertain.
+    /// The sources with their shares of u_val^2, the largest first, and "correlations" with the
+    /// share of the covariances, which may be negative; none if nothing is uncertain.
     std::vector<std::pair<std::string, double>> shares() const;
 };
 

@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <array>
+#include <stdexcept>
 
 #include "io/case/case_reader.h"
 #include "io/case/rig_keys.h"
 #include "io/keys/field_reader.h"
 #include "io/keys/input_file.h"
 #include "io/keys/key_checks.h"
+#include "io/keys/number_text.h"
 
 namespace tricontact::io {
 
@@ -42,7 +44,60 @@ void check_range(const Entry& entry, const Key& key, const statistics::Estimate&
          "write for example " + std::string(key.name()) + " = " + std::string(key.example));
 }
 
+bool is_open(std::string_view path) {
+    return is_printed(path) || is_correlation(path);
+}
+
+/// Both keys of "first and second".
+std::pair<std::string, std::string> keys_of_pair(const Entry& entry) {
+    constexpr std::string_view between = " and ";
+    std::string_view name = name_of_key(entry.path);
+    if (name.size() > 1 && (name.front() == '"' || name.front() == '\''))
+        name = name.substr(1, name.size() - 2);
+    const auto at = name.find(between);
+    if (at == std::string_view::npos)
+        fail(entry.key_place, "", "unknown key " + entry.path,
+             "name two numbers: \"substrate.young and friction.coefficient\" = 0.5");
+    return {std::string(trimmed(name.substr(0, at))),
+            std::string(trimmed(name.substr(at + between.size())))};
+}
+
+double coefficient_of(const Entry& entry) {
+    double coefficient = 0;
+    read_field(number_key(entry.path, {-1, 1, false, false}, "0.5", "coefficient of correlation"),
+               entry, Field(&coefficient));
+    return coefficient;
+}
+
 }  // namespace
+
+statistics::Correlations correlations(const Document& document,
+                                      const std::vector<UncertainKey>& uncertain) {
+    statistics::Correlations all;
+    std::vector<std::string> names;
+    for (const UncertainKey& one : uncertain) names.emplace_back(one.key->path);
+    const Entry* last = nullptr;
+    for (const Entry& entry : document.entries) {
+        if (!entry.path.starts_with("correlation.")) continue;
+        const auto [first, second] = keys_of_pair(entry);
+        for (const std::string& name : {first, second})
+            if (std::ranges::count(names, name) == 0)
+                fail(entry.key_place, entry.subject(), name + " states no uncertainty",
+                     names.empty() ? "write for example young = \"5.2 MPa ± 5 %\""
+                                   : "uncertain are " + joined(names));
+        try {
+            all.add(first, second, coefficient_of(entry));
+        } catch (const std::invalid_argument& error) {
+            fail(entry.key_place, entry.subject(), error.what(), "keep one coefficient per pair");
+        }
+        last = &entry;
+    }
+    if (last && !all.is_possible(names))
+        fail(last->place, "[correlation]",
+             "no numbers can be correlated like this: the matrix is not positive definite",
+             "lower the coefficients");
+    return all;
+}
 
 std::vector<UncertainKey> uncertain_keys(const Document& document, const KeyList& keys) {
     std::vector<UncertainKey> uncertain;
@@ -63,10 +118,10 @@ std::vector<UncertainKey> uncertain_keys(const Document& document, const KeyList
 
 void check_known_of_rig(const Document& document, const KeyList& all,
                         const std::vector<Key>& rig_keys) {
-    check_known(document, all, {.sections = {"printed"}, .is_open = is_printed});
+    check_known(document, all, {.sections = {"printed", "correlation"}, .is_open = is_open});
     for (const Key& key : rig_keys)
         if (const Entry* entry = document.find(key.path)) read_field(key, *entry, {});
-    uncertain_keys(document, all);
+    correlations(document, uncertain_keys(document, all));
 }
 
 Document read_rig_document(const std::string& path, const std::vector<std::string>& overrides,
@@ -92,6 +147,7 @@ RigFile parse_rig_file(std::string_view text, const std::string& name,
     RigFile rig{.document = case_document(text, name, overrides)};
     rig.c = resolve_case(rig.document, {});
     rig.uncertain = uncertain_keys(rig.document, case_file_keys());
+    rig.correlations = correlations(rig.document, rig.uncertain);
     return rig;
 }
 

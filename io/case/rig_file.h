@@ -7,6 +7,7 @@
 #include "io/case/case_keys.h"
 #include "io/keys/toml_document.h"
 #include "io/keys/uncertain_number.h"
+#include "statistics/correlations.h"
 
 namespace tricontact::io {
 
@@ -21,6 +22,13 @@ struct UncertainKey {
 /// number that is a setting of the computation, not a property of a rig, and where a number with
 /// its standard error subtracted or added is out of its range.
 std::vector<UncertainKey> uncertain_keys(const Document& document, const KeyList& keys);
+
+/// Correlations of uncertain numbers, from [correlation] with a line
+///     "substrate.young and friction.coefficient" = -0.5
+/// for each pair. Throws contact::InputError where a key has no uncertainty, a coefficient is not
+/// between -1 and 1, a pair stands twice, or no numbers can have all of them.
+statistics::Correlations correlations(const Document& document,
+                                      const std::vector<UncertainKey>& uncertain);
 
 /// Checks names and combinations of all keys and, with their values, those that only a rig has:
 /// the commands that use them read them. Throws contact::InputError.
@@ -39,6 +47,7 @@ struct RigFile {
     Document document;  ///< overrides included
     contact::Case c;    ///< by the values
     std::vector<UncertainKey> uncertain;
+    statistics::Correlations correlations;  ///< of these, by their keys
 
     /// Those of a case's keys.
     std::vector<UncertainKey> uncertain_of_case() const;

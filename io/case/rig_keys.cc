@@ -175,4 +175,8 @@ bool is_printed(std::string_view path) {
     return path == "printed" || path.starts_with("printed.");
 }
 
+bool is_correlation(std::string_view path) {
+    return path == "correlation" || path.starts_with("correlation.");
+}
+
 }  // namespace tricontact::io

@@ -29,4 +29,7 @@ KeyList with_rig_keys(const KeyList& case_keys, const std::vector<Key>& rig_keys
 /// Whether the path is [printed], a quantity in it, or a part of one.
 bool is_printed(std::string_view path);
 
+/// Whether the path is [correlation] or a pair of numbers in it.
+bool is_correlation(std::string_view path);
+
 }  // namespace tricontact::io

@@ -58,6 +58,22 @@ holds "$found > 0.4 && $found < 0.6" "share that ratchets at the limit: $found"
 "$program" predict rig.toml --models bem --samples 256 >text || complain "text"
 grep -qE 'ratchets in [0-9.]+ % of them' text || complain "no chance of ratcheting: $(cat text)"
 
+# 2b. Correlated numbers: the relative variance of U_max = mu F_N^(2/3) E^(-2/3) R^(-1/3) is sum_ij p_i r_ij p_j 3 %^2,
+# here 2 + 2 (2/3) (-2/3) 0.9 = 1.2 of F_N and E; the shares are not told.
+model=bem
+rig 0.3 bem
+printf '[correlation]\n"load.normal_force and substrate.young" = 0.9\n' >>rig.toml
+"$program" predict rig.toml --models bem --samples 4096 --json >json || complain "correlated: $(cat json)"
+relative=$("$python" -c "
+import json
+q = json.load(open('json'))['models']['bem']['over_uncertainties']['quantities']['unit_shift_m']
+assert q['first_order_indices'] is None
+print(q['standard_deviation'] / q['mean'])")
+holds "$relative > 0.98 * 0.03 * sqrt(1.2) && $relative < 1.02 * 0.03 * sqrt(1.2)" "correlated U_max: $relative"
+"$program" predict rig.toml --models bem --samples 64 >text || complain "text of correlated numbers"
+grep -q 'numbers are correlated' text || complain "nothing says that numbers are correlated"
+! grep -q '; by ' text || complain "shares of correlated numbers"
+
 # 3. The layer: its thickness counts once it is uncertain.
 model=bem-layer
 rig 0.3 bem-layer

@@ -20,6 +20,18 @@ TEST(ComparisonError, SumsSquaresOfItsSources) {
     EXPECT_NEAR(e.resolution(), (1.959964 + 1.644854) * 5 / 98, 1e-6);
 }
 
+// Two sources of 3 and 4 um that are correlated by 1/2 where one of them is subtracted: 25 - 12.
+TEST(ComparisonError, CountsCovariances) {
+    const ComparisonError e{100e-6, 98e-6, {{"a", 3e-6}, {"b", 4e-6}}, -12e-12};
+    EXPECT_NEAR(e.standard_error(), std::sqrt(13.) * 1e-6, 1e-15);
+    const auto shares = e.shares();
+    EXPECT_EQ(shares.back().first, "correlations");
+    EXPECT_NEAR(shares.back().second, -12. / 13, 1e-12);
+    double sum = 0;
+    for (const auto& [name, share] : shares) sum += share;
+    EXPECT_NEAR(sum, 1, 1e-12);
+}
+
 // JCGM 100:2008, H.1.6: u_c = 32 nm of 25, 9.7, 2.9 and 16.6 nm by 18, 25.6, 50 and 2 degrees of
 // freedom: 16.7 effective ones (16 in the standard), t of 99 % 2.92; of 95 % 2.12.
 TEST(ComparisonError, CountsDegreesOfFreedomAsTheGumsGaugeBlocks) {
