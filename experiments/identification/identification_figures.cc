@@ -103,7 +103,8 @@ report::Figure fit_figure(const IdentificationStudy& study, std::size_t t, std::
             {.name = model.name,
              .x = given(curved ? study.curve_points[t] : ordered(x, x)),
              .y = observed(curved ? model.curves[t] : ordered(x, model.found.tables[t].fitted))});
-        figure.bands.push_back(band_of(model, t, first_row, x, given, observed));
+        if (!is_predictive || model.posterior)
+            figure.bands.push_back(band_of(model, t, first_row, x, given, observed));
     }
     figure.curves.push_back({.name = "measured",
                              .x = given(x),
