@@ -128,7 +128,7 @@ const CaseKey* find_key(std::string_view path) {
 }
 
 bool is_section(std::string_view name) {
-    return case_file_keys().has_section(name) || is_printed(name);
+    return case_file_keys().has_section(name) || is_read_elsewhere(name);
 }
 
 }  // namespace tricontact::io

@@ -63,7 +63,7 @@ std::vector<UncertainKey> uncertain_keys(const Document& document, const KeyList
 
 void check_known_of_rig(const Document& document, const KeyList& all,
                         const std::vector<Key>& rig_keys) {
-    check_known(document, all, {.sections = {"printed"}, .is_open = is_printed});
+    check_known(document, all, {.sections = {"printed"}, .is_open = is_read_elsewhere});
     for (const Key& key : rig_keys)
         if (const Entry* entry = document.find(key.path)) read_field(key, *entry, {});
     uncertain_keys(document, all);
