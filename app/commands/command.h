@@ -139,6 +139,7 @@ Command fit_command();
 Command merge_command();
 Command identify_command();
 Command rig_command();
+Command design_command();
 Command convert_command();
 Command keys_command();
 Command list_command();

@@ -1,11 +1,8 @@
-#include <cmath>
 #include <filesystem>
-#include <optional>
 
 #include "app/case_run.h"
 #include "app/commands/command.h"
-#include "atlas/prediction.h"
-#include "comparisons/quantities/quantities.h"
+#include "app/rig_growth.h"
 #include "experiments/assumptions/rig.h"
 #include "experiments/assumptions/rig_report.h"
 #include "io/case/rig_file.h"
@@ -22,63 +19,14 @@ struct RigOptions : CommandOptions {
     int samples = 0;  ///< of the uncertain quantities; 0: none
 };
 
-/// A rig's sphere, taken as a rigid paraboloid, on its layer under F_N and
-/// experiments::coupling_tangential_ratio, pressed with friction in the usual steps.
-Case case_of(const experiments::Rig& rig) {
-    Case c;
-    c.indenter.radius = rig["R"].value;
-    c.substrate = {rig["E_2"].value, rig["nu_2"].value};
-    c.layer.thickness = rig["b"].value;
-    c.friction_coefficient = rig["mu"].value;
-    c.load.normal_force = rig["F_N"].value;
-    c.load.tangential_ratio = experiments::coupling_tangential_ratio;
-    return c;
-}
-
-/// Its shift [m], with 22 cells in the contact radius.
+/// Shift [m] of a rig's sphere, see sphere_on_layer(), with 22 cells in the contact radius.
 double static_shift(const experiments::Rig& rig, bool coupled) {
     constexpr const char* model_name = "bem-layer";
-    Case c = case_of(rig);
+    Case c = sphere_on_layer(rig);
     c.models = {model_name};
     c.contact.coupling = coupled;
     c.bem.cells_per_radius = 22;
     return history_of(model_name, c, 1, silent).static_shift;
-}
-
-/// U_sd/U_stat with its standard error; empty where the maps do not reach.
-std::optional<statistics::Estimate> growth_of(const atlas::Prediction& p) {
-    namespace quantities = comparisons::quantities;
-    const auto* at_rest = p.find(quantities::static_shift_ratio);
-    const auto* settled = p.find(quantities::settled_shift_ratio);
-    if (!at_rest || !settled) return {};
-    const double growth = settled->value.value / at_rest->value.value;
-    // Bars are those of 95 %.
-    constexpr double standard_errors = 1.96;
-    return statistics::Estimate{growth,
-                                growth *
-                                    std::hypot(settled->value.error / settled->value.value,
-                                               at_rest->value.error / at_rest->value.value) /
-                                    standard_errors};
-}
-
-/// From the maps of layer and half-space.
-std::optional<experiments::Growth> rolled_growth(const experiments::Rig& rig) {
-    namespace quantities = comparisons::quantities;
-    const double amplitude = experiments::smallest_rolling_amplitude(rig);
-    Case c = case_of(rig);
-    c.rolling.emplace();
-    c.rolling->amplitude = amplitude;
-    c.load.tangential_ratio.reset();
-    c.load.limit_fraction = .5;
-    const atlas::Prediction layer = atlas::predict(c, "bem-layer");
-    const auto* load = layer.find(quantities::tangential_ratio);
-    if (!load) return {};
-    c.load.set_tangential_ratio(load->value.value);
-    c.layer = {};
-    c.contact.coupling = false;
-    const auto on_layer = growth_of(layer), on_half_space = growth_of(atlas::predict(c, "bem"));
-    if (!on_layer || !on_half_space) return {};
-    return experiments::Growth{amplitude, load->value.value, *on_half_space, *on_layer};
 }
 
 void print(const experiments::RigReport& report) {

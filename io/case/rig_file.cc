@@ -118,7 +118,11 @@ std::vector<UncertainKey> uncertain_keys(const Document& document, const KeyList
 
 void check_known_of_rig(const Document& document, const KeyList& all,
                         const std::vector<Key>& rig_keys) {
+<<<<<<< HEAD
     check_known(document, all, {.sections = {"printed", "correlation"}, .is_open = is_open});
+=======
+    check_known(document, all, {.sections = {"printed"}, .is_open = is_read_elsewhere});
+>>>>>>> b4d4e9bde7721ecdec50679b28dacc0dbb631bf7
     for (const Key& key : rig_keys)
         if (const Entry* entry = document.find(key.path)) read_field(key, *entry, {});
     correlations(document, uncertain_keys(document, all));

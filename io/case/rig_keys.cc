@@ -90,6 +90,31 @@ std::vector<Key> measurement_keys() {
                    {.default_value = "0.95"})};
 }
 
+std::vector<Key> design_keys() {
+    return {
+        list_of(choice_key("design.assumptions", {}, R"(["unit_shift_difference"])",
+                           "assumptions of the rig check that shall hold, or single criteria of "
+                           "them, by their names in rig.json")),
+        number_key("design.deviation", above_zero(10), "0.05",
+                   "largest relative difference where the rig check accepts 5 %",
+                   {.default_value = "0.05", .needs = "design.assumptions"}),
+        number_key("design.resolution", above_zero(10), "0.1",
+                   "least relative deviation of a model that the comparison shall see"),
+        choice_key("design.quantity",
+                   {{"static_shift"},
+                    {"settled_shift"},
+                    {"shift_increment"},
+                    {"indentation"},
+                    {"contact_radius"}},
+                   R"("static_shift")", "result that will be compared, as the maps predict it",
+                   {.default_value = R"("static_shift")", .needs = "design.resolution"}),
+        quantity_key("design.scatter", length, above_zero(1), R"("2 um")",
+                     "standard deviation of this result over repeated runs",
+                     {.needs = "design.resolution"}),
+        integer_key("design.repeats", {1, 10'000}, "3", "repeated runs",
+                    {.default_value = "1", .needs = "design.scatter"})};
+}
+
 }  // namespace
 
 const std::vector<Key>& rolling_rig_keys() {
@@ -122,7 +147,7 @@ const std::vector<Key>& rolling_rig_keys() {
                        {.needs = "rig.work_of_adhesion"}),
             length_key("rig.contact_size", R"("9.0 ± 0.5 mm")",
                        "measured diameter of the contact, width 2a of a line")};
-        for (auto* const part : {record_keys, measurement_keys})
+        for (auto* const part : {record_keys, measurement_keys, design_keys})
             std::ranges::move(part(), std::back_inserter(all));
         return all;
     }();
@@ -169,6 +194,14 @@ KeyList with_rig_keys(const KeyList& case_keys, const std::vector<Key>& rig_keys
     std::vector<const Key*> keys(case_keys.keys().begin(), case_keys.keys().end());
     for (const Key& key : rig_keys) keys.push_back(&key);
     return {std::move(keys), case_keys.reference()};
+}
+
+bool is_varied_in_design(std::string_view path) {
+    return path == "design.vary" || path.starts_with("design.vary.");
+}
+
+bool is_read_elsewhere(std::string_view path) {
+    return is_printed(path) || is_varied_in_design(path);
 }
 
 bool is_printed(std::string_view path) {

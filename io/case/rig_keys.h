@@ -6,7 +6,7 @@
 #include "io/keys/key.h"
 
 // Keys of what only a rig has, beside those of the case that describes its contact: [rig],
-// [record], [measurement], and [printed], whose names are those of the quantities that a
+// [record], [measurement], [design], and [printed], whose names are those of the quantities that a
 // publication states.
 namespace tricontact::io {
 
@@ -28,6 +28,10 @@ KeyList with_rig_keys(const KeyList& case_keys, const std::vector<Key>& rig_keys
 
 /// Whether the path is [printed], a quantity in it, or a part of one.
 bool is_printed(std::string_view path);
+/// Whether the path is [design.vary], a key of the case in it, or a part of that key's range.
+bool is_varied_in_design(std::string_view path);
+/// Either: the names are checked by what reads them.
+bool is_read_elsewhere(std::string_view path);
 
 /// Whether the path is [correlation] or a pair of numbers in it.
 bool is_correlation(std::string_view path);

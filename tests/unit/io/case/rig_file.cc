@@ -88,8 +88,6 @@ TEST(RigFile, RefusesWithPlaceRuleAndRemedy) {
           std::tuple{"\"shakedown\"", "\"shakedwn\"", "did you mean \"shakedown\"?"},
           std::tuple{"start = \"30 s\"", "start = \"30 m\"", "\"m\" is a unit of length"},
           std::tuple{"[\"run.csv\"]", "[]", "the list is empty"},
-          std::tuple{"static_shift", "contact_radius = \"a.csv\"\nstatic_shift",
-                     "contradicts measurement.contact_radius"},
           std::tuple{"\"0.49 ± 0.005\"", "\"0.49 ± 0.02\"", "with its error it must be"},
           std::tuple{"\"21.1 N\"", "\"21.1 N ± 5\"", "the error behind ± has no unit"},
           std::tuple{"[rolling]\n", "[rolling]\nperiods = \"12 ± 1\"\n", "must be a whole number"},

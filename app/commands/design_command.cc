@@ -1,0 +1,39 @@
+#include <filesystem>
+
+#include "app/commands/command.h"
+#include "app/rig_design.h"
+
+namespace tricontact::app {
+
+namespace {
+
+struct DesignOptions : CommandOptions {};
+
+/// That nothing within the bounds does it is a finding, no error.
+void design_rig(DesignOptions options) {
+    const auto input = experiments::read_design(io::read_rig_file(options.file, options.overrides));
+    options.choose_folder("_design");
+    experiments::DesignStudy study;
+    const std::string name = std::filesystem::path(options.file).filename().string();
+    options.fill({{"design.json", "report.html"}}, [&] {
+        study = options.told_of_file([&] { return design_study(input); });
+        options.write("design.json", experiments::design_json(study));
+        options.write_report(experiments::design_document(study), "tricontact design " + name);
+    });
+    for (const std::string& line : experiments::design_sentences(study)) std::cout << line << '\n';
+    std::cout << "look closer: tricontact rig " << options.file
+              << experiments::best_overrides(study) << '\n'
+              << options.where() << '\n';
+}
+
+}  // namespace
+
+Command design_command() {
+    return Declared<DesignOptions>(
+               "design", "Find values of a rig that make assumptions hold and deviations visible",
+               design_rig)
+        .on_case()
+        .output("Folder (results/<case>_design)");
+}
+
+}  // namespace tricontact::app

@@ -1,0 +1,117 @@
+#include "app/rig_design.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "app/rig_growth.h"
+#include "app/uncertain_case.h"
+#include "atlas/prediction.h"
+#include "contact/error.h"
+#include "contact/load_path.h"
+#include "contact/special_values.h"
+
+namespace tricontact::app {
+
+namespace {
+
+using contact::Case;
+using experiments::ComparisonError;
+using experiments::DesignInput;
+using experiments::DesignStudy;
+using experiments::RigReport;
+
+/// By the values: their uncertainties would be propagated through every formula.
+experiments::Rig rig_of_values(const io::RigFile& file) {
+    experiments::Rig rig = experiments::rolling_rig(file);
+    for (auto& [symbol, number] : rig.data) number.standard_error = 0;
+    return rig;
+}
+
+RigReport report_of(const DesignInput& input, const io::RigFile& file) {
+    if (input.assumptions.empty()) return {};
+    return experiments::check_rig(rig_of_values(file), {}, rolled_growth);
+}
+
+atlas::Value predicted(const Case& c, const std::string& model, const std::string& quantity) {
+    const atlas::Prediction p = atlas::predict(c, model);
+    for (const auto& entry : p.entries)
+        if (entry.quantity->key == quantity + "_m") return entry.value;
+    throw contact::InputError(
+        fmt::format("{}: the maps do not tell the {}{}", model, quantity,
+                    p.gaps.empty() ? "" : fmt::format(": {}", fmt::join(p.gaps, "; "))));
+}
+
+/// The comparison of a rig that has yet to be measured, by the maps of a model.
+ComparisonError comparison_of(const DesignInput& input, const io::RigFile& file,
+                              const std::string& model) {
+    const contact::HalfSpaceScales scales = contact::half_space_scales(file.c);
+    const double amplitude =
+        file.c.rolling ? contact::path_amplitude(file.c, scales.contact_radius) : 0;
+    const UncertainCase numbers =
+        uncertain_case(file.c, scales.normal_force, amplitude, file.uncertain_of_case());
+    const auto result = [&](const Case& c) { return predicted(c, model, input.quantity).value; };
+    auto sources = experiments::sources_of_inputs(result, numbers.set, numbers.quantities);
+    const atlas::Value computed = predicted(numbers.set, model, input.quantity);
+    constexpr double standard_errors = 1.96;  // in a bar
+    if (computed.error > 0) sources.push_back({"map", computed.error / standard_errors});
+    return experiments::planned_comparison(computed.value, std::move(sources), input.record);
+}
+
+/// Ratios of all requirements; NaN of all where the rig cannot be told, with the reason.
+class Evaluation {
+  public:
+    explicit Evaluation(const DesignStudy& study) : study_(study) {}
+
+    std::vector<double> operator()(const std::vector<double>& fractions) {
+        std::vector<double> ratios(study_.requirements.size(), contact::undefined);
+        try {
+            const io::RigFile file = study_.input.at(fractions);
+            const RigReport report = report_of(study_.input, file);
+            for (std::size_t i = 0; i < ratios.size(); ++i) {
+                const auto& one = study_.requirements[i];
+                ratios[i] =
+                    one.is_resolution()
+                        ? one.ratio(comparison_of(study_.input, file, study_.model).resolution())
+                        : experiments::ratio_in(report, one);
+            }
+        } catch (const contact::InputError& error) {  // no rig there, or beyond theory and maps
+            note(error.what());
+        } catch (const contact::NotConverged& error) {
+            note(error.what());
+        }
+        return ratios;
+    }
+    /// Why the first place that could not be told could not.
+    const std::string& reason() const { return reason_; }
+
+  private:
+    void note(const std::string& what) {
+        if (reason_.empty()) reason_ = what;
+    }
+
+    const DesignStudy& study_;
+    std::string reason_;
+};
+
+}  // namespace
+
+DesignStudy design_study(const DesignInput& input) {
+    DesignStudy study{.title = input.rig.c.title, .input = input};
+    study.requirements = experiments::requirements_of(input, report_of(input, input.rig));
+    if (input.resolution) study.model = atlas::predictable_models(input.rig.c).back();
+    Evaluation evaluation(study);
+    study.solution = experiments::search_design(std::ref(evaluation), input.axes.size());
+    const auto& best = study.solution.best;
+    if (!std::isfinite(best.worst()))
+        throw contact::InputError(fmt::format(
+            "[design]: nowhere within the bounds can all requirements be told: {}",
+            evaluation.reason().empty() ? "a criterion is missing" : evaluation.reason()));
+    if (input.resolution)
+        study.comparison = comparison_of(input, input.at(best.fractions), study.model);
+    return study;
+}
+
+}  // namespace tricontact::app

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "contact/case.h"
+#include "experiments/records/experiment_evaluation.h"
+#include "experiments/validation/comparison_error.h"
+
+namespace tricontact::experiments {
+
+/// What is known beforehand about the record of a quantity.
+struct RecordPlan {
+    std::optional<double> scatter;  ///< standard deviation over repeated runs [m]
+    std::optional<double> step;     ///< of the recorded shift [m]
+    int repeats = 1;
+};
+
+/// A result [m] of a case; throws contact::InputError where it has none.
+using CaseResult = std::function<double(const contact::Case&)>;
+
+/// What a standard error of each number gives to the result, by central differences; of a number
+/// at the end of its range by a difference to its inside. `set`: see as_the_rig_sets().
+std::vector<UncertaintySource> sources_of_inputs(const CaseResult& result, const contact::Case& set,
+                                                 const std::vector<CaseQuantity>& quantities);
+
+/// The comparison of a result that is yet to be measured: measured and computed are equal. Adds
+/// what the record will give: the scatter of the mean of the runs, known by one value less than
+/// there are runs from two runs on (as experiment takes it from them), and the step, uniform.
+ComparisonError planned_comparison(double computed, std::vector<UncertaintySource> sources,
+                                   const RecordPlan& record);
+
+}  // namespace tricontact::experiments
