@@ -129,11 +129,7 @@ const CaseKey* find_key(std::string_view path) {
 }
 
 bool is_section(std::string_view name) {
-<<<<<<< HEAD
-    return case_file_keys().has_section(name) || is_printed(name) || is_correlation(name);
-=======
     return case_file_keys().has_section(name) || is_read_elsewhere(name);
->>>>>>> b4d4e9bde7721ecdec50679b28dacc0dbb631bf7
 }
 
 }  // namespace tricontact::io

@@ -44,10 +44,6 @@ void check_range(const Entry& entry, const Key& key, const statistics::Estimate&
          "write for example " + std::string(key.name()) + " = " + std::string(key.example));
 }
 
-bool is_open(std::string_view path) {
-    return is_printed(path) || is_correlation(path);
-}
-
 /// Both keys of "first and second".
 std::pair<std::string, std::string> keys_of_pair(const Entry& entry) {
     constexpr std::string_view between = " and ";
@@ -118,11 +114,7 @@ std::vector<UncertainKey> uncertain_keys(const Document& document, const KeyList
 
 void check_known_of_rig(const Document& document, const KeyList& all,
                         const std::vector<Key>& rig_keys) {
-<<<<<<< HEAD
-    check_known(document, all, {.sections = {"printed", "correlation"}, .is_open = is_open});
-=======
-    check_known(document, all, {.sections = {"printed"}, .is_open = is_read_elsewhere});
->>>>>>> b4d4e9bde7721ecdec50679b28dacc0dbb631bf7
+    check_known(document, all, {.sections = {"printed", "correlation"}, .is_open = is_read_elsewhere});
     for (const Key& key : rig_keys)
         if (const Entry* entry = document.find(key.path)) read_field(key, *entry, {});
     correlations(document, uncertain_keys(document, all));

@@ -201,7 +201,7 @@ bool is_varied_in_design(std::string_view path) {
 }
 
 bool is_read_elsewhere(std::string_view path) {
-    return is_printed(path) || is_varied_in_design(path);
+    return is_printed(path) || is_varied_in_design(path) || is_correlation(path);
 }
 
 bool is_printed(std::string_view path) {

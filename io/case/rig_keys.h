@@ -30,10 +30,9 @@ KeyList with_rig_keys(const KeyList& case_keys, const std::vector<Key>& rig_keys
 bool is_printed(std::string_view path);
 /// Whether the path is [design.vary], a key of the case in it, or a part of that key's range.
 bool is_varied_in_design(std::string_view path);
-/// Either: the names are checked by what reads them.
-bool is_read_elsewhere(std::string_view path);
-
 /// Whether the path is [correlation] or a pair of numbers in it.
 bool is_correlation(std::string_view path);
+/// Any of these: the names are checked by what reads them.
+bool is_read_elsewhere(std::string_view path);
 
 }  // namespace tricontact::io
