@@ -83,13 +83,18 @@ RigReport check_rig(const Rig& rig, const StaticShift& static_shift, const Rolle
                                   growth_by_rolling(rig, growth),
                                   small_strains(rig),
                                   no_adhesion(rig),
+                                  smooth_surfaces(rig),
+                                  unsaturated_contact(rig),
+                                  no_heating(rig),
+                                  no_wear(rig),
                                   fitted_constants(rig)};
             if (roller_is_rigid(rig)) report.curves = force_curves(rig);
             break;
         case Rig::Kind::cylinder:
             report.assumptions = {quasi_static_drive(rig), ideal_rolling(rig),
                                   half_space_of_line(rig), long_cylinder(rig),
-                                  elastic_substrate(rig),  uncoupled(rig, {})};
+                                  elastic_substrate(rig),  uncoupled(rig, {}),
+                                  smooth_surfaces(rig),    unsaturated_contact(rig)};
             break;
         case Rig::Kind::micro_walking:
             report.assumptions = {contact_diameter(rig),  known_stiffness(rig),

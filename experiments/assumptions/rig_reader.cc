@@ -164,6 +164,11 @@ void complete(Rig& rig, const io::RigFile& file) {
     const double radius = contact::half_space_scales(c).contact_radius;
     if (!rig.has("w") && !rig.has("a'") && c.rolling)
         rig.data["w"] = {contact::path_amplitude(c, radius) / radius};
+    if (const auto& roughness = c.indenter.roughness) {
+        if (!rig.has("h_rms")) rig.data["h_rms"] = {contact::rms_height(*roughness)};
+        if (!rig.has("s_rms")) rig.data["s_rms"] = {roughness->rms_slope};
+    }
+    if (!rig.has("n") && c.rolling) rig.data["n"] = {static_cast<double>(c.rolling->periods)};
     if (c.relaxation && c.relaxation->branches.size() == 1) {
         const auto [ratio, time] = c.relaxation->branches.front();
         rig.data["G_2/G_1"] = {ratio};

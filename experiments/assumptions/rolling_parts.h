@@ -73,6 +73,10 @@ Assumption uncoupled(const Rig& rig, const StaticShift& static_shift);
 Assumption growth_by_rolling(const Rig& rig, const RolledGrowth& growth);
 Assumption small_strains(const Rig& rig);
 Assumption no_adhesion(const Rig& rig);
+Assumption smooth_surfaces(const Rig& rig);
+Assumption unsaturated_contact(const Rig& rig);
+Assumption no_heating(const Rig& rig);
+Assumption no_wear(const Rig& rig);
 Assumption fitted_constants(const Rig& rig);
 
 /// Whether these are the data of one of the thesis' three rolling rigs (Wetter 2016, tables 5.1.1

@@ -125,6 +125,21 @@ const std::vector<Key>& rolling_rig_keys() {
             quantity_key("rig.viscosity", viscosity, above_zero(1e15), R"("40 Pa s")",
                          "viscosity eta of the substrate as a standard solid whose relaxed shear "
                          "modulus G_1 is that of substrate.young"),
+            length_key("rig.rms_height", R"("3 um")",
+                       "root mean square height of the roughness of both surfaces; without it that "
+                       "of [indenter.roughness]"),
+            number_key("rig.rms_slope", above_zero(100), "0.1",
+                       "root mean square slope of the roughness; without it that of "
+                       "[indenter.roughness]"),
+            quantity_key("rig.conductivity", thermal_conductivity, above_zero(1e6),
+                         R"x("0.2 W/(m K)")x", "thermal conductivity k_th of the substrate"),
+            quantity_key("rig.temperature_coefficient", temperature_coefficient, above_zero(1e3),
+                         R"("0.003 1/K")",
+                         "relative change of the substrate's modulus per temperature, its amount"),
+            quantity_key("rig.wear_rate", wear_rate, above_zero(1), R"x("1e-5 mm3/(N m)")x",
+                         "volume worn off over normal force and slipped way, k_w"),
+            number_key("rig.periods", above_zero(1e9), "1000",
+                       "rolling periods of a test, in which it wears; without it rolling.periods"),
             number_key("rig.maxwell_ratio", above_zero(1e15), "10",
                        "G_2/G_1 of that solid, modulus of the Maxwell element over the relaxed "
                        "one"),

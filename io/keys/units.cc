@@ -22,7 +22,7 @@ struct Traits {
 };
 
 const Traits& traits(Dimension dimension) {
-    static constexpr std::array<Traits, 17> all{
+    static constexpr std::array<Traits, 20> all{
         {{"pure number", "a pure number", "1", "0.5"},
          {"length", "a length", "m", "40 mm"},
          {"pressure", "a pressure", "Pa", "5.2 MPa"},
@@ -39,7 +39,10 @@ const Traits& traits(Dimension dimension) {
          {"acceleration", "an acceleration", "m/s2", "9.81 m/s2"},
          {"moment of inertia", "a moment of inertia", "kg m2", "1.7e-4 kg m2"},
          {"rotation per length", "a rotation per length", "rad/m", "0.5 rad/m"},
-         {"energy per area", "an energy per area", "J/m2", "50 mJ/m2"}}};
+         {"energy per area", "an energy per area", "J/m2", "50 mJ/m2"},
+         {"thermal conductivity", "a thermal conductivity", "W/(m K)", "0.2 W/(m K)"},
+         {"temperature coefficient", "a temperature coefficient", "1/K", "0.003 1/K"},
+         {"wear rate", "a wear rate", "m2/N", "1e-5 mm3/(N m)"}}};
     return all[static_cast<std::size_t>(dimension)];
 }
 

@@ -23,7 +23,10 @@ enum class Dimension {
     acceleration,
     moment_of_inertia,
     rotation_per_length,
-    energy_per_area
+    energy_per_area,
+    thermal_conductivity,
+    temperature_coefficient,
+    wear_rate
 };
 
 std::string_view name_of(Dimension dimension);     ///< "a length"
