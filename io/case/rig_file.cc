@@ -114,7 +114,8 @@ std::vector<UncertainKey> uncertain_keys(const Document& document, const KeyList
 
 void check_known_of_rig(const Document& document, const KeyList& all,
                         const std::vector<Key>& rig_keys) {
-    check_known(document, all, {.sections = {"printed", "correlation"}, .is_open = is_read_elsewhere});
+    check_known(document, all,
+                {.sections = {"printed", "correlation"}, .is_open = is_read_elsewhere});
     for (const Key& key : rig_keys)
         if (const Entry* entry = document.find(key.path)) read_field(key, *entry, {});
     correlations(document, uncertain_keys(document, all));
