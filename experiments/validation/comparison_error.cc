@@ -78,6 +78,9 @@ std::string statement(const ComparisonError& error, const std::string& unit) {
         contributors +=
             fmt::format("{}{} {:.0f} %", contributors.empty() ? "" : ", ", name, 100 * share);
     }
+    if (const double share = error.covariance / std::pow(error.standard_error(), 2);
+        share <= -least_told_share)  // else others would seem to add up to more than all
+        contributors += fmt::format(", correlations −{:.0f} %", -100 * share);
     return fmt::format(
         "measured minus computed: {} {} (95 %): {}; this comparison would have seen {} %; largest "
         "contributors: {}",

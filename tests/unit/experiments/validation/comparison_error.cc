@@ -30,6 +30,10 @@ TEST(ComparisonError, CountsCovariances) {
     double sum = 0;
     for (const auto& [name, share] : shares) sum += share;
     EXPECT_NEAR(sum, 1, 1e-12);
+    EXPECT_TRUE(statement(e, "m").ends_with("b 123 %, a 69 %, correlations −92 %"))
+        << statement(e, "m");
+    const ComparisonError independent{100e-6, 98e-6, {{"a", 3e-6}, {"b", 4e-6}}};
+    EXPECT_EQ(statement(independent, "m").find("correlations"), std::string::npos);
 }
 
 // JCGM 100:2008, H.1.6: u_c = 32 nm of 25, 9.7, 2.9 and 16.6 nm by 18, 25.6, 50 and 2 degrees of
