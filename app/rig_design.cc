@@ -53,11 +53,14 @@ ComparisonError comparison_of(const DesignInput& input, const io::RigFile& file,
     const UncertainCase numbers =
         uncertain_case(file.c, scales.normal_force, amplitude, file.uncertain_of_case());
     const auto result = [&](const Case& c) { return predicted(c, model, input.quantity).value; };
-    auto sources = experiments::sources_of_inputs(result, numbers.set, numbers.quantities);
+    std::vector<std::string> names;
+    for (const auto& one : numbers.quantities) names.push_back(one.name);
+    auto inputs = experiments::input_errors(result, numbers.set, numbers.quantities,
+                                            file.correlations.of(names));
     const atlas::Value computed = predicted(numbers.set, model, input.quantity);
     constexpr double standard_errors = 1.96;  // in a bar
-    if (computed.error > 0) sources.push_back({"map", computed.error / standard_errors});
-    return experiments::planned_comparison(computed.value, std::move(sources), input.record);
+    if (computed.error > 0) inputs.sources.push_back({"map", computed.error / standard_errors});
+    return experiments::planned_comparison(computed.value, std::move(inputs), input.record);
 }
 
 /// Ratios of all requirements; NaN of all where the rig cannot be told, with the reason.

@@ -120,6 +120,7 @@ io::RigFile DesignInput::at(const std::vector<double>& fractions) const {
     io::apply_overrides(result.document, entries, io::case_file_keys());
     result.c = io::resolve_case(result.document, {});
     result.uncertain = io::uncertain_keys(result.document, io::case_file_keys());
+    result.correlations = io::correlations(result.document, result.uncertain);
     return result;
 }
 

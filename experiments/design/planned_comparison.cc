@@ -4,9 +4,11 @@
 
 namespace tricontact::experiments {
 
-std::vector<UncertaintySource> sources_of_inputs(const CaseResult& result, const contact::Case& set,
-                                                 const std::vector<CaseQuantity>& quantities) {
-    std::vector<UncertaintySource> sources;
+InputErrors input_errors(const CaseResult& result, const contact::Case& set,
+                         const std::vector<CaseQuantity>& quantities,
+                         const statistics::Correlations::Matrix& correlation) {
+    InputErrors errors;
+    std::vector<double> changes;
     contact::Case at = set;
     for (const CaseQuantity& one : quantities) {
         double& number = one.of_case(at);
@@ -17,21 +19,24 @@ std::vector<UncertaintySource> sources_of_inputs(const CaseResult& result, const
         number = value - error;
         const double below = result(at);
         number = value;
-        sources.push_back({one.name, std::abs(above - below) / (at_end ? 1 : 2)});
+        changes.push_back((above - below) / (at_end ? 1 : 2));
+        errors.sources.push_back({one.name, std::abs(changes.back())});
     }
-    return sources;
+    if (!correlation.empty())
+        errors.covariance = statistics::combined_variance(changes, correlation) -
+                            statistics::combined_variance(changes, {});
+    return errors;
 }
 
-ComparisonError planned_comparison(double computed, std::vector<UncertaintySource> sources,
-                                   const RecordPlan& record) {
+ComparisonError planned_comparison(double computed, InputErrors inputs, const RecordPlan& record) {
     if (record.scatter) {
         UncertaintySource runs{"repeated runs", *record.scatter / std::sqrt(record.repeats)};
         if (record.repeats > 1) runs.degrees_of_freedom = record.repeats - 1;
-        sources.push_back(std::move(runs));
+        inputs.sources.push_back(std::move(runs));
     }
     // A uniform distribution over one step (JCGM 100:2008, 4.3.7).
-    if (record.step) sources.push_back({"record.resolution", *record.step / std::sqrt(12.)});
-    return {computed, computed, std::move(sources)};
+    if (record.step) inputs.sources.push_back({"record.resolution", *record.step / std::sqrt(12.)});
+    return {computed, computed, std::move(inputs.sources), inputs.covariance};
 }
 
 }  // namespace tricontact::experiments

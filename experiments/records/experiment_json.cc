@@ -41,7 +41,8 @@ static json comparison_json(const Deviation& d) {
     return {{"difference_m", d.error.difference()},
             {"half_width_95_percent_m", d.has_errors ? json(d.error.half_width()) : json()},
             {"resolution", d.has_errors ? json(d.error.resolution()) : json()},
-            {"sources", sources}};
+            {"sources", sources},
+            {"covariance_m2", d.error.covariance}};
 }
 
 static json rolled_json(const ExperimentEvaluation& e) {

@@ -55,7 +55,9 @@ report::DocumentTable normalised_table(const ExperimentEvaluation& e) {
         .title = "Over Hertz' scales of the case",
         .note =
             "One standard error behind ±: of the measured value and of the case's numbers, first "
-            "order, independent; F_T and W are what the rig sets. Uncertain numbers of the case: " +
+            "order" +
+            std::string(e.correlation.empty() ? ", independent" : ", with their correlations") +
+            "; F_T and W are what the rig sets. Uncertain numbers of the case: " +
             numbers_with_errors(e) + ".",
         .columns = report::columns("quantity", "value")};
     const auto add = [&](const char* name, const Estimate& u, double factor = 1) {
@@ -112,7 +114,7 @@ report::DocumentTable contributions_table(const ExperimentEvaluation& e) {
         .title = "What the uncertainty is made of",
         .note =
             "Standard error that each source gives to measured minus computed, and its share of "
-            "the sum of their squares.",
+            "the variance, that of the covariances of correlated numbers apart.",
         .columns =
             report::columns("model", "quantity", "source", "standard error [µm]:3", "share [%]:2")};
     for (const Deviation& d : e.deviations) {
@@ -121,6 +123,9 @@ report::DocumentTable contributions_table(const ExperimentEvaluation& e) {
             table.rows.push_back({report::display_name(d.model), d.quantity, one.name,
                                   um * one.standard_error,
                                   100 * one.standard_error * one.standard_error / (whole * whole)});
+        if (d.error.covariance != 0)
+            table.rows.push_back({report::display_name(d.model), d.quantity, "correlations", "",
+                                  100 * d.error.covariance / (whole * whole)});
     }
     return table;
 }

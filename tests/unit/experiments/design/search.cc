@@ -121,13 +121,18 @@ TEST(PlannedComparison, SeesWhatAPowerLawAllows) {
         return any.friction_coefficient * std::pow(any.substrate.young, -2. / 3);
     };
     const double u = shift(c);
-    const ComparisonError e = planned_comparison(u, sources_of_inputs(shift, c, quantities),
+    const ComparisonError e = planned_comparison(u, input_errors(shift, c, quantities),
                                                  {.scatter = 0.02 * u, .step = {}, .repeats = 1});
     const double relative = std::hypot(0.01, 2. / 3 * 0.02, 0.02);
     // Differences over an error of 2 % see the third derivative, 2e-4 of the first.
     EXPECT_NEAR(e.standard_error() / u, relative, 2e-4 * relative);
     EXPECT_NEAR(e.resolution(), (1.95996 + 1.64485) * relative, 2e-3 * relative);
     EXPECT_TRUE(e.agrees());
+    // Correlated by 1/2, mu and E, whose exponents have other signs, take something off.
+    const ComparisonError both = planned_comparison(
+        u, input_errors(shift, c, quantities, {{1, .5}, {.5, 1}}), {.repeats = 1});
+    const double correlated = 1e-4 + std::pow(2. / 3 * 0.02, 2) - 0.01 * 2. / 3 * 0.02;
+    EXPECT_NEAR(std::pow(both.standard_error() / u, 2), correlated, 1e-3 * correlated);
 }
 
 // Four runs: half the scatter, Student's t of three values: 3.182 of 95 %.
