@@ -14,6 +14,7 @@
 #include "app/identification_models.h"
 #include "contact/error.h"
 #include "experiments/identification/identification_report.h"
+#include "tests/random/random_rig.h"
 
 namespace tricontact {
 namespace {
@@ -21,26 +22,15 @@ namespace {
 using contact::Case;
 using experiments::IdentificationInput;
 using Measurement = IdentificationInput::Measurement;
-using Random = std::mt19937_64;
 
 // Standard errors of what is stated of a rig, and of an observation, relative.
 constexpr double thickness_error = .01, force_error = .003, radius_error = .003, noise = .01;
 constexpr int n_rows = 10;
 
-double between(Random& random, double low, double high) {
-    return std::uniform_real_distribution<double>(low, high)(random);
-}
-
 /// A sphere on an incompressible layer, with one Prony term.
 Case drawn_rig(Random& random) {
-    Case c;
-    c.indenter.radius = between(random, 10e-3, 60e-3);
-    c.substrate = {between(random, 1e6, 10e6), .5};
-    c.load.normal_force = between(random, 5, 30);
-    c.friction_coefficient = between(random, .4, 1);
-    c.layer.thickness = 2 * contact::half_space_scales(c).contact_radius * between(random, .5, 3);
-    c.load.tangential_force = 0;
-    c.relaxation = contact::Relaxation{{{between(random, .2, 1), between(random, .5, 5)}}};
+    Case c = drawn_sphere_on_layer(random, {.4, 1}, {.5, 3});
+    c.relaxation = contact::Relaxation{{{between(random, {.2, 1}), between(random, {.5, 5})}}};
     return c;
 }
 
@@ -74,7 +64,7 @@ IdentificationInput drawn_input(const Case& real, const Case& stated,
     const auto add = [&](Measurement measurement, double held, const std::vector<double>& given) {
         input.tables.push_back(measured(measurement, real, held, given, states_errors, random));
     };
-    add(Measurement::static_shift, 0, equal_steps(between(random, .6, .9) * load));
+    add(Measurement::static_shift, 0, equal_steps(between(random, {.6, .9}) * load));
     add(Measurement::force_indentation, 0, equal_steps(depth));
     if (find.back() == "substrate.relaxation.times")
         add(Measurement::force_relaxation, depth / 2,

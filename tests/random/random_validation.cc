@@ -15,13 +15,13 @@
 #include "comparisons/quantities/quantities.h"
 #include "contact/error.h"
 #include "experiments/validation/comparison_error.h"
+#include "tests/random/random_rig.h"
 
 namespace tricontact {
 namespace {
 
 using contact::Case;
 using experiments::ComparisonError;
-using Random = std::mt19937_64;
 
 struct Number {
     const char* name;
@@ -36,24 +36,14 @@ const std::array<Number, 5> numbers{
      {"indenter.radius", .01, [](Case& c) -> double& { return c.indenter.radius; }}}};
 constexpr int n_repeats = 3;
 
-double between(Random& random, double low, double high) {
-    return std::uniform_real_distribution<double>(low, high)(random);
-}
-
 /// A sphere on an incompressible layer, F_T and W as a rig sets them.
 Case drawn_rig(Random& random) {
-    Case c;
-    c.indenter.radius = between(random, 10e-3, 60e-3);
-    c.substrate = {between(random, 1e6, 10e6), .5};
-    c.load.normal_force = between(random, 5, 30);
-    c.friction_coefficient = between(random, .6, 1.1);
-    c.load.tangential_force = 0;
+    Case c = drawn_sphere_on_layer(random, {.6, 1.1}, {.4, 4});
     const double radius = contact::half_space_scales(c).contact_radius;
-    c.layer.thickness = 2 * radius * between(random, .4, 4);
     c.load.tangential_force =
-        between(random, .15, .5) * c.friction_coefficient * *c.load.normal_force;
+        between(random, {.15, .5}) * c.friction_coefficient * *c.load.normal_force;
     c.rolling.emplace();
-    c.rolling->amplitude = between(random, .08, .3) * radius;
+    c.rolling->amplitude = between(random, {.08, .3}) * radius;
     return c;
 }
 
