@@ -1,5 +1,8 @@
 #pragma once
 
+#include <array>
+#include <cmath>
+
 namespace tricontact::contact {
 
 /// What is prescribed normal to the surface.
@@ -21,5 +24,14 @@ struct TangentialControl {
 
     bool operator==(const TangentialControl&) const = default;
 };
+
+/// Magnitude of the tangential forces that are prescribed, by x and y [N].
+inline double prescribed_force(const std::array<TangentialControl, 2>& controls) {
+    double force = 0;
+    for (const TangentialControl& control : controls)
+        if (control.kind == TangentialControl::Kind::force)
+            force = std::hypot(force, control.value);
+    return force;
+}
 
 }  // namespace tricontact::contact

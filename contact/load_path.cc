@@ -63,18 +63,13 @@ LoadStep step_to(const PrescribedPath::Row& row, double phase) {
 }
 
 void check_carries(const Case& c, const LoadStep& step) {
-    double force = 0;
-    for (const TangentialControl& control : step.tangential)
-        if (control.kind == TangentialControl::Kind::force)
-            force = std::hypot(force, control.value);
     if (step.normal.kind == NormalControl::Kind::force)
-        check_friction_limit(c, step.phase, force, step.normal.value);
+        check_friction_limit(c, step.phase, prescribed_force(step.tangential), step.normal.value);
 }
 
 /// The first row by pressing, the others one after the other; phases count rows.
 LoadPath prescribed(const Case& c) {
     const PrescribedPath& prescribed = *c.prescribed_path;
-    const bool timed = prescribed.rows.back().time > prescribed.rows.front().time;
     LoadPath path;
     const LoadStep first = step_to(prescribed.rows.front(), 0);
     if (!prescribed.starts_unloaded()) {
@@ -91,8 +86,8 @@ LoadPath prescribed(const Case& c) {
             const double share = static_cast<double>(k) / to.steps;
             LoadStep step = step_to(PrescribedPath::between(from, to, share),
                                     static_cast<double>(r - 1) + share);
-            step.duration =
-                timed ? (to.time - from.time) / to.steps : std::numeric_limits<double>::infinity();
+            step.duration = prescribed.is_timed() ? (to.time - from.time) / to.steps
+                                                  : std::numeric_limits<double>::infinity();
             check_carries(c, step);
             path.loading.push_back(step);
         }

@@ -37,9 +37,7 @@ Vector2 PrescribedPath::reach() const {
 }
 
 bool PrescribedPath::is_along_x() const {
-    return !twists() && std::ranges::all_of(rows, [](const Row& row) {
-        return row.offset[1] == 0 && row.tangential[1].value == 0;
-    });
+    return !twists() && !loads_across() && reach()[1] == 0;
 }
 
 double PrescribedPath::direction() const {
@@ -51,6 +49,10 @@ double PrescribedPath::direction() const {
 
 bool PrescribedPath::twists() const {
     return std::ranges::any_of(rows, [](const Row& row) { return row.rotation != 0; });
+}
+
+bool PrescribedPath::loads_across() const {
+    return std::ranges::any_of(rows, [](const Row& row) { return row.tangential[1].value != 0; });
 }
 
 int PrescribedPath::n_steps() const {

@@ -36,6 +36,8 @@ struct PrescribedPath {
     /// Direction of the line through 0 on which all offsets lie [rad]; 0 where they lie on none.
     double direction() const;
     bool twists() const;
+    bool loads_across() const;  ///< whether a force or shift acts along y
+    bool is_timed() const { return rows.back().time > rows.front().time; }
     int n_steps() const;  ///< after the first row
 
     /// `share` of the way from one row to the next, 0 to 1.

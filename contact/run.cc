@@ -130,9 +130,10 @@ class Run {
     void follow_path() {
         model_.release();
         const bool all = path_matters() || case_.prescribed_path->loads_first_row();
-        if (!path_.pressing.empty() && !all) take(path_.pressing.back(), true);
-        if (all)
-            for (const LoadStep& step : path_.pressing) take(step, &step == &path_.pressing.back());
+        const auto& pressing = path_.pressing;
+        const std::size_t first = all || pressing.empty() ? 0 : pressing.size() - 1;
+        for (std::size_t k = first; k < pressing.size(); ++k)
+            take(pressing[k], k + 1 == pressing.size());
         perhaps_last_period_ = true;  // surfaces of the last row are kept
         for (const LoadStep& step : path_.loading) take(step, step.phase == std::floor(step.phase));
     }

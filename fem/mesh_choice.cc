@@ -28,7 +28,7 @@ constexpr double end_fineness = 4;  // elements of a roller's ends in one of the
 /// Half sides of the region that the contact centre sweeps [m].
 Vector2 path_extent(const Case& c, double contact_radius) {
     const Vector2 reach = contact::path_reach(c, contact_radius);
-    return {reach[0], is_symmetric(c) ? 0 : reach[1]};
+    return {reach[0], contact::is_mirror_symmetric(c) ? 0 : reach[1]};
 }
 
 /// Largest distance of a point in contact from the centre [m]; 0 when the edge is reached.
@@ -132,10 +132,6 @@ double size_that_fits(const Case& c, meshes::LayerMeshSpec spec, const MemorySho
 
 }  // namespace
 
-bool is_symmetric(const Case& c) {
-    return contact::is_mirror_symmetric(c);
-}
-
 meshes::LayerMeshSpec spec_for(const Case& c, double size, double contact_radius, double shift) {
     const Vector2 extent = path_extent(c, contact_radius);
     meshes::LayerMeshSpec spec;
@@ -143,7 +139,7 @@ meshes::LayerMeshSpec spec_for(const Case& c, double size, double contact_radius
     spec.growth = c.fem.growth;
     spec.thickness = *c.layer.thickness;
     spec.lower_thickness = c.layer.lower.empty() ? 0 : c.layer.lower.front().thickness;
-    spec.half_model = is_symmetric(c);
+    spec.half_model = contact::is_mirror_symmetric(c);
     spec.patch_x = whole_elements(contact_radius + extent[0] + shift, size);
     const double total = spec.thickness + spec.lower_thickness;
     const double reach = far_sides(c) * total;

@@ -7,9 +7,6 @@
 
 namespace tricontact::fem {
 
-/// Whether the case's path and load are symmetric about the plane y = 0.
-bool is_symmetric(const contact::Case& c);
-
 /// A mesh of elements of `size` in a patch that a contact of this radius sweeps on the case's path
 /// and `shift` [m] aside along x. Under a cylinder a slice in plane strain; under a roller the
 /// patch is as long as it, and finer towards its ends.

@@ -94,7 +94,7 @@ Plan plan(const Case& c, LayerCondenser& condenser) {
 
 meshes::HexMesh read_users_mesh(const Case& c) {
     meshes::HexMesh mesh = meshes::read_mesh(*c.fem.mesh, c.fem.mesh_unit);
-    if (mesh.has_symmetry() && !is_symmetric(c))
+    if (mesh.has_symmetry() && !contact::is_mirror_symmetric(c))
         throw contact::InputError(*c.fem.mesh +
                                   ": the mesh has a plane of symmetry, but the rolling direction "
                                   "is not in it; mesh the whole body or set rolling.angle to 0");

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <functional>
 
@@ -21,7 +22,7 @@ constexpr std::size_t most_rows = 200, most_open_rows = 12;
 
 /// What a path prescribes or a model answers, of one step.
 struct Magnitude {
-    std::string title, name, base;  ///< "Shift U_x", "shift U_x", "m"
+    std::string id, name, base;  ///< of its figure; "shift U_x", "m"
     std::function<double(const StepRecord&)> of;
 
     double largest(const Histories& histories) const {
@@ -33,20 +34,19 @@ struct Magnitude {
     }
 };
 
-const Magnitude shift_x{"Shift U_x", "shift U_x", "m",
-                        [](const StepRecord& s) { return s.shift[0]; }};
-const Magnitude shift_y{"Shift U_y", "shift U_y", "m",
-                        [](const StepRecord& s) { return s.shift[1]; }};
-const Magnitude force_x{"Force F_x", "force F_x", "N",
+const Magnitude shift_x{"path_x", "shift U_x", "m", [](const StepRecord& s) { return s.shift[0]; }};
+const Magnitude shift_y{"path_y", "shift U_y", "m", [](const StepRecord& s) { return s.shift[1]; }};
+const Magnitude force_x{"path_x", "force F_x", "N",
                         [](const StepRecord& s) { return s.tangential_force[0]; }};
-const Magnitude force_y{"Force F_y", "force F_y", "N",
+const Magnitude force_y{"path_y", "force F_y", "N",
                         [](const StepRecord& s) { return s.tangential_force[1]; }};
-const Magnitude normal_force{"Normal force F_N", "normal force F_N", "N",
+const Magnitude normal_force{"path_normal", "normal force F_N", "N",
                              [](const StepRecord& s) { return s.normal_force; }};
-const Magnitude indentation{"Indentation d", "indentation d", "m",
+const Magnitude indentation{"path_normal", "indentation d", "m",
                             [](const StepRecord& s) { return s.indentation; }};
-const Magnitude torque{"Torque M", "torque M", "N m", [](const StepRecord& s) { return s.torque; }};
-const Magnitude rotation{"Rotation", "rotation", "rad",
+const Magnitude torque{"path_torque", "torque M", "N m",
+                       [](const StepRecord& s) { return s.torque; }};
+const Magnitude rotation{"path_rotation", "rotation", "rad",
                          [](const StepRecord& s) { return s.rotation; }};
 
 /// What the models answer: of each pair of force and motion the one that is not prescribed.
@@ -149,18 +149,17 @@ report::DocumentSection path_section(const contact::Case& c, const Histories& hi
     const contact::PrescribedPath& path = *c.prescribed_path;
     report::DocumentSection section{
         .id = "path", .heading = "Along the path", .tables = {row_table(path, histories)}};
-    const auto add = [&](const char* id, const std::string& title, const Magnitude& y,
+    const auto add = [&](const std::string& id, const std::string& title, const Magnitude& y,
                          const Magnitude* x) {
         // What stays zero has no picture.
         if (y.largest(histories) == 0 || (x && x->largest(histories) == 0)) return;
         section.figures.push_back(figure_of(id, title, y, x, histories));
     };
-    for (const Magnitude* magnitude : answers(path))
-        add(magnitude == &shift_x || magnitude == &force_x   ? "path_x"
-            : magnitude == &shift_y || magnitude == &force_y ? "path_y"
-            : magnitude == &torque                           ? "path_torque"
-                                                             : "path_normal",
-            magnitude->title + " along the path", *magnitude, nullptr);
+    for (const Magnitude* magnitude : answers(path)) {
+        std::string title = magnitude->name + " along the path";
+        title.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(title.front())));
+        add(magnitude->id, title, *magnitude, nullptr);
+    }
     add("path_loop", "Force F_x over shift U_x", force_x, &shift_x);
     if (!path.is_along_x()) add("path_loop_y", "Force F_y over shift U_y", force_y, &shift_y);
     if (path.twists()) add("path_twist", "Torque over rotation", torque, &rotation);

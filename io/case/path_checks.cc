@@ -37,10 +37,6 @@ void check_alone(const Case& c, const Document& document) {
                  "give one of the two");
 }
 
-bool is_timed(const PrescribedPath& path) {
-    return path.rows.back().time > path.rows.front().time;
-}
-
 bool lies_on_a_line(const PrescribedPath& path) {
     const double angle = path.direction();
     const double scale = contact::norm(path.reach());
@@ -50,11 +46,6 @@ bool lies_on_a_line(const PrescribedPath& path) {
     });
 }
 
-bool loads_across(const PrescribedPath& path) {
-    return std::ranges::any_of(
-        path.rows, [](const PrescribedPath::Row& row) { return row.tangential[1].value != 0; });
-}
-
 /// Some bodies, models and materials know fewer motions.
 void check_motions(const Case& c, const Document& document) {
     const PrescribedPath& path = *c.prescribed_path;
@@ -62,7 +53,7 @@ void check_motions(const Case& c, const Document& document) {
     const auto refuse_motions = [&](const std::string& what, const std::string& remedy) {
         if (path.twists())
             refuse(document, key, what + " cannot be twisted", "omit rotation, or " + remedy);
-        if (loads_across(path))
+        if (path.loads_across())
             refuse(document, key, what + " knows no tangential load or shift along y",
                    "omit these columns, or " + remedy);
     };
@@ -83,7 +74,7 @@ void check_motions(const Case& c, const Document& document) {
     if (c.law != Case::Law::linear && path.twists())
         refuse(document, key, "fem does not twist the indenter at finite strains",
                "omit rotation, or set substrate.material to \"linear\"");
-    if (c.relaxation && !is_timed(path))
+    if (c.relaxation && !path.is_timed())
         refuse(document, key, "a relaxing substrate needs times, and the path has no column time",
                "add a column time [s]");
 }
@@ -93,10 +84,7 @@ void check_carried(const Case& c, const Document& document) {
     const bool springs_alone = c.models == std::vector<std::string>{"mdr"};
     const auto& rows = c.prescribed_path->rows;
     for (std::size_t r = 0; r < rows.size(); ++r) {
-        double force = 0;
-        for (const TangentialControl& control : rows[r].tangential)
-            if (control.kind == TangentialControl::Kind::force)
-                force = std::hypot(force, control.value);
+        const double force = contact::prescribed_force(rows[r].tangential);
         if (force == 0 || rows[r].normal.kind != NormalControl::Kind::force) continue;
         const double limit = c.friction_coefficient * rows[r].normal.value;
         if (force <= (springs_alone ? 1 : 1 - closest_to_sliding) * limit && force < limit)
