@@ -10,7 +10,6 @@
 #include "app/uncertain_case.h"
 #include "atlas/prediction.h"
 #include "contact/error.h"
-#include "contact/load_path.h"
 #include "contact/special_values.h"
 
 namespace tricontact::app {
@@ -47,19 +46,12 @@ atlas::Value predicted(const Case& c, const std::string& model, const std::strin
 /// The comparison of a rig that has yet to be measured, by the maps of a model.
 ComparisonError comparison_of(const DesignInput& input, const io::RigFile& file,
                               const std::string& model) {
-    const contact::HalfSpaceScales scales = contact::half_space_scales(file.c);
-    const double amplitude =
-        file.c.rolling ? contact::path_amplitude(file.c, scales.contact_radius) : 0;
-    const UncertainCase numbers =
-        uncertain_case(file.c, scales.normal_force, amplitude, file.uncertain_of_case());
+    const UncertainCase numbers = uncertain_case(file.c, file.uncertain_of_case());
     const auto result = [&](const Case& c) { return predicted(c, model, input.quantity).value; };
-    std::vector<std::string> names;
-    for (const auto& one : numbers.quantities) names.push_back(one.name);
     auto inputs = experiments::input_errors(result, numbers.set, numbers.quantities,
-                                            file.correlations.of(names));
+                                            file.correlations.of(numbers.names()));
     const atlas::Value computed = predicted(numbers.set, model, input.quantity);
-    constexpr double standard_errors = 1.96;  // in a bar
-    if (computed.error > 0) inputs.sources.push_back({"map", computed.error / standard_errors});
+    if (computed.error > 0) inputs.sources.push_back({"map", computed.standard_error()});
     return experiments::planned_comparison(computed.value, std::move(inputs), input.record);
 }
 

@@ -29,13 +29,9 @@ std::optional<statistics::Estimate> growth_of(const atlas::Prediction& p) {
     const auto* settled = p.find(quantities::settled_shift_ratio);
     if (!at_rest || !settled) return {};
     const double growth = settled->value.value / at_rest->value.value;
-    // Bars are those of 95 %.
-    constexpr double standard_errors = 1.96;
-    return statistics::Estimate{growth,
-                                growth *
-                                    std::hypot(settled->value.error / settled->value.value,
-                                               at_rest->value.error / at_rest->value.value) /
-                                    standard_errors};
+    return statistics::Estimate{
+        growth, growth * std::hypot(settled->value.standard_error() / settled->value.value,
+                                    at_rest->value.standard_error() / at_rest->value.value)};
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 
 #include "app/identification_models.h"
 #include "contact/error.h"
+#include "contact/load_path.h"
 
 namespace tricontact::app {
 
@@ -56,6 +57,18 @@ UncertainCase uncertain_case(const Case& c, double normal_force, double amplitud
         result.quantities.push_back(std::move(*quantity));
     }
     return result;
+}
+
+UncertainCase uncertain_case(const Case& c, const std::vector<io::UncertainKey>& uncertain) {
+    const contact::HalfSpaceScales scales = contact::half_space_scales(c);
+    const double amplitude = c.rolling ? contact::path_amplitude(c, scales.contact_radius) : 0;
+    return uncertain_case(c, scales.normal_force, amplitude, uncertain);
+}
+
+std::vector<std::string> UncertainCase::names() const {
+    std::vector<std::string> names;
+    for (const CaseQuantity& one : quantities) names.push_back(one.name);
+    return names;
 }
 
 }  // namespace tricontact::app

@@ -14,12 +14,18 @@ namespace tricontact::app {
 struct UncertainCase {
     contact::Case set;
     std::vector<experiments::CaseQuantity> quantities;  ///< in the order of the file
+
+    std::vector<std::string> names() const;
 };
 
 /// `c` as it was read. `normal_force` [N], `amplitude` [m]: what its ratios stand for. Throws
 /// contact::InputError, naming the place, for a number that the resolved case does not state, such
 /// as a ratio of a layer's thickness.
 UncertainCase uncertain_case(const contact::Case& c, double normal_force, double amplitude,
+                             const std::vector<io::UncertainKey>& uncertain);
+
+/// The same by the half-space's F_N and the case's amplitude.
+UncertainCase uncertain_case(const contact::Case& c,
                              const std::vector<io::UncertainKey>& uncertain);
 
 }  // namespace tricontact::app

@@ -5,7 +5,6 @@
 #include <numbers>
 
 #include "contact/error.h"
-#include "contact/load_path.h"
 #include "contact/special_values.h"
 #include "statistics/distribution.h"
 #include "statistics/sample_quantile.h"
@@ -27,19 +26,16 @@ double drawn(const CaseQuantity& number, double value, double u) {
     return value > 0 ? std::max(x, least_share * value) : x;
 }
 
-/// Uniform numbers in place of independent ones, by a Gaussian copula.
-std::vector<double> correlated(const std::vector<double>& u,
-                               const statistics::Correlations::Matrix& correlation) {
-    if (correlation.empty()) return u;
-    const auto root = statistics::triangular_root(correlation, u.size());
-    std::vector<double> result(u.size());
-    for (std::size_t i = 0; i < u.size(); ++i) {
-        double z = 0;
-        for (std::size_t k = 0; k <= i; ++k)
-            z += root[i][k] * statistics::standard_quantile(statistics::Distribution::normal, u[k]);
-        result[i] = std::erfc(-z / std::numbers::sqrt2) / 2;
-    }
-    return result;
+/// Uniform numbers in place of independent ones, by a Gaussian copula. `root`: see
+/// statistics::triangular_root().
+std::vector<double> by_copula(const std::vector<double>& independent,
+                              const statistics::Correlations::Matrix& root) {
+    std::vector<double> z;
+    for (const double u : independent)
+        z.push_back(statistics::standard_quantile(statistics::Distribution::normal, u));
+    z = statistics::correlated(root, z);
+    for (double& value : z) value = std::erfc(-value / std::numbers::sqrt2) / 2;
+    return z;
 }
 
 /// One if it ratchets, zero if it settles, NaN where that is not said.
@@ -88,16 +84,15 @@ SampledQuantity described(const comparisons::Quantity& q, std::vector<double> va
 SampledPrediction sampled_prediction(const Case& c, const std::string& model,
                                      const std::vector<io::UncertainKey>& uncertain,
                                      const statistics::Correlations& correlations, int n_samples) {
-    const contact::HalfSpaceScales scales = contact::half_space_scales(c);
-    const double amplitude = c.rolling ? contact::path_amplitude(c, scales.contact_radius) : 0;
-    const UncertainCase numbers = uncertain_case(c, scales.normal_force, amplitude, uncertain);
-    std::vector<std::string> names;
-    for (const CaseQuantity& one : numbers.quantities) names.push_back(one.name);
+    const UncertainCase numbers = uncertain_case(c, uncertain);
+    const std::vector<std::string> names = numbers.names();
     const auto correlation = correlations.of(names);
+    const auto root = statistics::triangular_root(correlation, names.size());
     const Prediction nominal = atlas::predict(numbers.set, model);
     Case values = numbers.set;
     const auto functions = [&](const std::vector<double>& independent) {
-        const std::vector<double> u = correlated(independent, correlation);
+        const std::vector<double> u =
+            correlation.empty() ? independent : by_copula(independent, root);
         Case at = numbers.set;
         for (std::size_t i = 0; i < numbers.quantities.size(); ++i) {
             const CaseQuantity& number = numbers.quantities[i];

@@ -52,6 +52,8 @@ struct Map {
 /// A value with the half width of its bar of 95 %: interpolation and numerical error together.
 struct Value {
     double value, error;
+
+    double standard_error() const { return error / 1.96; }
 };
 
 /// Results of a model over keys of its case, computed at some points and interpolated between them

@@ -63,6 +63,11 @@ double combined_variance(const std::vector<double>& changes,
     return sum;
 }
 
+double covariance_part(const std::vector<double>& changes,
+                       const Correlations::Matrix& correlation) {
+    return combined_variance(changes, correlation) - combined_variance(changes, {});
+}
+
 Correlations::Matrix triangular_root(const Correlations::Matrix& correlation, std::size_t n) {
     Correlations::Matrix root(n, std::vector<double>(n, 0.));
     if (correlation.empty()) {
@@ -77,6 +82,14 @@ Correlations::Matrix triangular_root(const Correlations::Matrix& correlation, st
         for (std::size_t j = 0; j <= i; ++j)
             root[i][j] = lower(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j));
     return root;
+}
+
+std::vector<double> correlated(const Correlations::Matrix& root,
+                               const std::vector<double>& independent) {
+    std::vector<double> result(independent.size(), 0.);
+    for (std::size_t i = 0; i < independent.size(); ++i)
+        for (std::size_t k = 0; k <= i; ++k) result[i] += root[i][k] * independent[k];
+    return result;
 }
 
 }  // namespace tricontact::statistics

@@ -34,8 +34,14 @@ class Correlations {
 double combined_variance(const std::vector<double>& changes,
                          const Correlations::Matrix& correlation);
 
+/// The part of it that the correlations add: 0 of independent quantities.
+double covariance_part(const std::vector<double>& changes, const Correlations::Matrix& correlation);
+
 /// L with L L' = r, lower triangle: L z is correlated like r if z is independent. The unit matrix
 /// of an empty one of `n`. Throws std::invalid_argument unless positive definite.
 Correlations::Matrix triangular_root(const Correlations::Matrix& correlation, std::size_t n);
+/// L z of such a root.
+std::vector<double> correlated(const Correlations::Matrix& root,
+                               const std::vector<double>& independent);
 
 }  // namespace tricontact::statistics

@@ -105,10 +105,11 @@ double probability_of_violation(const Criterion& criterion, int n_samples) {
     int n_defined = 0, n_violated = 0;
     for (int j = 0; j < n_samples; ++j) {
         Values x = values_of(given);
-        for (std::size_t i = 0; i < x.size(); ++i)
-            for (std::size_t k = 0; k <= i; ++k)
-                x[i] += given[i].value.standard_error * root[i][k] *
-                        statistics::standard_quantile(statistics::Distribution::normal, unit[k][j]);
+        std::vector<double> z;
+        for (const std::vector<double>& axis : unit)
+            z.push_back(statistics::standard_quantile(statistics::Distribution::normal, axis[j]));
+        z = statistics::correlated(root, z);
+        for (std::size_t i = 0; i < x.size(); ++i) x[i] += given[i].value.standard_error * z[i];
         const auto value = value_if_any(criterion.calculation, x);
         if (!value) continue;
         ++n_defined;

@@ -15,43 +15,50 @@ constexpr const char* johnson =
     "Johnson (1985), section 13.5; Greenwood, Johnson and Matsubara (1984)";
 constexpr const char* persson = "Persson (2001), J. Chem. Phys. 115, 3840";
 
-double line_peak_pressure(const Values& x) {
-    return 2 * x[1] / (std::numbers::pi * line_half_width_of(x) * x[6]);
+// Values have the roughness behind, and before it L of a cylinder.
+bool is_line(const Values& x) {
+    return x.size() > 7;
+}
+
+double roughness_ratio(const Values& x) {
+    const double a = is_line(x) ? line_half_width_of(x) : hertz_of(x).contact_radius;
+    return x.back() * x[0] / std::pow(a, 2);
 }
 
 /// sqrt(2) p_0/(E* s_rms), whose error function is the share of the centre that touches.
-double pressing(double peak_pressure, const Values& x, double rms_slope) {
-    return std::numbers::sqrt2 * peak_pressure / (materials_of(x).effective_modulus() * rms_slope);
+double pressing(const Values& x) {
+    const double peak = is_line(x) ? 2 * x[1] / (std::numbers::pi * line_half_width_of(x) * x[6])
+                                   : hertz_of(x).peak_pressure;
+    return std::numbers::sqrt2 * peak / (materials_of(x).effective_modulus() * x.back());
 }
 
 /// By how much the real area falls behind its growth in proportion to small pressures.
-double saturation(double pressed) {
+double saturation(const Values& x) {
+    const double pressed = pressing(x);
     return 1 - std::erf(pressed) * std::sqrt(std::numbers::pi) / (2 * pressed);
 }
 
-/// Of a sphere, and of a cylinder, whose values have L behind.
+double touching_share(const Values& x) {
+    return std::erf(pressing(x));
+}
+
 struct Roughness {
     Formula height, saturation, touching;
 };
 
-constexpr Roughness of_sphere{
-    {"roughness_ratio", "alpha", "h_rms R/a^2", johnson, "1", "R F_N E_1 nu_1 E_2 nu_2 h_rms",
-     [](const Values& x) { return x[6] * x[0] / std::pow(hertz_of(x).contact_radius, 2); }},
-    {"saturation", "1 - A/A_linear", "1 - sqrt(pi) erf(x)/(2 x), x = sqrt(2) p_0/(E* s_rms)",
-     persson, "1", "R F_N E_1 nu_1 E_2 nu_2 s_rms",
-     [](const Values& x) { return saturation(pressing(hertz_of(x).peak_pressure, x, x[6])); }},
-    {"touching_share", "A/A_0", "erf(x), x = sqrt(2) p_0/(E* s_rms)", persson, "1",
-     "R F_N E_1 nu_1 E_2 nu_2 s_rms",
-     [](const Values& x) { return std::erf(pressing(hertz_of(x).peak_pressure, x, x[6])); }}};
-constexpr Roughness of_cylinder{
-    {"roughness_ratio", "alpha", "h_rms R/a^2", johnson, "1", "R F_N E_1 nu_1 E_2 nu_2 L h_rms",
-     [](const Values& x) { return x[7] * x[0] / std::pow(line_half_width_of(x), 2); }},
-    {"saturation", "1 - A/A_linear", "1 - sqrt(pi) erf(x)/(2 x), x = sqrt(2) p_0/(E* s_rms)",
-     persson, "1", "R F_N E_1 nu_1 E_2 nu_2 L s_rms",
-     [](const Values& x) { return saturation(pressing(line_peak_pressure(x), x, x[7])); }},
-    {"touching_share", "A/A_0", "erf(x), x = sqrt(2) p_0/(E* s_rms)", persson, "1",
-     "R F_N E_1 nu_1 E_2 nu_2 L s_rms",
-     [](const Values& x) { return std::erf(pressing(line_peak_pressure(x), x, x[7])); }}};
+constexpr Roughness roughness(const char* of_heights, const char* of_slopes) {
+    return {
+        {"roughness_ratio", "alpha", "h_rms R/a^2", johnson, "1", of_heights, roughness_ratio},
+        {"saturation", "1 - A/A_linear", "1 - sqrt(pi) erf(x)/(2 x), x = sqrt(2) p_0/(E* s_rms)",
+         persson, "1", of_slopes, saturation},
+        {"touching_share", "A/A_0", "erf(x), x = sqrt(2) p_0/(E* s_rms)", persson, "1", of_slopes,
+         touching_share}};
+}
+
+constexpr Roughness of_sphere =
+    roughness("R F_N E_1 nu_1 E_2 nu_2 h_rms", "R F_N E_1 nu_1 E_2 nu_2 s_rms");
+constexpr Roughness of_cylinder =
+    roughness("R F_N E_1 nu_1 E_2 nu_2 L h_rms", "R F_N E_1 nu_1 E_2 nu_2 L s_rms");
 
 const Roughness& forms_of(const Rig& rig) {
     return rig.kind == Rig::Kind::cylinder ? of_cylinder : of_sphere;

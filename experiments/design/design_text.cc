@@ -12,6 +12,7 @@ namespace tricontact::experiments {
 namespace {
 
 constexpr int digits = 4;
+constexpr std::size_t most_contributors = 3;
 
 std::string number_text(const io::Key& key, double value) {
     const std::string unit(io::si_unit(key.dimension));
@@ -65,15 +66,6 @@ std::string names_of_binding(const DesignStudy& study) {
     return fmt::format("{}", fmt::join(names, ", "));
 }
 
-std::string contributors(const ComparisonError& error) {
-    constexpr std::size_t most = 3;
-    std::vector<std::string> parts;
-    for (const auto& [name, share] : error.shares())
-        if (parts.size() < most && share > .01)
-            parts.push_back(fmt::format("{} {:.0f} %", name, 100 * share));
-    return fmt::format("{}", fmt::join(parts, ", "));
-}
-
 std::string remedy(const DesignStudy& study) {
     std::vector<std::string> bounds;
     for (const Widening& one : study.solution.widenings) {
@@ -88,7 +80,8 @@ std::string remedy(const DesignStudy& study) {
                             [&](std::size_t i) { return study.requirements[i].is_resolution(); });
     std::string text = "No bound is in the way: widen a limit, or vary another key.";
     if (resolution_binds && study.comparison)
-        text += " The resolution is that of " + contributors(*study.comparison) + '.';
+        text += " The resolution is that of " +
+                largest_contributors(*study.comparison, most_contributors) + '.';
     return text;
 }
 
@@ -130,7 +123,7 @@ std::vector<std::string> design_sentences(const DesignStudy& study) {
     }
     if (study.comparison)
         lines.push_back("The comparison's uncertainty is that of " +
-                        contributors(*study.comparison) + '.');
+                        largest_contributors(*study.comparison, most_contributors) + '.');
     if (!best.is_feasible()) lines.push_back(remedy(study));
     return lines;
 }

@@ -22,9 +22,7 @@ InputErrors input_errors(const CaseResult& result, const contact::Case& set,
         changes.push_back((above - below) / (at_end ? 1 : 2));
         errors.sources.push_back({one.name, std::abs(changes.back())});
     }
-    if (!correlation.empty())
-        errors.covariance = statistics::combined_variance(changes, correlation) -
-                            statistics::combined_variance(changes, {});
+    errors.covariance = statistics::covariance_part(changes, correlation);
     return errors;
 }
 

@@ -268,8 +268,7 @@ void add_prediction(ExperimentEvaluation& e, ModelPrediction prediction) {
                  std::abs(change)});
         }
         const double variance = statistics::combined_variance(changes, e.correlation);
-        if (!e.correlation.empty())
-            error.covariance = variance - statistics::combined_variance(changes, {});
+        error.covariance = statistics::covariance_part(changes, e.correlation);
         if (!prediction.coarser.empty())
             error.sources.push_back(
                 {"mesh", numerical_standard_error(value, of(prediction.coarser))});

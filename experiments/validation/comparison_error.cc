@@ -15,7 +15,6 @@ namespace {
 constexpr double confidence = .95;
 constexpr double many = 1e9;              // degrees of freedom that are as good as infinitely many
 constexpr double least_told_share = .01;  // of a contributor
-constexpr std::size_t most_told = 4;
 
 /// "+1.4 ± 6.8": both to the second digit of the half width.
 std::string signed_with_half_width(double value, double half_width) {
@@ -66,27 +65,28 @@ std::vector<std::pair<std::string, double>> ComparisonError::shares() const {
     return shares;
 }
 
+std::string largest_contributors(const ComparisonError& error, std::size_t most) {
+    std::vector<std::string> told;
+    for (const auto& [name, share] : error.shares()) {
+        if (share < least_told_share || told.size() == most) break;
+        told.push_back(fmt::format("{} {:.0f} %", name, 100 * share));
+    }
+    if (const double share = error.covariance / std::pow(error.standard_error(), 2);
+        share <= -least_told_share)  // else others would seem to add up to more than all
+        told.push_back(fmt::format("correlations −{:.0f} %", -100 * share));
+    return fmt::format("{}", fmt::join(told, ", "));
+}
+
 std::string statement(const ComparisonError& error, const std::string& unit) {
     const auto fitting =
         report::fitting_unit(std::max(std::abs(error.difference()), error.half_width()), unit);
     const double difference = error.difference() / fitting.factor;
-    std::string contributors;
-    for (const auto& [name, share] : error.shares()) {
-        if (share < least_told_share ||
-            std::ranges::count(contributors, ',') + 1 == static_cast<std::ptrdiff_t>(most_told))
-            break;
-        contributors +=
-            fmt::format("{}{} {:.0f} %", contributors.empty() ? "" : ", ", name, 100 * share);
-    }
-    if (const double share = error.covariance / std::pow(error.standard_error(), 2);
-        share <= -least_told_share)  // else others would seem to add up to more than all
-        contributors += fmt::format(", correlations −{:.0f} %", -100 * share);
     return fmt::format(
         "measured minus computed: {} {} (95 %): {}; this comparison would have seen {} %; largest "
         "contributors: {}",
         signed_with_half_width(difference, error.half_width() / fitting.factor), fitting.symbol,
         error.agrees() ? "agrees" : "disagrees", report::significant(100 * error.resolution(), 2),
-        contributors);
+        largest_contributors(error));
 }
 
 }  // namespace tricontact::experiments

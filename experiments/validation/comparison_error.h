@@ -44,6 +44,10 @@ struct ComparisonError {
     std::vector<std::pair<std::string, double>> shares() const;
 };
 
+/// "substrate.young 61 %, repeated runs 22 %": the largest, and correlations that take something
+/// off.
+std::string largest_contributors(const ComparisonError& error, std::size_t most = 4);
+
 /// "measured minus computed: +1.4 ± 6.8 µm (95 %): agrees; this comparison would have seen 12 %;
 /// largest contributors: substrate.young 61 %, repeated runs 22 %". `unit`: SI.
 std::string statement(const ComparisonError& error, const std::string& unit);
