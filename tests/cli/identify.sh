@@ -144,17 +144,24 @@ grep -q "and the errors of the rig's data" text || complain "uncertain inputs: $
 grep -qE '·10|e-[0-9]' text && complain "a power of ten: $(cat text)"
 grep -q "p < 0.001" text || complain "chance: $(cat text)"
 
+# layer_finds SHARE NAME:TRUTH...: intervals of the layer that hold the truth and are narrower than this share of it.
+layer_finds() {
+    local share=$1 truth low high
+    shift
+    for truth in "$@"; do
+        low=$(number "['models']['layer']['${truth%:*}']['interval'][0]")
+        high=$(number "['models']['layer']['${truth%:*}']['interval'][1]")
+        holds "$low < ${truth#*:} && ${truth#*:} < $high && $high - $low < $share * ${truth#*:}" \
+            "${truth%:*} is $low to $high"
+    done
+}
+
 # 10. Several tables together: shifts and depths tell E, mu and b of the layer, and no product of them alone; the
 #     half-space explains neither.
 sed 's/, "atlas"//' "$source_dir/examples/measurements/rig_joint.toml" >joint.toml
 cp "$source_dir/examples/measurements/rig_indentation.csv" .
 "$program" identify joint.toml --output out --quiet >text || complain "joint: $(cat text)"
-for truth in young_Pa:4.22e6 friction_coefficient:0.57 thickness_m:0.008; do
-    low=$(number "['models']['layer']['${truth%:*}']['interval'][0]")
-    high=$(number "['models']['layer']['${truth%:*}']['interval'][1]")
-    holds "$low < ${truth#*:} && ${truth#*:} < $high && $high - $low < 0.05 * ${truth#*:}" \
-        "${truth%:*} is $low to $high"
-done
+layer_finds 0.05 young_Pa:4.22e6 friction_coefficient:0.57 thickness_m:0.008
 grep -q "told only in the combination" text && complain "a product where all is told: $(cat text)"
 grep -q "^Use the values of layer: chi^2 rejects the half-space." text || complain "no choice: $(cat text)"
 [ "$(number "['models']['layer']['told_combinations']")" = "[]" ] || complain "told combinations"
@@ -171,12 +178,7 @@ grep -q "E cannot be told, R cannot be told" text || complain "each alone: $(cat
 # 11. A history tells modulus, share and time of a Prony term; its table was made with 4.22 MPa, 0.3, 10 s.
 cp "$source_dir/examples/measurements/rig_relaxation.csv" .
 "$program" identify "$source_dir/examples/measurements/rig_relaxation.toml" --output out --quiet >text || complain "relaxation"
-for truth in young_Pa:4.22e6 relative_modulus_1:0.3 relaxation_time_1_s:10; do
-    low=$(number "['models']['layer']['${truth%:*}']['interval'][0]")
-    high=$(number "['models']['layer']['${truth%:*}']['interval'][1]")
-    holds "$low < ${truth#*:} && ${truth#*:} < $high && $high - $low < 0.1 * ${truth#*:}" \
-        "${truth%:*} is $low to $high"
-done
+layer_finds 0.1 young_Pa:4.22e6 relative_modulus_1:0.3 relaxation_time_1_s:10
 
 # 12. Creep of a standard solid under a constant force, closed form: d^(3/2) ~ J(t) = 1 - g exp(-(1 - g) t/tau).
 cat >creep.toml <<'END'

@@ -16,6 +16,7 @@
 #include "contact/error.h"
 #include "experiments/validation/comparison_error.h"
 #include "tests/random/random_rig.h"
+#include "tests/random/seeded_main.h"
 
 namespace tricontact {
 namespace {
@@ -143,9 +144,5 @@ int check(std::uint64_t seed, int n) {
 }  // namespace tricontact
 
 int main(int argc, char** argv) {
-    if (argc != 3) {
-        fmt::print(stderr, "usage: {} SEED N\n", argv[0]);
-        return 2;
-    }
-    return tricontact::check(std::strtoull(argv[1], nullptr, 10), std::atoi(argv[2]));
+    return tricontact::run_seeded(argc, argv, tricontact::check);
 }
