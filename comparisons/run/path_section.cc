@@ -63,18 +63,6 @@ std::vector<const Magnitude*> answers(const contact::PrescribedPath& path) {
     return list;
 }
 
-/// The last step at each row of the path.
-std::vector<const StepRecord*> at_rows(const History& history) {
-    std::vector<const StepRecord*> rows;
-    for (const StepRecord& step : history.steps) {
-        if (step.phase != std::floor(step.phase)) continue;
-        const auto row = static_cast<std::size_t>(step.phase);
-        if (rows.size() <= row) rows.resize(row + 1, nullptr);
-        rows[row] = &step;
-    }
-    return rows;
-}
-
 report::DocumentTable row_table(const contact::PrescribedPath& path, const Histories& histories) {
     report::DocumentTable table{
         .id = "path",
@@ -90,7 +78,7 @@ report::DocumentTable row_table(const contact::PrescribedPath& path, const Histo
                          const auto& value_of) {
         table.columns.push_back(
             {fmt::format("{} {} [{}]", report::display_name(history.model), name, unit.symbol)});
-        const auto rows = at_rows(history);
+        const auto rows = steps_at_rows(history);
         for (std::size_t i = 0; i < shown.size(); ++i) {
             const StepRecord* step = shown[i] < rows.size() ? rows[shown[i]] : nullptr;
             table.rows[i].push_back(report::number_cell(
@@ -110,7 +98,7 @@ report::DocumentTable row_table(const contact::PrescribedPath& path, const Histo
     for (const History& history : histories) {
         std::vector<double> work{0};
         for (const StepRecord& step : history.steps) work.push_back(work.back() + step.dissipation);
-        const auto first = at_rows(history).front();
+        const auto first = steps_at_rows(history).front();
         const double pressed = first ? work[first - history.steps.data() + 1] : 0;
         add(history, "W", report::fitting_unit(work.back() - pressed, "J"),
             [&](const StepRecord* step) {
@@ -143,6 +131,17 @@ report::Figure figure_of(const std::string& id, const std::string& title, const 
 }
 
 }  // namespace
+
+std::vector<const StepRecord*> steps_at_rows(const History& history) {
+    std::vector<const StepRecord*> rows;
+    for (const StepRecord& step : history.steps) {
+        if (step.phase != std::floor(step.phase)) continue;
+        const auto row = static_cast<std::size_t>(step.phase);
+        if (rows.size() <= row) rows.resize(row + 1, nullptr);
+        rows[row] = &step;
+    }
+    return rows;
+}
 
 report::DocumentSection path_section(const contact::Case& c, const Histories& histories) {
     if (!c.prescribed_path) return {};

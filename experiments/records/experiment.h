@@ -15,6 +15,8 @@ struct Record {
     std::vector<double> time;   ///< [s], increasing
     std::vector<double> shift;  ///< U along the tangential load [m]
     std::vector<double> drive;  ///< rolling offset, 0 with the roller upright [m]; empty: unknown
+    /// F_N and F_T [N]; empty: those of the case, constant.
+    std::vector<double> normal_force = {}, tangential_force = {};
 };
 
 /// Runs of one procedure, repeated under equal conditions.

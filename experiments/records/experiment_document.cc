@@ -131,6 +131,23 @@ report::Figure records_figure(const ExperimentEvaluation& e) {
     return figure;
 }
 
+report::Figure loads_figure(const RecordedPath& recorded) {
+    report::Figure figure{
+        .id = "loads",
+        .title = "Loads that the models follow",
+        .caption =
+            "By straight lines through the recorded forces around each step, means of the "
+            "runs; what no column says is constant. Time from the first touch.",
+        .x = {"time t [s]"},
+        .y = {"force [N]"},
+        .curves = {{.name = "F_N"}, {.name = "F_T"}}};
+    for (const auto& row : recorded.path.rows) {
+        figure.curves[0].add(row.time, row.normal.value);
+        figure.curves[1].add(row.time, row.tangential[0].value);
+    }
+    return figure;
+}
+
 report::Curve line(const StageEvaluation& stage, const LineIntersection& lines, double slope,
                    const std::string& name) {
     report::Curve curve{.name = name, .theory = true};
@@ -217,6 +234,8 @@ report::Document experiment_document(const ExperimentEvaluation& e) {
                                  .heading = "Records and their noise",
                                  .figures = {records_figure(e)},
                                  .tables = noise_tables(e)});
+    if (e.rolled_as.loads)
+        document.sections.back().figures.push_back(loads_figure(e.rolled_as.loads->as_recorded));
     return document;
 }
 

@@ -9,6 +9,7 @@
 #include "contact/case.h"
 #include "experiments/records/experiment.h"
 #include "experiments/records/experiment_run.h"
+#include "experiments/records/recorded_path.h"
 #include "experiments/validation/comparison_error.h"
 #include "statistics/correlations.h"
 #include "statistics/distribution.h"
@@ -100,11 +101,18 @@ struct Rest {
     bool is_whole = false;  ///< record.loading says when F_T was applied
 };
 
+/// Forces that the models follow as they were recorded, beside those that the case states.
+struct RecordedLoads {
+    RecordedPath as_recorded;
+    double stated_normal = 0, stated_tangential = 0;  ///< F_N, F_T [N]
+};
+
 /// What the models take from the record besides amplitude and periods.
 struct RolledAs {
     std::optional<double> hold;  ///< under F_T before rolling [s]; empty: an elastic substrate
     bool hold_is_known = false;
-    std::optional<double> speed;  ///< of the drive [m/s]; empty: an elastic substrate
+    std::optional<double> speed;         ///< of the drive [m/s]; empty: an elastic substrate
+    std::optional<RecordedLoads> loads;  ///< empty: constant, as the case states
 };
 
 /// Verdicts of a model over the amplitudes of a limit run.
@@ -176,10 +184,10 @@ contact::Case as_the_rig_sets(contact::Case c, double normal_force, double ampli
 void normalise(ExperimentEvaluation& evaluation, const contact::Case& c,
                const std::vector<CaseQuantity>& quantities);
 
-/// Shift that follows the drive in the last period of a model's run, beside a straight line in
-/// time: dU/dW [-]. On a layer that couples normal and tangential contact free rolling creeps: this
-/// is not zero, even without a tangential force.
-double model_wobble(const contact::Case& c, const contact::History& history);
+/// Shift that follows the drive along `angle` [rad] in the steps of a model's run from the phase
+/// `begin` on, beside a straight line in time: dU/dW [-]. On a layer that couples normal and
+/// tangential contact free rolling creeps: this is not zero, even without a tangential force.
+double model_wobble(const std::vector<contact::StepRecord>& steps, double begin, double angle);
 
 /// What is left of the measured wobble beside a model's own, as a pivot that is Dh = R dU/dW too
 /// high (5.1.11) [m]. Needs `wobble` and `normalised`.

@@ -45,6 +45,17 @@ static json comparison_json(const Deviation& d) {
             {"covariance_m2", d.error.covariance}};
 }
 
+static json range_json(const RecordedPath::Range& range) {
+    if (!range.is_recorded) return nullptr;
+    return {{"low", range.low}, {"mean", range.mean}, {"high", range.high}};
+}
+
+static json loads_json(const std::optional<RecordedLoads>& loads) {
+    if (!loads) return nullptr;
+    return {{"normal_force_N", range_json(loads->as_recorded.normal_force)},
+            {"tangential_force_N", range_json(loads->as_recorded.tangential_force)}};
+}
+
 static json rolled_json(const ExperimentEvaluation& e) {
     const RolledAs& as = e.rolled_as;
     return {{"rest_under_load_s", e.rest.time},
@@ -52,6 +63,7 @@ static json rolled_json(const ExperimentEvaluation& e) {
             {"hold_s", as.hold},
             {"hold_is_known", as.hold ? json(as.hold_is_known) : json()},
             {"speed_m_per_s", as.speed},
+            {"recorded_forces", loads_json(as.loads)},
             {"numbers_with_errors", e.uncertain_numbers}};
 }
 

@@ -102,15 +102,13 @@ void normalise(ExperimentEvaluation& e, const Case& given,
     e.normalised = r;
 }
 
-double model_wobble(const contact::Case& c, const contact::History& history) {
-    const double begin = history.steps.back().phase - 1;
+double model_wobble(const std::vector<contact::StepRecord>& steps, double begin, double angle) {
     std::vector<double> ones, phase, offset, shift;
-    for (const auto& step : history.steps) {
+    for (const auto& step : steps) {
         if (step.phase < begin - 1e-9) continue;  // phases are sums of rounded fractions
         ones.push_back(1);
         phase.push_back(step.phase - begin);
-        offset.push_back(step.offset[0] * std::cos(c.rolling->angle) +
-                         step.offset[1] * std::sin(c.rolling->angle));
+        offset.push_back(step.offset[0] * std::cos(angle) + step.offset[1] * std::sin(angle));
         shift.push_back(step.shift[0]);
     }
     return statistics::fit_linear({ones, phase, offset}, shift).parameters[2].value;

@@ -41,7 +41,13 @@ Record read_record(const std::string& path) {
                   .shift = table.values("shift", io::Dimension::length),
                   .drive = {}};
     if (table.has("drive")) record.drive = table.values("drive", io::Dimension::length);
-    table.check_names({"time", "shift", "drive"});
+    if (table.has("normal_force")) {
+        record.normal_force = table.values("normal_force", io::Dimension::force);
+        table.check_positive("normal_force");
+    }
+    if (table.has("tangential_force"))
+        record.tangential_force = table.values("tangential_force", io::Dimension::force);
+    table.check_names({"time", "shift", "drive", "normal_force", "tangential_force"});
     table.check_increasing("time", "times must increase from row to row",
                            "sort the table, or remove the row");
     return record;
@@ -55,6 +61,16 @@ std::vector<Record> read_records(const io::Document& document) {
     std::vector<Record> records;
     for (const std::string& file : files) records.push_back(read_record(document.path_of(file)));
     return records;
+}
+
+/// The same columns in all runs: means are taken of them.
+void check_forces(const Experiment& e, const io::Document& document) {
+    for (const auto column : {&Record::normal_force, &Record::tangential_force})
+        for (const Record& record : e.records)
+            if ((record.*column).empty() != (e.records.front().*column).empty())
+                io::fail(document.place_of("record.runs"), "",
+                         "some runs have a column of forces that others have not",
+                         "add it to all, or evaluate them in two files");
 }
 
 // What the drive did, if no column says it.
@@ -107,6 +123,7 @@ ExperimentInput read_experiment(const std::string& path,
     }
     e.records = read_records(document);
     check_drive(e, document);
+    check_forces(e, document);
     return input;
 }
 

@@ -150,6 +150,23 @@ Verdict rest_verdict(const ExperimentEvaluation& e) {
                                  e.rest.is_whole ? "the record says" : "record and load.hold say")};
 }
 
+/// "F_N from 18.9 to 21.1 N, on average 20 N (the case states 21.1 N)".
+std::string followed_force(const char* symbol, const RecordedPath::Range& range, double stated) {
+    return fmt::format("{} from {} to {}, on average {} (the case states {})", symbol,
+                       report::significant(range.low, 3), report::quantity(range.high, "N", 3),
+                       report::quantity(range.mean, "N", 3), report::quantity(stated, "N", 3));
+}
+
+Verdict loads_verdict(const RecordedLoads& loads) {
+    const RecordedPath& path = loads.as_recorded;
+    std::vector<std::string> forces;
+    if (path.normal_force.is_recorded)
+        forces.push_back(followed_force("F_N", path.normal_force, loads.stated_normal));
+    if (path.tangential_force.is_recorded)
+        forces.push_back(followed_force("F_T", path.tangential_force, loads.stated_tangential));
+    return {finding, fmt::format("The models get what was recorded: {}.", fmt::join(forces, "; "))};
+}
+
 // By the thesis' criterion, in the first run.
 Verdict curvature_limit_verdict(const ExperimentEvaluation& e) {
     const auto& limit = e.limits_by_curvature.front();
@@ -236,10 +253,12 @@ std::vector<Verdict> experiment_verdicts(const ExperimentEvaluation& e) {
         verdicts = {limit_verdict(e), curvature_limit_verdict(e)};
         for (const PredictedLimit& limit : e.model_limits)
             verdicts.push_back(model_limit_verdict(e, limit));
+        if (e.rolled_as.loads) verdicts.push_back(loads_verdict(*e.rolled_as.loads));
         if (e.rolled_as.hold) verdicts.push_back(rest_verdict(e));
     } else {
         verdicts = {state_verdict(e), values_verdict(e), curvature_verdict(e)};
         for (const Deviation& d : e.deviations) verdicts.push_back(deviation_verdict(d));
+        if (e.rolled_as.loads) verdicts.push_back(loads_verdict(*e.rolled_as.loads));
         if (e.rolled_as.hold) verdicts.push_back(rest_verdict(e));
         for (const ModelPrediction& p : e.predictions)
             if (e.wobble && std::abs(p.wobble) > e.wobble->at_confidence.standard_error)

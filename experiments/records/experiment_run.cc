@@ -211,6 +211,11 @@ State judge_walk(const Estimate& increment, int periods, double last_shift) {
                              negligible_walk * std::abs(last_shift) / periods);
 }
 
+State state_by_walk(const std::vector<double>& shift) {
+    return judge_walk(fit_settling(shift, verdict_confidence).increment,
+                      static_cast<int>(shift.size()) - 1, shift.back());
+}
+
 Estimate late_increment(const std::vector<double>& shift, double confidence) {
     const std::size_t first = (shift.size() - 1) / 2;
     const std::vector<double> late(shift.begin() + static_cast<std::ptrdiff_t>(first), shift.end());

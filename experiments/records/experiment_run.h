@@ -62,6 +62,8 @@ RunEvaluation evaluate_run(const Record& record, const Experiment& experiment);
 /// Verdict by the walk: shakedown if the upper end of its interval adds less than negligible_walk
 /// of the last shift over the interval; else ratcheting if the lower end is positive.
 contact::State judge_walk(const Estimate& increment, int periods, double last_shift);
+/// The same of shifts at the ends of periods that somebody else computed [m].
+contact::State state_by_walk(const std::vector<double>& shift);
 
 /// Slope of the straight line through the second half of the shifts at the ends of periods.
 Estimate late_increment(const std::vector<double>& shift, double confidence);

@@ -315,7 +315,8 @@ TEST(Experiment, WobbleOfAModelIsWhatFollowsTheDrive) {
         step.shift = {(k < 4 ? 9 : 5) * um + 2 * um * phase - 0.003 * step.offset[1], 0};
         history.steps.push_back(step);
     }
-    EXPECT_NEAR(model_wobble(c, history), -0.003, 1e-12);
+    EXPECT_NEAR(model_wobble(history.steps, history.steps.back().phase - 1, c.rolling->angle),
+                -0.003, 1e-12);
 }
 
 // Two repeats: t = 1.837 at 68.3 %, 12.71 at 95 % (DIN 1319-3, table F.2: 1.84, 12.71).

@@ -1,0 +1,221 @@
+#include "app/record_predictions.h"
+
+#include <fmt/format.h>
+
+#include "app/case_run.h"
+#include "app/uncertain_case.h"
+#include "contact/load_path.h"
+#include "experiments/records/recorded_path.h"
+
+namespace tricontact::app {
+
+namespace {
+
+using contact::Case;
+using contact::History;
+using experiments::CaseQuantity;
+using experiments::Experiment;
+using experiments::ExperimentEvaluation;
+using experiments::RecordedPath;
+
+// Of a limit run: by turning points the rig's layer needs 30.
+constexpr int enough_limit_periods = 40;
+
+/// Cells, elements and springs of twice the size; meshes that a file gives stay.
+Case with_coarser_mesh(Case c) {
+    for (auto* size : {&c.bem.spacing, &c.fem.size, &c.fem.accuracy})
+        if (*size) **size *= 2;
+    if (c.bem.cells_per_radius) *c.bem.cells_per_radius /= 2;
+    c.mdr.springs /= 2;
+    return c;
+}
+
+std::vector<double> shifts_upright(const History& history) {
+    std::vector<double> shift{history.static_shift};
+    shift.insert(shift.end(), history.shift_per_period.begin(), history.shift_per_period.end());
+    return shift;
+}
+
+/// The models of a case, rolled as the rig rolled.
+class RecordPredictions {
+  public:
+    RecordPredictions(ExperimentEvaluation& evaluation, const experiments::ExperimentInput& input,
+                      const CommandOptions& options)
+        : evaluation_(evaluation), input_(input), options_(options) {}
+
+    void add() {
+        rest_as_recorded();
+        const auto& stage = evaluation_.runs.front().stages.front();
+        Case c = case_with(evaluation_.amplitude, stage.period, evaluation_.periods, true);
+        check(c);
+        if (experiments::records_forces(input_.experiment)) c = follow_records(c);
+        const auto hertz = contact::half_space_scales(c);
+        const double amplitude = contact::path_amplitude(c, hertz.contact_radius);
+        for (const io::UncertainKey& one : input_.uncertain)
+            evaluation_.uncertain_numbers.emplace_back(one.key->path);
+        evaluation_.correlation = input_.correlations.of(evaluation_.uncertain_numbers);
+        experiments::normalise(
+            evaluation_, c,
+            uncertain_case(c, hertz.normal_force, amplitude, input_.uncertain).quantities);
+        for (const std::string& model : c.models)
+            if (evaluation_.kind == Experiment::Kind::limit)
+                add_states(model, c);
+            else
+                add_shift(model, c);
+    }
+
+  private:
+    void check(const Case& c) const {
+        if (!contact::is_hertz_round(c))
+            throw contact::InputError(*input_.case_file +
+                                      ": indenter.shape: records are compared with the formulas of "
+                                      "a sphere; give that, or a paraboloid");
+        if (c.load.is_by_limit())
+            throw contact::InputError(
+                fmt::format("{}: {}: the rig sets a force; give load.tangential_force",
+                            *input_.case_file, c.load.limit_key()));
+        if (!c.load.normal_force && experiments::records_forces(input_.experiment))
+            throw contact::InputError(*input_.case_file +
+                                      ": load.indentation: contradicts the forces in the records; "
+                                      "give load.normal_force");
+    }
+
+    /// On a relaxing substrate the rest under F_T and the drive's speed are those of the record.
+    void rest_as_recorded() {
+        const Case c = io::read_case(*input_.case_file, options_.overrides);
+        if (!c.relaxation) return;
+        const experiments::Rest& rest = evaluation_.rest;
+        experiments::RolledAs& as = evaluation_.rolled_as;
+        const bool case_knows = c.load.hold > 0 && c.load.hold >= rest.time;
+        as.hold_is_known = rest.is_whole || case_knows;
+        as.hold = !rest.is_whole && case_knows ? c.load.hold : rest.time;
+    }
+
+    Case case_with(double amplitude, double period, int periods, bool run_all) const {
+        std::vector<std::string> overrides = options_.overrides;
+        overrides.push_back(fmt::format("rolling.periods={}", periods));
+        overrides.push_back(fmt::format("rolling.run_all={}", run_all));
+        if (amplitude > 0) overrides.push_back(fmt::format("rolling.amplitude={} m", amplitude));
+        const auto& hold = evaluation_.rolled_as.hold;
+        if (hold) overrides.push_back(fmt::format("load.hold={} s", *hold));
+        Case c = io::read_case(*input_.case_file, overrides);
+        if (!hold) return c;
+        if (amplitude == 0)
+            amplitude = contact::rolling_amplitude(*c.rolling,
+                                                   contact::half_space_scales(c).contact_radius);
+        c.rolling->speed = 4 * amplitude / period;
+        evaluation_.rolled_as.speed = c.rolling->speed;
+        return c;
+    }
+
+    /// The case with the means of the recorded forces, which its uncertain numbers are about.
+    Case follow_records(const Case& c) {
+        const Case set = as_set(c);
+        recorded_ = experiments::recorded_path(
+            input_.experiment, set, contact::steps_in_quarter(*c.rolling, *set.rolling->amplitude));
+        evaluation_.rolled_as.loads = {*recorded_, *set.load.normal_force,
+                                       *set.load.tangential_force};
+        Case followed = c;
+        followed.load.normal_force = recorded_->normal_force.mean;
+        if (c.load.tangential_ratio)
+            followed.load.tangential_ratio =
+                recorded_->tangential_force.mean /
+                (c.friction_coefficient * recorded_->normal_force.mean);
+        else
+            followed.load.tangential_force = recorded_->tangential_force.mean;
+        return followed;
+    }
+    static Case as_set(const Case& c) {
+        return experiments::as_the_rig_sets(
+            c, *c.load.normal_force,
+            contact::path_amplitude(c, contact::half_space_scales(c).contact_radius));
+    }
+
+    History run(const std::string& name, const Case& c) const {
+        return history_of(name, recorded_ ? recorded_->followed_by(as_set(c)) : c, options_.threads,
+                          silent);
+    }
+    std::vector<double> shift_of(const History& history) const {
+        return recorded_ ? recorded_->shifts(history) : shifts_upright(history);
+    }
+    double wobble_of(const Case& c, const History& history) const {
+        if (!recorded_)
+            return experiments::model_wobble(history.steps, history.steps.back().phase - 1,
+                                             c.rolling->angle);
+        const auto& upright = recorded_->upright.front();
+        return experiments::model_wobble(history.steps, upright[upright.size() - 2],
+                                         c.rolling->angle);
+    }
+    /// Along a recorded path a contact is judged as the record is.
+    contact::State state_of(const History& history, std::size_t stage = 0) const {
+        if (!recorded_) return history.verdict.state;
+        return experiments::state_by_walk(recorded_->shifts(history, stage));
+    }
+
+    void add_shift(const std::string& name, const Case& c) {
+        options_.say(fmt::format("{}: {} periods", name, evaluation_.periods));
+        const History history = run(name, c);
+        experiments::ModelPrediction prediction{
+            name, shift_of(history), state_of(history), wobble_of(c, history), {}};
+        const UncertainCase uncertain =
+            recorded_ ? uncertain_case(c, input_.uncertain)
+                      : uncertain_case(c, history.friction_limit / c.friction_coefficient,
+                                       history.amplitude, input_.uncertain);
+        for (const CaseQuantity& quantity : uncertain.quantities)
+            prediction.raised.push_back(raised(name, uncertain.set, quantity, prediction.shift));
+        if (!prediction.raised.empty()) {
+            options_.say(name + ": once more on a mesh of twice the size");
+            prediction.coarser = shift_of(run(name, with_coarser_mesh(c)));
+        }
+        experiments::add_prediction(evaluation_, std::move(prediction));
+    }
+
+    /// The shift with a number larger by its error; where it cannot be, mirrored from a smaller
+    /// one.
+    std::vector<double> raised(const std::string& name, const Case& set,
+                               const CaseQuantity& quantity,
+                               const std::vector<double>& unchanged) const {
+        options_.say(fmt::format("{}: once more, {} larger by its error", name, quantity.name));
+        Case other = set;
+        double& number = quantity.of_case(other);
+        const bool larger = number + quantity.standard_error <= quantity.largest;
+        number += larger ? quantity.standard_error : -quantity.standard_error;
+        std::vector<double> shift = shift_of(run(name, other));
+        for (std::size_t n = 0; n < shift.size() && !larger; ++n)
+            shift[n] = 2 * unchanged[n] - shift[n];
+        return shift;
+    }
+
+    /// At each amplitude from rest; along recorded loads at all of them in turn.
+    void add_states(const std::string& name, const Case& followed) {
+        experiments::PredictedLimit limit{name, {}};
+        const auto& stages = evaluation_.runs.front().stages;
+        if (recorded_) {
+            options_.say(name + ": as recorded");
+            const History history = run(name, followed);
+            for (std::size_t k = 0; k < stages.size(); ++k)
+                limit.states.push_back(state_of(history, k));
+        }
+        for (const auto& stage : stages) {
+            if (recorded_) break;
+            options_.say(fmt::format("{}: W = {:.4g} mm", name, 1e3 * stage.amplitude));
+            const Case c = case_with(stage.amplitude, stage.period, enough_limit_periods, false);
+            limit.states.push_back(run(name, c).verdict.state);
+        }
+        evaluation_.model_limits.push_back(std::move(limit));
+    }
+
+    ExperimentEvaluation& evaluation_;
+    const experiments::ExperimentInput& input_;
+    const CommandOptions& options_;
+    std::optional<RecordedPath> recorded_;
+};
+
+}  // namespace
+
+void add_predictions(ExperimentEvaluation& evaluation, const experiments::ExperimentInput& input,
+                     const CommandOptions& options) {
+    RecordPredictions(evaluation, input, options).add();
+}
+
+}  // namespace tricontact::app
