@@ -42,6 +42,7 @@ std::optional<experiments::Growth> rolled_growth(const experiments::Rig& rig) {
     Case c = sphere_on_layer(rig);
     c.rolling.emplace();
     c.rolling->amplitude = amplitude;
+    if (rig.has("alpha")) c.rolling->angle = rig["alpha"].value;
     c.load.tangential_ratio.reset();
     c.load.limit_fraction = .5;
     const atlas::Prediction layer = atlas::predict(c, "bem-layer");

@@ -42,6 +42,9 @@ void print(const experiments::RigReport& report) {
                     ? fmt::format("; violated in {} % of the samples",
                                   report::significant(100 * *criterion.probability_violated, 3))
                     : "");
+        if (const std::string effects = experiments::effects_text(report, one.name);
+            !effects.empty())
+            std::cout << fmt::format("{:4}taking it for granted: {}\n", "", effects);
         for (const std::string& missing : one.missing)
             std::cout << fmt::format("{:4}not given: {}\n", "", missing);
         if (!one.consequence.empty()) std::cout << fmt::format("{:4}{}\n", "", one.consequence);

@@ -102,6 +102,7 @@ RigReport check_rig(const Rig& rig, const StaticShift& static_shift, const Rolle
                                   rod_as_spring(rig),     no_tilting(rig),
                                   sampled_often(rig)};
     }
+    report.effects = effects_on_measured(rig, report.assumptions);
     report.printed = check_printed(rig.printed, report.assumptions);
     return report;
 }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "experiments/assumptions/assumption.h"
+#include "experiments/assumptions/measured_effect.h"
 #include "experiments/assumptions/rig.h"
 
 namespace tricontact::experiments {
@@ -45,6 +46,7 @@ struct PrintedCheck {
 struct RigReport {
     std::string title;
     std::vector<Assumption> assumptions = {};
+    std::vector<MeasuredEffect> effects = {};  ///< of these on what is measured
     std::vector<PrintedCheck> printed = {};
     std::optional<ForceCurves> curves = {};  ///< of a sphere
 };

@@ -1,10 +1,12 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "contact/substrates/relaxation.h"
 #include "io/case/rig_file.h"
 #include "statistics/correlations.h"
 #include "statistics/estimate.h"
@@ -20,6 +22,10 @@ struct PrintedValue : io::UncertainNumber {
     std::string source;  ///< "table 5.1.1"
 };
 
+/// What a rig measures: U under F_T before it rolls, U after it has rolled until it stands, d under
+/// a force, the radius (half the width) of the contact.
+enum class Measured { static_shift, settled_shift, indentation, contact_radius };
+
 /// An experiment whose evaluation takes something for granted.
 struct Rig {
     /// Sphere, cylinder: a heavy roller that lies on a layer of rubber, bonded to a rigid plate,
@@ -32,6 +38,9 @@ struct Rig {
     std::string title;
     std::map<std::string, Estimate> data;  ///< SI units, by symbol; only what the file states
     std::vector<PrintedValue> printed;
+    /// Of a substrate with several branches; one alone is eta and G_2/G_1 of the data.
+    std::optional<contact::Relaxation> relaxation = {};
+    std::vector<Measured> measured;         ///< what the file has records of; empty: anything
     statistics::Correlations correlations;  ///< of the data, by symbol
 
     bool has(const std::string& symbol) const { return data.contains(symbol); }

@@ -25,11 +25,36 @@ std::vector<std::string> remarks(const Assumption& assumption) {
     return parts;
 }
 
-Verdict verdict_on(const Assumption& assumption) {
-    std::string text = finding_of(assumption.standing());
-    text.front() = static_cast<char>(std::toupper(text.front()));
-    return {assumption.standing(),
-            fmt::format("{}: {}", text, fmt::join(remarks(assumption), " "))};
+/// "Assumption: the substrate is a half-space. Violated: static shift +23.1 %. ...": claim and
+/// number apart.
+Verdict verdict_on(const RigReport& report, const Assumption& assumption) {
+    std::vector<std::string> parts = remarks(assumption);
+    std::string& claim = parts.front();
+    if (std::islower(static_cast<unsigned char>(claim[1])))  // no symbol: "E_2"
+        claim.front() = static_cast<char>(std::tolower(static_cast<unsigned char>(claim.front())));
+    constexpr const char* words[] = {"Holds", "Violated", "Not testable"};
+    std::string found = words[static_cast<int>(assumption.standing())];
+    if (const std::string effects = effects_text(report, assumption.name); !effects.empty())
+        found += ": " + effects;
+    parts.insert(parts.begin() + 1, found + '.');
+    return {assumption.standing(), fmt::format("Assumption: {}", fmt::join(parts, " "))};
+}
+
+DocumentSection effects_section(const RigReport& report) {
+    DocumentTable table{
+        .id = "effects",
+        .title = "What taking it for granted does to what is measured",
+        .note = fmt::format(
+            "Computed with the assumption over computed without it, minus 1; one standard error "
+            "behind ±, or the most that it can be to either side. Static shifts are those at "
+            "F_T = {} mu F_N.",
+            coupling_tangential_ratio),
+        .columns = report::columns("assumption", "measured", "effect")};
+    for (const Assumption& assumption : report.assumptions)
+        for (const MeasuredEffect& one : report.effects)
+            if (one.assumption == assumption.name)
+                table.rows.push_back({assumption.title, name_of(one.measured), text_of(one)});
+    return {.id = "effects", .heading = "Effect on what is measured", .tables = {std::move(table)}};
 }
 
 DocumentTable criteria_table(const Assumption& assumption) {
@@ -197,8 +222,9 @@ report::Document rig_document(const RigReport& report) {
                                   "the number that decides, its threshold and what follows; and "
                                   "the published numbers beside what follows from the others.",
                               .files = {{"all numbers (JSON)", "rig.json"}}};
+    if (!report.effects.empty()) document.sections.push_back(effects_section(report));
     for (const Assumption& assumption : report.assumptions) {
-        document.verdicts.push_back(verdict_on(assumption));
+        document.verdicts.push_back(verdict_on(report, assumption));
         document.sections.push_back(section_of(assumption));
         if (report.curves && assumption.name == "half_space")
             add_figures(document.sections.back(), *report.curves);

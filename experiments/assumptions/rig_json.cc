@@ -60,10 +60,19 @@ static void to_json(json& to, const PrintedCheck& check) {
           {"follows_from", check.substitutes}};
 }
 
+static void to_json(json& to, const MeasuredEffect& effect) {
+    to = {{"assumption", effect.assumption},
+          {"measured", name_of(effect.measured)},
+          {"relative", effect.relative.value},
+          {"standard_error", effect.relative.standard_error},
+          {"is_bound", effect.is_bound}};
+}
+
 std::string rig_json(const RigReport& report) {
     const json all = {{"version", files::version},
                       {"title", report.title},
                       {"assumptions", report.assumptions},
+                      {"effects", report.effects},
                       {"printed", report.printed}};
     return all.dump(2) + '\n';
 }

@@ -84,13 +84,18 @@ std::vector<Calculation> known(const Rig& rig, const std::vector<const Formula*>
     return result;
 }
 
+bool has_all(Assumption& assumption, const Rig& rig, std::string_view symbols) {
+    bool all = true;
+    for (const std::string& symbol : words_of(symbols)) {
+        all = all && quantity_of(rig, symbol).has_value();
+        add_missing(assumption, rig, symbol);
+    }
+    return all;
+}
+
 bool decide(Assumption& assumption, const Rig& rig, const Formula& formula,
             Criterion::Relation relation, double threshold, std::string reason) {
-    if (!is_known(rig, formula)) {
-        for (const std::string& symbol : words_of(formula.given))
-            add_missing(assumption, rig, symbol);
-        return false;
-    }
+    if (!has_all(assumption, rig, formula.given)) return false;
     assumption.criteria.push_back(
         {calculate(rig, formula), relation, threshold, std::move(reason)});
     return true;

@@ -32,6 +32,8 @@ Calculation calculate(const Rig& rig, const Formula& formula);
 std::optional<Estimate> result_if_known(const Rig& rig, const Formula& formula);
 /// Of those formulas whose quantities are all known.
 std::vector<Calculation> known(const Rig& rig, const std::vector<const Formula*>& formulas);
+/// Whether the rig has all of these symbols; keys without which it has not are missing.
+bool has_all(Assumption& assumption, const Rig& rig, std::string_view symbols);
 /// Adds a criterion, and is true; if the rig lacks a datum of it, those keys are missing.
 bool decide(Assumption& assumption, const Rig& rig, const Formula& formula,
             Criterion::Relation relation, double threshold, std::string reason);

@@ -169,11 +169,27 @@ void complete(Rig& rig, const io::RigFile& file) {
         if (!rig.has("s_rms")) rig.data["s_rms"] = {roughness->rms_slope};
     }
     if (!rig.has("n") && c.rolling) rig.data["n"] = {static_cast<double>(c.rolling->periods)};
+    if (c.relaxation && c.relaxation->branches.size() > 1) rig.relaxation = c.relaxation;
     if (c.relaxation && c.relaxation->branches.size() == 1) {
         const auto [ratio, time] = c.relaxation->branches.front();
         rig.data["G_2/G_1"] = {ratio};
         rig.data["eta"] = {ratio * time * c.substrate.shear_modulus()};
     }
+}
+
+/// What the records and tables of the file show.
+std::vector<Measured> measured_by(const io::Document& document) {
+    using enum Measured;
+    std::vector<Measured> measured;
+    const bool recorded = document.find("record.runs") != nullptr;
+    const auto has = [&](const char* table) { return document.find(table) != nullptr; };
+    if (recorded || has("measurement.static_shift")) measured.push_back(static_shift);
+    if (recorded) measured.push_back(settled_shift);
+    if (has("measurement.force_indentation") || has("measurement.force_relaxation") ||
+        has("measurement.indentation_creep"))
+        measured.push_back(indentation);
+    if (has("measurement.contact_radius")) measured.push_back(contact_radius);
+    return measured;
 }
 
 }  // namespace
@@ -182,6 +198,7 @@ Rig rolling_rig(const io::RigFile& file) {
     Rig rig{.kind = kind_of(file), .title = file.c.title};
     check_covered(file);
     read_symbols(rig, file.document, io::case_file_keys());
+    rig.measured = measured_by(file.document);
     complete(rig, file);
     rig.correlations = by_symbols(file.correlations, rig.kind);
     read_printed(rig, file.document);

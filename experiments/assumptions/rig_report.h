@@ -25,6 +25,12 @@ std::string substitutes_text(const PrintedCheck& check);
 /// "the printed error is 1.06 times the propagated one"; empty if both agree, or one is missing.
 std::string error_text(const PrintedCheck& check);
 
+/// "+23.1 ± 0.8 %", "at most 2 %".
+std::string text_of(const MeasuredEffect& effect);
+/// "static shift +23.1 ± 0.8 %, indentation at most 2 %" of an assumption's effects; empty if none
+/// is known.
+std::string effects_text(const RigReport& report, const std::string& assumption);
+
 /// The text of rig.json: SI units, undefined numbers as null (docs/rig.md).
 std::string rig_json(const RigReport& report);
 

@@ -18,6 +18,8 @@ const std::vector<RigSymbol>& rig_symbols(Rig::Kind kind) {
         {"mu", "friction.coefficient"},
         {"F_N", "load.normal_force", force},
         {"v", "rolling.speed", velocity},
+        {"alpha", "rolling.angle", angle},
+        {"t_rest", "load.hold", time},
         {"w", "rig.smallest_amplitude_ratio"},
         {"a'", "rig.reference_radius", length},
         {"f_1", "rig.eigenfrequency", frequency},

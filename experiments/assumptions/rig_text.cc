@@ -84,6 +84,24 @@ std::string substitutes_text(const PrintedCheck& check) {
     return text;
 }
 
+std::string text_of(const MeasuredEffect& effect) {
+    const double percent = 100 * effect.relative.value,
+                 error = 100 * effect.relative.standard_error;
+    if (effect.is_bound) return fmt::format("at most {} %", report::significant(percent, 2));
+    const std::string size = error > 0 ? report::with_error(std::abs(percent), error, 3)
+                                       : report::significant(std::abs(percent), 3);
+    return fmt::format("{}{} %", percent < 0 ? "−" : "+", size);
+}
+
+std::string effects_text(const RigReport& report, const std::string& assumption) {
+    std::string text;
+    for (const MeasuredEffect& one : report.effects)
+        if (one.assumption == assumption)
+            text += fmt::format("{}{} {}", text.empty() ? "" : ", ", name_of(one.measured),
+                                text_of(one));
+    return text;
+}
+
 std::string error_text(const PrintedCheck& check) {
     if (!check.error_ratio || check.error_agrees) return "";
     return fmt::format("the printed error is {} times the propagated one",

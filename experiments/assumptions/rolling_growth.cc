@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "experiments/assumptions/rolling_parts.h"
 
@@ -35,11 +36,15 @@ Assumption growth_by_rolling(const Rig& rig, const RolledGrowth& growth) {
               {"g half-space", {found->half_space.value, found->half_space.standard_error}, "1"}},
              [](const auto& x) { return std::abs(x[0] / x[1] - 1); }),
          Criterion::Relation::at_most, accepted_difference, accepted_reason});
+    const double angle = rig.has("alpha") ? rig["alpha"].value : 0;
     a.consequence = fmt::format(
-        "Rolled by {} along F_T = {} mu F_N, half the layer's limit of shakedown, the shift "
+        "Rolled by {} {} F_T = {} mu F_N, half the layer's limit of shakedown, the shift "
         "settles at {} times the static one on the layer and {} times on a half-space.",
-        quantity(found->amplitude, "m", 3), significant(found->tangential_ratio, 3),
-        significant(found->layer.value, 4), significant(found->half_space.value, 4));
+        quantity(found->amplitude, "m", 3),
+        angle == 0 ? "along"
+                   : fmt::format("at {} deg to", significant(angle * 180 / std::numbers::pi, 3)),
+        significant(found->tangential_ratio, 3), significant(found->layer.value, 4),
+        significant(found->half_space.value, 4));
     return a;
 }
 

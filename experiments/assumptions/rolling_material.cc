@@ -139,6 +139,7 @@ std::optional<double> effect_of_coupling(const Rig& rig, const StaticShift& stat
 }  // namespace
 
 Assumption elastic_substrate(const Rig& rig) {
+    if (rig.relaxation) return relaxed_substrate(rig);
     Assumption a{.name = "elastic_substrate",
                  .title = "Elastic substrate",
                  .claim = "The substrate is elastic at the speed of the drive",

@@ -69,6 +69,8 @@ Assumption half_space(const Rig& rig);
 Assumption half_space_of_line(const Rig& rig);
 Assumption long_cylinder(const Rig& rig);
 Assumption elastic_substrate(const Rig& rig);
+/// The same of a substrate with several branches of relaxation.
+Assumption relaxed_substrate(const Rig& rig);
 Assumption uncoupled(const Rig& rig, const StaticShift& static_shift);
 Assumption growth_by_rolling(const Rig& rig, const RolledGrowth& growth);
 Assumption small_strains(const Rig& rig);

@@ -1,0 +1,168 @@
+#include "experiments/assumptions/measured_effect.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "experiments/assumptions/check_rig.h"
+#include "theory/cattaneo_mindlin.h"
+
+namespace tricontact::experiments {
+
+namespace {
+
+/// What the assumptions of one rig do to what it measures.
+class MeasuredEffects {
+  public:
+    MeasuredEffects(const Rig& rig, const std::vector<Assumption>& assumptions)
+        : rig_(rig), assumptions_(assumptions) {}
+
+    std::vector<MeasuredEffect> all() {
+        for (const Assumption& one : assumptions_) {
+            assumption_ = &one;
+            if (one.name == "half_space") add_half_space();
+            if (one.name == "uncoupled") add_ratio("coupling_effect", Measured::static_shift);
+            if (one.name == "growth_by_rolling")
+                add_ratio("growth_difference", Measured::settled_shift);
+            if (one.name == "small_strains") add_small_strains();
+            if (one.name == "no_adhesion") add_adhesion();
+            if (one.name == "unsaturated_contact") add_friction("saturation");
+            if (one.name == "no_heating") add_friction("heating_change");
+            if (one.name == "elastic_substrate") add_creep();
+            if (one.name == "no_wear") add_bound("wear_ratio", Measured::indentation);
+        }
+        return std::move(effects_);
+    }
+
+  private:
+    /// Of the assumption in turn.
+    const Calculation* find(const std::string& name) const {
+        for (const Criterion& criterion : assumption_->criteria)
+            if (criterion.calculation.name == name) return &criterion.calculation;
+        for (const Calculation& calculation : assumption_->background)
+            if (calculation.name == name) return &calculation;
+        return nullptr;
+    }
+
+    void add(Measured measured, const Estimate& relative, bool is_bound = false) {
+        const bool wanted = rig_.measured.empty() ||
+                            std::ranges::find(rig_.measured, measured) != rig_.measured.end();
+        if (wanted) effects_.push_back({assumption_->name, measured, relative, is_bound});
+    }
+
+    /// The half-space's over the layer's; what both are given may err together, as the criterion
+    /// knows.
+    void add_half_space_quantity(const std::string& name, Measured measured) {
+        const Calculation *half_space = find(name), *layer = find("layer_" + name),
+                          *difference = find(name + "_difference");
+        if (!half_space || !layer || !difference) return;
+        const double ratio = half_space->result.value / layer->result.value;
+        add(measured, {ratio - 1, ratio * ratio * difference->result.standard_error});
+    }
+
+    void add_half_space() {
+        if (!add_static_shift()) add_half_space_quantity("unit_shift", Measured::static_shift);
+        add_half_space_quantity("indentation", Measured::indentation);
+        add_half_space_quantity("contact_radius", Measured::contact_radius);
+        add_half_space_quantity("contact_width", Measured::contact_radius);
+    }
+
+    /// By the model's shift of the uncoupled layer; false where there is none.
+    bool add_static_shift() {
+        const auto uncoupled = std::ranges::find(assumptions_, "uncoupled", &Assumption::name);
+        const Calculation *unit = find("unit_shift"), *difference = find("unit_shift_difference");
+        if (!unit || !difference || uncoupled == assumptions_.end() || !rig_.has("mu"))
+            return false;
+        for (const Criterion& criterion : uncoupled->criteria) {
+            const Calculation& effect = criterion.calculation;
+            if (effect.name != "coupling_effect") continue;
+            const double on_half_space = unit->result.value * rig_["mu"].value *
+                                         theory::static_shift_ratio(coupling_tangential_ratio);
+            const double ratio = on_half_space / effect.given[1].value.value;
+            add(Measured::static_shift,
+                {ratio - 1, ratio * ratio * difference->result.standard_error});
+            return true;
+        }
+        return false;
+    }
+
+    /// The second of two given values over the first.
+    void add_ratio(const std::string& name, Measured measured) {
+        const Calculation* calculation = find(name);
+        if (!calculation) return;
+        const double without = calculation->given[0].value.value,
+                     with = calculation->given[1].value.value;
+        add(measured, {with / without - 1, calculation->result.standard_error});
+    }
+
+    void add_small_strains() {
+        if (const Calculation* shift = find("strain_shift"))
+            add(Measured::static_shift, shift->result);
+        if (const Calculation* indentation = find("strain_indentation"))
+            add(Measured::indentation, indentation->result);
+    }
+
+    void add_adhesion() {
+        const Calculation* change = find("adhesive_radius_change");
+        if (!change) return;
+        const double wider = 1 + change->result.value;
+        add(Measured::contact_radius,
+            {1 / wider - 1, change->result.standard_error / (wider * wider)});
+    }
+
+    /// What is taken as relaxed over what has come of it.
+    void add_creep() {
+        const Calculation* left = find("creep_left");
+        if (!left) return;
+        const double come = 1 - left->result.value;
+        add(Measured::static_shift, {1 / come - 1, left->result.standard_error / (come * come)});
+    }
+
+    void add_bound(const std::string& name, Measured measured) {
+        if (const Calculation* bound = find(name)) add(measured, bound->result, true);
+    }
+
+    /// Of a relative error of mu.
+    void add_friction(const std::string& name) {
+        const Calculation* change = find(name);
+        if (!change) return;
+        const double to_friction =
+            std::abs(1 - shift_sensitivity_to_force(coupling_tangential_ratio));
+        add(Measured::static_shift,
+            {to_friction * change->result.value, to_friction * change->result.standard_error},
+            true);
+    }
+
+    const Rig& rig_;
+    const std::vector<Assumption>& assumptions_;
+    const Assumption* assumption_ = nullptr;
+    std::vector<MeasuredEffect> effects_;
+};
+
+}  // namespace
+
+const char* name_of(Measured measured) {
+    switch (measured) {
+        case Measured::static_shift:
+            return "static shift";
+        case Measured::settled_shift:
+            return "settled shift";
+        case Measured::indentation:
+            return "indentation";
+        case Measured::contact_radius:
+            return "contact radius";
+    }
+    return "";
+}
+
+std::vector<MeasuredEffect> effects_on_measured(const Rig& rig,
+                                                const std::vector<Assumption>& assumptions) {
+    if (rig.kind == Rig::Kind::micro_walking) return {};
+    return MeasuredEffects(rig, assumptions).all();
+}
+
+double shift_sensitivity_to_force(double f) {
+    return 2 * f / (3 * std::cbrt(1 - f) * theory::static_shift_ratio(f));
+}
+
+}  // namespace tricontact::experiments
