@@ -65,6 +65,14 @@ class States {
 
 }  // namespace
 
+Case with_coarser_mesh(Case c) {
+    for (auto* size : {&c.bem.spacing, &c.fem.size, &c.fem.accuracy})
+        if (*size) **size *= 2;
+    if (c.bem.cells_per_radius) *c.bem.cells_per_radius /= 2;
+    c.mdr.springs /= 2;
+    return c;
+}
+
 CaseRun run_models(const Case& c, const RunOptions& options, const Say& say,
                    const ModelRun& run_one) {
     CaseRun run{.c = c, .resolved = io::write_case(c), .histories = {}, .extras = {}};

@@ -31,6 +31,9 @@ using ModelRun =
 CaseRun run_models(const Case& c, const RunOptions& options, const Say& say,
                    const ModelRun& run_one);
 
+/// Cells, elements and springs of twice the size; meshes that a file gives stay.
+Case with_coarser_mesh(Case c);
+
 /// The text of summary.json.
 std::string summary_of(const CaseRun& run);
 

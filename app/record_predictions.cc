@@ -21,15 +21,6 @@ using experiments::RecordedPath;
 // Of a limit run: by turning points the rig's layer needs 30.
 constexpr int enough_limit_periods = 40;
 
-/// Cells, elements and springs of twice the size; meshes that a file gives stay.
-Case with_coarser_mesh(Case c) {
-    for (auto* size : {&c.bem.spacing, &c.fem.size, &c.fem.accuracy})
-        if (*size) **size *= 2;
-    if (c.bem.cells_per_radius) *c.bem.cells_per_radius /= 2;
-    c.mdr.springs /= 2;
-    return c;
-}
-
 std::vector<double> shifts_upright(const History& history) {
     std::vector<double> shift{history.static_shift};
     shift.insert(shift.end(), history.shift_per_period.begin(), history.shift_per_period.end());

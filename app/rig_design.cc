@@ -6,6 +6,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "app/rig_body.h"
 #include "app/rig_growth.h"
 #include "app/uncertain_case.h"
 #include "atlas/prediction.h"
@@ -24,7 +25,7 @@ using experiments::RigReport;
 
 /// By the values: their uncertainties would be propagated through every formula.
 experiments::Rig rig_of_values(const io::RigFile& file) {
-    experiments::Rig rig = experiments::rolling_rig(file);
+    experiments::Rig rig = rig_with_body(file);
     for (auto& [symbol, number] : rig.data) number.standard_error = 0;
     return rig;
 }

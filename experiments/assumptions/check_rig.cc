@@ -96,6 +96,14 @@ RigReport check_rig(const Rig& rig, const StaticShift& static_shift, const Rolle
                                   elastic_substrate(rig),  uncoupled(rig, {}),
                                   smooth_surfaces(rig),    unsaturated_contact(rig)};
             break;
+        case Rig::Kind::body:
+            report.assumptions = {quasi_static_drive(rig), half_space_of_body(rig),
+                                  elastic_substrate(rig),
+                                  uncoupled(rig, [](const Rig& body, bool coupled) {
+                                      return coupled ? body.body->coupled_static_shift.value
+                                                     : body.body->layer.static_shift.value;
+                                  })};
+            break;
         case Rig::Kind::micro_walking:
             report.assumptions = {contact_diameter(rig),  known_stiffness(rig),
                                   similar_stiffness(rig), rigid_sensor(rig),

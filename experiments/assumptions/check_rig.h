@@ -69,7 +69,8 @@ struct Growth {
 double smallest_rolling_amplitude(const Rig& rig);
 using RolledGrowth = std::function<std::optional<Growth>(const Rig& rig)>;
 
-/// What the evaluation of a rig takes for granted, with verdicts. `static_shift` empty: the effect
+/// What the evaluation of a rig takes for granted, with verdicts. Rig::body has to be there for
+/// Kind::body. `static_shift` empty: the effect
 /// of coupling stays open; `growth` empty: what rolling adds does. Throws contact::InputError for a
 /// rig out of the range of the layer's theory or materials out of range, contact::NotConverged.
 RigReport check_rig(const Rig& rig, const StaticShift& static_shift = {},

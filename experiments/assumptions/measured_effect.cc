@@ -62,6 +62,7 @@ class MeasuredEffects {
 
     void add_half_space() {
         if (!add_static_shift()) add_half_space_quantity("unit_shift", Measured::static_shift);
+        add_half_space_quantity("static_shift", Measured::static_shift);
         add_half_space_quantity("indentation", Measured::indentation);
         add_half_space_quantity("contact_radius", Measured::contact_radius);
         add_half_space_quantity("contact_width", Measured::contact_radius);

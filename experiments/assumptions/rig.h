@@ -26,13 +26,25 @@ struct PrintedValue : io::UncertainNumber {
 /// a force, the radius (half the width) of the contact.
 enum class Measured { static_shift, settled_shift, indentation, contact_radius };
 
+/// A body pressed by F_N, and then loaded by coupling_tangential_ratio of mu F_N; standard errors
+/// are numerical.
+struct BodyContact {
+    Estimate indentation, contact_radius;  ///< d; of a circle of the contact's area [m]
+    Estimate peak_pressure;                ///< [Pa]
+    Estimate static_shift;                 ///< [m]
+};
+struct BodyContacts {
+    BodyContact half_space, layer;  ///< normal and tangential contact uncoupled
+    Estimate coupled_static_shift;  ///< on the layer [m]
+};
+
 /// An experiment whose evaluation takes something for granted.
 struct Rig {
     /// Sphere, cylinder: a heavy roller that lies on a layer of rubber, bonded to a rigid plate,
     /// and is rolled back and forth by a lever. Micro-walking: an hourglass of a body and two discs
     /// that lies with four contact spots in a prism (two planes at 45 degrees) and is dragged by a
-    /// rod or spring.
-    enum class Kind { sphere, cylinder, micro_walking };
+    /// rod or spring. Body: as the sphere, but of another shape.
+    enum class Kind { sphere, cylinder, body, micro_walking };
 
     Kind kind = Kind::sphere;
     std::string title;
@@ -40,6 +52,7 @@ struct Rig {
     std::vector<PrintedValue> printed;
     /// Of a substrate with several branches; one alone is eta and G_2/G_1 of the data.
     std::optional<contact::Relaxation> relaxation = {};
+    std::optional<BodyContacts> body = {};  ///< of Kind::body, by models that the caller has
     std::vector<Measured> measured;         ///< what the file has records of; empty: anything
     statistics::Correlations correlations;  ///< of the data, by symbol
 
@@ -68,8 +81,9 @@ const std::vector<PrintedKey>& printed_keys(Rig::Kind kind);
 
 /// A rolling rig as a case file describes it, with [rig] and [printed] (docs/rig.md). What the case
 /// resolves - a thickness by its ratio, the amplitude of its rolling, a standard solid - is taken
-/// from there. Throws contact::InputError in one line, `file:line:column: key = value: rule;
-/// remedy`, for what formulas do not cover: other bodies, layers on anything but a rigid base to
+/// from there. Bodies other than spheres and cylinders still need their contacts. Throws
+/// contact::InputError in one line, `file:line:column: key = value: rule; remedy`, for what
+/// formulas do not cover: layers on anything but a rigid base to
 /// which they are bonded, a prescribed indentation.
 Rig rolling_rig(const io::RigFile& file);
 

@@ -106,9 +106,7 @@ Rig::Kind kind_of(const io::RigFile& file) {
         case Case::Shape::cylinder:
             return Rig::Kind::cylinder;
         default:
-            io::refuse(file.document, "indenter.shape",
-                       "the formulas of rigs are those of spheres and cylinders",
-                       "take \"sphere\" or \"cylinder\"");
+            return Rig::Kind::body;
     }
 }
 

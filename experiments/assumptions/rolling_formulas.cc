@@ -12,8 +12,9 @@ namespace {
 using Rolling = const Rig&;
 using Known = std::optional<Estimate>;
 
-/// Half the size of Hertz' contact: radius of a sphere's, half width of a cylinder's [m].
+/// Half the size of the contact with the half-space: radius, half width of a cylinder's [m].
 Estimate half_size(Rolling rig) {
+    if (rig.kind == Rig::Kind::body) return rig.body.value().half_space.contact_radius;
     const Values x = values_of(contact_given(rig, hertz_keys));
     return {x.size() > 6 ? line_half_width_of(x) : hertz_of(x).contact_radius};
 }

@@ -67,6 +67,8 @@ Assumption quasi_static_drive(const Rig& rig);
 Assumption ideal_rolling(const Rig& rig);
 Assumption half_space(const Rig& rig);
 Assumption half_space_of_line(const Rig& rig);
+/// By the contacts of Rig::body.
+Assumption half_space_of_body(const Rig& rig);
 Assumption long_cylinder(const Rig& rig);
 Assumption elastic_substrate(const Rig& rig);
 /// The same of a substrate with several branches of relaxation.

@@ -1,0 +1,54 @@
+#include "app/rig_body.h"
+
+#include <cmath>
+
+#include "app/case_run.h"
+#include "comparisons/resolution/refinement.h"
+#include "experiments/assumptions/check_rig.h"
+
+namespace tricontact::app {
+
+namespace {
+
+using contact::Case;
+using contact::History;
+using experiments::BodyContact;
+
+/// Half of Roache's index by first order, which stands for two standard errors.
+statistics::Estimate with_error(double fine, double coarse) {
+    return {fine, comparisons::safety_factor * std::abs(fine - coarse) / 2};
+}
+
+BodyContact contact_by(const std::string& model, const Case& c) {
+    const History fine = history_of(model, c, 1, silent),
+                  coarse = history_of(model, with_coarser_mesh(c), 1, silent);
+    return {with_error(fine.scales.indentation, coarse.scales.indentation),
+            with_error(fine.scales.contact_radius, coarse.scales.contact_radius),
+            with_error(fine.scales.peak_pressure, coarse.scales.peak_pressure),
+            with_error(fine.static_shift, coarse.static_shift)};
+}
+
+}  // namespace
+
+experiments::BodyContacts body_contacts(const Case& c) {
+    Case still = c;
+    still.rolling.reset();
+    still.tractive_rolling.reset();
+    still.relaxation.reset();
+    still.load.hold = 0;
+    still.load.normal_amplitude_ratio = still.load.tangential_amplitude_ratio = 0;
+    still.load.set_tangential_ratio(experiments::coupling_tangential_ratio);
+    Case uncoupled = still;
+    uncoupled.contact.coupling = false;
+    still.contact.coupling = true;
+    return {contact_by("bem", uncoupled), contact_by("bem-layer", uncoupled),
+            contact_by("bem-layer", still).static_shift};
+}
+
+experiments::Rig rig_with_body(const io::RigFile& file) {
+    experiments::Rig rig = experiments::rolling_rig(file);
+    if (rig.kind == experiments::Rig::Kind::body) rig.body = body_contacts(file.c);
+    return rig;
+}
+
+}  // namespace tricontact::app
