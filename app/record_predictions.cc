@@ -127,20 +127,30 @@ class RecordPredictions {
                           silent);
     }
     std::vector<double> shift_of(const History& history) const {
-        return recorded_ ? recorded_->shifts(history) : shifts_upright(history);
+        return recorded_ ? recorded_->shifts(history, share_of_rest_after())
+                         : shifts_upright(history);
+    }
+    /// Mean of the runs that are followed.
+    double share_of_rest_after() const {
+        if (evaluation_.kind == Experiment::Kind::limit)
+            return evaluation_.runs.front().share_of_rest_after();
+        double sum = 0;
+        for (const auto& run : evaluation_.runs) sum += run.share_of_rest_after();
+        return sum / static_cast<double>(evaluation_.runs.size());
     }
     double wobble_of(const Case& c, const History& history) const {
         if (!recorded_)
             return experiments::model_wobble(history.steps, history.steps.back().phase - 1,
                                              c.rolling->angle);
         const auto& upright = recorded_->upright.front();
-        return experiments::model_wobble(history.steps, upright[upright.size() - 2],
-                                         c.rolling->angle);
+        std::vector<contact::StepRecord> rolled = history.steps;  // without the rest after it
+        std::erase_if(rolled, [&](const auto& step) { return step.phase > upright.back(); });
+        return experiments::model_wobble(rolled, upright[upright.size() - 2], c.rolling->angle);
     }
     /// Along a recorded path a contact is judged as the record is.
     contact::State state_of(const History& history, std::size_t stage = 0) const {
         if (!recorded_) return history.verdict.state;
-        return experiments::state_by_walk(recorded_->shifts(history, stage));
+        return experiments::state_by_walk(recorded_->shifts(history, share_of_rest_after(), stage));
     }
 
     void add_shift(const std::string& name, const Case& c) {

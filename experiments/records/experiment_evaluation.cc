@@ -281,7 +281,9 @@ void add_prediction(ExperimentEvaluation& e, ModelPrediction prediction) {
             d.rest_is_missing = !e.rolled_as.hold_is_known;
             double drifted = 0;  // in one period
             for (const auto& run : e.runs) drifted += run.drift.value * run.stages[0].period;
-            d.creep = n_drifted * (drifted / static_cast<double>(e.runs.size()));
+            // Models that follow the record are rid of their own.
+            if (!e.rolled_as.loads)
+                d.creep = n_drifted * (drifted / static_cast<double>(e.runs.size()));
         }
         e.deviations.push_back(std::move(d));
     };

@@ -213,9 +213,9 @@ Verdict drift_verdict(const ExperimentEvaluation& e) {
         std::ranges::count_if(e.runs, [](const RunEvaluation& run) { return run.drift_changes; });
     return {cannot_tell,
             fmt::format("The drift before and after the rolling differs in {} of {} by more than "
-                        "three standard errors: it is not linear, or the substrate still creeps; "
+                        "three standard errors: it is not linear, {}the substrate still creeps; "
                         "the errors are widened by the difference.",
-                        changes, runs(e))};
+                        changes, runs(e), e.rolled_as.loads ? "the forces change, or " : "or ")};
 }
 
 /// Where the pivot is over the contact, as far as that is more than its error.

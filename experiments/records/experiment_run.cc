@@ -15,10 +15,8 @@ namespace {
 
 using contact::State;
 
-constexpr std::size_t fewest_rest_samples = 30;
-constexpr double window = 1. / 16;    // of a period, to both sides of the upright roller
-constexpr double stopping = 1. / 50;  // of a period, until the drive surely stands
-constexpr double drifts_differ = 3;   // standard errors
+constexpr double window = 1. / 16;   // of a period, to both sides of the upright roller
+constexpr double drifts_differ = 3;  // standard errors
 
 /// Successive samples.
 struct Part {
@@ -205,6 +203,11 @@ void check_stages(const Record& record, const Experiment& experiment,
 }
 
 }  // namespace
+
+double RunEvaluation::share_of_rest_after() const {
+    if (!after || after->value == before.value) return 0;
+    return (drift.value - before.value) / (after->value - before.value);
+}
 
 State judge_walk(const Estimate& increment, int periods, double last_shift) {
     return contact::state_of(increment.low, increment.high,

@@ -17,6 +17,11 @@ inline constexpr double verdict_confidence = 0.95;
 /// A walk that could add less than this part of the shift over the whole interval is none.
 inline constexpr double negligible_walk = 0.05;
 
+/// Samples of a rest, fewer of which tell no drift.
+inline constexpr std::size_t fewest_rest_samples = 30;
+/// Part of a period until the drive surely stands after it.
+inline constexpr double stopping = 1. / 50;
+
 /// What the shift did while the amplitude was the same. Shifts are counted from the unsheared state
 /// if the record holds it, and are rid of the drift.
 struct StageEvaluation {
@@ -52,6 +57,9 @@ struct RunEvaluation {
     std::optional<Estimate> wobble;   ///< dU/dW of the second half of the periods [-], one stage
     std::vector<double> time, shift;  ///< the record, corrected as above [s], [m]
     int degrees_of_freedom = 0;       ///< of the noise: independent samples of the rest, less two
+
+    /// Share of the rest after the rolling in the drift.
+    double share_of_rest_after() const;
 };
 
 /// Evaluates one record. Throws contact::InputError about it: see drive_timeline(), rest of fewer

@@ -9,6 +9,7 @@
 #include "comparisons/run/path_section.h"
 #include "contact/error.h"
 #include "contact/load_path.h"
+#include "experiments/records/experiment_run.h"
 #include "experiments/records/record_noise.h"
 
 namespace tricontact::experiments {
@@ -88,14 +89,26 @@ class RowsOfRecord {
 
     const Stages& stages() const { return stages_; }
 
+    /// Where the rest after the rolling begins [s].
+    double stands_from() const {
+        return stages_.back().upright.back() + stopping * stages_.back().period();
+    }
+    bool rests_after() const {
+        return std::ranges::count_if(record_.time, [&](double t) { return t >= stands_from(); }) >=
+               static_cast<std::ptrdiff_t>(fewest_rest_samples);
+    }
+
     /// `periods` of each stage.
-    void add(RecordedPath& to, const std::vector<int>& periods) {
+    void add(RecordedPath& to, const std::vector<int>& periods, bool with_rest_after) {
         path_ = &to;
         add_rest();
         for (std::size_t k = 0; k < stages_.size(); ++k) add_stage(stages_[k], periods[k]);
+        if (with_rest_after) add_rest_after(periods.back());
     }
 
   private:
+    int last_row() const { return static_cast<int>(path_->path.rows.size()) - 1; }
+
     void add_row(double time, double offset, double normal, double tangential) {
         Row row;
         row.time = time;
@@ -124,8 +137,25 @@ class RowsOfRecord {
         };
         add_row(rest / 1000, 0, normal_.mean(loading_, loading_ + part),
                 tangential_.mean(loading_, loading_ + part));
-        for (int k = 1; k <= rest_parts; ++k)
+        for (int k = 1; k <= rest_parts; ++k) {
             at_rest(loading_ + k * part, loading_ + k * part - origin_);
+            // As the record is read: a load that is applied in it has half of the rest to settle.
+            if (!is_whole_ || 2 * k >= rest_parts) path_->rest.push_back(last_row());
+        }
+        path_->reads_zero = is_whole_;
+        path_->unloaded_time = (first + loading_) / 2 - origin_;
+    }
+
+    /// Its last period may have been left out: repeats have equally many.
+    void add_rest_after(int periods) {
+        const double left_out = stages_.back().upright.back() -
+                                stages_.back().upright[static_cast<std::size_t>(periods)];
+        const double from = stands_from(), to = record_.time.back(), reach = (to - from) / 8;
+        for (const double t : {from, (from + to) / 2, to}) {
+            add_row(t - left_out - origin_, 0, normal_.value(t, t - reach, t + reach),
+                    tangential_.value(t, t - reach, t + reach));
+            path_->rest_after.push_back(last_row());
+        }
     }
 
     void add_stage(const DriveTimeline::Stage& stage, int periods) {
@@ -133,7 +163,6 @@ class RowsOfRecord {
         const int n = 4 * steps_;
         const double reach = stage.period() / (2 * n);
         auto& rows = path_->upright.emplace_back();
-        const auto last_row = [&] { return static_cast<int>(path_->path.rows.size()) - 1; };
         const double begin = upright.front() - origin_;
         if (begin > path_->path.rows.back().time + reach)  // it stood between two stages
             add_row(begin, 0, normal_.at(upright.front(), reach),
@@ -161,7 +190,7 @@ class RowsOfRecord {
     RecordedPath* path_ = nullptr;
 };
 
-/// Of all rows from the one on which F_T acts; its mean from the first on which it rolls.
+/// Of all rows from the one on which F_T acts; its mean while it rolls.
 template <class Of>
 RecordedPath::Range range_of(const RecordedPath& recorded, const Of& of) {
     const auto& rows = recorded.path.rows;
@@ -170,9 +199,10 @@ RecordedPath::Range range_of(const RecordedPath& recorded, const Of& of) {
         range.low = std::min(range.low, of(rows[r]));
         range.high = std::max(range.high, of(rows[r]));
     }
-    const auto first = static_cast<std::size_t>(recorded.upright.front().front());
-    for (std::size_t r = first; r < rows.size(); ++r)
-        range.mean += of(rows[r]) / static_cast<double>(rows.size() - first);
+    const auto first = static_cast<std::size_t>(recorded.upright.front().front()),
+               end = static_cast<std::size_t>(recorded.upright.back().back()) + 1;
+    for (std::size_t r = first; r < end; ++r)
+        range.mean += of(rows[r]) / static_cast<double>(end - first);
     return range;
 }
 
@@ -228,7 +258,8 @@ RecordedPath recorded_path(const Experiment& experiment, const Case& c, int step
     for (const RowsOfRecord& record : records)
         periods.front() = std::min(periods.front(), record.stages().front().periods());
     std::vector<RecordedPath> runs;
-    for (RowsOfRecord& record : records) record.add(runs.emplace_back(), periods);
+    const bool all_rest = std::ranges::all_of(records, &RowsOfRecord::rests_after);
+    for (RowsOfRecord& record : records) record.add(runs.emplace_back(), periods, all_rest);
     RecordedPath recorded = mean_of_runs(std::move(runs));
     recorded.normal_force = range_of(recorded, normal_of);
     recorded.normal_force.is_recorded = !experiment.records.front().normal_force.empty();
@@ -266,11 +297,26 @@ Case RecordedPath::followed_by(const Case& c) const {
     return followed;
 }
 
-std::vector<double> RecordedPath::shifts(const contact::History& history, std::size_t stage) const {
-    const auto rows = comparisons::steps_at_rows(history);
+std::vector<double> RecordedPath::shifts(const contact::History& history, double after,
+                                         std::size_t stage) const {
+    const auto steps = comparisons::steps_at_rows(history);
+    const auto shift = [&](int row) { return steps[static_cast<std::size_t>(row)]->shift[0]; };
+    const auto time = [&](int row) { return path.rows[static_cast<std::size_t>(row)].time; };
+    const auto slope_of = [&](const std::vector<int>& rows) {
+        std::vector<double> times, values;
+        for (const int row : rows) {
+            times.push_back(time(row));
+            values.push_back(shift(row));
+        }
+        return weighted(weights_of_slope(times), values);
+    };
+    double slope = slope_of(rest);
+    if (!rest_after.empty()) slope += after * (slope_of(rest_after) - slope);
+    const double start = time(upright.front().front());
+    const double zero = reads_zero ? shift(0) - slope * (unloaded_time - start) : shift(0);
     std::vector<double> shifts;
     for (const int row : upright[stage])
-        shifts.push_back(rows[static_cast<std::size_t>(row)]->shift[0] - rows.front()->shift[0]);
+        shifts.push_back(shift(row) - slope * (time(row) - start) - zero);
     return shifts;
 }
 

@@ -21,6 +21,10 @@ struct RecordedPath {
     /// Rows with the roller upright, before the first period of each stage and after each.
     std::vector<std::vector<int>> upright;
     Range normal_force, tangential_force;
+    /// Rows of the settled rest before the rolling; of that after it, if all records show one.
+    std::vector<int> rest, rest_after;
+    double unloaded_time = 0;  ///< at which the record's zero is read [s]
+    bool reads_zero = false;   ///< the record says when F_T was applied
 
     /// `c`, which presses and loads by forces, with this path along its rolling's angle in place of
     /// rolling and rest. Forces are in the ratio of the case's own to the recorded means, offsets
@@ -29,8 +33,12 @@ struct RecordedPath {
     /// Throws contact::InputError where F_T reaches mu F_N.
     contact::Case followed_by(const contact::Case& c) const;
 
-    /// Shifts of a stage with the roller upright, from the unloaded state [m].
-    std::vector<double> shifts(const contact::History& history, std::size_t stage = 0) const;
+    /// Shifts of a stage with the roller upright [m], read as the record is: rid of the slope of
+    /// the rest - that before the rolling, and by the share `after` that behind it - which under
+    /// forces that change, or on a substrate that creeps, is no drift of the instrument, and
+    /// counted from the unloaded state.
+    std::vector<double> shifts(const contact::History& history, double after,
+                               std::size_t stage = 0) const;
 };
 
 /// Whether the records hold forces.

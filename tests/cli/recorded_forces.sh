@@ -64,10 +64,10 @@ for kind in with without; do
     { cat rig.toml; printf '[record]\nkind = "shakedown"\nruns = ["%s.csv"]\n' "$kind"; } >$kind.toml
     "$program" experiment $kind.toml --output $kind --quiet >$kind.txt || complain "$kind: $(cat $kind.txt)"
 done
-grep -q "The models get what was recorded: F_N from .* (the case states 21 N); F_T from 6.00 to 6.00 N" with.txt ||
+grep -q "The models get what was recorded: F_N from .* (the case states 21.0 N); F_T from 6.00 to 6.00 N" with.txt ||
     complain "the answer does not tell the forces: $(cat with.txt)"
 ! grep -q "what was recorded" without.txt || complain "it tells forces that nobody recorded"
-grep -q 'id="loads"' with/report.html || complain "the report does not show the loads"
+grep -q 'Loads that the models follow' with/report.html || complain "the report does not show the loads"
 "$python" - <<'END' || complain "the models do not get what was recorded"
 import json
 def differences(name):

@@ -53,7 +53,8 @@ TEST(RecordedPath, HoldsWhatWasRecorded) {
     ASSERT_EQ(recorded.upright.size(), 2u);
     EXPECT_EQ(recorded.upright[0].size(), 6u);
     EXPECT_EQ(recorded.upright[1].size(), 7u);
-    EXPECT_EQ(recorded.upright[1].back(), static_cast<int>(rows.size()) - 1);
+    EXPECT_EQ(recorded.rest_after.size(), 3u);
+    EXPECT_EQ(recorded.upright[1].back(), recorded.rest_after.front() - 1);
     // Pressed before F_T acts.
     EXPECT_NEAR(rows[0].normal.value, normal_at(5), 0.02 * 0.05);  // mean up to a sample
     EXPECT_EQ(rows[0].tangential[0].value, 0);
