@@ -4,6 +4,7 @@
 
 #include "app/case_run.h"
 #include "comparisons/resolution/refinement.h"
+#include "contact/special_values.h"
 #include "experiments/assumptions/check_rig.h"
 
 namespace tricontact::app {
@@ -24,7 +25,9 @@ BodyContact contact_by(const std::string& model, const Case& c) {
                   coarse = history_of(model, with_coarser_mesh(c), 1, silent);
     return {with_error(fine.scales.indentation, coarse.scales.indentation),
             with_error(fine.scales.contact_radius, coarse.scales.contact_radius),
-            with_error(fine.scales.peak_pressure, coarse.scales.peak_pressure),
+            contact::has_conical_tip(c)
+                ? statistics::Estimate{contact::undefined}
+                : with_error(fine.scales.peak_pressure, coarse.scales.peak_pressure),
             with_error(fine.static_shift, coarse.static_shift)};
 }
 

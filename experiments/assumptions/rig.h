@@ -30,7 +30,7 @@ enum class Measured { static_shift, settled_shift, indentation, contact_radius }
 /// are numerical.
 struct BodyContact {
     Estimate indentation, contact_radius;  ///< d; of a circle of the contact's area [m]
-    Estimate peak_pressure;                ///< [Pa]
+    Estimate peak_pressure;                ///< [Pa]; NaN under a conical tip
     Estimate static_shift;                 ///< [m]
 };
 struct BodyContacts {

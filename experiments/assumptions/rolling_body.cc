@@ -33,6 +33,7 @@ std::string sentences(const BodyContacts& body) {
     std::string text;
     for (const BodyQuantity& q : body_quantities) {
         const double ratio = (body.layer.*q.of).value / (body.half_space.*q.of).value;
+        if (std::isnan(ratio)) continue;
         text += fmt::format("{}{} {} {} the half-space's", text.empty() ? "" : ", ", q.beside,
                             percent_text(std::abs(ratio - 1)), ratio < 1 ? "below" : "above");
     }
@@ -49,6 +50,7 @@ Assumption half_space_of_body(const Rig& rig) {
                  .claim = "The substrate is a half-space",
                  .consequence = sentences(body)};
     for (const BodyQuantity& q : body_quantities) {
+        if (std::isnan((body.layer.*q.of).value)) continue;
         const std::string name = q.name;
         a.criteria.push_back(
             {calculate(name + "_difference",

@@ -94,8 +94,9 @@ theory::LineContact layer_line_of(const Values& x) {
 }
 
 bool roller_is_rigid(const Rig& rig) {
-    const contact::MaterialPair pair = materials_of(values_of(given(rig, hertz_keys)));
     const contact::Material roller{rig["E_1"].value, rig["nu_1"].value};
+    const contact::MaterialPair pair{roller,
+                                     contact::Material{rig["E_2"].value, rig["nu_2"].value}};
     return roller.plane_compliance() * pair.effective_modulus() <= 0.01;
 }
 

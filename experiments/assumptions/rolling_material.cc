@@ -62,7 +62,11 @@ constexpr Formula loss_modulus_as_printed(
 constexpr Formula dundurs_beta(
     "dundurs_beta", "|beta|",
     "1/2 |(1 - 2 nu_2)/G_2 - (1 - 2 nu_1)/G_1|/[(1 - nu_1)/G_1 + (1 - nu_2)/G_2]", "(2.1.1)", "1",
-    hertz_keys, [](const Values& x) { return std::abs(materials_of(x).dundurs_beta()); });
+    "E_1 nu_1 E_2 nu_2", [](const Values& x) {
+        const contact::MaterialPair pair{contact::Material{x[0], x[1]},
+                                         contact::Material{x[2], x[3]}};
+        return std::abs(pair.dundurs_beta());
+    });
 
 constexpr Formula layer_coupling("layer_coupling", "|C_13|/sqrt(C_11 C_33)",
                                  "surface compliances of the bonded layer at the wave number 1/a",
@@ -126,7 +130,8 @@ std::string coupling_sentences(double beta, double layer, std::optional<double> 
 /// The criterion where the model has a shift for both; empty where it has none.
 std::optional<double> effect_of_coupling(const Rig& rig, const StaticShift& static_shift,
                                          Assumption& a) {
-    if (!static_shift || !roller_is_rigid(rig)) return {};
+    const bool knows_roller = rig.kind == Rig::Kind::body || roller_is_rigid(rig);
+    if (!static_shift || !knows_roller) return {};
     try {
         a.criteria.push_back({coupling_effect(static_shift(rig, true), static_shift(rig, false)),
                               Criterion::Relation::at_most, accepted_difference, accepted_reason});
