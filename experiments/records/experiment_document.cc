@@ -184,7 +184,7 @@ report::Figure series_figure(const SeriesDeviation& d) {
         band.high.push_back(value + half);
     }
     report::Figure figure{
-        .id = "series_" + report::display_names(d.model),
+        .id = "series_" + report::id_of_model(d.model),
         .title = "Measured minus computed over the periods: " + name,
         .caption = d.has_errors
                        ? "The band holds for all periods together in 95 % of the cases, by the "
