@@ -3,9 +3,9 @@
 #include <cmath>
 
 #include "app/case_run.h"
-#include "comparisons/resolution/refinement.h"
 #include "contact/special_values.h"
 #include "experiments/assumptions/check_rig.h"
+#include "experiments/records/experiment_evaluation.h"
 
 namespace tricontact::app {
 
@@ -15,9 +15,8 @@ using contact::Case;
 using contact::History;
 using experiments::BodyContact;
 
-/// Half of Roache's index by first order, which stands for two standard errors.
 statistics::Estimate with_error(double fine, double coarse) {
-    return {fine, comparisons::safety_factor * std::abs(fine - coarse) / 2};
+    return {fine, std::abs(experiments::numerical_error(fine, coarse))};
 }
 
 BodyContact contact_by(const std::string& model, const Case& c) {

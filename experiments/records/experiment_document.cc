@@ -188,11 +188,43 @@ report::DocumentSection limit_section(const ExperimentEvaluation& e) {
     return section;
 }
 
+report::Figure series_figure(const SeriesDeviation& d) {
+    const std::string name = report::display_name(d.model);
+    report::Curve difference{.name = "measured minus " + name,
+                             .kind = report::Curve::Kind::line_and_points};
+    report::Band band{.name = difference.name};
+    for (std::size_t n = 0; n < d.error.values.size(); ++n) {
+        const double value = um * d.error.values[n].difference(), half = um * d.error.half_width(n);
+        difference.add(static_cast<double>(n), value);
+        band.x.push_back(static_cast<double>(n));
+        band.low.push_back(value - half);
+        band.high.push_back(value + half);
+    }
+    report::Figure figure{
+        .id = "series_" + report::id_of_model(d.model),
+        .title = "Measured minus computed over the periods: " + name,
+        .caption = d.has_errors
+                       ? "The band holds for all periods together in 95 % of the cases, by the "
+                         "record, the uncertain numbers of the case and the mesh: measured and "
+                         "computed agree if zero lies in it everywhere."
+                       : "The case states no uncertainty of its numbers: there is no band.",
+        .x = {"period n [-]"},
+        .y = {"measured minus computed [µm]"},
+        .curves = {difference}};
+    if (d.has_errors) figure.bands = {band};
+    figure.curves.push_back({.name = "no difference", .theory = true});
+    figure.curves.back().add(0, 0);
+    figure.curves.back().add(difference.x.back(), 0);
+    return figure;
+}
+
 report::DocumentSection values_section(const ExperimentEvaluation& e) {
-    return {.id = "values",
-            .heading = "Shift over the periods",
-            .figures = {periods_figure(e), increments_figure(e)},
-            .tables = values_tables(e)};
+    report::DocumentSection section{.id = "values",
+                                    .heading = "Shift over the periods",
+                                    .figures = {periods_figure(e), increments_figure(e)},
+                                    .tables = values_tables(e)};
+    for (const SeriesDeviation& d : e.series) section.figures.push_back(series_figure(d));
+    return section;
 }
 
 report::DocumentSection criteria_section(const ExperimentEvaluation& e) {

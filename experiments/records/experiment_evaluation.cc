@@ -91,12 +91,6 @@ UncertaintySource source_of_record(const Repeated& measured) {
     return {"repeated runs", measured.at_95.standard_error, measured.runs - 1.};
 }
 
-// Half of Roache's grid convergence index (1998), which stands for two standard errors, of values
-// whose mesh is finer by a factor of two, by the first order that no model stays below.
-double numerical_standard_error(double fine, double coarse) {
-    return comparisons::safety_factor * std::abs(fine - coarse) / 2;
-}
-
 statistics::Fit line_of(const StageEvaluation& stage, double origin, double confidence) {
     std::vector<double> time = stage.time;
     for (double& t : time) t -= origin;
@@ -191,11 +185,24 @@ std::optional<LimitReading> read_limit(const RunEvaluation& run, State StageEval
 
 std::optional<bool> Deviation::differs() const {
     if (!has_errors || rest_is_missing) return {};
-    const auto [low, high] = std::minmax({error.difference(), error.difference() + creep});
-    const double half = error.half_width();
-    if (low > half || high < -half) return true;
+    if (is_excluded(error.difference(), creep, error.half_width())) return true;
     if (!error.agrees()) return {};
     return false;
+}
+
+double ExperimentEvaluation::creep_per_period() const {
+    if (!rolled_as.hold || rolled_as.loads) return 0;
+    double drifted = 0;
+    for (const RunEvaluation& run : runs) drifted += run.drift.value * run.stages.front().period;
+    return drifted / static_cast<double>(runs.size());
+}
+
+std::string name_of_number(const ExperimentEvaluation& e, std::size_t number) {
+    return number < e.uncertain_numbers.size() ? e.uncertain_numbers[number] : std::string();
+}
+
+double numerical_error(double fine, double coarse) {
+    return comparisons::safety_factor * (fine - coarse) / 2;
 }
 
 Repeated repeated(const std::vector<Estimate>& of_runs, double confidence) {
@@ -247,8 +254,7 @@ std::vector<double> half_widths(const ModelPrediction& p,
         for (const std::vector<double>& raised : p.raised)
             changes.push_back(raised[n] - p.shift[n]);
         double squares = statistics::combined_variance(changes, correlation);
-        if (!p.coarser.empty())
-            squares += std::pow(numerical_standard_error(p.shift[n], p.coarser[n]), 2);
+        if (!p.coarser.empty()) squares += std::pow(numerical_error(p.shift[n], p.coarser[n]), 2);
         widths.push_back(statistics::normal_quantile(.95) * std::sqrt(squares));
     }
     return widths;
@@ -263,28 +269,20 @@ void add_prediction(ExperimentEvaluation& e, ModelPrediction prediction) {
         for (std::size_t i = 0; i < prediction.raised.size(); ++i) {
             const double change = of(prediction.raised[i]) - value;
             changes.push_back(change);
-            error.sources.push_back(
-                {i < e.uncertain_numbers.size() ? e.uncertain_numbers[i] : std::string(),
-                 std::abs(change)});
+            error.sources.push_back({name_of_number(e, i), std::abs(change)});
         }
         const double variance = statistics::combined_variance(changes, e.correlation);
         error.covariance = statistics::covariance_part(changes, e.correlation);
         if (!prediction.coarser.empty())
             error.sources.push_back(
-                {"mesh", numerical_standard_error(value, of(prediction.coarser))});
+                {"mesh", std::abs(numerical_error(value, of(prediction.coarser)))});
         Deviation d{prediction.model, name, measured.at_confidence,
                     statistics::with_interval(value, std::sqrt(variance),
                                               statistics::student_t(e.confidence, many))};
         d.has_errors = !prediction.raised.empty();
         d.error = std::move(error);
-        if (e.rolled_as.hold) {
-            d.rest_is_missing = !e.rolled_as.hold_is_known;
-            double drifted = 0;  // in one period
-            for (const auto& run : e.runs) drifted += run.drift.value * run.stages[0].period;
-            // Models that follow the record are rid of their own.
-            if (!e.rolled_as.loads)
-                d.creep = n_drifted * (drifted / static_cast<double>(e.runs.size()));
-        }
+        d.rest_is_missing = e.rest_is_missing();
+        d.creep = n_drifted * e.creep_per_period();
         e.deviations.push_back(std::move(d));
     };
     add("u_stat", e.static_shift, 0, [](const std::vector<double>& u) { return u.front(); });
@@ -293,6 +291,7 @@ void add_prediction(ExperimentEvaluation& e, ModelPrediction prediction) {
     else
         add("Du", e.increment, 1,
             [&](const std::vector<double>& u) { return late_increment(u, e.confidence).value; });
+    e.series.push_back(series_deviation(e, prediction));
     e.predictions.push_back(std::move(prediction));
 }
 

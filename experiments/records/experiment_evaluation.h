@@ -10,6 +10,7 @@
 #include "experiments/records/experiment.h"
 #include "experiments/records/experiment_run.h"
 #include "experiments/records/recorded_path.h"
+#include "experiments/records/series_deviation.h"
 #include "experiments/validation/comparison_error.h"
 #include "statistics/correlations.h"
 #include "statistics/distribution.h"
@@ -156,8 +157,23 @@ struct ExperimentEvaluation {
     std::optional<NormalisedResults> normalised;  ///< with a case
     std::vector<ModelPrediction> predictions;
     std::vector<Deviation> deviations;
+    std::vector<SeriesDeviation> series;  ///< one per prediction
     std::vector<PredictedLimit> model_limits;
+
+    /// Of a relaxing substrate: how long F_T acted before rolling is not known.
+    bool rest_is_missing() const { return rolled_as.hold && !rolled_as.hold_is_known; }
+    /// Drift subtracted in one period that on a relaxing substrate may be creep, mean of the
+    /// runs [m]; models that follow the record are rid of their own.
+    double creep_per_period() const;
 };
+
+/// Of an uncertain number of the case; empty if it is not known.
+std::string name_of_number(const ExperimentEvaluation& evaluation, std::size_t number);
+
+/// Half of Roache's grid convergence index (1998), which stands for two standard errors, of values
+/// whose mesh is finer by a factor of two, by the first order that no model stays below; with the
+/// sign of fine minus coarse.
+double numerical_error(double fine, double coarse);
 
 /// Evaluates all records and puts the runs together. Throws contact::InputError, also if the
 /// amplitudes of runs differ by more than 2 %.
@@ -193,7 +209,8 @@ double model_wobble(const std::vector<contact::StepRecord>& steps, double begin,
 /// high (5.1.11) [m]. Needs `wobble` and `normalised`.
 Estimate pivot_height(const ExperimentEvaluation& e, double own_wobble);
 
-/// Adds a model's prediction and its deviations: u_stat, u_sd (shakedown) or Du (ratcheting).
+/// Adds a model's prediction and its deviations: u_stat, u_sd (shakedown) or Du (ratcheting), and
+/// those of all periods together.
 void add_prediction(ExperimentEvaluation& evaluation, ModelPrediction prediction);
 
 /// The scatter of one measured quantity over the runs.

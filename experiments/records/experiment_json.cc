@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "comparisons/quantities/quantities.h"
@@ -54,6 +55,25 @@ static json loads_json(const std::optional<RecordedLoads>& loads) {
     if (!loads) return nullptr;
     return {{"normal_force_N", range_json(loads->as_recorded.normal_force)},
             {"tangential_force_N", range_json(loads->as_recorded.tangential_force)}};
+}
+
+static json series_json(const SeriesDeviation& d) {
+    std::vector<double> differences, half_widths;
+    for (std::size_t n = 0; n < d.error.values.size(); ++n) {
+        differences.push_back(d.error.values[n].difference());
+        half_widths.push_back(d.error.half_width(n));
+    }
+    json shares = json::object();
+    for (const auto& [name, share] : d.error.values[d.error.furthest()].shares())
+        shares[name] = share;
+    const auto stated = [&](const json& value) { return d.has_errors ? value : json(); };
+    return {{"difference_m", differences},
+            {"half_width_95_percent_m", stated(half_widths)},
+            {"widening", stated(d.error.widening)},
+            {"furthest_period", stated(d.error.furthest())},
+            {"resolution", stated(d.error.resolution)},
+            {"shares", stated(shares)},
+            {"differs", d.differs()}};
 }
 
 static json rolled_json(const ExperimentEvaluation& e) {
@@ -131,6 +151,7 @@ static json normalised_json(const NormalisedResults& n) {
 static json models_json(const ExperimentEvaluation& e) {
     json models = json::array();
     for (const ModelPrediction& p : e.predictions) {
+        const auto series = std::ranges::find(e.series, p.model, &SeriesDeviation::model);
         json deviations = json::array();
         for (const Deviation& d : e.deviations)
             if (d.model == p.model)
@@ -146,7 +167,8 @@ static json models_json(const ExperimentEvaluation& e) {
              {"shift_m", p.shift},
              {"wobble_ratio", p.wobble},
              {"pivot_height_m", e.wobble ? uncertain(pivot_height(e, p.wobble)) : json()},
-             {"deviations", deviations}});
+             {"deviations", deviations},
+             {"series", series == e.series.end() ? json() : series_json(*series)}});
     }
     for (const PredictedLimit& limit : e.model_limits)
         models.push_back({{"model", limit.model},

@@ -113,7 +113,9 @@ Verdict limit_verdict(const ExperimentEvaluation& e) {
                         report::percent(ratio_limit), shift(*e.limit_shift))};
 }
 
-std::string why_not_compared(const Deviation& d) {
+// Of a Deviation or a SeriesDeviation that cannot tell.
+template <class D>
+std::string why_not_compared(const D& d, double creep) {
     if (!d.has_errors)
         return "the case states no uncertainty of its numbers: whether they differ cannot be told";
     if (d.rest_is_missing)
@@ -121,18 +123,29 @@ std::string why_not_compared(const Deviation& d) {
                "told";
     return fmt::format(
         "{}; but not if the drift that was subtracted, {} µm, is creep of the substrate",
-        statement(d.error, "m"), report::significant(um * d.creep, 2));
+        statement(d.error, "m"), report::significant(um * creep, 2));
+}
+
+Verdict::Standing standing_of(std::optional<bool> differs) {
+    return !differs ? cannot_tell : *differs ? fails : holds;
 }
 
 Verdict deviation_verdict(const Deviation& d) {
     const auto differs = d.differs();
-    const auto standing = !differs ? cannot_tell : *differs ? fails : holds;
     const std::string computed =
         d.has_errors ? shift(d.predicted) : report::significant(um * d.predicted.value) + " µm";
-    return {standing,
+    return {standing_of(differs),
             fmt::format("{}: {} = {}, measured {} ({}); {}.", report::display_name(d.model),
                         d.quantity, computed, shift(d.measured), report::percent(d.ratio()),
-                        differs ? statement(d.error, "m") : why_not_compared(d))};
+                        differs ? statement(d.error, "m") : why_not_compared(d, d.creep))};
+}
+
+Verdict series_verdict(const SeriesDeviation& d) {
+    const auto differs = d.differs();
+    return {standing_of(differs),
+            fmt::format("{}, all periods: {}.", report::display_name(d.model),
+                        differs ? statement(d.error, "m")
+                                : why_not_compared(d, d.creep(d.error.furthest())))};
 }
 
 // Of a relaxing substrate.
@@ -259,6 +272,7 @@ std::vector<Verdict> experiment_verdicts(const ExperimentEvaluation& e) {
         verdicts = {state_verdict(e), values_verdict(e), curvature_verdict(e)};
         for (const Deviation& d : e.deviations) verdicts.push_back(deviation_verdict(d));
         if (e.rolled_as.loads) verdicts.push_back(loads_verdict(*e.rolled_as.loads));
+        for (const SeriesDeviation& d : e.series) verdicts.push_back(series_verdict(d));
         if (e.rolled_as.hold) verdicts.push_back(rest_verdict(e));
         for (const ModelPrediction& p : e.predictions)
             if (e.wobble && std::abs(p.wobble) > e.wobble->at_confidence.standard_error)

@@ -26,6 +26,10 @@ std::string numbers_with_errors(const ExperimentEvaluation& e) {
     return fmt::format("{}", fmt::join(e.uncertain_numbers, ", "));
 }
 
+const char* agrees(std::optional<bool> differs) {
+    return !differs ? "cannot tell" : *differs ? "no" : "yes";
+}
+
 report::DocumentTable values_table(const ExperimentEvaluation& e) {
     report::DocumentTable table{
         .id = "values",
@@ -102,9 +106,32 @@ report::DocumentTable deviations_table(const ExperimentEvaluation& e) {
                                   : report::Cell(um * d.error.difference()),
                               d.has_errors ? report::Cell(100 * d.error.resolution())
                                            : report::Cell(contact::undefined),
-                              !d.differs()   ? "cannot tell"
-                              : *d.differs() ? "no"
-                                             : "yes"});
+                              agrees(d.differs())});
+    return table;
+}
+
+report::DocumentTable series_table(const ExperimentEvaluation& e) {
+    report::DocumentTable table{
+        .id = "series",
+        .title = "Measured minus computed, all periods together",
+        .note =
+            "Where the series is furthest off, in half widths that hold for all periods at once "
+            "(95 %); widening: of the interval that this period has by itself. Resolution: the "
+            "least relative deviation, the same in all periods, that would have been called a "
+            "disagreement in 95 of 100 such comparisons.",
+        .columns = report::columns("model", "furthest at n", "difference [µm]", "widening:3",
+                                   "resolution [%]:2", "agrees")};
+    for (const SeriesDeviation& d : e.series) {
+        const std::size_t n = d.error.furthest();
+        const double difference = um * d.error.values[n].difference();
+        table.rows.push_back({report::display_name(d.model), static_cast<int>(n), difference,
+                              contact::undefined, contact::undefined, agrees(d.differs())});
+        if (!d.has_errors) continue;
+        auto& row = table.rows.back();
+        row[2] = report::WithError{difference, um * d.error.half_width(n)};
+        row[3] = d.error.widening;
+        row[4] = 100 * d.error.resolution;
+    }
     return table;
 }
 
@@ -117,15 +144,21 @@ report::DocumentTable contributions_table(const ExperimentEvaluation& e) {
             "the variance, that of the covariances of correlated numbers apart.",
         .columns =
             report::columns("model", "quantity", "source", "standard error [µm]:3", "share [%]:2")};
-    for (const Deviation& d : e.deviations) {
-        const double whole = d.error.standard_error();
-        for (const UncertaintySource& one : d.error.sources)
-            table.rows.push_back({report::display_name(d.model), d.quantity, one.name,
+    const auto add = [&](const std::string& model, const std::string& quantity,
+                         const ComparisonError& error) {
+        const double whole = error.standard_error();
+        for (const UncertaintySource& one : error.sources)
+            table.rows.push_back({report::display_name(model), quantity, one.name,
                                   um * one.standard_error,
                                   100 * one.standard_error * one.standard_error / (whole * whole)});
-        if (d.error.covariance != 0)
-            table.rows.push_back({report::display_name(d.model), d.quantity, "correlations", "",
-                                  100 * d.error.covariance / (whole * whole)});
+        if (error.covariance != 0)
+            table.rows.push_back({report::display_name(model), quantity, "correlations", "",
+                                  100 * error.covariance / (whole * whole)});
+    };
+    for (const Deviation& d : e.deviations) add(d.model, d.quantity, d.error);
+    for (const SeriesDeviation& d : e.series) {
+        const std::size_t n = d.error.furthest();
+        add(d.model, fmt::format("all periods, n = {}", n), d.error.values[n]);
     }
     return table;
 }
@@ -227,6 +260,7 @@ std::vector<report::DocumentTable> values_tables(const ExperimentEvaluation& e) 
     if (e.normalised) tables.push_back(normalised_table(e));
     if (!e.deviations.empty()) {
         tables.push_back(deviations_table(e));
+        tables.push_back(series_table(e));
         tables.push_back(contributions_table(e));
     }
     return tables;

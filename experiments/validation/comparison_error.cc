@@ -34,14 +34,18 @@ double ComparisonError::standard_error() const {
     return std::sqrt(std::max(0., squares));
 }
 
-double ComparisonError::half_width() const {
+int ComparisonError::degrees_of_freedom() const {
     const double error = standard_error();
-    if (error == 0) return 0;
     double sum = 0;
     for (const UncertaintySource& one : sources)
-        sum += std::pow(one.standard_error / error, 4) / one.degrees_of_freedom;
-    const double effective = sum > 0 ? std::min(1 / sum, many) : many;
-    return statistics::student_t(confidence, std::max(1, static_cast<int>(effective))) * error;
+        if (one.standard_error > 0)
+            sum += std::pow(one.standard_error / error, 4) / one.degrees_of_freedom;
+    return static_cast<int>(std::clamp(1 / sum, 1., many));
+}
+
+double ComparisonError::half_width() const {
+    const double error = standard_error();
+    return error > 0 ? statistics::student_t(confidence, degrees_of_freedom()) * error : 0;
 }
 
 bool ComparisonError::agrees() const {
@@ -65,6 +69,11 @@ std::vector<std::pair<std::string, double>> ComparisonError::shares() const {
     return shares;
 }
 
+bool is_excluded(double difference, double creep, double half_width) {
+    const auto [low, high] = std::minmax({difference, difference + creep});
+    return low > half_width || high < -half_width;
+}
+
 std::string largest_contributors(const ComparisonError& error, std::size_t most) {
     std::vector<std::string> told;
     for (const auto& [name, share] : error.shares()) {
@@ -77,14 +86,17 @@ std::string largest_contributors(const ComparisonError& error, std::size_t most)
     return fmt::format("{}", fmt::join(told, ", "));
 }
 
+std::string difference_text(double difference, double half_width, const std::string& unit) {
+    const auto fitting = report::fitting_unit(std::max(std::abs(difference), half_width), unit);
+    return signed_with_half_width(difference / fitting.factor, half_width / fitting.factor) + ' ' +
+           fitting.symbol;
+}
+
 std::string statement(const ComparisonError& error, const std::string& unit) {
-    const auto fitting =
-        report::fitting_unit(std::max(std::abs(error.difference()), error.half_width()), unit);
-    const double difference = error.difference() / fitting.factor;
     return fmt::format(
-        "measured minus computed: {} {} (95 %): {}; this comparison would have seen {} %; largest "
+        "measured minus computed: {} (95 %): {}; this comparison would have seen {} %; largest "
         "contributors: {}",
-        signed_with_half_width(difference, error.half_width() / fitting.factor), fitting.symbol,
+        difference_text(error.difference(), error.half_width(), unit),
         error.agrees() ? "agrees" : "disagrees", report::significant(100 * error.resolution(), 2),
         largest_contributors(error));
 }

@@ -33,6 +33,8 @@ struct ComparisonError {
     /// Of the interval of 95 % of the difference: Student's t of the effective degrees of freedom
     /// (Welch and Satterthwaite; JCGM 100:2008, G.4) times u_val.
     double half_width() const;
+    /// The effective ones, whole, at least 1.
+    int degrees_of_freedom() const;
     /// The interval holds zero.
     bool agrees() const;
     /// The least deviation of the computed value, relative to it, that this comparison would have
@@ -44,9 +46,15 @@ struct ComparisonError {
     std::vector<std::pair<std::string, double>> shares() const;
 };
 
+/// No value from `difference` to `difference + creep` lies within a half width of zero.
+bool is_excluded(double difference, double creep, double half_width);
+
 /// "substrate.young 61 %, repeated runs 22 %": the largest, and correlations that take something
 /// off.
 std::string largest_contributors(const ComparisonError& error, std::size_t most = 4);
+
+/// "+1.4 ± 6.8 µm": a difference with the half width of its interval. `unit`: SI.
+std::string difference_text(double difference, double half_width, const std::string& unit);
 
 /// "measured minus computed: +1.4 ± 6.8 µm (95 %): agrees; this comparison would have seen 12 %;
 /// largest contributors: substrate.young 61 %, repeated runs 22 %". `unit`: SI.
