@@ -22,6 +22,10 @@ struct ForceCurves {
     std::optional<Estimate> measured_diameter;  ///< at that force [m]
 };
 
+/// Empty for other bodies and for a sphere that is not rigid beside the substrate. Throws as
+/// check_rig() does.
+std::optional<ForceCurves> force_curves(const Rig& rig);
+
 /// A published number beside the same number computed from the rig's data.
 struct PrintedCheck {
     enum class Agreement {
@@ -46,7 +50,6 @@ struct RigReport {
     std::string title;
     std::vector<Assumption> assumptions = {};
     std::vector<PrintedCheck> printed = {};
-    std::optional<ForceCurves> curves = {};  ///< of a sphere
 };
 
 /// F_T/(mu F_N) at which the effect of the layer's coupling is told.

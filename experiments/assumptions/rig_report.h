@@ -29,6 +29,6 @@ std::string error_text(const PrintedCheck& check);
 std::string rig_json(const RigReport& report);
 
 /// What report.html says of a rig, without version and command.
-report::Document rig_document(const RigReport& report);
+report::Document rig_document(const Rig& rig, const RigReport& report);
 
 }  // namespace tricontact::experiments
