@@ -89,7 +89,8 @@ void check_assumptions(RigOptions options) {
                     criterion.probability_violated =
                         experiments::probability_of_violation(criterion, options.samples);
         options.write("rig.json", experiments::rig_json(report));
-        options.write_report(experiments::rig_document(report), "tricontact rig " + stem + ".toml");
+        options.write_report(experiments::rig_document(given, report),
+                             "tricontact rig " + stem + ".toml");
     });
     print(report);
 }

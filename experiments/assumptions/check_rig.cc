@@ -7,9 +7,8 @@
 
 namespace tricontact::experiments {
 
-namespace {
-
-ForceCurves force_curves(const Rig& rig) {
+std::optional<ForceCurves> force_curves(const Rig& rig) {
+    if (rig.kind != Rig::Kind::sphere || !roller_is_rigid(rig)) return {};
     constexpr int n_points = 31;
     ForceCurves curves;
     curves.rig_force = rig["F_N"];
@@ -28,6 +27,8 @@ ForceCurves force_curves(const Rig& rig) {
     }
     return curves;
 }
+
+namespace {
 
 using Agreement = PrintedCheck::Agreement;
 
@@ -88,7 +89,6 @@ RigReport check_rig(const Rig& rig, const StaticShift& static_shift, const Rolle
                                   no_heating(rig),
                                   no_wear(rig),
                                   fitted_constants(rig)};
-            if (roller_is_rigid(rig)) report.curves = force_curves(rig);
             break;
         case Rig::Kind::cylinder:
             report.assumptions = {quasi_static_drive(rig), ideal_rolling(rig),

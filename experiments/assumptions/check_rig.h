@@ -23,6 +23,10 @@ struct ForceCurves {
     std::optional<Estimate> measured_diameter;  ///< at that force [m]
 };
 
+/// Empty for other bodies and for a sphere that is not rigid beside the substrate. Throws as
+/// check_rig() does.
+std::optional<ForceCurves> force_curves(const Rig& rig);
+
 /// A published number beside the same number computed from the rig's data.
 struct PrintedCheck {
     enum class Agreement {
@@ -48,7 +52,6 @@ struct RigReport {
     std::vector<Assumption> assumptions = {};
     std::vector<MeasuredEffect> effects = {};  ///< of these on what is measured
     std::vector<PrintedCheck> printed = {};
-    std::optional<ForceCurves> curves = {};  ///< of a sphere
 };
 
 /// F_T/(mu F_N) at which the effect of the layer's coupling is told.

@@ -214,7 +214,7 @@ std::string printed_sentences(const std::vector<PrintedCheck>& printed) {
 
 }  // namespace
 
-report::Document rig_document(const RigReport& report) {
+report::Document rig_document(const Rig& rig, const RigReport& report) {
     report::Document document{.kind = "Assumptions of an experiment",
                               .title = report.title,
                               .lead =
@@ -226,8 +226,8 @@ report::Document rig_document(const RigReport& report) {
     for (const Assumption& assumption : report.assumptions) {
         document.verdicts.push_back(verdict_on(report, assumption));
         document.sections.push_back(section_of(assumption));
-        if (report.curves && assumption.name == "half_space")
-            add_figures(document.sections.back(), *report.curves);
+        if (assumption.name != "half_space") continue;
+        if (const auto curves = force_curves(rig)) add_figures(document.sections.back(), *curves);
     }
     if (!report.printed.empty()) {
         document.verdicts.push_back({.sentence = printed_sentences(report.printed)});

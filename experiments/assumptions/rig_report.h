@@ -35,6 +35,6 @@ std::string effects_text(const RigReport& report, const std::string& assumption)
 std::string rig_json(const RigReport& report);
 
 /// What report.html says of a rig, without version and command.
-report::Document rig_document(const RigReport& report);
+report::Document rig_document(const Rig& rig, const RigReport& report);
 
 }  // namespace tricontact::experiments

@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <deque>
+#include <utility>
 
 #include "contact/bodies/half_space_scales.h"
 #include "experiments/assumptions/rolling_parts.h"
@@ -28,6 +30,18 @@ Known print(Rolling rig, std::string_view name) {
 
 theory::ElasticLayer layer_with(const Values& x) {
     return {{x[3], x[4]}, x[2], theory::LayerBase::bonded};
+}
+
+/// Solved once for all quantities of a rig, which each ask for the same contacts.
+template <class Solve>
+auto solved_once(const Values& x, const Solve& solve) {
+    using Contact = decltype(solve(x));
+    constexpr std::size_t n_kept = 64;  // the numbers of a rig, each moved to both sides
+    static thread_local std::deque<std::pair<Values, Contact>> kept;
+    const auto found = std::ranges::find(kept, x, &std::pair<Values, Contact>::first);
+    if (found != kept.end()) return found->second;
+    if (kept.size() == n_kept) kept.pop_front();
+    return kept.emplace_back(x, solve(x)).second;
 }
 
 struct ThesisRig {
@@ -84,13 +98,17 @@ double line_half_width_of(const Values& x) {
 }
 
 theory::LayerContact layer_of(const Values& x) {
-    return theory::solve_layer_contact(layer_with(x), contact::Paraboloid(x[0]),
-                                       {contact::NormalControl::Kind::force, x[1]});
+    return solved_once(x, [](const Values& y) {
+        return theory::solve_layer_contact(layer_with(y), contact::Paraboloid(y[0]),
+                                           {contact::NormalControl::Kind::force, y[1]});
+    });
 }
 
 theory::LineContact layer_line_of(const Values& x) {
-    return theory::solve_line_contact(layer_with(x), x[0],
-                                      {theory::LineControl::Kind::load, x[1] / x[5]});
+    return solved_once(x, [](const Values& y) {
+        return theory::solve_line_contact(layer_with(y), y[0],
+                                          {theory::LineControl::Kind::load, y[1] / y[5]});
+    });
 }
 
 bool roller_is_rigid(const Rig& rig) {

@@ -80,7 +80,7 @@ TEST(RollingRig, LayerOfThePerpendicularRig) {
 
 TEST(RollingRig, CurvesOverTheForceMeetTheRigsNumbers) {
     const auto report = report_of("sphere_parallel");
-    const experiments::ForceCurves& curves = report.curves.value();
+    const auto curves = experiments::force_curves(rig_file("sphere_parallel")).value();
     const std::size_t n = curves.force.size();
     expect_digits(curves.force.back(), 1.5 * 21.1, 1e-12);
     // Hertz: d ~ F^(2/3); the layer's indentation stays behind.
@@ -90,7 +90,7 @@ TEST(RollingRig, CurvesOverTheForceMeetTheRigsNumbers) {
         EXPECT_LT(curves.diameter.layer[i], curves.diameter.hertz[i]);
         EXPECT_LT(curves.indentation.layer[i], curves.indentation.hertz[i]);
     }
-    EXPECT_FALSE(report_of("cylinder_parallel").curves);
+    EXPECT_FALSE(experiments::force_curves(rig_file("cylinder_parallel")));
 }
 
 TEST(RollingRig, PrintedContactBelongsToAnotherModulus) {

@@ -205,7 +205,7 @@ TEST(RigSentences, ARollerThatIsNotRigidIsNotComparedWithALayerUnderARigidOne) {
     EXPECT_FALSE(says(half_space.consequence, "true one")) << half_space.consequence;
     EXPECT_TRUE(says(half_space.consequence, "not rigid")) << half_space.consequence;
     EXPECT_FALSE(half_space.missing.empty());
-    EXPECT_FALSE(report.curves);
+    EXPECT_FALSE(experiments::force_curves(rig));
     EXPECT_TRUE(assumption_of(report, "fitted_constants").consequence.empty());
     // Steel is rigid beside it.
     EXPECT_TRUE(says(contact_of(ball_on_polyurethane()), "true one"));
