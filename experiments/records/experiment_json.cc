@@ -53,7 +53,7 @@ static json range_json(const RecordedPath::Range& range) {
 
 static json loads_json(const std::optional<RecordedLoads>& loads) {
     if (!loads) return nullptr;
-    return {{"normal_force_N", range_json(loads->as_recorded.normal_force)},
+    return {{names::normal_force.key, range_json(loads->as_recorded.normal_force)},
             {"tangential_force_N", range_json(loads->as_recorded.tangential_force)}};
 }
 
