@@ -270,9 +270,9 @@ std::vector<Verdict> experiment_verdicts(const ExperimentEvaluation& e) {
         if (e.rolled_as.hold) verdicts.push_back(rest_verdict(e));
     } else {
         verdicts = {state_verdict(e), values_verdict(e), curvature_verdict(e)};
+        for (const SeriesDeviation& d : e.series) verdicts.push_back(series_verdict(d));
         for (const Deviation& d : e.deviations) verdicts.push_back(deviation_verdict(d));
         if (e.rolled_as.loads) verdicts.push_back(loads_verdict(*e.rolled_as.loads));
-        for (const SeriesDeviation& d : e.series) verdicts.push_back(series_verdict(d));
         if (e.rolled_as.hold) verdicts.push_back(rest_verdict(e));
         for (const ModelPrediction& p : e.predictions)
             if (e.wobble && std::abs(p.wobble) > e.wobble->at_confidence.standard_error)

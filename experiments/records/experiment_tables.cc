@@ -8,6 +8,8 @@ namespace tricontact::experiments {
 
 namespace {
 
+constexpr std::size_t most_open_rows = 12;
+
 report::WithError with_half_width(const Estimate& e, double factor) {
     return {factor * e.value, factor * e.half_width()};
 }
@@ -147,10 +149,12 @@ report::DocumentTable contributions_table(const ExperimentEvaluation& e) {
     const auto add = [&](const std::string& model, const std::string& quantity,
                          const ComparisonError& error) {
         const double whole = error.standard_error();
-        for (const UncertaintySource& one : error.sources)
+        for (const UncertaintySource& one : error.sources) {
+            if (one.standard_error == 0) continue;  // a half-space has no thickness
             table.rows.push_back({report::display_name(model), quantity, one.name,
                                   um * one.standard_error,
                                   100 * one.standard_error * one.standard_error / (whole * whole)});
+        }
         if (error.covariance != 0)
             table.rows.push_back({report::display_name(model), quantity, "correlations", "",
                                   100 * error.covariance / (whole * whole)});
@@ -160,6 +164,7 @@ report::DocumentTable contributions_table(const ExperimentEvaluation& e) {
         const std::size_t n = d.error.furthest();
         add(d.model, fmt::format("all periods, n = {}", n), d.error.values[n]);
     }
+    table.folded = table.rows.size() > most_open_rows;
     return table;
 }
 
