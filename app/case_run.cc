@@ -123,7 +123,8 @@ void require_sound(const contact::Audit& audit, const std::string& name) {
 }
 
 contact::History run_model(const std::string& name, const Case& c, const std::string& resolved,
-                           const RunOptions& options, comparisons::LoadingStudy* study) {
+                           const RunOptions& options, comparisons::LoadingStudy* study,
+                           comparisons::ContactFilm* film) {
     const std::string folder = options.output + "/" + name;
     io::make_output_folder(folder);
     const Say say = options.sayer();
@@ -147,6 +148,7 @@ contact::History run_model(const std::string& name, const Case& c, const std::st
                                            const contact::Progress& progress) {
         bar.update(progress.step, progress.steps_at_most);
         states.add(record.phase, state, progress);
+        if (film) film->add(record, state, progress);
     };
     contact::History history;
     try {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "app/models.h"
+#include "comparisons/run/contact_film.h"
 #include "comparisons/run/report.h"
 #include "contact/run.h"
 
@@ -52,7 +53,8 @@ inline const std::vector<std::string> model_results{"history.csv", "surface.pvd"
 /// The same with progress, with history and ParaView files in a folder of its own. A finite element
 /// run that was killed goes on from its last finished step. `resolved` is the text of the case.
 contact::History run_model(const std::string& name, const Case& c, const std::string& resolved,
-                           const RunOptions& options, comparisons::LoadingStudy* study = nullptr);
+                           const RunOptions& options, comparisons::LoadingStudy* study = nullptr,
+                           comparisons::ContactFilm* film = nullptr);
 
 // What runs beside the models of a case find.
 

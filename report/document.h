@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "report/figure.h"
+#include "report/player.h"
 
 namespace tricontact::report {
 
@@ -77,6 +78,7 @@ struct Document {
     std::string title;
     std::string lead = {};  ///< one paragraph: what was asked
     std::vector<Verdict> verdicts = {};
+    std::optional<Player> player = {};                               ///< behind the verdicts
     std::vector<std::pair<std::string, std::string>> settings = {};  ///< name, value with unit
     std::vector<DocumentSection> sections = {};
     std::vector<std::pair<std::string, std::string>> files = {};  ///< text, path from the report

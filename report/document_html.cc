@@ -10,6 +10,8 @@
 #include "report/document_csv.h"
 #include "report/format.h"
 #include "report/page_templates.h"
+#include "report/player_json.h"
+#include "report/plot_style.h"
 
 namespace tricontact::report {
 
@@ -161,6 +163,23 @@ void set_scripts(const Document& document, data& page) {
     page.set("script", std::string(charts_script) + document_script);
 }
 
+void set_player(const std::optional<Player>& player, data& page) {
+    page.set("has_player", player.has_value());
+    if (!player) return;
+    data films{data::type::list};
+    std::string colours;
+    for (int i = 0; i < n_model_colours; ++i)
+        colours += (i > 0 ? " " : "") + model_colour(static_cast<std::size_t>(i));
+    for (std::size_t i = 0; i < player->films.size(); ++i)
+        films << object({{"name", player->films[i].name}, {"index", std::to_string(i)}});
+    page.set("films", films);
+    page.set("player_colours", colours);
+    page.set("player_axis", player->axis);
+    page.set("player_caption", player->caption);
+    page.set("films_json", script_json(player_json(*player)));
+    page.set("player_script", std::string(player_script));
+}
+
 void set_origin(const Document& document, data& page) {
     data settings{data::type::list}, files{data::type::list};
     for (const auto& [name, value] : document.settings)
@@ -205,6 +224,7 @@ std::string document_html(const Document& document) {
                         {"has_verdicts", !document.verdicts.empty()},
                         {"verdicts", verdicts(document.verdicts)},
                         {"sections", sections}});
+    set_player(document.player, page);
     set_origin(document, page);
     set_scripts(document, page);
     kainjow::mustache::mustache engine{document_template};

@@ -16,6 +16,9 @@ extern const char* const document_template;
 extern const char* const document_style;
 extern const char* const document_script;
 
+/// Plays the contact of a document that has a player.
+extern const char* const player_script;
+
 /// The script that draws charts (plotly.js), its licence in front, embedded when the program is
 /// built: cmake/charts.cmake. It defines `Plotly`.
 std::string_view chart_library();

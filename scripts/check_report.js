@@ -65,6 +65,48 @@ async function check_marker(expect, settle) {
     }
 }
 
+// A page that plays a contact: each instant is painted, the slider, the space bar and the button move
+// it, each field is another picture.
+async function check_player(expect, settle) {
+    const part = id => document.getElementById("player_" + id);
+    if (!document.getElementById("player")) return;
+    const canvases = [...document.querySelectorAll("#player canvas")];
+    const seen = () => canvases.map(canvas => canvas.toDataURL());
+    const painted = canvas => {
+        const pixels = canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height).data;
+        return pixels.some(value => value > 0);
+    };
+    expect(!part("controls").hidden, "the player has no controls");
+    for (const canvas of canvases) expect(painted(canvas), `the canvas ${canvas.ariaLabel} is empty`);
+    const last = Number(part("scrub").max);
+    expect(last >= 1, "the player has a single instant");
+    function to(frame) {
+        part("scrub").value = frame;
+        part("scrub").dispatchEvent(new Event("input"));
+    }
+    to(0);
+    const first = seen(), words = part("label").textContent;
+    to(last);
+    const end = seen();
+    expect(words !== part("label").textContent, "the last instant is told as the first");
+    canvases.forEach((canvas, i) => expect(first[i] !== end[i], `${canvas.ariaLabel}: the same at both ends`));
+    const pictures = new Set();
+    for (const option of part("field").options) {
+        part("field").value = option.value;
+        part("field").dispatchEvent(new Event("change"));
+        pictures.add(canvases[0].toDataURL());
+    }
+    expect(pictures.size === part("field").options.length, "two fields are one picture");
+    to(0);
+    part("play").click();
+    for (let i = 0; i < 20 && part("scrub").value === "0"; ++i) await settle();
+    expect(part("scrub").value !== "0", "play does not move it");
+    part("play").click();
+    document.getElementById("player").dispatchEvent(new KeyboardEvent("keydown", {key: " ", bubbles: true}));
+    expect(part("play").getAttribute("aria-pressed") === "true", "the space bar does not play");
+    part("play").click();
+}
+
 // A page of atlases: mouse, keys, sliders and fields move its marker, by which sentence, table and
 // pictures change; each map is drawn; numbers beyond an atlas say so; and back to the case.
 async function check_atlas(expect, settle) {
@@ -219,6 +261,7 @@ addEventListener("load", async () => {
 
     await check_marker(expect, settle);
     await check_atlas(expect, settle);
+    await check_player(expect, settle);
 
     const drawings = [];
     HTMLAnchorElement.prototype.click = function() { drawings.push(this); };

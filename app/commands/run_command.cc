@@ -33,10 +33,17 @@ std::vector<comparisons::Results> all_results(const CaseRun& run) {
 CaseRun compute(const Case& c, const RunOptions& options) {
     const std::string resolved = io::write_case(c);
     options.write(resolved_case_name, resolved);
-    CaseRun run = run_models(c, options, options.sayer(),
-                             [&](const std::string& name, comparisons::LoadingStudy* study) {
-                                 return run_model(name, c, resolved, options, study);
-                             });
+    std::vector<report::Film> films;
+    int n_models = 0;
+    const auto run_one = [&](const std::string& name, comparisons::LoadingStudy* study) {
+        comparisons::ContactFilm film(c);
+        contact::History history =
+            run_model(name, c, resolved, options, study, options.report ? &film : nullptr);
+        if (auto played = film.film(history, n_models++)) films.push_back(std::move(*played));
+        return history;
+    };
+    CaseRun run = run_models(c, options, options.sayer(), run_one);
+    run.extras.films = std::move(films);
     options.write("summary.json", summary_of(run));
     options.write(io::paraview_macro_name, io::paraview_macro(options.output));
     if (!options.report) return run;

@@ -4,6 +4,7 @@
 
 #include "comparisons/half_space/layer_report.h"
 #include "comparisons/quantities/results.h"
+#include "comparisons/run/contact_film.h"
 #include "comparisons/run/figures.h"
 #include "comparisons/run/path_section.h"
 #include "comparisons/run/reading.h"
@@ -132,6 +133,7 @@ report::Document run_document(const contact::Case& c, const std::string& resolve
                               .input = resolved_case,
                               .plots = "plots"};
     for (const Results& s : results) document.verdicts.push_back(verdict_of(s));
+    document.player = player_of(c, extras.films);
     document.sections = {{"reading", "Reading", reading(c, results)}, results_section(c, results)};
     if (c.prescribed_path) document.sections.push_back(path_section(c, histories));
     for (DocumentSection& section : study_sections(c, histories, extras))

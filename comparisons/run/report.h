@@ -26,6 +26,7 @@ struct ReportExtras {
     std::optional<Refinement> refinement;           ///< of which the histories are the finest level
     RelaxationStudy relaxation;                     ///< of cases with a relaxing substrate
     std::vector<SmallStrains> small_strains;        ///< of cases at finite strains
+    std::vector<report::Film> films;                ///< of models that have one
     std::vector<report::DocumentSection> sections;  ///< the caller's own, before the figures
 };
 

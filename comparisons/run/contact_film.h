@@ -1,0 +1,50 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "comparisons/quantities/resample.h"
+#include "contact/run.h"
+#include "report/player.h"
+
+namespace tricontact::comparisons {
+
+/// Looks at a run as it goes and keeps what a page plays: the pressed and the loaded contact, the
+/// steps of the first period and of the last one; of a prescribed path all, thinned.
+class ContactFilm {
+  public:
+    explicit ContactFilm(const contact::Case& c);
+
+    /// After each step.
+    void add(const contact::StepRecord& record, const contact::Model& model,
+             const contact::Progress& progress);
+
+    /// With all steps of the finished run. Empty: fewer than two instants, lines of springs or of
+    /// cells, grids of more points than a page shows. `style`: the model's place in its case.
+    std::optional<report::Film> film(const contact::History& history, int style) const;
+
+  private:
+    struct Shot {
+        contact::StepRecord record;
+        contact::Surface surface;  ///< a grid, of fields that are played
+    };
+
+    void keep(std::vector<Shot>& shots, const contact::StepRecord& record,
+              const contact::Model& model);
+    std::vector<const Shot*> chosen() const;
+
+    bool is_path_ = false;
+    double direction_ = 0;  // of the path [rad]
+    std::optional<Shot> pressed_, loaded_;
+    std::vector<Shot> first_, recent_;
+    std::optional<Resampling> resampling_;
+    double recent_period_ = 0;
+    std::size_t every_ = 1, n_seen_ = 0;  // of a path's steps
+    bool is_playable_ = true;
+};
+
+/// The films of a case's models. Empty without any.
+std::optional<report::Player> player_of(const contact::Case& c,
+                                        const std::vector<report::Film>& films);
+
+}  // namespace tricontact::comparisons
