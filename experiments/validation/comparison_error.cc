@@ -41,7 +41,9 @@ int ComparisonError::degrees_of_freedom() const {
         all += variance;
         sum += variance * variance / one.degrees_of_freedom;
     }
-    return sum > 0 ? static_cast<int>(std::clamp(all * all / sum, 1., many)) : int(many);
+    constexpr double rounding = 1e-9;  // must not take one from a whole number
+    const double effective = sum > 0 ? all * all / sum * (1 + rounding) : many;
+    return static_cast<int>(std::clamp(effective, 1., many));
 }
 
 double ComparisonError::half_width() const {
