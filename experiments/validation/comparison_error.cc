@@ -35,12 +35,15 @@ double ComparisonError::standard_error() const {
 }
 
 int ComparisonError::degrees_of_freedom() const {
-    const double error = standard_error();
-    double sum = 0;
-    for (const UncertaintySource& one : sources)
-        if (one.standard_error > 0)
-            sum += std::pow(one.standard_error / error, 4) / one.degrees_of_freedom;
-    return static_cast<int>(std::clamp(1 / sum, 1., many));
+    double all = covariance, sum = 0;
+    for (const UncertaintySource& one : sources) {
+        const double variance = one.standard_error * one.standard_error;
+        all += variance;
+        sum += variance * variance / one.degrees_of_freedom;
+    }
+    constexpr double rounding = 1e-9;  // must not take one from a whole number
+    const double effective = sum > 0 ? all * all / sum * (1 + rounding) : many;
+    return static_cast<int>(std::clamp(effective, 1., many));
 }
 
 double ComparisonError::half_width() const {

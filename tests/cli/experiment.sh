@@ -31,6 +31,8 @@ sed -i 's/^models = .*/models = ["mdr"]/' examples/records/synthetic_shakedown.t
 expect 0 examples/records/synthetic_shakedown.toml --output example --quiet
 says "Shakedown in 3 of 3 runs" out
 says "disagrees; this comparison would have seen" out
+says "MDR, all periods: measured minus computed over n = 0 ... 12: furthest at n = " out
+says "series_mdr" example/report.html
 [ -s err ] && complain "--quiet is not silent: $(cat err)"
 says '"state": "shakedown"' example/experiment.json
 says "curvature" example/report.html
@@ -141,6 +143,7 @@ expect 0 data.toml --output limit --quiet
 says "W_lim = 1.15 ± 0.05 mm" out
 says "MDR: W_lim" out
 says '"last_shakedown_m": 0.00109' limit/experiment.json
+grep -q "all periods" out && complain "a limit run has no series"
 write 'kind = "shakedown"' 'runs = ["run.csv"]'
 refused "the amplitude changes from 1 mm to 1.1 mm at 54 s"
 
@@ -174,6 +177,8 @@ grep -q "disagrees" out && complain "models differ without errors"
 grep -q "± 0 " out && complain "± 0: $(cat out)"
 [ "$(json plain/experiment.json "['models'][0]['deviations'][0]['differs']")" = None ] ||
     complain "differs without errors"
+[ "$(json plain/experiment.json "['models'][0]['series']['differs']")" = None ] ||
+    complain "the series differs without errors"
 
 # 8. A relaxing substrate rests under F_T as long as the record says, and rolls as fast: the model's
 #    static shift is that of a run with this hold.

@@ -49,6 +49,14 @@ TEST(ComparisonError, CountsDegreesOfFreedomAsTheGumsGaugeBlocks) {
     EXPECT_NEAR(e.half_width() / e.standard_error(), 2.120, .001);
 }
 
+// A single source keeps its own, whatever rounding does to them.
+TEST(ComparisonError, OneSourceHasItsOwnDegreesOfFreedom) {
+    for (int degrees = 1; degrees < 200; ++degrees) {
+        const ComparisonError e{0, 1, {{"runs", 1e-6 / 3, double(degrees)}}};
+        EXPECT_EQ(e.degrees_of_freedom(), degrees);
+    }
+}
+
 // What the resolution promises, drawn: a deviation of its size is called a disagreement in 95 % of
 // the cases, none in 5 %. 1e5 draws scatter by 0.07 %.
 TEST(ComparisonError, ADeviationOfItsResolutionIsSeen) {
