@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <map>
 #include <string>
 #include <string_view>
@@ -31,6 +32,7 @@ struct Rig {
     Kind kind = Kind::sphere;
     std::string title;
     std::map<std::string, Estimate> data;  ///< SI units, by symbol; only what the file states
+    std::array<Estimate, 2> reach = {};    ///< of rolling from its middle, along x and y [m]
     std::vector<PrintedValue> printed;
     statistics::Correlations correlations;  ///< of the data, by symbol
 

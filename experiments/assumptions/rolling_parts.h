@@ -36,6 +36,7 @@ theory::LineContact layer_line_of(const Values& x);
 bool roller_is_rigid(const Rig& rig);
 inline constexpr const char* theory_of_elastic_roller =
     "a theory of the layer under a roller that is not rigid beside it";
+inline constexpr const char* exact_layer = "exact contact with a bonded layer";
 
 /// Relative differences up to here count as none: the scatter of repeated runs of such rigs.
 inline constexpr double accepted_difference = 0.05;
@@ -67,6 +68,8 @@ Assumption quasi_static_drive(const Rig& rig);
 Assumption ideal_rolling(const Rig& rig);
 Assumption half_space(const Rig& rig);
 Assumption half_space_of_line(const Rig& rig);
+Assumption far_edges(const Rig& rig);
+Assumption level_surface(const Rig& rig);
 Assumption long_cylinder(const Rig& rig);
 Assumption elastic_substrate(const Rig& rig);
 Assumption uncoupled(const Rig& rig, const StaticShift& static_shift);
