@@ -16,7 +16,7 @@ constexpr const char* block_text =
     "q 1.15 F_N/(G_2 b d) S(a/b)^2 times the mean over directions of phi(rho/b), phi ~ exp(-2 "
     "lambda rho/b); q: what the effect is of this upper estimate";
 constexpr const char* strip_text =
-    "q 1.15 F_N/(L G_2 d) S(a/b)^2 times the mean over both sides of phi(rho/b), phi ~ exp(-2 "
+    "q 1.25 F_N/(L G_2 d) S(a/b)^2 times the mean over both sides of phi(rho/b), phi ~ exp(-2 "
     "lambda rho/b); q: what the effect is of this upper estimate";
 constexpr const char* effect_source =
     "decay by Williams (1952), amplitudes by finite elements: theory/layer/free_sides.h";

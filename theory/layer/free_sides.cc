@@ -74,7 +74,7 @@ double side_effect(const ElasticLayer& layer, const LayerContact& contact,
         mean += disc_side_compliance(nu, distance(sides, 2 * pi * (i + .5) / n_directions) / b) /
                 n_directions;
     const double spread = mean_over_disc(edge_decay(nu) * contact.contact_radius / b);
-    return sides_margin * contact.normal_force * mean * square(spread) /
+    return block_margin * contact.normal_force * mean * square(spread) /
            (layer.material.shear_modulus() * b * contact.indentation);
 }
 
@@ -84,7 +84,7 @@ double side_effect(const ElasticLayer& layer, const LineContact& contact, double
     const double mean =
         (strip_side_compliance(nu, right / b) + strip_side_compliance(nu, left / b)) / 2;
     const double spread = mean_over_strip(edge_decay(nu) * contact.half_width / b);
-    return sides_margin * contact.load * mean * square(spread) /
+    return strip_margin * contact.load * mean * square(spread) /
            (layer.material.shear_modulus() * contact.indentation);
 }
 

@@ -25,8 +25,9 @@ namespace tricontact::theory {
 // has there: exact for straight sides that are far, by the method of stationary phase.
 //
 // A was fitted to axisymmetric and plane finite elements, nu = 0 to 1/2, b/a = 1/4 to 40;
-// `sides_margin` covers what these had more than the form has, from sides a/2 off the contact's
-// edge on. Against tricontact's own: tests/verification/fem/free_sides.cc.
+// the margins cover what these had more than the form has, from sides a/2 off the contact's edge
+// on, and of a strip what a contact off its middle adds by bending. Against tricontact's own:
+// tests/verification/fem/free_sides.cc.
 
 /// lambda, the least decay of a layer's disturbances over r/b, nu in (-1, 1/2].
 double edge_decay(double poisson);
@@ -35,7 +36,7 @@ double edge_decay(double poisson);
 double disc_side_compliance(double poisson, double t);
 double strip_side_compliance(double poisson, double t);
 
-inline constexpr double sides_margin = 1.15;
+inline constexpr double block_margin = 1.15, strip_margin = 1.25;
 /// Where the estimate exceeds 5 % it is at most so many times the effect, ...
 inline constexpr double largest_side_excess = 2;
 /// ... from this Poisson's ratio on.

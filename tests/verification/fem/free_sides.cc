@@ -87,7 +87,7 @@ TEST_P(FemFreeSides, OfAStripAddWhatIsEstimated) {
     const double a = exact.half_width;
     c.fem.size = a / 6;
     const double unbounded = indentation(c, 0);
-    for (const Block& block : {Block{1, 0, 0}, {2, 0, 0}, {4, 0, 0}, {1, 0, 2}}) {
+    for (const Block& block : {Block{1.5, 0, 0}, {2, 0, 0}, {4, 0, 0}, {1, 0, 2}, {1, 0, 6}}) {
         Case bounded = c;
         const double half = (1 + block.along + block.shift) * a, at = block.shift * a;
         bounded.layer.width = 2 * half;

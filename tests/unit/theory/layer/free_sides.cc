@@ -61,7 +61,7 @@ TEST(FreeSides, OfABlockAreCountedByTheirDirections) {
     const theory::ElasticLayer layer{{2e6, .5}, 4e-3, theory::LayerBase::bonded};
     const double h = 100e-3, lambda = theory::edge_decay(.5), t = h / layer.thickness;
     const double disc =
-        theory::sides_margin * 3 / (2e6 / 3 * 4e-3 * 2e-4) * theory::disc_side_compliance(.5, t);
+        theory::block_margin * 3 / (2e6 / 3 * 4e-3 * 2e-4) * theory::disc_side_compliance(.5, t);
     const auto effect = [&](const theory::BlockSides& sides) {
         return theory::side_effect(layer, sphere_contact(1e-6), sides);
     };
