@@ -78,7 +78,9 @@ RigReport check_rig(const Rig& rig, const StaticShift& static_shift, const Rolle
         case Rig::Kind::sphere:
             report.assumptions = {quasi_static_drive(rig),
                                   ideal_rolling(rig),
+                                  level_surface(rig),
                                   half_space(rig),
+                                  far_edges(rig),
                                   elastic_substrate(rig),
                                   uncoupled(rig, static_shift),
                                   growth_by_rolling(rig, growth),
@@ -91,10 +93,10 @@ RigReport check_rig(const Rig& rig, const StaticShift& static_shift, const Rolle
                                   fitted_constants(rig)};
             break;
         case Rig::Kind::cylinder:
-            report.assumptions = {quasi_static_drive(rig), ideal_rolling(rig),
-                                  half_space_of_line(rig), long_cylinder(rig),
-                                  elastic_substrate(rig),  uncoupled(rig, {}),
-                                  smooth_surfaces(rig),    unsaturated_contact(rig)};
+            report.assumptions = {quasi_static_drive(rig), ideal_rolling(rig), level_surface(rig),
+                                  half_space_of_line(rig), far_edges(rig),     long_cylinder(rig),
+                                  elastic_substrate(rig),  uncoupled(rig, {}), smooth_surfaces(rig),
+                                  unsaturated_contact(rig)};
             break;
         case Rig::Kind::body:
             report.assumptions = {quasi_static_drive(rig), half_space_of_body(rig),

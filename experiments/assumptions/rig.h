@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <map>
 #include <optional>
 #include <string>
@@ -49,6 +50,7 @@ struct Rig {
     Kind kind = Kind::sphere;
     std::string title;
     std::map<std::string, Estimate> data;  ///< SI units, by symbol; only what the file states
+    std::array<Estimate, 2> reach = {};    ///< of rolling from its middle, along x and y [m]
     std::vector<PrintedValue> printed;
     /// Of a substrate with several branches; one alone is eta and G_2/G_1 of the data.
     std::optional<contact::Relaxation> relaxation = {};

@@ -124,6 +124,9 @@ void check_covered(const io::RigFile& file) {
     if (!c.load.normal_force)
         io::fail(document.place_of("load.normal_force"), "", "missing key load.normal_force",
                  "give the force, not the indentation: add normal_force = \"21.1 N\"");
+    if (c.indenter.shape != Case::Shape::cylinder && document.find("rig.axis_tilt"))
+        io::refuse(document, "rig.axis_tilt", "has no effect without an axis: a cylinder's",
+                   "omit it, or take shape = \"cylinder\"");
     for (const char* key : {"rig.viscosity", "rig.maxwell_ratio"})
         if (c.relaxation && document.find(key))
             io::refuse(document, key, "[substrate.relaxation] says how the substrate relaxes",
@@ -145,6 +148,14 @@ statistics::Correlations by_symbols(const statistics::Correlations& of_keys, Rig
     return result;
 }
 
+/// Its standard error over its value; 0 of a key whose number is certain.
+double relative_error_of_key(const io::RigFile& file, std::string_view path) {
+    const auto found = std::ranges::find_if(
+        file.uncertain, [&](const io::UncertainKey& one) { return one.key->path == path; });
+    if (found == file.uncertain.end()) return 0;
+    return found->number.value.standard_error / found->number.value.value;
+}
+
 /// What follows from the resolved case where the file has no such key.
 void complete(Rig& rig, const io::RigFile& file) {
     const Case& c = file.c;
@@ -152,14 +163,15 @@ void complete(Rig& rig, const io::RigFile& file) {
         rig.data["E_1"] = {rigid_young};
         rig.data["nu_1"] = {0.3};
     }
-    if (!rig.has("b")) {  // by its ratio
-        rig.data["b"] = {*c.layer.thickness};
-        for (const io::UncertainKey& one : file.uncertain)
-            if (one.key->path == "substrate.thickness_ratio")
-                rig.data["b"].standard_error =
-                    *c.layer.thickness * one.number.value.standard_error / one.number.value.value;
-    }
+    if (!rig.has("b"))  // by its ratio
+        rig.data["b"] = {
+            *c.layer.thickness,
+            *c.layer.thickness * relative_error_of_key(file, "substrate.thickness_ratio")};
     const double radius = contact::half_space_scales(c).contact_radius;
+    const contact::Vector2 reach = contact::path_reach(c, radius);
+    const double relative = relative_error_of_key(file, "rolling.amplitude") +
+                            relative_error_of_key(file, "rolling.amplitude_ratio");  // one of both
+    for (int i : {0, 1}) rig.reach[i] = {reach[i], reach[i] * relative};
     if (!rig.has("w") && !rig.has("a'") && c.rolling)
         rig.data["w"] = {contact::path_amplitude(c, radius) / radius};
     if (const auto& roughness = c.indenter.roughness) {

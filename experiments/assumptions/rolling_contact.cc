@@ -143,9 +143,8 @@ Assumption half_space_assumption(const Rig& rig, Calculation thickness_ratio,
 }
 
 Assumption half_space(const Rig& rig) {
-    Assumption a = half_space_assumption(
-        rig, calculate(rig, thickness_formula(rig)), quantities,
-        {"Fredholm equation", "exact contact with a bonded layer", layer_sentences});
+    Assumption a = half_space_assumption(rig, calculate(rig, thickness_formula(rig)), quantities,
+                                         {"Fredholm equation", exact_layer, layer_sentences});
     if (roller_is_rigid(rig))
         for (const Formula& factor : modulus_factors)
             a.background.push_back(calculate(rig, factor));

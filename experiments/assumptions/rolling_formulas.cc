@@ -64,6 +64,8 @@ const std::vector<DerivedQuantity>& rolling_quantities() {
     static const std::vector<DerivedQuantity> table{
         {"W", "m", [](Rolling r) { return result_if_known(r, smallest_amplitude); }, "w"},
         {"W'", "m", [](Rolling r) { return result_if_known(r, pivot_amplitude); }, "w'"},
+        {"W_x", "m", [](Rolling r) -> Known { return r.reach[0]; }},
+        {"W_y", "m", [](Rolling r) -> Known { return r.reach[1]; }},
         {"f_0", "Hz", [](Rolling r) { return result_if_known(r, excitation_frequency); }, "v W"},
         {"f_0'", "Hz", [](Rolling r) { return print(r, "excitation_frequency"); }},
         {"Dh'", "m", [](Rolling r) { return print(r, "pivot_height_error"); }},

@@ -36,6 +36,7 @@ theory::LineContact layer_line_of(const Values& x);
 bool roller_is_rigid(const Rig& rig);
 inline constexpr const char* theory_of_elastic_roller =
     "a theory of the layer under a roller that is not rigid beside it";
+inline constexpr const char* exact_layer = "exact contact with a bonded layer";
 
 /// Relative differences up to here count as none: the scatter of repeated runs of such rigs.
 inline constexpr double accepted_difference = 0.05;
@@ -69,6 +70,8 @@ Assumption half_space(const Rig& rig);
 Assumption half_space_of_line(const Rig& rig);
 /// By the contacts of Rig::body.
 Assumption half_space_of_body(const Rig& rig);
+Assumption far_edges(const Rig& rig);
+Assumption level_surface(const Rig& rig);
 Assumption long_cylinder(const Rig& rig);
 Assumption elastic_substrate(const Rig& rig);
 /// The same of a substrate with several branches of relaxation.

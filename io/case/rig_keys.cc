@@ -1,6 +1,7 @@
 #include "io/case/rig_keys.h"
 
 #include <algorithm>
+#include <numbers>
 #include <stdexcept>
 #include <string>
 
@@ -11,6 +12,7 @@ namespace {
 using enum Dimension;
 
 constexpr double longest = 1e9;  // [s]
+constexpr Range steepest{-std::numbers::pi / 4, std::numbers::pi / 4};
 
 std::vector<Key> record_keys() {
     return {
@@ -140,6 +142,11 @@ const std::vector<Key>& rolling_rig_keys() {
                          "volume worn off over normal force and slipped way, k_w"),
             number_key("rig.periods", above_zero(1e9), "1000",
                        "rolling periods of a test, in which it wears; without it rolling.periods"),
+            quantity_key("rig.tilt", angle, steepest, R"("0.1 ± 0.05 deg")",
+                         "slope theta of the substrate's surface along the tangential force, to "
+                         "the plane in which the drive rolls"),
+            quantity_key("rig.axis_tilt", angle, steepest, R"("0 ± 0.02 deg")",
+                         "angle between the axis of a cylinder and the substrate's surface"),
             number_key("rig.maxwell_ratio", above_zero(1e15), "10",
                        "G_2/G_1 of that solid, modulus of the Maxwell element over the relaxed "
                        "one"),

@@ -62,6 +62,20 @@ cmp -s again/report.html results/sphere_parallel/report.html || complain "report
 tells drawn.txt 'b/D_c = .* fails; violated in (9[5-9]|100)[.0]* % of the samples'
 tells drawn/rig.json '"probability_violated"'
 
+# The layer's sides and the tilt of its surface: not testable without their data, one criterion each with them.
+tells sphere_parallel.txt '^not testable: The layer is unbounded'
+tells sphere_parallel.txt '^    not given: substrate\.depth$'
+tells sphere_parallel.txt '^    not given: rig\.tilt$'
+tells cylinder_parallel.txt '^    not given: rig\.axis_tilt$'
+sed -e 's/^thickness = .*/&\nwidth = "60 ± 1 mm"\ndepth = "18 mm"/' -e 's/^\[rig\]/&\ntilt = "0 ± 0.2 deg"/' \
+    "$source_dir/examples/rigs/sphere_parallel.toml" >small.toml
+"$program" rig small.toml >small.txt || complain "$(cat small.txt)"
+tells small.txt '^not testable: The layer is unbounded'
+tells small.txt 'Delta d/d = 0\.04[0-9]* ± 0\.01[0-9]*, at most 0\.05: cannot tell'
+tells small.txt 'free sides add 2\.[5-9] to 5\.[0-9] % to the indentation'
+tells small.txt '^holds: The surface of the substrate is level'
+tells small.txt 'changes F_T by up to 1\.2 %'
+
 # A plain case lacks the layer that a rig is held against.
 refused "missing key substrate.thickness" rig "$source_dir/examples/cases/rig_sphere_parallel.toml"
 refused "this is a study, not a contact case; tricontact sweep computes it" rig \

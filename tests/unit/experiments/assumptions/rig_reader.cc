@@ -1,8 +1,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 #include <string>
 
+#include "contact/bodies/half_space_scales.h"
 #include "contact/error.h"
 #include "experiments/assumptions/rig.h"
 #include "experiments/assumptions/rig_report.h"
@@ -94,6 +96,10 @@ TEST(RigReader, RefusesWithPlaceRuleAndRemedy) {
                "one layer bonded to a rigid base"},
           Pair{rolling + "pivot_displacement = \"1 um\"\n",
                "has no effect without rig.pivot_amplitude_ratio"},
+          Pair{rolling + "axis_tilt = \"0 ± 0.1 deg\"\n",
+               "rig.axis_tilt = \"0 ± 0.1 deg\": has no effect without an axis"},
+          Pair{rolling + "tilt = \"0.1 ± 0.05 mm\"\n", "\"mm\" is a unit of length"},
+          Pair{rolling + "tilt = \"40 ± 6 deg\"\n", "with its error it must be"},
           Pair{rolling + "[bem]\nspacing = \"0.2 ± 0.1 mm\"\n",
                "is a setting of the computation, and has no uncertainty"},
           Pair{with_print + "radius = {value = \"1 mm\", source = \"x\"}\n",
@@ -112,6 +118,39 @@ TEST(RigReader, RefusesWithPlaceRuleAndRemedy) {
         EXPECT_NE(told.find(message), std::string::npos) << told << "\nlacks " << message;
         EXPECT_TRUE(told.starts_with("rig.toml:")) << told;
     }
+}
+
+// Zero is in the middle of a tilt's range, and its error goes to both sides.
+TEST(RigReader, ReadsTiltsAboutZero) {
+    const auto rig = rig_of(rolling + "tilt = \"0 ± 0.2 deg\"\n");
+    EXPECT_EQ(rig["theta"].value, 0);
+    EXPECT_NEAR(rig["theta"].standard_error, .2 * std::numbers::pi / 180, 1e-12);
+    const auto falling = rig_of(rolling + "tilt = \"-0.1 ± 0.05 deg\"\n");
+    EXPECT_NEAR(falling["theta"].value, -.1 * std::numbers::pi / 180, 1e-12);
+    EXPECT_DOUBLE_EQ(rig["f_T"].value, .5);
+}
+
+// W along x, or along y; of a ratio w a, a of Hertz.
+TEST(RigReader, KnowsHowFarTheRollerGoes) {
+    const std::string text =
+        replaced(rolling, "amplitude_ratio = 0.3", "amplitude = \"2 ± 0.1 mm\"");
+    const auto along = rig_of(text).reach;
+    EXPECT_DOUBLE_EQ(along[0].value, 2e-3);
+    EXPECT_DOUBLE_EQ(along[0].standard_error, .1e-3);
+    EXPECT_EQ(along[1].value, 0);
+    const auto across = rig_of(replaced(text, "speed =", "angle = \"90 deg\"\nspeed =")).reach;
+    EXPECT_NEAR(across[0].value, 0, 1e-15);
+    EXPECT_DOUBLE_EQ(across[1].value, 2e-3);
+    const double a = contact::half_space_scales([] {
+                         contact::Case c;
+                         c.indenter.radius = .04;
+                         c.indenter.material = contact::Material{206e9, .3};
+                         c.substrate = {5.2e6, .49};
+                         c.load.normal_force = 21.1;
+                         return c;
+                     }())
+                         .contact_radius;
+    EXPECT_NEAR(rig_of(rolling).reach[0].value, .3 * a, 1e-9 * a);
 }
 
 // What the case resolves is taken from there.

@@ -23,7 +23,8 @@ Rig rig_with(const std::string& name, const Data& data) {
 /// All data that a rig may state, harmless.
 const Data sphere_data{{"rho", 1100}, {"eta", 40},   {"G_2/G_1", 10}, {"v", 1e-3},     {"f_1", 22},
                        {"DU", 1e-6},  {"w'", .25},   {"Dgamma", .05}, {"h_rms", 1e-6}, {"s_rms", 2},
-                       {"k_th", .2},  {"c_T", 3e-3}, {"k_w", 1e-14},  {"n", 12}};
+                       {"k_th", .2},  {"c_T", 3e-3}, {"k_w", 1e-14},  {"n", 12},       {"l_x", .08},
+                       {"l_y", .08},  {"theta", 0}};
 
 Data changed(Data data, const Data& other) {
     for (const auto& [symbol, value] : other) data[symbol] = value;
@@ -70,11 +71,15 @@ TEST(Thresholds, OfASphereHaveBothSides) {
                                                            {"k_w", 1e-9},
                                                            {"n", 1e5},
                                                            {"DU", 9e-5},
-                                                           {"eta", 4e4}})),
+                                                           {"eta", 4e4},
+                                                           {"l_x", .018},
+                                                           {"l_y", .018},
+                                                           {"theta", .1}})),
          .2, sides);
     look(rig_with("sphere_parallel", changed(sphere_data, {{"b", .8}})), 0, sides);
-    look(rig_with("sphere_parallel", changed(sphere_data, {{"F_N", 400}})), 0, sides);
-    expect_both(sides, 21,
+    look(rig_with("sphere_parallel", changed(sphere_data, {{"F_N", 400}, {"l_x", .008}})), 0,
+         sides);
+    expect_both(sides, 24,
                 {"small_strains: strain_shift_error", "small_strains: strain_indentation_error"});
     // The fit of finite strains ends at a/R = 0.22, where its error of the shift is some 4 %.
     const auto beyond =
@@ -85,20 +90,24 @@ TEST(Thresholds, OfASphereHaveBothSides) {
 }
 
 TEST(Thresholds, OfACylinderHaveBothSides) {
-    const Data data = changed(sphere_data, {{"L", .2}});
+    const Data data = changed(sphere_data, {{"L", .2}, {"theta'", 0}});
     std::map<std::string, Sides> sides;
     look(rig_with("cylinder_parallel", data), 0, sides);
     look(rig_with("cylinder_parallel", changed(data, {{"b", .1}})), 0, sides);
-    look(rig_with("cylinder_parallel", changed(data, {{"b", .4}, {"DU", 1e-7}})), 0, sides);
+    look(rig_with("cylinder_parallel", changed(data, {{"b", .4}, {"DU", 1e-7}, {"l_x", .04}})), 0,
+         sides);
     look(rig_with("cylinder_parallel", changed(data, {{"b", 2e-3},
                                                       {"L", 2e-2},
                                                       {"h_rms", 2e-4},
                                                       {"s_rms", .05},
                                                       {"v", 2},
                                                       {"DU", 9e-5},
-                                                      {"eta", 4e4}})),
+                                                      {"eta", 4e4},
+                                                      {"l_x", .004},
+                                                      {"theta", .1},
+                                                      {"theta'", .01}})),
          .2, sides);
-    expect_both(sides, 10);
+    expect_both(sides, 14);
 }
 
 TEST(Thresholds, OfAWalkingRigHaveBothSides) {

@@ -1,0 +1,132 @@
+// Whether the surface of the substrate is level with the plane in which the drive rolls.
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "experiments/assumptions/rolling_parts.h"
+
+namespace tricontact::experiments {
+
+namespace {
+
+// The normal force has the component F_N tan(theta) along the surface.
+constexpr const char* slope_source = "equilibrium on a slope";
+constexpr Formula slope_beside_force("tilt_load", "|F_N tan(theta)/F_T|", "|F_N tan(theta)/F_T|",
+                                     slope_source, "1", "theta F_N F_T",
+                                     [](const Values& x) { return std::tan(x[0]) * x[1] / x[2]; });
+constexpr Formula slope_beside_ratio("tilt_load", "|F_N tan(theta)/F_T|",
+                                     "|tan(theta)/(f_T mu)|, f_T = F_T/(mu F_N)", slope_source, "1",
+                                     "theta f_T mu", [](const Values& x) {
+                                         return std::tan(x[0]) / (x[1] * x[2]);
+                                     });
+constexpr Formula slope_beside_friction("tilt_load", "|F_N tan(theta)/(mu F_N)|", "|tan(theta)/mu|",
+                                        slope_source, "1", "theta mu",
+                                        [](const Values& x) { return std::tan(x[0]) / x[1]; });
+
+constexpr const char* height_text = "W_x tan(theta)/d, d of the layer";
+constexpr Formula height_of_sphere("height_change", "W_x tan(theta)/d", height_text, exact_layer,
+                                   "1", "R F_N b E_2 nu_2 theta W_x", [](const Values& x) {
+                                       return x[6] * std::tan(x[5]) / layer_of(x).indentation;
+                                   });
+constexpr Formula height_of_line("height_change", "W_x tan(theta)/d", height_text, exact_layer, "1",
+                                 "R F_N b E_2 nu_2 L theta W_x", [](const Values& x) {
+                                     return x[7] * std::tan(x[6]) / layer_line_of(x).indentation;
+                                 });
+
+// Along a cylinder the slices of the layer are pressed by d + y tan(theta).
+double indentation_change(const Values& x) {
+    return x[5] * std::tan(x[6]) / layer_line_of(x).indentation;
+}
+constexpr const char* line_keys = "R F_N b E_2 nu_2 L theta'";
+constexpr Formula axis_indentation("axis_indentation", "|L tan(theta)/d|",
+                                   "|L tan(theta)/d|, theta of the cylinder's axis, d of the layer",
+                                   exact_layer, "1", line_keys, indentation_change);
+constexpr Formula end_load("end_load", "dF'/F'",
+                           "k L tan(theta)/(2 F_N/L), k = d(F_N/L)/dd of the layer", exact_layer,
+                           "1", line_keys, [](const Values& x) {
+                               const theory::LineContact line = layer_line_of(x);
+                               return line.stiffness * x[5] * std::tan(x[6]) / (2 * line.load);
+                           });
+
+const Formula& load_formula(const Rig& rig) {
+    const auto is_there = [&](const char* symbol) {
+        return rig.has(symbol) && rig[symbol].value != 0;
+    };
+    if (is_there("F_T")) return slope_beside_force;
+    return is_there("f_T") ? slope_beside_ratio : slope_beside_friction;
+}
+
+Estimate magnitude(const Estimate& e) {
+    return {std::abs(e.value), e.standard_error};
+}
+
+/// Adds the criterion that the magnitude is small. Its error is that of the signed number: of
+/// 0 ± 0.2 degrees the magnitude has no derivative.
+bool decide_magnitude(Assumption& a, const Rig& rig, const Formula& formula) {
+    if (!decide(a, rig, formula, Criterion::Relation::at_most, accepted_difference,
+                accepted_reason))
+        return false;
+    Calculation& c = a.criteria.back().calculation;
+    c.result = magnitude(c.result);
+    c.function = [signed_function = c.function](const Values& x) {
+        return std::abs(signed_function(x));
+    };
+    return true;
+}
+
+/// "1.2 %", "up to 1.2 %" of what may be zero.
+std::string share_text(const Estimate& e) {
+    return e.value > e.standard_error ? percent_text(e.value, 2)
+                                      : "up to " + percent_text(e.value + e.standard_error, 2);
+}
+
+/// Along the tangential force.
+void add_slope(Assumption& a, const Rig& rig) {
+    const Formula& load = load_formula(rig);
+    if (!decide_magnitude(a, rig, load)) return;
+    const std::string share = share_text(a.criteria.back().calculation.result);
+    a.consequence = &load == &slope_beside_friction
+                        ? fmt::format("The weight on the slope is {} of mu F_N.", share)
+                        : fmt::format("The weight on the slope changes F_T by {}.", share);
+    const Formula& height = rig.kind == Rig::Kind::cylinder ? height_of_line : height_of_sphere;
+    const auto& [along, across] = rig.reach;
+    if (!roller_is_rigid(rig) || along.value <= 1e-9 * across.value) return;  // rounding of 90 deg
+    a.background.push_back(calculate(rig, height));
+    a.consequence += fmt::format(
+        " Rolling changes the height of the roller by {} of the indentation; the normal force, "
+        "which is prescribed, stays.",
+        share_text(magnitude(a.background.back().result)));
+}
+
+/// Along the axis of a cylinder.
+void add_axis(Assumption& a, const Rig& rig) {
+    if (!roller_is_rigid(rig)) {
+        a.missing.emplace_back(theory_of_elastic_roller);
+        return;
+    }
+    if (!decide_magnitude(a, rig, axis_indentation)) return;
+    const Calculation& indentation = a.criteria.back().calculation;
+    a.background.push_back(calculate(rig, end_load));
+    if (!a.consequence.empty()) a.consequence += ' ';
+    a.consequence +=
+        indentation.result.value >= 2
+            ? "One end of the cylinder is not pressed at all."
+            : fmt::format(
+                  "Along the cylinder the indentation changes by {}, the load per length "
+                  "at its ends by {} to either side.",
+                  share_text(indentation.result),
+                  share_text(magnitude(a.background.back().result)));
+}
+
+}  // namespace
+
+Assumption level_surface(const Rig& rig) {
+    Assumption a{.name = "level_surface",
+                 .title = "Level surface",
+                 .claim = "The surface of the substrate is level with the plane of rolling"};
+    add_slope(a, rig);
+    if (rig.kind == Rig::Kind::cylinder) add_axis(a, rig);
+    return a;
+}
+
+}  // namespace tricontact::experiments
