@@ -94,7 +94,7 @@ double edge(const BestSumOfSquares& squares, const std::vector<FreeParameter>& p
 /// Half widths of the fitted values' intervals over their errors.
 std::vector<double> half_widths(const std::vector<std::vector<double>>& columns,
                                 const Identification& found) {
-    const auto& c = found.logarithmic.covariance;
+    const auto& c = found.logarithmic.adjusted;
     const double degrees = std::ranges::min(found.logarithmic.effective_degrees);
     std::vector<double> widths;
     for (std::size_t i = 0; i < columns.front().size(); ++i) {
@@ -184,17 +184,18 @@ std::optional<std::size_t> Identification::find(const std::string& key, std::siz
 }
 
 std::optional<double> Identification::correlation(std::size_t i, std::size_t k) const {
+    const auto& c = logarithmic.adjusted;
     const auto told = [&](std::size_t p) {
-        return std::isfinite(parameters[p].standard_error) && logarithmic.covariance[p][p] > 0;
+        return std::isfinite(parameters[p].standard_error) && c[p][p] > 0;
     };
     if (!told(i) || !told(k)) return {};
-    const auto& c = logarithmic.covariance;
     return c[i][k] / std::sqrt(c[i][i] * c[k][k]);
 }
 
 double Identification::level_of_pair(std::size_t i, std::size_t k) const {
     const auto& degrees = logarithmic.effective_degrees;
-    return sum_of_squares + excess(confidence, 2, std::min(degrees[i], degrees[k]));
+    return sum_of_squares + std::max(logarithmic.inflation(i), logarithmic.inflation(k)) *
+                                excess(confidence, 2, std::min(degrees[i], degrees[k]));
 }
 
 Identification identify(const IdentificationTask& task) {
@@ -211,7 +212,8 @@ Identification identify(const IdentificationTask& task) {
         const double relative = found.logarithmic.standard_errors[k];
         const double factor = quantile(task.confidence, degrees);
         ParameterEstimate estimate{linearised(p, value, relative, factor)};
-        estimate.level = best.sum_of_squares + factor * factor;
+        estimate.level =
+            best.sum_of_squares + found.logarithmic.inflation(k) * factor * factor;
         const double width = std::abs(factor * relative * p.slope(value));
         const double step = std::isfinite(width) && width > 0 ? first_part * width : first_step;
         const auto edge_at = [&](bool upwards) {
