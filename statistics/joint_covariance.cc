@@ -61,8 +61,7 @@ void add_estimated_errors(const DenseMatrix& covariance, const std::vector<Dense
     for (const DenseMatrix& one : told) slopes.push_back(covariance * one * covariance);
     DenseMatrix information(n, n);  // of the squared errors, relative
     for (Eigen::Index g = 0; g < n; ++g) {
-        for (Eigen::Index h = 0; h < n; ++h)
-            information(g, h) = (slopes[g] * told[h]).trace() / 2;
+        for (Eigen::Index h = 0; h < n; ++h) information(g, h) = (slopes[g] * told[h]).trace() / 2;
         information(g, g) += n_rows[g] / 2 - (covariance * told[g]).trace();
     }
     const DenseMatrix of_errors = information.inverse();
@@ -104,11 +103,11 @@ JointCovariance joint_covariance(const std::vector<std::vector<double>>& columns
         const auto n_rows = static_cast<Eigen::Index>(group.n_rows);
         const DenseMatrix part = j.middleRows(row, n_rows);
         const DenseMatrix told = part.transpose() * part;
-        result.degrees_of_freedom.push_back(static_cast<double>(group.n_rows) -
-                                            (covariance * told).trace());
+        const auto n_told_by = static_cast<double>(group.n_rows - group.n_own);
+        result.degrees_of_freedom.push_back(n_told_by - (covariance * told).trace());
         if (!group.is_known) {
             unknown.push_back(told);
-            unknown_rows.push_back(static_cast<double>(group.n_rows));
+            unknown_rows.push_back(n_told_by);
         }
         row += n_rows;
     }

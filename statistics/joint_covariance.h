@@ -7,7 +7,8 @@ namespace tricontact::statistics {
 /// Rows of residuals that share one standard error.
 struct ErrorGroup {
     std::size_t n_rows = 0;
-    bool is_known = true;  ///< the error was stated; else the residuals tell it
+    std::size_t n_own = 0;  ///< parameters of its own, with the residuals at their best
+    bool is_known = true;   ///< the error was stated; else the residuals tell it
 };
 
 /// A direction in the space of parameters, of length 1.
@@ -25,7 +26,7 @@ struct JointCovariance {
     /// The same with the uncertainty of the weights where several groups have estimated errors.
     std::vector<std::vector<double>> adjusted;
     std::vector<double> standard_errors;  ///< of `adjusted`; infinite: nothing tells a parameter
-    std::vector<Direction> principal;              ///< best told first
+    std::vector<Direction> principal;     ///< best told first
     /// Observations of each group less the share of the parameters that it tells: these add up to
     /// all observations less the parameters that are told.
     std::vector<double> degrees_of_freedom;
