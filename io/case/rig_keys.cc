@@ -81,8 +81,8 @@ std::vector<Key> measurement_keys() {
                         {"friction.coefficient"},
                         {"rig.pivot_height"}},
                        R"(["substrate.young"])",
-                       "keys that follow from the tables; of E and mu the case's values are not "
-                       "used, of others they are where the search starts",
+                       "what follows from the tables; of E, mu and the pivot the case holds no "
+                       "values that are used, of others they are where the search starts",
                        {.required = true})),
         list_of(choice_key("measurement.models",
                            {{"half-space"}, {"layer"}, {"atlas"}, {"bem-layer"}, {"fem"}},
