@@ -11,11 +11,30 @@ namespace tricontact::app {
 /// The number of the case that a key stands for; null where the case states another one instead.
 double* number_of(const io::CaseKey& key, contact::Case& c);
 
+/// A rig with what was found of it.
+struct IdentifiedRig {
+    contact::Case as_case;
+    double pivot_height = 0;  ///< Dh over the contact [m]
+};
+
 /// Rigid shifts U [m] of a rig's indenter under its normal force and each of these tangential ones
 /// [N], applied once, by a model of models.h. Throws InputError (a force reaches mu F_N),
 /// NotConverged.
 std::vector<double> static_shifts(const std::string& model, const contact::Case& rig,
                                   const std::vector<double>& forces, int threads);
+
+/// False for the half-space's closed forms, which have no such coupling.
+bool is_coupled(const std::string& model, const contact::Case& rig, int threads);
+
+/// dU/dW [-] of free rolling with this amplitude [m], which is 0 unless normal and tangential
+/// contact are coupled: along the drive, after the
+/// first periods, by a model of models.h.
+double own_wobble(const std::string& model, const contact::Case& rig, double amplitude,
+                  int threads);
+double largest_offset(const std::vector<double>& offsets);
+/// Shifts that follow the drive, U = W (own wobble + Dh/R) (Wetter 2016, 5.1.11).
+std::vector<double> rolled_shifts(const IdentifiedRig& rig, double own_wobble,
+                                  const std::vector<double>& offsets);
 
 /// A contact pressed without friction [N, m].
 struct Pressed {
@@ -43,7 +62,7 @@ std::vector<double> values_of_presses(const experiments::IdentificationInput::Ta
 /// substrate of the rig that relaxes is relaxed but in histories. Throws InputError, NotConverged.
 std::vector<double> measured_values(const std::string& model,
                                     const experiments::IdentificationInput::Table& table,
-                                    const contact::Case& rig, const std::vector<double>& given,
+                                    const IdentifiedRig& rig, const std::vector<double>& given,
                                     int threads);
 
 /// Name of the model in models.h that computes static shifts for one of an identification.
@@ -63,14 +82,14 @@ experiments::Prediction prediction_of(const std::string& model,
                                       const experiments::IdentificationInput& input, int threads);
 
 /// The input's rig with these values of the model's parameters.
-contact::Case rig_with(const experiments::IdentificationInput& input,
+IdentifiedRig rig_with(const experiments::IdentificationInput& input,
                        const std::vector<experiments::FreeParameter>& parameters,
                        const std::vector<double>& values);
 
 /// All tables, one after another, computed, not interpolated.
 std::vector<double> values_of_tables(const std::string& model,
                                      const experiments::IdentificationInput& input,
-                                     const contact::Case& rig, int threads);
+                                     const IdentifiedRig& rig, int threads);
 
 /// What a standard error of each input that has one does to the values found, to first order:
 /// what it does to the model's values, taken off the observed ones.

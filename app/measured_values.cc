@@ -8,6 +8,7 @@
 #include "comparisons/half_space/layer.h"
 #include "comparisons/quantities/quantities.h"
 #include "contact/load_path.h"
+#include "experiments/records/experiment_evaluation.h"
 #include "theory/cattaneo_mindlin.h"
 
 namespace tricontact::app {
@@ -16,6 +17,9 @@ namespace {
 
 using contact::NormalControl;
 using Measurement = experiments::IdentificationInput::Measurement;
+
+// Of free rolling: the last one's dU/dW is that of all further ones to 1e-4.
+constexpr int wobble_periods = 3;
 
 /// Pressed as the case says.
 void press(contact::Model& model, const Case& c) {
@@ -112,6 +116,31 @@ std::vector<Pressed> presses(const std::string& model, const Case& rig,
     return all;
 }
 
+bool is_coupled(const std::string& model, const Case& rig, int threads) {
+    if (model == "half-space") return false;
+    return model == "atlas" || make_model(model, rig, threads, silent)->is_coupled();
+}
+
+double largest_offset(const std::vector<double>& offsets) {
+    return std::abs(std::ranges::max(offsets, {}, [](double w) { return std::abs(w); }));
+}
+
+double own_wobble(const std::string& model, const Case& rig, double amplitude, int threads) {
+    if (!is_coupled(model, rig, threads)) return 0;
+    Case c = rig;
+    c.load.set_tangential_ratio(0);
+    c.rolling = Case::Rolling{.amplitude = amplitude, .periods = wobble_periods, .run_all = true};
+    return experiments::model_wobble(c, history_of(model, c, threads, silent));
+}
+
+std::vector<double> rolled_shifts(const IdentifiedRig& rig, double own,
+                                  const std::vector<double>& offsets) {
+    std::vector<double> shifts;
+    for (const double offset : offsets)
+        shifts.push_back(offset * (own + rig.pivot_height / rig.as_case.indenter.radius));
+    return shifts;
+}
+
 std::string shift_model(const std::string& model) {
     return model == "layer" ? "mdr-layer" : model;
 }
@@ -195,9 +224,14 @@ Case relaxed(Case c) {
 
 std::vector<double> measured_values(const std::string& model,
                                     const experiments::IdentificationInput::Table& table,
-                                    const Case& rig, const std::vector<double>& given,
-                                    int threads) {
+                                    const IdentifiedRig& identified,
+                                    const std::vector<double>& given, int threads) {
+    const Case& rig = identified.as_case;
     const Case slow = relaxed(rig);
+    if (table.measurement == Measurement::rolling_shift)
+        return rolled_shifts(
+            identified, own_wobble(shift_model(model), slow, largest_offset(table.given), threads),
+            given);
     if (table.measurement == Measurement::static_shift)
         return model == "half-space" ? half_space_shifts(slow, given)
                                      : static_shifts(shift_model(model), slow, given, threads);

@@ -50,6 +50,37 @@ DenseMatrix pseudo_inverse(const std::vector<Direction>& directions) {
     return inverse;
 }
 
+/// Errors of these groups are estimated from the residuals over their rows less the share of the
+/// parameters that they tell (restricted maximum likelihood): they and the weights are uncertain
+/// themselves. Kenward and Roger (1997, Biometrics 53, 983): adjusted covariance, and degrees of
+/// freedom of one parameter. `told`: information of each group.
+void add_estimated_errors(const DenseMatrix& covariance, const std::vector<DenseMatrix>& told,
+                          const std::vector<double>& n_rows, JointCovariance& result) {
+    const auto m = covariance.rows(), n = static_cast<Eigen::Index>(told.size());
+    std::vector<DenseMatrix> slopes;  // of the covariance by each squared error, relative
+    for (const DenseMatrix& one : told) slopes.push_back(covariance * one * covariance);
+    DenseMatrix information(n, n);  // of the squared errors, relative
+    for (Eigen::Index g = 0; g < n; ++g) {
+        for (Eigen::Index h = 0; h < n; ++h) information(g, h) = (slopes[g] * told[h]).trace() / 2;
+        information(g, g) += n_rows[g] / 2 - (covariance * told[g]).trace();
+    }
+    const DenseMatrix of_errors = information.inverse();
+    DenseMatrix added = DenseMatrix::Zero(m, m);
+    Eigen::VectorXd spread = Eigen::VectorXd::Zero(m);
+    for (Eigen::Index g = 0; g < n; ++g) {
+        added += of_errors(g, g) * slopes[g];
+        for (Eigen::Index h = 0; h < n; ++h) {
+            added -= of_errors(g, h) * slopes[g] * told[h] * covariance;
+            spread += of_errors(g, h) * slopes[g].diagonal().cwiseProduct(slopes[h].diagonal());
+        }
+    }
+    result.adjusted = rows_of(covariance + 2 * added);
+    for (Eigen::Index k = 0; k < m; ++k)
+        result.effective_degrees.push_back(spread[k] > 0
+                                               ? 2 * covariance(k, k) * covariance(k, k) / spread[k]
+                                               : contact::infinity);
+}
+
 }  // namespace
 
 JointCovariance joint_covariance(const std::vector<std::vector<double>>& columns,
@@ -65,29 +96,29 @@ JointCovariance joint_covariance(const std::vector<std::vector<double>>& columns
     result.principal = directions_of(information);
     const DenseMatrix covariance = pseudo_inverse(result.principal);
     result.covariance = rows_of(covariance);
-    for (Eigen::Index k = 0; k < m; ++k) {
-        const bool is_told = std::ranges::all_of(result.principal, [&](const Direction& d) {
-            return std::isfinite(d.standard_error) || std::abs(d.components[k]) < untold_share;
-        });
-        result.standard_errors.push_back(is_told ? std::sqrt(covariance(k, k)) : contact::infinity);
-    }
-    std::vector<double> spread(m, 0.);  // Satterthwaite's denominator
+    std::vector<DenseMatrix> unknown;  // information of groups whose errors are estimated
+    std::vector<double> unknown_rows;
     Eigen::Index row = 0;
     for (const ErrorGroup& group : groups) {
         const auto n_rows = static_cast<Eigen::Index>(group.n_rows);
         const DenseMatrix part = j.middleRows(row, n_rows);
-        const DenseMatrix contributed = covariance * (part.transpose() * part);
-        const double left = static_cast<double>(group.n_rows) - contributed.trace();
-        const DenseMatrix variance = contributed * covariance;
-        if (!group.is_known)
-            for (Eigen::Index k = 0; k < m; ++k)
-                spread[k] += variance(k, k) * variance(k, k) / left;
-        result.degrees_of_freedom.push_back(left);
+        const DenseMatrix told = part.transpose() * part;
+        const auto n_told_by = static_cast<double>(group.n_rows - group.n_own);
+        result.degrees_of_freedom.push_back(n_told_by - (covariance * told).trace());
+        if (!group.is_known) {
+            unknown.push_back(told);
+            unknown_rows.push_back(n_told_by);
+        }
         row += n_rows;
     }
-    for (Eigen::Index k = 0; k < m; ++k)
-        result.effective_degrees.push_back(
-            spread[k] > 0 ? covariance(k, k) * covariance(k, k) / spread[k] : contact::infinity);
+    add_estimated_errors(covariance, unknown, unknown_rows, result);
+    for (Eigen::Index k = 0; k < m; ++k) {
+        const bool is_told = std::ranges::all_of(result.principal, [&](const Direction& d) {
+            return std::isfinite(d.standard_error) || std::abs(d.components[k]) < untold_share;
+        });
+        result.standard_errors.push_back(is_told ? std::sqrt(result.adjusted[k][k])
+                                                 : contact::infinity);
+    }
     return result;
 }
 

@@ -7,7 +7,8 @@ namespace tricontact::statistics {
 /// Rows of residuals that share one standard error.
 struct ErrorGroup {
     std::size_t n_rows = 0;
-    bool is_known = true;  ///< the error was stated; else the residuals tell it
+    std::size_t n_own = 0;  ///< parameters of its own, with the residuals at their best
+    bool is_known = true;   ///< the error was stated; else the residuals tell it
 };
 
 /// A direction in the space of parameters, of length 1.
@@ -20,15 +21,23 @@ struct Direction {
 /// together.
 struct JointCovariance {
     std::vector<std::vector<double>> information;  ///< sum of the groups' J^T J
-    std::vector<std::vector<double>> covariance;   ///< of what is told; pseudo-inverse
-    std::vector<double> standard_errors;           ///< infinite where nothing tells a parameter
-    std::vector<Direction> principal;              ///< best told first
+    /// Of what is told, all errors taken as known; pseudo-inverse.
+    std::vector<std::vector<double>> covariance;
+    /// The same with the uncertainty of the weights where several groups have estimated errors.
+    std::vector<std::vector<double>> adjusted;
+    std::vector<double> standard_errors;  ///< of `adjusted`; infinite: nothing tells a parameter
+    std::vector<Direction> principal;     ///< best told first
     /// Observations of each group less the share of the parameters that it tells: these add up to
     /// all observations less the parameters that are told.
     std::vector<double> degrees_of_freedom;
-    /// Of Student's t of each parameter: infinite if only groups of known errors tell it, else of
-    /// Welch and Satterthwaite (1946) from what each group contributes to its variance.
+    /// Of Student's t of each parameter: infinite if only groups of known errors tell it, else by
+    /// what each group contributes to its variance.
     std::vector<double> effective_degrees;
+
+    /// Variance of a parameter over that with known weights.
+    double inflation(std::size_t k) const {
+        return covariance[k][k] > 0 ? adjusted[k][k] / covariance[k][k] : 1;
+    }
 };
 
 /// `columns`: slopes of residuals over their standard errors, a column per parameter, rows in the

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <tuple>
 
 #include "app/commands/command.h"
 #include "app/identification_models.h"
@@ -29,7 +30,7 @@ IdentificationTask task_of(const IdentificationInput& input, const std::string& 
                             .confidence = input.confidence};
     for (const auto& table : input.tables)
         task.tables.push_back({std::string(experiments::name_of(table.measurement)), table.observed,
-                               table.standard_errors});
+                               table.standard_errors, table.has_free_origin()});
     return task;
 }
 
@@ -44,6 +45,8 @@ std::vector<double> curve_points_of(const IdentificationInput::Table& table) {
     const auto [least, largest] = std::ranges::minmax(table.given);
     const bool is_history = table.measurement == Measurement::force_relaxation ||
                             table.measurement == Measurement::indentation_creep;
+    if (table.measurement == Measurement::rolling_shift)
+        return equal_steps(least, largest, n_curve_points);
     if (!is_history) return equal_steps(largest / n_curve_points, largest, n_curve_points);
     auto points = equal_steps(std::log(least), std::log(largest), n_curve_points);
     for (double& point : points) point = std::exp(point);
@@ -69,7 +72,7 @@ struct Identifier {
         model.found = experiments::identify(task_);
         draw(model);
         if (slides(model.found)) return model;
-        const Case rig = rig_with(input_, model.found.free, model.found.best());
+        const IdentifiedRig rig = rig_with(input_, model.found.free, model.found.best());
         check_interpolation(model, rig);
         model.contributions =
             input_contributions(name, input_, task_, model.found, options_.threads);
@@ -78,9 +81,11 @@ struct Identifier {
             const auto changes = independent_changes(model);
             model.posterior = experiments::sample_posterior(task_, model.found, changes);
         }
-        for (std::size_t t = 0; t < input_.tables.size(); ++t)
+        for (std::size_t t = 0; t < input_.tables.size(); ++t) {
             model.curves.push_back(
                 measured_values(name, input_.tables[t], rig, curve_points_[t], options_.threads));
+            for (double& value : model.curves[t]) value += model.found.tables[t].origin;
+        }
         return model;
     }
 
@@ -123,16 +128,23 @@ struct Identifier {
         return k && found.parameters[*k].value < (1 + margin) * found.free[*k].low;
     }
 
-    void check_interpolation(IdentifiedModel& model, const Case& rig) const {
+    void check_interpolation(IdentifiedModel& model, const IdentifiedRig& rig) const {
         if (model.name == "half-space") return;
         double error = 0;
         for (std::size_t t = 0; t < input_.tables.size(); ++t) {
-            const auto& fitted = model.found.tables[t].fitted;
+            const auto& [origin, fitted] =
+                std::tie(model.found.tables[t].origin, model.found.tables[t].fitted);
             const auto direct = measured_values(model.name, input_.tables[t], rig,
                                                 input_.tables[t].given, options_.threads);
-            const double largest = std::ranges::max(direct);
+            double largest = 0;
+            for (const double value : direct) largest = std::max(largest, std::abs(value));
+            // Of shifts that follow the drive, what the pivot does: own wobble may take it back.
+            if (input_.tables[t].measurement == Measurement::rolling_shift)
+                largest =
+                    std::max(largest, largest_offset(input_.tables[t].given) *
+                                          std::abs(rig.pivot_height) / rig.as_case.indenter.radius);
             for (std::size_t i = 0; i < direct.size(); ++i)
-                error = std::max(error, std::abs(fitted[i] - direct[i]) / largest);
+                error = std::max(error, std::abs(fitted[i] - origin - direct[i]) / largest);
         }
         model.interpolation_error = error;
         if (error > largest_interpolation_error)
@@ -160,7 +172,8 @@ std::vector<std::pair<std::string, std::string>> settings_of(const Identificatio
     if (rig.layer.thickness)
         add("substrate.thickness", "b", report::given_quantity(*rig.layer.thickness, "m"));
     add("substrate.young", "E", report::given_quantity(rig.substrate.young, "Pa"));
-    if (!input.find(Measurement::static_shift)) return settings;
+    if (!input.find(Measurement::static_shift) && !input.find(Measurement::rolling_shift))
+        return settings;
     settings.emplace_back("F_N", report::given_quantity(*rig.load.normal_force, "N"));
     add("friction.coefficient", "mu", report::as_given(rig.friction_coefficient));
     return settings;
@@ -182,7 +195,7 @@ IdentificationStudy study_of(const IdentificationInput& input, const IdentifyOpt
     }
     if (input.rig.layer.thickness) {
         const auto& found = reference_model(study).found;
-        const Case rig = rig_with(input, found.free, found.best());
+        const Case rig = rig_with(input, found.free, found.best()).as_case;
         study.thickness_ratio =
             *rig.layer.thickness / (2 * contact::half_space_scales(rig).contact_radius);
     }

@@ -62,6 +62,19 @@ noisy() {
 } >"$folder/rig_relaxation.csv"
 
 {
+    echo "# Synthetic, no measurement: bem-layer, E = $young, mu = $friction, rolled to and fro by 1 mm without tangential"
+    echo "# force, third period; a pivot 60 um too high, shifts counted from 25 um, noise 0.2 um, seed 4; made by"
+    echo "# make_rig_data.sh."
+    echo "offset [mm], shift [um], shift_error [um]"
+    value normal_force_N load.tangential_ratio=0 rolling.amplitude="1 mm" rolling.periods=3 \
+        rolling.run_all=true >/dev/null
+    awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) column[$i] = i; next }
+        $column["phase"] > 2.001 { W = $column["offset_x_m"]
+            printf "%.6g %.6e\n", 1e3 * W + 0, $column["shift_x_m"] + 60e-6 / 0.04 * W + 25e-6 }' \
+        "$work/out/bem-layer/history.csv" | noisy 4 0.2 1e6
+} >"$folder/rig_rolling_shift.csv"
+
+{
     echo "# Not measured: equation (2.1.18) of the thesis with its E = 5.2 MPa, mu = 0.57, nu = 1/2,"
     echo "# R = 40 mm, F_N = 21.1 N; made by make_rig_data.sh."
     echo "tangential_force [N], shift [um]"

@@ -33,7 +33,7 @@ double largest_of(const ObservedTable& table) {
 }
 
 void check(const IdentificationTask& task) {
-    const std::size_t n = task.n_observations(), m = task.parameters.size();
+    const std::size_t n = task.n_observations() - task.n_origins(), m = task.parameters.size();
     if (m == 0) throw std::invalid_argument("nothing is to be identified");
     if (n <= m)
         throw std::invalid_argument(
@@ -42,15 +42,15 @@ void check(const IdentificationTask& task) {
         if (!table.standard_errors.empty() && table.standard_errors.size() != table.observed.size())
             throw std::invalid_argument("one standard error per observation");
     for (const FreeParameter& p : task.parameters)
-        if (!(p.low >= 0 && p.low < p.high) ||
-            (p.scale != FreeParameter::Scale::linear && !(p.low > 0)))
-            throw std::invalid_argument("no range of " + p.key);
+        if (!p.has_range()) throw std::invalid_argument("no range of " + p.key);
 }
 
 std::vector<statistics::ErrorGroup> groups_of(const IdentificationTask& task) {
     std::vector<statistics::ErrorGroup> groups;
     for (const ObservedTable& table : task.tables)
-        groups.push_back({table.observed.size(), !table.standard_errors.empty()});
+        groups.push_back({.n_rows = table.observed.size(),
+                          .n_own = table.has_free_origin ? 1U : 0U,
+                          .is_known = !table.standard_errors.empty()});
     return groups;
 }
 
@@ -97,10 +97,7 @@ BestSumOfSquares::BestSumOfSquares(const IdentificationTask& task,
 }
 
 std::vector<double> BestSumOfSquares::residuals(const std::vector<double>& x) const {
-    std::vector<double> values = task_.model(values_of(task_.parameters, x));
-    for (std::size_t i = 0; i < values.size(); ++i)
-        values[i] = (observed_[i] - values[i]) / errors_[i];
-    return values;
+    return residuals_of(task_, task_.model(values_of(task_.parameters, x)), errors_);
 }
 
 double BestSumOfSquares::at(const std::vector<double>& x) const {

@@ -21,6 +21,8 @@ double FreeParameter::coordinate(double v) const {
             return std::log(v);
         case Scale::reciprocal:
             return low / v;
+        case Scale::either_sign:
+            return v / size;
         case Scale::linear:
             break;
     }
@@ -33,6 +35,8 @@ double FreeParameter::value(double x) const {
             return std::exp(x);
         case Scale::reciprocal:
             return low / x;
+        case Scale::either_sign:
+            return x * size;
         case Scale::linear:
             break;
     }
@@ -45,10 +49,24 @@ double FreeParameter::slope(double v) const {
             return 1;
         case Scale::reciprocal:
             return -low / v;
+        case Scale::either_sign:
+            return 1;
         case Scale::linear:
             break;
     }
     return v;
+}
+
+double FreeParameter::unit_of_change(double v) const {
+    return scale == Scale::either_sign ? size : v;
+}
+
+double FreeParameter::change(double from, double to) const {
+    return scale == Scale::either_sign ? (to - from) / size : std::log(to / from);
+}
+
+double FreeParameter::changed(double from, double change) const {
+    return scale == Scale::either_sign ? from + size * change : from * std::exp(change);
 }
 
 double FreeParameter::least() const {
@@ -57,6 +75,12 @@ double FreeParameter::least() const {
 
 double FreeParameter::largest() const {
     return std::max(coordinate(low), coordinate(high));
+}
+
+bool FreeParameter::has_range() const {
+    if (!(low < high)) return false;
+    if (scale == Scale::either_sign) return size > 0;
+    return scale == Scale::linear ? low >= 0 : low > 0;
 }
 
 bool FreeParameter::is_at_bound(double v) const {

@@ -38,6 +38,8 @@ double quantile(double confidence, double degrees) {
 
 /// What an open end of an interval is.
 double open_end(const FreeParameter& p, bool upwards) {
+    if (p.scale == FreeParameter::Scale::either_sign)
+        return upwards ? contact::infinity : -contact::infinity;
     const bool is_wide = p.scale == FreeParameter::Scale::logarithmic;
     if (upwards)
         return is_wide || p.scale == FreeParameter::Scale::reciprocal ? contact::infinity : p.high;
@@ -94,7 +96,7 @@ double edge(const BestSumOfSquares& squares, const std::vector<FreeParameter>& p
 /// Half widths of the fitted values' intervals over their errors.
 std::vector<double> half_widths(const std::vector<std::vector<double>>& columns,
                                 const Identification& found) {
-    const auto& c = found.logarithmic.covariance;
+    const auto& c = found.logarithmic.adjusted;
     const double degrees = std::ranges::min(found.logarithmic.effective_degrees);
     std::vector<double> widths;
     for (std::size_t i = 0; i < columns.front().size(); ++i) {
@@ -105,6 +107,12 @@ std::vector<double> half_widths(const std::vector<std::vector<double>>& columns,
         widths.push_back(quantile(found.confidence, degrees) * std::sqrt(std::max(0., variance)));
     }
     return widths;
+}
+
+double error_of_mean(const double* errors, std::size_t n) {
+    double weights = 0;
+    for (std::size_t i = 0; i < n; ++i) weights += 1 / (errors[i] * errors[i]);
+    return 1 / std::sqrt(weights);
 }
 
 /// Weighted sum of squares about the mean.
@@ -125,18 +133,25 @@ void add_tables(const IdentificationTask& task, const BestSumOfSquares& squares,
     const auto residuals = squares.residuals(x);
     const auto widths = half_widths(squares.logarithmic_slopes(x), found);
     const auto& errors = squares.standard_errors();
+    const auto origins = origins_of(task, task.model(values_of(task.parameters, x)), errors);
     double known = 0, known_degrees = 0, explained = 0, total = 0;
     std::size_t row = 0;
     for (std::size_t t = 0; t < task.tables.size(); ++t) {
         const ObservedTable& table = task.tables[t];
-        TableFit fit;
+        TableFit fit{.origin = origins[t]};
         fit.degrees_of_freedom = found.logarithmic.degrees_of_freedom[t];
         double squares_si = 0;
+        const double origin_width =
+            table.has_free_origin
+                ? quantile(found.confidence,
+                           std::ranges::min(found.logarithmic.effective_degrees)) *
+                      error_of_mean(errors.data() + row, table.observed.size())
+                : 0;
         for (std::size_t i = 0; i < table.observed.size(); ++i, ++row) {
             fit.standard_errors.push_back(errors[row]);
             fit.residuals.push_back(residuals[row] * errors[row]);
             fit.fitted.push_back(table.observed[i] - fit.residuals[i]);
-            fit.fitted_half_widths.push_back(widths[row] * errors[row]);
+            fit.fitted_half_widths.push_back(std::hypot(widths[row] * errors[row], origin_width));
             fit.sum_of_squares += residuals[row] * residuals[row];
             squares_si += fit.residuals[i] * fit.residuals[i];
         }
@@ -160,16 +175,10 @@ statistics::Estimate linearised(const FreeParameter& p, double value, double rel
                                 double factor) {
     if (!std::isfinite(relative) || p.is_at_bound(value))
         return {value, contact::infinity, -contact::infinity, contact::infinity};
-    return statistics::with_interval(value, value * relative, factor);
+    return statistics::with_interval(value, p.unit_of_change(value) * relative, factor);
 }
 
 }  // namespace
-
-std::size_t IdentificationTask::n_observations() const {
-    std::size_t n = 0;
-    for (const ObservedTable& table : tables) n += table.observed.size();
-    return n;
-}
 
 std::vector<double> Identification::best() const {
     std::vector<double> values;
@@ -184,17 +193,18 @@ std::optional<std::size_t> Identification::find(const std::string& key, std::siz
 }
 
 std::optional<double> Identification::correlation(std::size_t i, std::size_t k) const {
+    const auto& c = logarithmic.adjusted;
     const auto told = [&](std::size_t p) {
-        return std::isfinite(parameters[p].standard_error) && logarithmic.covariance[p][p] > 0;
+        return std::isfinite(parameters[p].standard_error) && c[p][p] > 0;
     };
     if (!told(i) || !told(k)) return {};
-    const auto& c = logarithmic.covariance;
     return c[i][k] / std::sqrt(c[i][i] * c[k][k]);
 }
 
 double Identification::level_of_pair(std::size_t i, std::size_t k) const {
     const auto& degrees = logarithmic.effective_degrees;
-    return sum_of_squares + excess(confidence, 2, std::min(degrees[i], degrees[k]));
+    return sum_of_squares + std::max(logarithmic.inflation(i), logarithmic.inflation(k)) *
+                                excess(confidence, 2, std::min(degrees[i], degrees[k]));
 }
 
 Identification identify(const IdentificationTask& task) {
@@ -204,14 +214,15 @@ Identification identify(const IdentificationTask& task) {
                          .sum_of_squares = best.sum_of_squares,
                          .confidence = task.confidence,
                          .logarithmic = squares.covariance(best.x)};
-    found.degrees_of_freedom = static_cast<int>(task.n_observations() - task.parameters.size());
+    found.degrees_of_freedom =
+        static_cast<int>(task.n_observations() - task.n_origins() - task.parameters.size());
     for (std::size_t k = 0; k < task.parameters.size(); ++k) {
         const FreeParameter& p = task.parameters[k];
         const double value = p.value(best.x[k]), degrees = found.logarithmic.effective_degrees[k];
         const double relative = found.logarithmic.standard_errors[k];
         const double factor = quantile(task.confidence, degrees);
         ParameterEstimate estimate{linearised(p, value, relative, factor)};
-        estimate.level = best.sum_of_squares + factor * factor;
+        estimate.level = best.sum_of_squares + found.logarithmic.inflation(k) * factor * factor;
         const double width = std::abs(factor * relative * p.slope(value));
         const double step = std::isfinite(width) && width > 0 ? first_part * width : first_step;
         const auto edge_at = [&](bool upwards) {
@@ -258,10 +269,11 @@ Profile profile_of(const IdentificationTask& task, const Identification& found, 
     const double best = estimate.value;
     const double lowest =
         p.scale == FreeParameter::Scale::logarithmic ? best / widest_profile : p.low;
+    const double highest =
+        p.scale == FreeParameter::Scale::either_sign ? p.high : best * widest_profile;
     const auto [low, high] = estimate.likelihood;
     const double from = std::max({lowest, p.low, low - profile_margin * (best - low)});
-    const double to =
-        std::min({best * widest_profile, p.high, high + profile_margin * (high - best)});
+    const double to = std::min({highest, p.high, high + profile_margin * (high - best)});
     Profile profile;
     std::vector<double> x = coordinates_of(task.parameters, found.best());
     for (int i = 0; i < n_points; ++i) {
@@ -287,7 +299,8 @@ std::vector<double> squares_of_pair(const IdentificationTask& task, const Identi
     for (const double v : second_values)
         for (const double u : first_values) {
             std::vector<double> at = x;
-            const double du = std::log(u / best[first]), dv = std::log(v / best[second]);
+            const double du = task.parameters[first].change(best[first], u),
+                         dv = task.parameters[second].change(best[second], v);
             for (std::size_t k = 0; k < at.size() && determinant > 0; ++k) {
                 const double by_u =
                     (c[k][first] * c[second][second] - c[k][second] * c[first][second]) /
@@ -295,7 +308,7 @@ std::vector<double> squares_of_pair(const IdentificationTask& task, const Identi
                 const double by_v =
                     (c[k][second] * c[first][first] - c[k][first] * c[first][second]) / determinant;
                 const FreeParameter& p = task.parameters[k];
-                at[k] = std::clamp(p.coordinate(best[k] * std::exp(by_u * du + by_v * dv)),
+                at[k] = std::clamp(p.coordinate(p.changed(best[k], by_u * du + by_v * dv)),
                                    p.least(), p.largest());
             }
             at[first] = task.parameters[first].coordinate(u);

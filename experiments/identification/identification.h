@@ -17,6 +17,8 @@ struct ObservedTable {
     std::string name;                     ///< "static-shift"
     std::vector<double> observed;         ///< [SI]
     std::vector<double> standard_errors;  ///< [SI], one each; empty: equal, told by the residuals
+    /// Observed values are counted from a place that is not known, which the fit finds.
+    bool has_free_origin = false;
 };
 
 /// Values [SI] that a model gives instead of the observed ones, those of all tables one after
@@ -32,7 +34,17 @@ struct IdentificationTask {
     double confidence = 0.95;
 
     std::size_t n_observations() const;
+    /// Of the tables: one each that has one.
+    std::size_t n_origins() const;
 };
+
+/// By how much the observed values are best counted from elsewhere [SI], one per table; 0 where the
+/// origin is known. `values`: the model's; `errors`: one per observation.
+std::vector<double> origins_of(const IdentificationTask& task, const std::vector<double>& values,
+                               const std::vector<double>& errors);
+/// Observed values minus origin and model, over their errors.
+std::vector<double> residuals_of(const IdentificationTask& task, std::vector<double> values,
+                                 const std::vector<double>& errors);
 
 /// An end at a bound of a parameter where the profile does not reach its level: 0 or what the
 /// parameter cannot be below, its largest value (1/2 of Poisson's ratio) or infinity.
@@ -50,6 +62,7 @@ struct ParameterEstimate : statistics::Estimate {
 
 /// How one table is explained.
 struct TableFit {
+    double origin = 0;                       ///< [SI] of the observed values, in the fitted ones
     std::vector<double> fitted, residuals;   ///< [SI]; observed minus fitted
     std::vector<double> fitted_half_widths;  ///< [SI] of the intervals of the fitted values
     std::vector<double> standard_errors;     ///< [SI] stated, or estimated from the residuals

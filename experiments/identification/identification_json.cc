@@ -45,7 +45,8 @@ json posterior_json(const IdentifiedModel& model) {
 }
 
 json table_json(const TableFit& fit) {
-    return {{"fitted", fit.fitted},
+    return {{"origin", fit.origin},
+            {"fitted", fit.fitted},
             {"residuals", fit.residuals},
             {"standard_errors", fit.standard_errors},
             {"sum_of_squares", fit.sum_of_squares},

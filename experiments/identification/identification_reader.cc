@@ -7,6 +7,7 @@
 #include <set>
 
 #include "contact/error.h"
+#include "experiments/identification/identification_checks.h"
 #include "io/case/case_reader.h"
 #include "io/case/rig_file.h"
 #include "io/case/rig_keys.h"
@@ -25,31 +26,6 @@ constexpr double guessed_poisson = .45;
 
 using Table = Input::Table;
 
-struct TableKey {
-    Measurement measurement;
-    std::string_view name, key, held;  // key of what is held
-};
-constexpr std::array<TableKey, 5> table_keys{
-    {{Measurement::static_shift, "static-shift", "measurement.static_shift"},
-     {Measurement::force_indentation, "force-indentation", "measurement.force_indentation"},
-     {Measurement::contact_radius, "contact-radius", "measurement.contact_radius"},
-     {Measurement::force_relaxation, "force-relaxation", "measurement.force_relaxation",
-      "measurement.held_indentation"},
-     {Measurement::indentation_creep, "indentation-creep", "measurement.indentation_creep",
-      "measurement.held_force"}}};
-
-const TableKey& key_of(Measurement measurement) {
-    return *std::ranges::find(table_keys, measurement, &TableKey::measurement);
-}
-
-bool is_sheared(const Input& input) {
-    return input.find(Measurement::static_shift) != nullptr;
-}
-bool is_history(const Table& table) {
-    return table.measurement == Measurement::force_relaxation ||
-           table.measurement == Measurement::indentation_creep;
-}
-
 /// Keys of a case that describe a rig; loads along the surface and rolling are not in what was
 /// measured.
 bool describes_rig(std::string_view path) {
@@ -59,13 +35,6 @@ bool describes_rig(std::string_view path) {
                                                      "load.press_steps"};
     const auto top = path.substr(0, path.find('.'));
     return std::ranges::count(sections, top) || std::ranges::count(others, path);
-}
-
-double quantity_of(const io::Document& document, std::string_view path) {
-    double value = 0;
-    const io::Key& key = *io::find_key(path);
-    io::read_field(key, io::required(key, document, io::case_key_list()), io::Field(&value));
-    return value;
 }
 
 /// What the models of the case have to be so that its checks are those of the identification's. The
@@ -81,21 +50,6 @@ std::vector<std::string> case_models(const Input& input) {
                                              : "mdr");
     if (models.empty()) models.insert("mdr");
     return {models.begin(), models.end()};
-}
-
-void check_models(const Input& input, const io::Document& document) {
-    for (const std::string& model : input.models) {
-        if (model != "half-space" && !document.find("substrate.thickness"))
-            io::refuse(
-                document, "measurement.models",
-                model + " is a model of a layer, but substrate.thickness is missing",
-                "add thickness = \"8 mm\" or the like to [substrate], or leave out " + model);
-        if ((model == "bem-layer" || model == "atlas") && !is_sheared(input))
-            io::refuse(
-                document, "measurement.models",
-                "without tangential force " + model + " approximates what layer knows exactly",
-                "write \"layer\" instead");
-    }
 }
 
 /// E by Hertz' theory of an incompressible half-space from the row of the largest value [Pa]; mu
@@ -119,40 +73,10 @@ double guessed_young(const Table& table, double radius, double normal_force) {
         case Measurement::indentation_creep:
             return of_depth(table.held, y);
         case Measurement::static_shift:
+        case Measurement::rolling_shift:
             break;
     }
     return over_plane * std::pow(x / (2 * shear_over_plane * y * std::cbrt(cube)), 1.5);
-}
-
-/// Lengths of a contact are small against the indenter's radius, unless their unit is wrong.
-void check_lengths(const Table& table, double radius, const io::Document& document) {
-    const bool deep = table.measurement == Measurement::force_indentation;
-    if (table.measurement == Measurement::force_relaxation) {
-        if (table.held >= radius)
-            io::refuse(document, "measurement.held_indentation",
-                       "not below the indenter's radius: small deformations are assumed",
-                       "check the units");
-        return;
-    }
-    const MeasuredColumns& columns = columns_of(table.measurement);
-    const double largest = std::ranges::max(deep ? table.given : table.observed);
-    if (largest >= radius)
-        io::refuse(document, std::string(key_of(table.measurement).key),
-                   std::string(deep ? columns.given.name : columns.observed.name) + " reaches " +
-                       io::shortest(largest) + " m, the indenter's radius is " +
-                       io::shortest(radius) + " m: small deformations are assumed",
-                   "check the units of the table and of indenter.radius");
-}
-
-/// Hertz' theory is one of the models, and the others are laid over its radius.
-void check_round(const io::Document& document) {
-    const io::Entry* shape = document.find("indenter.shape");
-    if (!shape) return;
-    const auto* word = std::get_if<std::string>(&shape->value);
-    if (word && (*word == "paraboloid" || *word == "sphere")) return;
-    io::refuse(document, "indenter.shape",
-               "material constants are identified under a round indenter",
-               "take \"paraboloid\" or \"sphere\"");
 }
 
 /// Of a table without tangential forces [N].
@@ -165,6 +89,13 @@ double largest_force(const Table& table) {
         default:
             return std::ranges::max(table.observed);
     }
+}
+
+/// The first one that tells it.
+const Table& table_of_young(const Input& input) {
+    return *std::ranges::find_if(input.tables, [](const Table& table) {
+        return table.measurement != Measurement::rolling_shift;
+    });
 }
 
 /// The rig as a case: what is to be found has a guess.
@@ -207,12 +138,15 @@ contact::Case rig_of(const Input& input, const std::vector<std::string>& find,
     if (!sheared || n_half_spaces == std::ssize(input.models)) guess("contact.coupling", false);
     if (is_free("substrate.young"))
         guess("substrate.young",
-              io::shortest(guessed_young(input.tables.front(), radius, normal_force)) + " Pa");
+              io::shortest(guessed_young(table_of_young(input), radius, normal_force)) + " Pa");
     if (is_free("substrate.poisson") && !rig.find("substrate.poisson"))
         guess("substrate.poisson", guessed_poisson);
     if (is_free("friction.coefficient") || (!sheared && !rig.find("friction.coefficient")))
         guess("friction.coefficient",
-              sheared ? 1.5 * std::ranges::max(input.tables.front().given) / normal_force : 1.);
+              is_free("friction.coefficient")
+                  ? 1.5 * std::ranges::max(input.find(Measurement::static_shift)->given) /
+                        normal_force
+                  : 1.);
     try {
         return io::resolve_case(rig, guesses);
     } catch (const contact::InputError& error) {
@@ -236,62 +170,7 @@ std::vector<Input::RigError> read_rig_errors(const Input& input, const io::Docum
     return errors;
 }
 
-/// What the tables and models can tell.
-void check_find(const Input& input, const std::vector<std::string>& find,
-                const io::Document& document) {
-    const auto is_free = [&](std::string_view key) { return std::ranges::count(find, key) > 0; };
-    const auto refuse = [&](const std::string& rule, const std::string& remedy) {
-        io::refuse(document, "measurement.find", rule, remedy);
-    };
-    if (is_free("friction.coefficient") && !is_sheared(input))
-        refuse("without tangential force nothing tells the coefficient of friction",
-               "leave out friction.coefficient");
-    const bool is_timed = std::ranges::any_of(input.tables, is_history);
-    for (const char* key : {"substrate.relaxation.relative_moduli", "substrate.relaxation.times"})
-        if (is_free(key) && !is_timed)
-            refuse(std::string("no history tells ") + key,
-                   "add force_relaxation or indentation_creep, or leave it out");
-    if (is_timed && !document.find_section("substrate.relaxation"))
-        refuse("the tables hold a history, but the case has no [substrate.relaxation]",
-               "add relative_moduli and times, whose values are where the search starts");
-    const auto has = [&](const char* model) { return std::ranges::count(input.models, model) > 0; };
-    if (is_free("substrate.thickness") && has("half-space") && find.size() == 1)
-        refuse("a half-space has no thickness", "leave out half-space of models");
-    if (is_free("substrate.poisson") && is_sheared(input))
-        for (const char* model : {"bem-layer", "fem", "layer"})
-            if (has(model))
-                refuse(std::string("with shifts, nu is found by half-space and atlas, not by ") +
-                           model,
-                       "take the model atlas, or leave out substrate.poisson");
-    if (is_free("substrate.poisson") && has("fem"))
-        refuse("fem does not find nu", "take the model layer");
-    const io::Entry* shape = document.find("indenter.shape");
-    const auto* word = shape ? std::get_if<std::string>(&shape->value) : nullptr;
-    const bool is_scaled = is_free("indenter.radius") || is_free("substrate.thickness");
-    if (is_scaled && word && *word == "sphere" &&
-        std::ranges::count(input.models, "half-space") != std::ssize(input.models))
-        refuse("lengths of a layer under a sphere are not in proportion to each other",
-               "take shape = \"paraboloid\", which the sphere is near its tip");
-}
-
-/// Sliding contacts have no static shift.
-void check_friction(const Input& input, const io::Document& document) {
-    const Table* shifts = input.find(Measurement::static_shift);
-    if (!shifts || input.is_free("friction.coefficient")) return;
-    const double largest = std::ranges::max(shifts->given);
-    const double limit = input.rig.friction_coefficient * *input.rig.load.normal_force;
-    if (largest >= limit)
-        io::refuse(document, "friction.coefficient",
-                   "the contact would slide: F_T of the table reaches " + io::shortest(largest) +
-                       " N, mu F_N is " + io::shortest(limit) + " N",
-                   "correct it, or name it in measurement.find");
-}
-
 }  // namespace
-
-std::string_view name_of(Measurement measurement) {
-    return key_of(measurement).name;
-}
 
 const Table* Input::find(Measurement measurement) const {
     const auto found = std::ranges::find(tables, measurement, &Table::measurement);
@@ -313,7 +192,7 @@ Input read_identification(const std::string& path, const std::vector<std::string
     const auto read = [&](std::string_view key, const io::Field& field) {
         io::read_or_default(io::rig_key(key), field, document, io::case_file_keys());
     };
-    for (const TableKey& one : table_keys) {
+    for (const TableKey& one : table_keys()) {
         if (!document.find(one.key)) continue;
         Table& table = input.tables.emplace_back(Table{.measurement = one.measurement});
         read(one.key, &table.data_file);
@@ -323,7 +202,7 @@ Input read_identification(const std::string& path, const std::vector<std::string
     if (input.tables.empty())
         io::fail(document.place_of("measurement.find"), "", "nothing was measured",
                  "name a table: static_shift = \"shift.csv\", force_indentation, contact_radius, "
-                 "force_relaxation or indentation_creep");
+                 "force_relaxation, indentation_creep or rolling_shift");
     read("measurement.models", &input.models);
     read("measurement.find", &find);
     read("measurement.confidence", &input.confidence);
@@ -334,8 +213,8 @@ Input read_identification(const std::string& path, const std::vector<std::string
     // Of several tables each needs a row that is left for its own error.
     const std::size_t least_rows = input.tables.size() == 1 ? find.size() + 1 : 2;
     for (Table& table : input.tables)
-        io::told_at(document, std::string(key_of(table.measurement).key),
-                    [&] { read_measured_table(table, least_rows); });
+        io::told_at(document, std::string(key_of(table.measurement)),
+                    [&] { read_measured_table(table, least_rows + table.has_free_origin()); });
     input.rig = rig_of(input, find, document);
     input.rig.title = input.title;
     input.parameters =

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -18,7 +19,8 @@ struct IdentificationInput {
         force_indentation,
         contact_radius,
         force_relaxation,
-        indentation_creep
+        indentation_creep,
+        rolling_shift
     };
 
     /// A known input whose standard error shall be carried into the result.
@@ -31,9 +33,12 @@ struct IdentificationInput {
         Measurement measurement = Measurement::static_shift;
         std::string data_file;                ///< as it is opened
         double held = 0;                      ///< of a history: indentation [m] or force [N]
-        std::vector<double> given;            ///< [SI] F_T, d, F_N or t of each row
-        std::vector<double> observed;         ///< [SI] U, F_N, a, F_N or d
+        std::vector<double> given;            ///< [SI] F_T, d, F_N, t or W of each row
+        std::vector<double> observed;         ///< [SI] U, F_N, a, F_N, d or U
         std::vector<double> standard_errors;  ///< [SI] of the observed; empty: not stated
+
+        /// Shifts while rolling are counted from any place.
+        bool has_free_origin() const { return measurement == Measurement::rolling_shift; }
     };
 
     std::string title;
@@ -68,8 +73,20 @@ struct MeasuredColumns {
     std::string_view example;  ///< a header
 };
 const MeasuredColumns& columns_of(IdentificationInput::Measurement measurement);
-/// "static-shift" ...
+
+/// Keys of [measurement] that name a table, in the order of Measurement.
+struct TableKey {
+    IdentificationInput::Measurement measurement;
+    std::string_view name;  ///< "static-shift"
+    std::string_view key;   ///< "measurement.static_shift"
+    std::string_view held;  ///< key of what is held; empty: nothing
+};
+std::span<const TableKey> table_keys();
 std::string_view name_of(IdentificationInput::Measurement measurement);
+std::string_view key_of(IdentificationInput::Measurement measurement);
+
+/// What rolling_shift tells: no key of a case.
+inline constexpr std::string_view pivot_key = "rig.pivot_height";
 
 /// Reads the file and the tables that it names, every value checked. Throws contact::InputError in
 /// one line: `file:line:column: key = value: rule; remedy`.

@@ -7,6 +7,27 @@ namespace tricontact::experiments {
 
 using Measurement = IdentificationInput::Measurement;
 
+std::span<const TableKey> table_keys() {
+    static constexpr TableKey keys[] = {
+        {Measurement::static_shift, "static-shift", "measurement.static_shift", ""},
+        {Measurement::force_indentation, "force-indentation", "measurement.force_indentation", ""},
+        {Measurement::contact_radius, "contact-radius", "measurement.contact_radius", ""},
+        {Measurement::force_relaxation, "force-relaxation", "measurement.force_relaxation",
+         "measurement.held_indentation"},
+        {Measurement::indentation_creep, "indentation-creep", "measurement.indentation_creep",
+         "measurement.held_force"},
+        {Measurement::rolling_shift, "rolling-shift", "measurement.rolling_shift", ""}};
+    return keys;
+}
+
+std::string_view name_of(Measurement measurement) {
+    return table_keys()[static_cast<std::size_t>(measurement)].name;
+}
+
+std::string_view key_of(Measurement measurement) {
+    return table_keys()[static_cast<std::size_t>(measurement)].key;
+}
+
 const MeasuredColumns& columns_of(Measurement measurement) {
     using enum io::Dimension;
     static const MeasuredColumns columns[] = {
@@ -25,7 +46,10 @@ const MeasuredColumns& columns_of(Measurement measurement) {
          "time [s], normal_force [N], normal_force_error [N]"},
         {{"time", "time t", time},
          {"indentation", "indentation d", length},
-         "time [s], indentation [um], indentation_error [um]"}};
+         "time [s], indentation [um], indentation_error [um]"},
+        {{"offset", "rolling offset W", length},
+         {"shift", "shift U", length},
+         "offset [mm], shift [um], shift_error [um]"}};
     return columns[static_cast<int>(measurement)];
 }
 
@@ -40,9 +64,11 @@ void read_measured_table(IdentificationInput::Table& measured, std::size_t least
     table.check_names({given.name, observed.name, error_column});
     measured.given = table.values(given.name, given.dimension);
     measured.observed = table.values(observed.name, observed.dimension);
-    table.check_positive(given.name);
+    const bool is_rolled = measured.measurement == Measurement::rolling_shift;
+    if (!is_rolled) table.check_positive(given.name);
     // A shift may be lost in noise; a force or radius that is not there was not measured.
-    if (measured.measurement != Measurement::static_shift) table.check_positive(observed.name);
+    if (!is_rolled && measured.measurement != Measurement::static_shift)
+        table.check_positive(observed.name);
     if (table.has(error_column)) {
         measured.standard_errors = table.values(error_column, observed.dimension);
         table.check_positive(error_column);
@@ -52,7 +78,10 @@ void read_measured_table(IdentificationInput::Table& measured, std::size_t least
             "the table has " + std::to_string(table.n_rows()) +
             " rows, which do not determine the values to be found and how well they are known: " +
             std::to_string(least_rows) + " at least");
-    if (!(std::ranges::max(measured.observed) > 0))
+    if (is_rolled && std::ranges::max(measured.given) == std::ranges::min(measured.given))
+        table.refuse_value(0, given.name, "the offset is the same everywhere",
+                           "a period rolls to both sides: copy the shift at several offsets");
+    if (!is_rolled && !(std::ranges::max(measured.observed) > 0))
         table.refuse_value(0, observed.name, "no value is positive",
                            "check the sign: the shift is that in the direction of the force");
 }

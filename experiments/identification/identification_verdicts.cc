@@ -21,7 +21,9 @@ constexpr double least_bias = 0.005;
 
 /// "E = 4.2 MPa (4.1 MPa to 4.3 MPa)", "mu above 0.3".
 std::string named(const std::string& name, const std::string& value) {
-    return name + (value.find_first_of("0123456789") == 0 ? " = " : " ") + value;
+    const bool is_number =
+        value.find_first_of("0123456789") == 0 || value.starts_with("\u2212");  // minus
+    return name + (is_number ? " = " : " ") + value;
 }
 
 /// What the interval holds beside the errors of the observed values.
@@ -166,7 +168,8 @@ Interval full_interval(const IdentifiedModel& model, std::size_t k) {
         statistics::normal_quantile(model.found.confidence) * input_standard_error(model, k);
     const auto [low, high] = estimate.likelihood;
     const double above = estimate.value + std::hypot(high - estimate.value, half);
-    return {std::max(0., estimate.value - std::hypot(estimate.value - low, half)),
+    const double below = estimate.value - std::hypot(estimate.value - low, half);
+    return {p.scale == FreeParameter::Scale::either_sign ? below : std::max(0., below),
             p.scale == FreeParameter::Scale::linear ? std::min(above, p.high) : above};
 }
 

@@ -21,7 +21,7 @@ constexpr double least_goodness = 0.01;
 double relative_change(const IdentifiedModel& model, const std::string& key, std::size_t k) {
     const auto input = std::ranges::find(model.contributions, key, &InputContribution::key);
     if (input == model.contributions.end()) return 0;
-    return input->change[k] / model.found.parameters[k].value;
+    return input->change[k] / model.found.free[k].unit_of_change(model.found.parameters[k].value);
 }
 
 /// Standard error of a parameter of one model over that of the other by the errors of the inputs,
@@ -76,7 +76,7 @@ bool overlap(const IdentifiedModel& a, const IdentifiedModel& b, const std::stri
     const double gap = std::max(i.low - k.high, k.low - i.high);
     const double reach =
         statistics::normal_quantile(a.found.confidence) * shared_error(a, *of_a, b, *of_b);
-    return gap <= reach * b.found.parameters[*of_b].value;
+    return gap <= reach * b.found.free[*of_b].unit_of_change(b.found.parameters[*of_b].value);
 }
 
 bool is_rejected(const IdentifiedModel& model) {

@@ -29,7 +29,13 @@ constexpr int most_start_draws = 100'000;
 /// Over the coordinates of the parameters.
 class Density {
   public:
-    explicit Density(const IdentificationTask& task) : task_(task) {}
+    explicit Density(const IdentificationTask& task) : task_(task) {
+        for (const ObservedTable& table : task.tables)
+            if (table.standard_errors.empty())
+                errors_.resize(errors_.size() + table.observed.size(), 1.);
+            else
+                std::ranges::copy(table.standard_errors, std::back_inserter(errors_));
+    }
 
     double operator()(const Point& x) const {
         for (std::size_t k = 0; k < x.size(); ++k)
@@ -45,22 +51,21 @@ class Density {
 
   private:
     double log_likelihood(const std::vector<double>& values) const {
+        const auto residuals = residuals_of(task_, values, errors_);
         double logarithm = 0;
         std::size_t row = 0;
         for (const ObservedTable& table : task_.tables) {
             double sum = 0;
-            for (std::size_t i = 0; i < table.observed.size(); ++i, ++row) {
-                const double error = table.standard_errors.empty() ? 1 : table.standard_errors[i];
-                sum += std::pow((table.observed[i] - values[row]) / error, 2);
-            }
-            logarithm -= table.standard_errors.empty()
-                             ? static_cast<double>(table.observed.size()) / 2 * std::log(sum)
-                             : sum / 2;
+            for (const std::size_t end = row + table.observed.size(); row < end; ++row)
+                sum += residuals[row] * residuals[row];
+            const auto n = static_cast<double>(table.observed.size()) - table.has_free_origin;
+            logarithm -= table.standard_errors.empty() ? n / 2 * std::log(sum) : sum / 2;
         }
         return logarithm;
     }
 
     const IdentificationTask& task_;
+    std::vector<double> errors_;  // stated, or 1
 };
 
 /// Of mean 0 and standard deviation 1.
@@ -111,13 +116,18 @@ std::vector<Interval> predicted_values(const IdentificationTask& task, const Ide
                                        const std::vector<Point>& points) {
     statistics::SplitMix64 random(noise_seed);
     std::vector<std::vector<double>> values(task.n_observations());
+    std::vector<double> errors;
+    for (const TableFit& table : found.tables)
+        std::ranges::copy(table.standard_errors, std::back_inserter(errors));
     const std::size_t every = std::max<std::size_t>(1, points.size() / n_predictions);
     for (std::size_t i = 0; i < points.size(); i += every) {
         const auto predicted = task.model(values_of(task.parameters, points[i]));
+        const auto residuals = residuals_of(task, predicted, errors);
         std::size_t row = 0;
-        for (const TableFit& table : found.tables)
-            for (const double error : table.standard_errors) {
-                values[row].push_back(predicted[row] + error * normal(random));
+        for (const ObservedTable& table : task.tables)
+            for (const double observed : table.observed) {
+                const double fitted = observed - errors[row] * residuals[row];
+                values[row].push_back(fitted + errors[row] * normal(random));
                 ++row;
             }
     }
@@ -146,7 +156,8 @@ Posterior sample_posterior(const IdentificationTask& task, const Identification&
         Point& step = steps.emplace_back();
         for (std::size_t k = 0; k < m; ++k) {
             const double value = found.parameters[k].value;
-            step.push_back(task.parameters[k].slope(value) * change[k] / value);
+            const FreeParameter& p = task.parameters[k];
+            step.push_back(p.slope(value) * change[k] / p.unit_of_change(value));
         }
     }
     statistics::SplitMix64 random(inputs_seed);

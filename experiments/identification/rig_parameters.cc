@@ -12,6 +12,8 @@ using Scale = FreeParameter::Scale;
 
 // Around the value of the case.
 constexpr double widest_length = 100, widest_time = 1e4;
+// Around zero, of what the shifts would say alone; and the least of that.
+constexpr double widest_pivot = 1e4, least_pivot_slope = 1e-9;
 // Of a Prony term, over the unrelaxed modulus.
 constexpr double least_modulus = 1e-6, largest_modulus = .999;
 
@@ -23,6 +25,24 @@ FreeParameter length(std::string key, std::string name, std::string symbol, doub
             .low = start / widest_length,
             .high = start * widest_length,
             .start = start};
+}
+
+/// Dh = R dU/dW (Wetter 2016, 5.1.11), of the size that the table's shifts over its offsets have.
+FreeParameter pivot_height(const IdentificationInput::Table& rolled, double radius) {
+    const auto range = [](const std::vector<double>& values) {
+        const auto [least, largest] = std::ranges::minmax(values);
+        return largest - least;
+    };
+    const double slope = std::max(range(rolled.observed) / range(rolled.given), least_pivot_slope);
+    FreeParameter p{.key = std::string(pivot_key),
+                    .name = "pivot_height_m",
+                    .symbol = "Dh",
+                    .unit = "m",
+                    .scale = Scale::either_sign,
+                    .size = radius * slope};
+    p.high = widest_pivot * p.size;
+    p.low = -p.high;
+    return p;
 }
 
 /// All terms of the case's series.
@@ -91,12 +111,16 @@ std::vector<FreeParameter> free_parameters(const IdentificationInput& input,
                 throw contact::InputError(
                     "substrate.thickness is missing; give a value from which the search starts");
             parameters.push_back(length(key, "thickness_m", "b", *rig.layer.thickness));
+        } else if (key == pivot_key) {
+            parameters.push_back(
+                pivot_height(*input.find(Measurement::rolling_shift), rig.indenter.radius));
         } else {
             add_terms(*rig.relaxation, key, parameters);
         }
     }
     std::size_t n_rows = 0;
-    for (const auto& table : input.tables) n_rows += table.observed.size();
+    for (const auto& table : input.tables)
+        n_rows += table.observed.size() - table.has_free_origin();
     if (n_rows <= parameters.size())
         throw contact::InputError(std::to_string(n_rows) + " rows do not determine " +
                                   std::to_string(parameters.size()) +

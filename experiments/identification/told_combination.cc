@@ -15,10 +15,17 @@ namespace {
 // A power below this part of the largest one takes no part in a product.
 constexpr double least_part = .03;
 
-/// Standard error of ln v; where bounds tell more than the linearised likelihood, of an interval as
-/// wide as that of the likelihood.
+/// Slope of a parameter's relative change by ln |v|: 1 unless it has either sign.
+double slope_of_change(const Identification& found, std::size_t k) {
+    const double value = found.parameters[k].value;
+    return value / found.free[k].unit_of_change(value);
+}
+
+/// Standard error of ln |v|; where bounds tell more than the linearised likelihood, of an interval
+/// as wide as that of the likelihood.
 double error_alone(const Identification& found, std::size_t k) {
-    const double linearised = found.logarithmic.standard_errors[k];
+    const double linearised =
+        found.logarithmic.standard_errors[k] / std::abs(slope_of_change(found, k));
     const auto [low, high] = found.parameters[k].likelihood;
     if (!(low > 0 && std::isfinite(high))) return linearised;
     return std::min(linearised,
@@ -55,9 +62,10 @@ std::vector<ToldCombination> told_combinations(const Identification& found) {
         double first = 0;
         for (std::size_t i = 0; i < components.size(); ++i) {
             if (std::abs(components[i]) < least_part * largest) continue;
-            if (one.parameters.empty()) first = components[i];
+            const double power = components[i] * slope_of_change(found, untold[i]);
+            if (one.parameters.empty()) first = power;
             one.parameters.push_back(untold[i]);
-            one.exponents.push_back(components[i] / first);
+            one.exponents.push_back(power / first);
         }
         one.standard_error = error / std::abs(first);
         if (one.parameters.size() > 1 && one.standard_error < untold_error)

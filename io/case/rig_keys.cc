@@ -69,6 +69,9 @@ std::vector<Key> measurement_keys() {
         quantity_key("measurement.held_force", force, above_zero(1e9), R"("5 N")",
                      "normal force of indentation_creep",
                      {.needs = "measurement.indentation_creep"}),
+        text_key("measurement.rolling_shift", R"("rolling.csv")",
+                 "table of rolling offsets within a period and the shifts at them, along the "
+                 "drive, without tangential force"),
         list_of(
             choice_key("measurement.find",
                        {{"substrate.young"},
@@ -77,10 +80,11 @@ std::vector<Key> measurement_keys() {
                         {"substrate.relaxation.relative_moduli"},
                         {"substrate.relaxation.times"},
                         {"indenter.radius"},
-                        {"friction.coefficient"}},
+                        {"friction.coefficient"},
+                        {"rig.pivot_height"}},
                        R"(["substrate.young"])",
-                       "keys that follow from the tables; of E and mu the case's values are not "
-                       "used, of others they are where the search starts",
+                       "what follows from the tables; of E, mu and the pivot the case holds no "
+                       "values that are used, of others they are where the search starts",
                        {.required = true})),
         list_of(choice_key("measurement.models",
                            {{"half-space"}, {"layer"}, {"atlas"}, {"bem-layer"}, {"fem"}},

@@ -213,6 +213,21 @@ grep -q "^layer .* 0.49. (0.48. to 0.500)" text || complain "nu by the layer: $(
 grep -q "^half-space .* cannot be told" text || complain "nu by the half-space: $(cat text)"
 grep -q "told only in" text && complain "E is told by the bounds of nu: $(cat text)"
 
+# 14. Shifts that follow the drive tell the pivot, 60 um too high, beside the own wobble of the coupled layer, which the
+#     half-space has not; without the radius Dh/R alone.
+cp "$source_dir/examples/measurements/rig_rolling_shift.csv" .
+sed '/^static_shift/d; s/^find = .*/find = ["rig.pivot_height"]/; s/= 12$/= 8/
+    s/^poisson = 0.5/young = "4.22 MPa"\n&/; s/^\[load\]/[friction]\ncoefficient = 0.57\n&/' \
+    "$source_dir/examples/measurements/rig_pivot.toml" >pivot.toml
+"$program" identify pivot.toml --output out --quiet >text || complain "pivot: $(cat text)"
+low=$(number "['models']['bem-layer']['pivot_height_m']['interval'][0]")
+high=$(number "['models']['bem-layer']['pivot_height_m']['interval'][1]")
+holds "$low < 60e-6 && 60e-6 < $high && $high - $low < 25e-6" "the pivot's height: $low to $high"
+holds "$(number "['models']['half-space']['pivot_height_m']['interval'][1]") < 0" "the half-space's pivot"
+sed 's/^find = .*/find = ["rig.pivot_height", "indenter.radius"]/; s/, "bem-layer"//' pivot.toml >ratio.toml
+"$program" identify ratio.toml --output out --quiet >text || complain "Dh and R: $(cat text)"
+grep -q "Dh and R are told only in the combination Dh R^−1.0 (" text || complain "no ratio: $(cat text)"
+
 # refused EXPECTED SED [TABLE]: the file of 2 changed, TABLE in place of its table.
 n=0
 refused() {
@@ -270,6 +285,18 @@ refused 'normal_force = "21.1 ± 0.1 mm"' 's/21.1 ± 0.1 N/21.1 ± 0.1 mm/'
 refused 'is a setting of the computation' 's/= 12$/= "12 ± 1"/'
 refused "leave out layer (bem and bem-layer do)" 's/^poisson = 0.5/poisson = 0.48/'
 refused 'confidence = 1.5: must be' 's/^models/confidence = 1.5\nmodels/'
+refused 'nothing tells rig.pivot_height; add rolling_shift' 's/^find = .*/find = ["rig.pivot_height"]/'
+refused "rolling_shift tells the pivot's height; add rig.pivot_height" \
+    's/^find/rolling_shift = "rig_static_shift.csv"\nfind/'
+rolled='offset [mm], shift [um]\n-1, 5\n0, 4.2\n1, 3.1\n'
+refused 'rolling_shift alone tells the pivot' \
+    's/^static/rolling/; s/^find = .*/find = ["substrate.young", "rig.pivot_height"]/' "$rolled"
+refused 'the maps do not say how far free rolling shifts a contact' \
+    's/^static/rolling/; s/^find = .*/find = ["rig.pivot_height"]/; s/"layer"/"atlas"/' "$rolled"
+pivot_alone='s/^static/rolling/; s/^find = .*/find = ["rig.pivot_height"]/; s/^poisson = 0.5/young = "4 MPa"\n&/
+    s/^\[load\]/[friction]\ncoefficient = 0.5\n&/'
+refused 'the offset is the same everywhere' "$pivot_alone" 'offset [mm], shift [um]\n1, 5\n1, 4.2\n1, 3.1\n'
+refused 'the table has 2 rows' "$pivot_alone" 'offset [mm], shift [um]\n-1, 5\n1, 4.2\n'
 refused 'without tangential force nothing tells the coefficient of friction' \
     's/^static_shift/force_indentation/' 'indentation [um], normal_force [N]\n100, 2\n200, 7\n'
 printf '%d files refused\n' "$n"

@@ -36,21 +36,39 @@ TEST(BoundedLeastSquares, StepsBackFromWhereThereAreNoResiduals) {
     EXPECT_THROW(fit_within(line, {2}, {{0}, {9}}), contact::NotConverged);
 }
 
-// Two groups of equal parameters: the variance is that of the weighted mean, and Welch and
-// Satterthwaite's degrees of freedom those of their formula.
+// Two groups that share a mean: degrees of freedom by Welch and Satterthwaite's formula, variance
+// with estimated weights by Meier's (1953, Biometrics 9, 59), both to the order of 1/n^2.
 TEST(JointCovariance, OfAMeanFromTwoGroups) {
-    const std::vector<std::vector<double>> columns{{2, 2, 2, 1, 1, 1, 1}};
-    const auto c = joint_covariance(columns, {{3, false}, {4, false}});
-    EXPECT_NEAR(c.covariance[0][0], 1. / 16, 1e-12);
-    const double left_a = 3 - 12. / 16, left_b = 4 - 4. / 16;
-    EXPECT_NEAR(c.degrees_of_freedom[0], left_a, 1e-12);
-    EXPECT_NEAR(c.effective_degrees[0],
-                1 / (std::pow(12. / 16, 2) / left_a + std::pow(4. / 16, 2) / left_b), 1e-9);
-    EXPECT_TRUE(std::isinf(joint_covariance(columns, {{3, true}, {4, true}}).effective_degrees[0]));
+    constexpr int n_a = 300, n_b = 400;
+    constexpr double w_a = 3. / 4, w_b = 1. / 4;
+    std::vector<double> column(n_a, 2.);
+    column.resize(n_a + n_b, 1.);
+    const auto c = joint_covariance(
+        {column}, {{.n_rows = n_a, .is_known = false}, {.n_rows = n_b, .is_known = false}});
+    EXPECT_NEAR(c.covariance[0][0], 1. / 1600, 1e-12);
+    EXPECT_NEAR(c.degrees_of_freedom[0], n_a - w_a, 1e-9);
+    constexpr double spread_a = w_a * w_a / (n_a - 1), spread_b = w_b * w_b / (n_b - 1);
+    EXPECT_NEAR(c.effective_degrees[0] * (spread_a + spread_b), 1, 1e-3);
+    const double of_weights = 4 * (w_a * w_b / (n_a - 1) + w_b * w_a / (n_b - 1));
+    EXPECT_NEAR((c.inflation(0) - 1) / of_weights, 1, 1e-3);
+    EXPECT_EQ(c.standard_errors[0], std::sqrt(c.adjusted[0][0]));
+    const auto known = joint_covariance({column}, {{.n_rows = n_a}, {.n_rows = n_b}});
+    EXPECT_TRUE(std::isinf(known.effective_degrees[0]));
+    EXPECT_EQ(known.inflation(0), 1);
+}
+
+// One table that tells its error: exact normal theory, n - m degrees of freedom and nothing more.
+TEST(JointCovariance, OfOneGroupIsThatOfStudent) {
+    const auto c =
+        joint_covariance({{1, 2, 3, 4, 5}, {1, 4, 9, 16, 25}}, {{.n_rows = 5, .is_known = false}});
+    for (int k = 0; k < 2; ++k) {
+        EXPECT_NEAR(c.effective_degrees[k], 3, 1e-9);
+        EXPECT_NEAR(c.inflation(k), 1, 1e-9);
+    }
 }
 
 TEST(JointCovariance, AProductThatIsToldAlone) {
-    const auto c = joint_covariance({{1, 2, 3}, {.5, 1, 1.5}, {1, -2, 1}}, {{3, true}});
+    const auto c = joint_covariance({{1, 2, 3}, {.5, 1, 1.5}, {1, -2, 1}}, {{.n_rows = 3}});
     EXPECT_TRUE(std::isinf(c.standard_errors[0]));
     EXPECT_TRUE(std::isinf(c.standard_errors[1]));
     EXPECT_TRUE(std::isfinite(c.standard_errors[2]));

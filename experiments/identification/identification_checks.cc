@@ -1,0 +1,157 @@
+#include "experiments/identification/identification_checks.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <variant>
+
+#include "io/case/rig_keys.h"
+#include "io/keys/field_reader.h"
+#include "io/keys/key_checks.h"
+#include "io/keys/messages.h"
+
+namespace tricontact::experiments {
+
+namespace {
+
+using Input = IdentificationInput;
+using Table = Input::Table;
+using Measurement = Input::Measurement;
+
+bool is_history(const Table& table) {
+    return table.measurement == Measurement::force_relaxation ||
+           table.measurement == Measurement::indentation_creep;
+}
+
+using Refuse = std::function<void(const std::string& rule, const std::string& remedy)>;
+
+void check_rolling(const Input& input, const std::vector<std::string>& find, const Refuse& refuse) {
+    const auto is_free = [&](std::string_view key) { return std::ranges::count(find, key) > 0; };
+    const bool has_table = input.find(Measurement::rolling_shift);
+    if (has_table != is_free(pivot_key))
+        has_table ? refuse("rolling_shift tells the pivot's height",
+                           "add rig.pivot_height, or leave out rolling_shift")
+                  : refuse("nothing tells rig.pivot_height", "add rolling_shift, or leave it out");
+    if (!has_table) return;
+    const auto is_told = [](std::string_view key) {
+        return key == pivot_key || key == "indenter.radius";
+    };
+    if (input.tables.size() == 1 && !std::ranges::all_of(find, is_told))
+        refuse("rolling_shift alone tells the pivot's height, and nothing of the substrate",
+               "add static_shift or another table, or find rig.pivot_height alone");
+}
+
+}  // namespace
+
+bool is_sheared(const Input& input) {
+    return input.find(Measurement::static_shift) || input.find(Measurement::rolling_shift);
+}
+
+double quantity_of(const io::Document& document, std::string_view path) {
+    double value = 0;
+    const io::Key& key = *io::find_key(path);
+    io::read_field(key, io::required(key, document, io::case_key_list()), io::Field(&value));
+    return value;
+}
+
+void check_models(const Input& input, const io::Document& document) {
+    for (const std::string& model : input.models) {
+        if (model != "half-space" && !document.find("substrate.thickness"))
+            io::refuse(
+                document, "measurement.models",
+                model + " is a model of a layer, but substrate.thickness is missing",
+                "add thickness = \"8 mm\" or the like to [substrate], or leave out " + model);
+        if ((model == "bem-layer" || model == "atlas") && !is_sheared(input))
+            io::refuse(
+                document, "measurement.models",
+                "without tangential force " + model + " approximates what layer knows exactly",
+                "write \"layer\" instead");
+        if (model == "atlas" && input.find(Measurement::rolling_shift))
+            io::refuse(document, "measurement.models",
+                       "the maps do not say how far free rolling shifts a contact",
+                       "take bem-layer, or leave out rolling_shift");
+    }
+}
+
+void check_lengths(const Table& table, double radius, const io::Document& document) {
+    const bool deep = table.measurement == Measurement::force_indentation;
+    if (table.measurement == Measurement::force_relaxation) {
+        if (table.held >= radius)
+            io::refuse(document, "measurement.held_indentation",
+                       "not below the indenter's radius: small deformations are assumed",
+                       "check the units");
+        return;
+    }
+    const MeasuredColumns& columns = columns_of(table.measurement);
+    double largest = 0;
+    for (const double value : deep ? table.given : table.observed)
+        largest = std::max(largest, std::abs(value));
+    if (largest >= radius)
+        io::refuse(document, std::string(key_of(table.measurement)),
+                   std::string(deep ? columns.given.name : columns.observed.name) + " reaches " +
+                       io::shortest(largest) + " m, the indenter's radius is " +
+                       io::shortest(radius) + " m: small deformations are assumed",
+                   "check the units of the table and of indenter.radius");
+}
+
+void check_round(const io::Document& document) {
+    const io::Entry* shape = document.find("indenter.shape");
+    if (!shape) return;
+    const auto* word = std::get_if<std::string>(&shape->value);
+    if (word && (*word == "paraboloid" || *word == "sphere")) return;
+    io::refuse(document, "indenter.shape",
+               "material constants are identified under a round indenter",
+               "take \"paraboloid\" or \"sphere\"");
+}
+
+void check_find(const Input& input, const std::vector<std::string>& find,
+                const io::Document& document) {
+    const auto is_free = [&](std::string_view key) { return std::ranges::count(find, key) > 0; };
+    const auto refuse = [&](const std::string& rule, const std::string& remedy) {
+        io::refuse(document, "measurement.find", rule, remedy);
+    };
+    if (is_free("friction.coefficient") && !input.find(Measurement::static_shift))
+        refuse("without tangential force nothing tells the coefficient of friction",
+               "leave out friction.coefficient");
+    check_rolling(input, find, refuse);
+    const bool is_timed = std::ranges::any_of(input.tables, is_history);
+    for (const char* key : {"substrate.relaxation.relative_moduli", "substrate.relaxation.times"})
+        if (is_free(key) && !is_timed)
+            refuse(std::string("no history tells ") + key,
+                   "add force_relaxation or indentation_creep, or leave it out");
+    if (is_timed && !document.find_section("substrate.relaxation"))
+        refuse("the tables hold a history, but the case has no [substrate.relaxation]",
+               "add relative_moduli and times, whose values are where the search starts");
+    const auto has = [&](const char* model) { return std::ranges::count(input.models, model) > 0; };
+    if (is_free("substrate.thickness") && has("half-space") && find.size() == 1)
+        refuse("a half-space has no thickness", "leave out half-space of models");
+    if (is_free("substrate.poisson") && is_sheared(input))
+        for (const char* model : {"bem-layer", "fem", "layer"})
+            if (has(model))
+                refuse(std::string("with shifts, nu is found by half-space and atlas, not by ") +
+                           model,
+                       "take the model atlas, or leave out substrate.poisson");
+    if (is_free("substrate.poisson") && has("fem"))
+        refuse("fem does not find nu", "take the model layer");
+    const io::Entry* shape = document.find("indenter.shape");
+    const auto* word = shape ? std::get_if<std::string>(&shape->value) : nullptr;
+    const bool is_scaled = is_free("indenter.radius") || is_free("substrate.thickness");
+    if (is_scaled && word && *word == "sphere" &&
+        std::ranges::count(input.models, "half-space") != std::ssize(input.models))
+        refuse("lengths of a layer under a sphere are not in proportion to each other",
+               "take shape = \"paraboloid\", which the sphere is near its tip");
+}
+
+void check_friction(const Input& input, const io::Document& document) {
+    const Table* shifts = input.find(Measurement::static_shift);
+    if (!shifts || input.is_free("friction.coefficient")) return;
+    const double largest = std::ranges::max(shifts->given);
+    const double limit = input.rig.friction_coefficient * *input.rig.load.normal_force;
+    if (largest >= limit)
+        io::refuse(document, "friction.coefficient",
+                   "the contact would slide: F_T of the table reaches " + io::shortest(largest) +
+                       " N, mu F_N is " + io::shortest(limit) + " N",
+                   "correct it, or name it in measurement.find");
+}
+
+}  // namespace tricontact::experiments

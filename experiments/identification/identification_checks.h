@@ -1,0 +1,31 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "experiments/identification/identification_reader.h"
+#include "io/keys/input_file.h"
+
+namespace tricontact::experiments {
+
+/// Shifts were measured, under load.normal_force and with friction.
+bool is_sheared(const IdentificationInput& input);
+
+/// A length or the like of the file [SI]; throws contact::InputError where it is missing.
+double quantity_of(const io::Document& document, std::string_view path);
+
+// What the reader refuses: contact::InputError with the place in the file.
+void check_models(const IdentificationInput& input, const io::Document& document);
+/// Lengths of a contact are small against the indenter's radius, unless their unit is wrong.
+void check_lengths(const IdentificationInput::Table& table, double radius,
+                   const io::Document& document);
+/// Hertz' theory is one of the models, and the others are laid over its radius.
+void check_round(const io::Document& document);
+/// What the tables and models can tell. `find`: of the file.
+void check_find(const IdentificationInput& input, const std::vector<std::string>& find,
+                const io::Document& document);
+/// Sliding contacts have no static shift.
+void check_friction(const IdentificationInput& input, const io::Document& document);
+
+}  // namespace tricontact::experiments
