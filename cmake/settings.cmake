@@ -82,3 +82,23 @@ function(tricontact_precompile target)
         target_precompile_headers(${target} PRIVATE ${ARGN})
     endif()
 endfunction()
+
+# tricontact_precompile_as(target other): the same headers as those of another target, which have to be compiled
+# with no definition that this one lacks.
+function(tricontact_precompile_as target other)
+    if(NOT CMAKE_CXX_COMPILER_LAUNCHER)
+        target_precompile_headers(${target} REUSE_FROM ${other})
+    endif()
+endfunction()
+
+# tricontact_precompile_texts(target): what all that writes text and JSON includes, compiled once for all of them.
+function(tricontact_precompile_texts target)
+    if(NOT TARGET tricontact_text_headers)
+        file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/text_headers.cc CONTENT "")
+        add_library(tricontact_text_headers OBJECT ${PROJECT_BINARY_DIR}/text_headers.cc)
+        target_link_libraries(tricontact_text_headers
+            PRIVATE tricontact_settings fmt::fmt nlohmann_json::nlohmann_json)
+        tricontact_precompile(tricontact_text_headers <fmt/format.h> <nlohmann/json.hpp>)
+    endif()
+    tricontact_precompile_as(${target} tricontact_text_headers)
+endfunction()

@@ -10,12 +10,6 @@ scripts=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")" >/dev/null && pwd)
 "$scripts/setup.sh" report
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
-failures=0
-
-complain() {
-    failures=$((failures + 1))
-    printf 'FAILED: %s\n' "$*"
-}
 
 # Both widths in frames of one page that notes what the readers inside say.
 cat >"$work/readers.html" <<'END'
@@ -33,24 +27,36 @@ addEventListener("message", event => {
 <iframe src="report.html" style="width: 400px; height: 800px"></iframe>
 END
 
+# look FOLDER PREFERENCE: at report.html in the folder; complaints, a line each.
+look() {
+    cp "$work/readers.html" "$1"
+    timeout 120 chromium --headless --no-sandbox --disable-gpu --window-size=1300,1700 \
+        --user-data-dir="$1/profile" --host-resolver-rules="MAP * ~NOTFOUND" \
+        --blink-settings="preferredColorScheme=$2" --enable-logging=stderr \
+        --virtual-time-budget=20000 --dump-dom "file://$1/readers.html" \
+        >"$1/page" 2>"$1/log" || echo "chromium ends with exit code $?"
+    grep -o 'CONSOLE.*' "$1/log" || true
+    local readers
+    readers=$(grep -o '<pre>\[[^<]*\]</pre>' "$1/page" || true)
+    [ "$(grep -c . <<<"$readers")" -eq 2 ] || echo "not both widths were read"
+    grep -o '"[^"]*"' <<<"$readers" || true
+}
+
+# Two readers at a time on two cores, each with a profile of its own.
+n=0
 for report in "$@"; do
     [ -r "$report" ] || { echo "error: cannot read $report" >&2; exit 2; }
-    { cat "$report" && echo "<script>" && cat "$scripts/check_report.js" && echo "</script>"; } \
-        >"$work/report.html"
     for preference in dark:0 light:1; do
-        where="$report, ${preference%:*}"
-        timeout 120 chromium --headless --no-sandbox --disable-gpu --window-size=1300,1700 \
-            --user-data-dir="$work/profile" --host-resolver-rules="MAP * ~NOTFOUND" \
-            --blink-settings="preferredColorScheme=${preference#*:}" --enable-logging=stderr \
-            --virtual-time-budget=20000 --dump-dom "file://$work/readers.html" \
-            >"$work/page" 2>"$work/log" || complain "$where: chromium ends with exit code $?"
-        while read -r message; do complain "$where: $message"; done \
-            < <(grep -o 'CONSOLE.*' "$work/log" || true)
-        readers=$(grep -o '<pre>\[[^<]*\]</pre>' "$work/page" || true)
-        [ "$(grep -c . <<<"$readers")" -eq 2 ] || complain "$where: not both widths were read"
-        while read -r complaint; do complain "$where: $complaint"; done \
-            < <(grep -o '"[^"]*"' <<<"$readers" || true)
+        n=$((n + 1))
+        mkdir "$work/$n"
+        { cat "$report" && echo "<script>" && cat "$scripts/check_report.js" && echo "</script>"; } \
+            >"$work/$n/report.html"
+        [ "$(jobs -rp | wc -l)" -lt "$(nproc)" ] || wait -n
+        look "$work/$n" "${preference#*:}" | sed "s|^|FAILED: $report, ${preference%:*}: |" >"$work/$n.said" &
     done
 done
+wait
+cat "$work"/*.said
+failures=$(cat "$work"/*.said | wc -l)
 printf '%d failures\n' "$failures"
 [ "$failures" -eq 0 ]

@@ -5,7 +5,7 @@ set -euo pipefail
 root=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." >/dev/null && pwd)
 seconds=${1:-60}
 
-"$root/scripts/setup.sh" build fuzz
+"$root/scripts/setup.sh" no-fem fuzz
 cmake -S "$root" --preset fuzz --log-level=NOTICE
 cmake --build "$root/build/fuzz" --target case_reader_fuzz
 work=$(mktemp -d)

@@ -2,12 +2,18 @@
 # Sees to the Debian packages of packages.txt: root installs what is missing, anybody else is told
 # the command. Beside an installed ParaView, VTK's development files are unpacked into build/vtk instead,
 # where CMake finds them: libvtk9-dev needs python3-vtk9, which conflicts with python3-paraview.
-# usage: setup.sh [build|fuzz|report|docs|paraview]...   (build)
+# usage: setup.sh [build|no-fem|fuzz|report|docs|paraview]...   (build)
+#   no-fem: what a build without the finite elements needs
 # Exit codes: 0 all packages are there, 2 some are missing or cannot be fetched, else apt-get's.
 set -euo pipefail
 scripts=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")" >/dev/null && pwd)
 vtk=$scripts/../build/vtk
 [ $# -gt 0 ] || set -- build
+# The words of packages.txt.
+case " $* " in
+    *" build "*) set -- "$@" fem ;;
+    *" no-fem "*) set -- "$@" build ;;
+esac
 
 if ! command -v dpkg-query >/dev/null; then
     printf 'error: this is no Debian system; %s names what has to be installed\n' \

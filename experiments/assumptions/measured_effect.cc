@@ -29,6 +29,8 @@ class MeasuredEffects {
             if (one.name == "unsaturated_contact") add_friction("saturation");
             if (one.name == "no_heating") add_friction("heating_change");
             if (one.name == "elastic_substrate") add_creep();
+            if (one.name == "far_edges") add_sides();
+            if (one.name == "level_surface") add_tilt();
             if (one.name == "no_wear") add_bound("wear_ratio", Measured::indentation);
         }
         return std::move(effects_);
@@ -101,6 +103,27 @@ class MeasuredEffects {
             add(Measured::static_shift, shift->result);
         if (const Calculation* indentation = find("strain_indentation"))
             add(Measured::indentation, indentation->result);
+    }
+
+    void add_sides() {
+        const Calculation* more = find("side_effect");
+        if (!more) return;
+        const double with = 1 + more->result.value;
+        add(Measured::indentation, {1 / with - 1, more->result.standard_error / (with * with)});
+    }
+
+    /// The weight on a slope is an error of F_T, of which it may be any part.
+    void add_tilt() {
+        const Calculation* share = find("tilt_load");
+        if (!share) return;
+        const bool is_of_force = std::ranges::any_of(share->given, [](const Given& one) {
+            return one.symbol == "F_T" || one.symbol == "f_T";
+        });
+        // Else it is of mu F_N.
+        const double sensitivity = shift_sensitivity_to_force(coupling_tangential_ratio) /
+                                   (is_of_force ? 1 : coupling_tangential_ratio);
+        add(Measured::static_shift,
+            {sensitivity * (share->result.value + share->result.standard_error), 0}, true);
     }
 
     void add_adhesion() {

@@ -36,7 +36,7 @@ theory::ElasticLayer layer_with(const Values& x) {
 template <class Solve>
 auto solved_once(const Values& x, const Solve& solve) {
     using Contact = decltype(solve(x));
-    constexpr std::size_t n_kept = 64;  // the numbers of a rig, each moved to both sides
+    constexpr std::size_t n_kept = 2000;  // of all numbers moved to both sides, or of samples
     static thread_local std::deque<std::pair<Values, Contact>> kept;
     const auto found = std::ranges::find(kept, x, &std::pair<Values, Contact>::first);
     if (found != kept.end()) return found->second;

@@ -25,7 +25,8 @@ printf '#!/bin/sh\necho "${USER_ID:-0}"\n' >bin/id
 printf '#!/bin/sh\nexit 0\n' >bin/npm
 chmod +x bin/*
 export ASKED=$work/asked.txt
-all() { awk -v need="$1" '{ sub(/#.*/, "") } $2 == need { print $1 }' scripts/packages.txt; }
+# all NEED...: packages.
+all() { awk -v needs=" $* " '{ sub(/#.*/, "") } $2 && index(needs, " " $2 " ") { print $1 }' scripts/packages.txt; }
 # setup CODE ARGUMENTS...: what it asked for is in asked.txt, what it said in said.txt.
 setup() {
     local due=$1
@@ -37,13 +38,21 @@ setup() {
 }
 
 # Without ParaView: everything is installed, nothing unpacked; of a later start nothing is asked.
-all build | grep -vx libvtk9-dev >installed.txt
+all build fem | grep -vx libvtk9-dev >installed.txt
 setup 0 build
 grep -q 'install --no-install-recommends libvtk9-dev$' asked.txt || complain "not installed: $(cat asked.txt)"
 [ -e build/vtk ] && complain "unpacked without ParaView"
-all build >installed.txt
+all build fem >installed.txt
 setup 0
 [ -s asked.txt ] && complain "asked for nothing: $(cat asked.txt)"
+
+# Without the finite elements: their packages are not asked for.
+all build >installed.txt
+setup 0 no-fem
+[ -s asked.txt ] && complain "asked for without finite elements: $(cat asked.txt)"
+setup 0
+grep -q 'install .*libdeal.ii-dev' asked.txt || complain "no finite elements: $(cat asked.txt)"
+all build fem >installed.txt
 
 # Another npm will do, no other package's place is taken by a command.
 grep -vx 'npm' installed.txt >rest.txt && mv rest.txt installed.txt
@@ -55,7 +64,7 @@ if ! command -v npm >/dev/null; then
 fi
 
 # Beside ParaView: not libvtk9-dev, but what its files look for, and they themselves unpacked.
-{ all build | grep -vx libvtk9-dev; echo npm; echo paraview; echo python3-paraview; } >installed.txt
+{ all build fem | grep -vx libvtk9-dev; echo npm; echo paraview; echo python3-paraview; } >installed.txt
 USER_ID=1000 setup 2 build
 grep -q 'sudo apt-get install .*libdouble-conversion-dev' said.txt || complain "what is missing: $(cat said.txt)"
 grep -q 'libvtk9-dev' said.txt && complain "the conflict: $(cat said.txt)"
@@ -70,7 +79,7 @@ USER_ID=1000 setup 0 build
 [ -s asked.txt ] && complain "fetched twice: $(cat asked.txt)"
 
 # ParaView gone, the package there: what was unpacked would be found first.
-{ all build; echo npm; } >installed.txt
+{ all build fem; echo npm; } >installed.txt
 setup 0 build
 [ -e build/vtk ] && complain "the unpacked files stay in the way"
 

@@ -115,6 +115,29 @@ TEST(MeasuredEffects, OfHeatIsBoundedByTheShiftsSensitivity) {
         1e-15);
 }
 
+// A slope of half a degree beside F_T, and sides that add to d.
+TEST(MeasuredEffects, OfSidesAndSlopesFollowFromTheirCriteria) {
+    Rig rig = thesis_rig();
+    const auto calculation = [](const char* name, double value, double error) {
+        return experiments::Calculation{.name = name, .result = {value, error}};
+    };
+    const std::vector<experiments::Assumption> assumptions{
+        {.name = "far_edges",
+         .criteria = {{calculation("side_effect", .06, .01),
+                       experiments::Criterion::Relation::at_most, .05, ""}}},
+        {.name = "level_surface",
+         .criteria = {{calculation("tilt_load", .02, .005),
+                       experiments::Criterion::Relation::at_most, .05, ""}}}};
+    const auto effects = experiments::effects_on_measured(rig, assumptions);
+    ASSERT_EQ(effects.size(), 2u);
+    EXPECT_EQ(effects[0].measured, Measured::indentation);
+    EXPECT_NEAR(effects[0].relative.value, 1 / 1.06 - 1, 1e-12);
+    EXPECT_EQ(effects[1].measured, Measured::static_shift);
+    EXPECT_TRUE(effects[1].is_bound);
+    EXPECT_NEAR(effects[1].relative.value,
+                .025 / .56 * experiments::shift_sensitivity_to_force(.56), 1e-12);
+}
+
 TEST(MeasuredEffects, AreToldWithSignOrAsBounds) {
     const auto text = [](double relative, double error, bool is_bound) {
         return experiments::text_of(
