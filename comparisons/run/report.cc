@@ -1,5 +1,7 @@
 #include "comparisons/run/report.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "comparisons/half_space/layer_report.h"
@@ -31,17 +33,31 @@ constexpr const char* sources =
     "Micro-Walking (thesis, TU Berlin) · Mindlin and Deresiewicz (1953), J. Appl. Mech. 20 · "
     "Johnson (1985), Contact Mechanics";
 
-/// The number that answers the case: "settled shift 55.9 µm (0.4755 U_max)".
-std::string headline(const Results& s) {
+/// The number that answers the case: "settled shift", a length, over U_max.
+struct Headline {
+    const char* words;
+    const Quantity *length, *ratio;
+};
+
+Headline headline_of(const Results& s) {
     using namespace quantities;
     if (s.state() == State::ratcheting)
-        return "shift per period " + with_ratio(s, shift_increment, shift_increment_ratio);
+        return {"shift per period", &shift_increment, &shift_increment_ratio};
     if (!s.state() && !s.number(static_shift))
-        return "shift at the end of the path " + with_ratio(s, final_shift, final_shift_ratio);
-    if (!s.state()) return "static shift " + with_ratio(s, static_shift, static_shift_ratio);
-    if (s.number(settled_shift))
-        return "settled shift " + with_ratio(s, settled_shift, settled_shift_ratio);
-    return "shift so far " + with_ratio(s, final_shift, final_shift_ratio);
+        return {"shift at the end of the path", &final_shift, &final_shift_ratio};
+    if (!s.state()) return {"static shift", &static_shift, &static_shift_ratio};
+    if (s.number(settled_shift)) return {"settled shift", &settled_shift, &settled_shift_ratio};
+    return {"shift so far", &final_shift, &final_shift_ratio};
+}
+
+/// ", +29.8 % beside BEM layer" where both tell the same quantity.
+std::string beside_reference(const Results& s, const Results& reference) {
+    const Headline own = headline_of(s), other = headline_of(reference);
+    if (&s == &reference || own.length != other.length) return {};
+    const auto ours = s.number(*own.length), theirs = reference.number(*own.length);
+    if (!ours || !theirs || *theirs == 0) return {};
+    return ", " + report::percent(*ours / *theirs) + " beside " +
+           report::display_name(reference.model);
 }
 
 Verdict::Standing standing_of(std::optional<State> state) {
@@ -50,8 +66,11 @@ Verdict::Standing standing_of(std::optional<State> state) {
     return *state == State::undecided ? Verdict::Standing::cannot_tell : Verdict::Standing::holds;
 }
 
-Verdict verdict_of(const Results& s) {
-    std::string sentence = report::display_name(s.model) + ": " + headline(s);
+Verdict verdict_of(const Results& s, const Results& reference) {
+    const Headline headline = headline_of(s);
+    std::string sentence = fmt::format("{}: {} {}{}", report::display_name(s.model), headline.words,
+                                       with_ratio(s, *headline.length, *headline.ratio),
+                                       beside_reference(s, reference));
     const auto kappa = s.number(quantities::kappa), eta = s.number(quantities::eta);
     if (kappa) sentence += ", κ = " + report::significant(kappa, 3);
     if (eta) sentence += ", η = " + report::significant(eta, 3);
@@ -132,7 +151,9 @@ report::Document run_document(const contact::Case& c, const std::string& resolve
                               .version = version,
                               .input = resolved_case,
                               .plots = "plots"};
-    for (const Results& s : results) document.verdicts.push_back(verdict_of(s));
+    // The answer first: what the others are compared with.
+    for (std::size_t i = results.size(); i-- > 0;)
+        document.verdicts.push_back(verdict_of(results[i], results.back()));
     document.player = player_of(c, extras.films);
     document.sections = {{"reading", "Reading", reading(c, results)}, results_section(c, results)};
     if (c.prescribed_path) document.sections.push_back(path_section(c, histories));

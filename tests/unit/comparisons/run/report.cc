@@ -50,6 +50,32 @@ TEST(Report, FilesAndNames) {
                                                "plots/shift.csv"}));
 }
 
+// What the others are compared with comes first; how far they are off in metres, whatever their own
+// U_max is.
+TEST(Report, AnswersFirst) {
+    std::vector<contact::History> histories = synthetic::two_models();
+    for (contact::History& history : histories) history.verdict = {contact::State::shakedown, 0, 0};
+    for (double& shift : histories[0].shift_per_period) shift *= 1.25;
+    histories[0].scales.unit_shift = 2;
+    const double ratio =
+        histories[0].shift_per_period.back() / histories[1].shift_per_period.back();
+    const auto verdicts = run_document(synthetic::unit_case(), "", "1", histories).verdicts;
+    ASSERT_EQ(verdicts.size(), 2u);
+    EXPECT_TRUE(verdicts[0].sentence.starts_with("BEM: settled shift")) << verdicts[0].sentence;
+    EXPECT_FALSE(contains(verdicts[0].sentence, "beside"));
+    EXPECT_TRUE(contains(verdicts[1].sentence, ", " + report::percent(ratio) + " beside BEM"))
+        << verdicts[1].sentence;
+}
+
+// Static shift here, growth per period there: nothing is set beside each other.
+TEST(Report, ComparesNoneButEqualQuantities) {
+    std::vector<contact::History> histories = synthetic::two_models();
+    histories[0].verdict = {contact::State::ratcheting, 0, 0};
+    histories[1].verdict = {contact::State::shakedown, 0, 0};
+    for (const auto& verdict : run_document(synthetic::unit_case(), "", "1", histories).verdicts)
+        EXPECT_FALSE(contains(verdict.sentence, "beside")) << verdict.sentence;
+}
+
 TEST(Report, NeedsNoNetworkAndNoOtherFile) {
     const std::string page = page_of(document_of(synthetic::unit_case()));
     const std::regex attribute("(src|href)=\"([^\"]*)\"");
