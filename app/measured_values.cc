@@ -130,7 +130,9 @@ double own_wobble(const std::string& model, const Case& rig, double amplitude, i
     Case c = rig;
     c.load.set_tangential_ratio(0);
     c.rolling = Case::Rolling{.amplitude = amplitude, .periods = wobble_periods, .run_all = true};
-    return experiments::model_wobble(c, history_of(model, c, threads, silent));
+    const contact::History history = history_of(model, c, threads, silent);
+    return experiments::model_wobble(history.steps, history.steps.back().phase - 1,
+                                     c.rolling->angle);
 }
 
 std::vector<double> rolled_shifts(const IdentifiedRig& rig, double own,
