@@ -26,8 +26,8 @@ void expect_same(const WalkResult& batch, const WalkResult& alone) {
 
 // The same judge sees the same run, but for rounding: to the bit it cannot be.
 TEST(WalkBatch, JudgesAsARunAlone) {
-    const std::vector<WalkCase> cases{case_of(set_a(), 2000), case_of(set_b(), 2000),
-                                      case_of(tilting(), 2000)};
+    const std::vector<WalkCase> cases{case_of(set_a(), 5000), case_of(set_b(), 5000),
+                                      case_of(tilting(), 5000)};
     const std::vector<Walk> walks = walk_batch(cases);
     ASSERT_EQ(walks.size(), 3u);
 
