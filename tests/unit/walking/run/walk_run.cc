@@ -66,7 +66,7 @@ TEST(WalkRun, DoesNotTellFrictionBeforeItSlides) {
     Kappas kappas = set_b();
     kappas.kappa6 = 1e-9, kappas.kappa8 = 0.2;
     EXPECT_NEAR(loading_time({.kappas = kappas}), 68000, 1e-6);
-    const WalkResult result = walk(case_of(kappas, 4000)).result;
+    const WalkResult result = walk(case_of(kappas, 1000)).result;
     EXPECT_EQ(result.regime, Regime::sticking);
     EXPECT_FALSE(result.transient_over);
     EXPECT_TRUE(std::isnan(result.mu_e));

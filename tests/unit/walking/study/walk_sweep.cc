@@ -155,8 +155,9 @@ TEST(WalkSweep, AMapHasItsReportAndPage) {
     EXPECT_EQ(document.sections.front().id, "map");
     EXPECT_EQ(document.verdicts[2].standing, report::Verdict::Standing::holds);
     EXPECT_NE(report::document_html(document).find("200 runs computed"), std::string::npos);
-    ASSERT_TRUE(walk_map_of(sweep));
-    EXPECT_EQ(walk_map_of(sweep)->cells.size(), 200u);
+    const auto page = walk_map_of(sweep);
+    ASSERT_TRUE(page);
+    EXPECT_EQ(page->cells.size(), 200u);
     sweep.points[5].outcome.reset();
     sweep.points[5].error = "lost";
     EXPECT_EQ(walk_sweep_document(sweep).verdicts.front().sentence, "1 of 200 runs failed.");
