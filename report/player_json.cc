@@ -1,5 +1,7 @@
 #include "report/player_json.h"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <string>
 #include <vector>
@@ -21,9 +23,7 @@ std::string packed(const std::vector<bool>& mask) {
 
 /// To seven digits: more than a picture has.
 double rounded(double value) {
-    if (value == 0 || !std::isfinite(value)) return 0;
-    const double unit = std::pow(10., std::floor(std::log10(std::abs(value))) - 6);
-    return std::round(value / unit) * unit;
+    return std::isfinite(value) ? std::stod(fmt::format("{:.7g}", value)) : 0;
 }
 
 json film_json(const Film& film) {

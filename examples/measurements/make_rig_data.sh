@@ -75,6 +75,19 @@ noisy() {
 } >"$folder/rig_rolling_shift.csv"
 
 {
+    echo "# Synthetic, no measurement: a small ball on soft rubber by fem, neo-hookean, E = 0.6 MPa, elements of"
+    echo "# 0.9 mm; noise 0.01 N, seed 5; made by make_rig_data.sh."
+    echo "indentation [um], normal_force [N], normal_force_error [N]"
+    for depth in 450 550 650 750 850; do
+        "$program" run "$folder/soft_indentation.toml" --output "$work/out" --quiet --no-report --no-studies \
+            --set 'models=["fem"]' --set substrate.young="0.6 MPa" --set friction.coefficient=0.5 \
+            --set load.press=frictionless --set load.tangential_ratio=0 --set load.indentation="$depth um" \
+            --set fem.size="0.9 mm" --set output.vtk=none
+        echo "$depth $(grep -m 1 -oP '"normal_force_N": \K[^,]*' "$work/out/summary.json")"
+    done | noisy 5 0.01 1
+} >"$folder/soft_indentation.csv"
+
+{
     echo "# Not measured: equation (2.1.18) of the thesis with its E = 5.2 MPa, mu = 0.57, nu = 1/2,"
     echo "# R = 40 mm, F_N = 21.1 N; made by make_rig_data.sh."
     echo "tangential_force [N], shift [um]"

@@ -94,6 +94,12 @@ void check_lengths(const Table& table, double radius, const io::Document& docume
                    "check the units of the table and of indenter.radius");
 }
 
+bool is_finite_strain(const io::Document& document) {
+    const io::Entry* material = document.find("substrate.material");
+    const auto* word = material ? std::get_if<std::string>(&material->value) : nullptr;
+    return word && *word != "linear";
+}
+
 void check_round(const io::Document& document) {
     const io::Entry* shape = document.find("indenter.shape");
     if (!shape) return;
@@ -136,6 +142,11 @@ void check_find(const Input& input, const std::vector<std::string>& find,
     const io::Entry* shape = document.find("indenter.shape");
     const auto* word = shape ? std::get_if<std::string>(&shape->value) : nullptr;
     const bool is_scaled = is_free("indenter.radius") || is_free("substrate.thickness");
+    if (is_timed && has("fem") && is_finite_strain(document))
+        refuse("histories are closed forms of linear materials", "leave out fem");
+    if (is_scaled && has("fem") && is_finite_strain(document))
+        refuse("at finite strains lengths of fem are not in proportion to thickness and radius",
+               "leave fem out, or the thickness and the radius");
     if (is_scaled && word && *word == "sphere" &&
         std::ranges::count(input.models, "half-space") != std::ssize(input.models))
         refuse("lengths of a layer under a sphere are not in proportion to each other",

@@ -12,6 +12,9 @@ namespace tricontact::experiments {
 /// Shifts were measured, under load.normal_force and with friction.
 bool is_sheared(const IdentificationInput& input);
 
+/// The substrate is a rubber whose strains are finite: fem is no linear model.
+bool is_finite_strain(const io::Document& document);
+
 /// A length or the like of the file [SI]; throws contact::InputError where it is missing.
 double quantity_of(const io::Document& document, std::string_view path);
 

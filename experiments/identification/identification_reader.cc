@@ -135,7 +135,9 @@ contact::Case rig_of(const Input& input, const std::vector<std::string>& find,
     }
     // Frictionless contact knows no coupling, and the half-space's closed forms have none.
     const auto n_half_spaces = std::ranges::count(input.models, "half-space");
-    if (!sheared || n_half_spaces == std::ssize(input.models)) guess("contact.coupling", false);
+    // At finite strains fem always couples, whatever the others do.
+    const bool is_uncoupled = !sheared || n_half_spaces == std::ssize(input.models);
+    if (is_uncoupled && !is_finite_strain(document)) guess("contact.coupling", false);
     if (is_free("substrate.young"))
         guess("substrate.young",
               io::shortest(guessed_young(table_of_young(input), radius, normal_force)) + " Pa");

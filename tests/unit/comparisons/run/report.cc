@@ -123,7 +123,7 @@ TEST(Report, SaysVerdictsAndNumbers) {
     const report::Document document = document_of(synthetic::unit_case());
     const double u = theory::settled_shift_ratio(options.w, options.f).value();
     ASSERT_EQ(document.verdicts.size(), 2u);
-    const report::Verdict& mdr = document.verdicts.front();
+    const report::Verdict& mdr = document.verdicts.back();  // the reference, BEM, comes first
     EXPECT_EQ(mdr.word, "shakedown");
     EXPECT_EQ(mdr.standing, report::Verdict::Standing::holds);
     EXPECT_TRUE(contains(mdr.sentence, "MDR: settled shift " + report::quantity(u, "m")))
