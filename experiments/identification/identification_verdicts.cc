@@ -84,6 +84,29 @@ std::optional<Verdict> bias(const IdentificationStudy& study) {
     return Verdict{fails, sentence + "."};
 }
 
+/// What linear elasticity of the layer makes of E, beside fem at finite strains.
+std::optional<Verdict> bias_of_small_strains(const IdentificationStudy& study) {
+    if (study.input.rig.law == contact::Case::Law::linear) return {};
+    const auto model_of = [&](const char* name) {
+        return std::ranges::find(study.models, name, &IdentifiedModel::name);
+    };
+    const auto fem = model_of("fem");
+    auto linear = model_of("bem-layer");
+    for (const char* name : {"atlas", "layer"})
+        if (linear == study.models.end()) linear = model_of(name);
+    if (fem == study.models.end() || linear == study.models.end()) return {};
+    const auto k = fem->found.find(young_key), i = linear->found.find(young_key);
+    if (!k || !i) return {};
+    const double finite = fem->found.parameters[*k].value,
+                 small = linear->found.parameters[*i].value;
+    const std::string sentence =
+        fmt::format("At small strains {} finds E = {}, fem at finite ones {}: ", linear->name,
+                    report::quantity(small, "Pa", 3), report::quantity(finite, "Pa", 3));
+    if (overlap(*linear, *fem, young_key))
+        return Verdict{holds, sentence + "no more apart than these data resolve."};
+    return Verdict{fails, sentence + off(small / finite) + '.'};
+}
+
 /// Of the tables whose errors are known.
 Verdict explains(const IdentifiedModel& model) {
     const Identification& found = model.found;
@@ -178,6 +201,7 @@ std::vector<Verdict> identification_verdicts(const IdentificationStudy& study) {
     const IdentifiedModel& reference = reference_model(study);
     verdicts.push_back(values_found(study, reference));
     if (auto verdict = bias(study)) verdicts.push_back(std::move(*verdict));
+    if (auto verdict = bias_of_small_strains(study)) verdicts.push_back(std::move(*verdict));
     for (const IdentifiedModel& model : study.models) {
         if (model.found.goodness) verdicts.push_back(explains(model));
         add_untold(model, verdicts);

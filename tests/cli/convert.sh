@@ -48,6 +48,8 @@ tells rig.toml 'contact_radius = {value = "4.56 mm", source = "table 5.1.1"}'
 sed '/^work_of_adhesion/d' "$source_dir/examples/rigs/sphere_parallel.toml" >example.toml
 "$program" rig rig.toml --output new | sed '/^printed numbers/,$d' >new.txt
 "$program" rig example.toml --output example | sed '/^printed numbers/,$d' >example.txt
+# What is measured is what the example has tables of.
+sed -i "/taking it for granted/d" new.txt example.txt
 cmp -s new.txt example.txt || complain "other assumptions: $(diff new.txt example.txt)"
 
 # 2. The walking machine.
