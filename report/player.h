@@ -15,6 +15,7 @@ struct Film {
         double x = 0, y = 0;  ///< of the indenter [mm]
         double shift = 0;     ///< [µm]
         double position = 0;  ///< on the axis of `steps`
+        double way = 0;       ///< along the path [mm]
     };
     /// Of each step: position on the axis, way along the path [mm], shift [µm].
     struct Step {

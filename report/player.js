@@ -152,17 +152,11 @@ function chart(canvas, across) {
         film.shift.forEach((shift, k) => pen[k ? "lineTo" : "moveTo"](x_of(film[across][k]), y_of(shift)));
         pen.stroke();
         const frame = film.frames[film.follows[now]];
-        const place = across === "position" ? frame.position : way_of(film, frame);
         pen.beginPath();
-        pen.arc(x_of(place), y_of(frame.shift), 4.5 * ratio, 0, 2 * Math.PI);
+        pen.arc(x_of(frame[across]), y_of(frame.shift), 4.5 * ratio, 0, 2 * Math.PI);
         pen.fill();
     });
 }
-function way_of(film, frame) {
-    const k = film.position.findLastIndex((position, i) => position === frame.position && film.shift[i] === frame.shift);
-    return film.way[Math.max(k, 0)];
-}
-
 function show(frame) {
     now = frame;
     const {label, x, y} = leader.frames[frame];

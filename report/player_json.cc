@@ -34,7 +34,8 @@ json film_json(const Film& film) {
                           {"x", rounded(f.x)},
                           {"y", rounded(f.y)},
                           {"shift", rounded(f.shift)},
-                          {"position", rounded(f.position)}});
+                          {"position", rounded(f.position)},
+                          {"way", rounded(f.way)}});
     for (const Film::Step& s : film.steps) {
         position.push_back(rounded(s.position));
         way.push_back(rounded(s.way));

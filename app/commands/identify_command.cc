@@ -43,11 +43,9 @@ std::vector<double> equal_steps(double from, double to, int n) {
 /// Where the curves of a table are drawn: times at equal ratios.
 std::vector<double> curve_points_of(const IdentificationInput::Table& table) {
     const auto [least, largest] = std::ranges::minmax(table.given);
-    const bool is_history = table.measurement == Measurement::force_relaxation ||
-                            table.measurement == Measurement::indentation_creep;
     if (table.measurement == Measurement::rolling_shift)
         return equal_steps(least, largest, n_curve_points);
-    if (!is_history) return equal_steps(largest / n_curve_points, largest, n_curve_points);
+    if (!table.is_history()) return equal_steps(largest / n_curve_points, largest, n_curve_points);
     auto points = equal_steps(std::log(least), std::log(largest), n_curve_points);
     for (double& point : points) point = std::exp(point);
     return points;

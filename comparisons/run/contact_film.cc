@@ -196,6 +196,9 @@ std::optional<Film> ContactFilm::film(const History& history, int style) const {
     film.largest_gap = in_words(gap, "m");
     const std::size_t of_a_frame = std::max<std::size_t>(1, Film::n_fields * cells.size());
     const std::size_t every = shots.size() * of_a_frame / most_bytes + 1;
+    const auto way_of = [&](const StepRecord& step) {
+        return mm * (step.offset[0] * std::cos(direction_) + step.offset[1] * std::sin(direction_));
+    };
     for (std::size_t n = 0; n < shots.size(); ++n) {
         if ((shots.size() - 1 - n) % every != 0) continue;
         const auto& [record, s] = *shots[n];
@@ -204,7 +207,7 @@ std::optional<Film> ContactFilm::film(const History& history, int style) const {
                                   : is(loaded_) ? "loaded"
                                                 : label_of(record.phase, is_path_);
         film.frames.push_back({label, mm * record.offset[0], mm * record.offset[1],
-                               um * record.shift[0], record.phase});
+                               um * record.shift[0], record.phase, way_of(record)});
         const auto add = [&](const auto& value_of) {
             for (const std::size_t k : cells) film.bytes.push_back(value_of(k));
         };
@@ -215,10 +218,7 @@ std::optional<Film> ContactFilm::film(const History& history, int style) const {
         add([&](std::size_t k) { return static_cast<std::uint8_t>(s.contact_state[k]); });
     }
     for (const StepRecord& step : history.steps)
-        film.steps.push_back(
-            {step.phase,
-             mm * (step.offset[0] * std::cos(direction_) + step.offset[1] * std::sin(direction_)),
-             um * step.shift[0]});
+        film.steps.push_back({step.phase, way_of(step), um * step.shift[0]});
     return film;
 }
 

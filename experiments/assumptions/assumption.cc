@@ -132,4 +132,11 @@ Standing Assumption::standing() const {
     return open ? Standing::cannot_tell : Standing::holds;
 }
 
+const Calculation* Assumption::find(std::string_view calculation) const {
+    for (const Criterion& criterion : criteria)
+        if (criterion.calculation.name == calculation) return &criterion.calculation;
+    const auto found = std::ranges::find(background, calculation, &Calculation::name);
+    return found == background.end() ? nullptr : &*found;
+}
+
 }  // namespace tricontact::experiments

@@ -110,6 +110,8 @@ struct Assumption {
     Standing standing() const;
     /// Of the criterion that comes first.
     double deciding_value() const { return criteria.front().calculation.result.value; }
+    /// Among those of the criteria, then in the background; null if there is none.
+    const Calculation* find(std::string_view calculation) const;
 };
 
 }  // namespace tricontact::experiments

@@ -36,12 +36,8 @@ using Agreement = PrintedCheck::Agreement;
 constexpr double rounding_margin = 1.1;
 
 const Calculation* find(const std::string& name, const std::vector<Assumption>& assumptions) {
-    for (const Assumption& assumption : assumptions) {
-        for (const Criterion& criterion : assumption.criteria)
-            if (criterion.calculation.name == name) return &criterion.calculation;
-        for (const Calculation& calculation : assumption.background)
-            if (calculation.name == name) return &calculation;
-    }
+    for (const Assumption& assumption : assumptions)
+        if (const Calculation* found = assumption.find(name)) return found;
     return nullptr;
 }
 

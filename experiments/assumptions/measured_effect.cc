@@ -38,13 +38,7 @@ class MeasuredEffects {
 
   private:
     /// Of the assumption in turn.
-    const Calculation* find(const std::string& name) const {
-        for (const Criterion& criterion : assumption_->criteria)
-            if (criterion.calculation.name == name) return &criterion.calculation;
-        for (const Calculation& calculation : assumption_->background)
-            if (calculation.name == name) return &calculation;
-        return nullptr;
-    }
+    const Calculation* find(const std::string& name) const { return assumption_->find(name); }
 
     void add(Measured measured, const Estimate& relative, bool is_bound = false) {
         const bool wanted = rig_.measured.empty() ||
@@ -76,17 +70,13 @@ class MeasuredEffects {
         const Calculation *unit = find("unit_shift"), *difference = find("unit_shift_difference");
         if (!unit || !difference || uncoupled == assumptions_.end() || !rig_.has("mu"))
             return false;
-        for (const Criterion& criterion : uncoupled->criteria) {
-            const Calculation& effect = criterion.calculation;
-            if (effect.name != "coupling_effect") continue;
-            const double on_half_space = unit->result.value * rig_["mu"].value *
-                                         theory::static_shift_ratio(coupling_tangential_ratio);
-            const double ratio = on_half_space / effect.given[1].value.value;
-            add(Measured::static_shift,
-                {ratio - 1, ratio * ratio * difference->result.standard_error});
-            return true;
-        }
-        return false;
+        const Calculation* effect = uncoupled->find("coupling_effect");
+        if (!effect) return false;
+        const double on_half_space = unit->result.value * rig_["mu"].value *
+                                     theory::static_shift_ratio(coupling_tangential_ratio);
+        const double ratio = on_half_space / effect->given[1].value.value;
+        add(Measured::static_shift, {ratio - 1, ratio * ratio * difference->result.standard_error});
+        return true;
     }
 
     /// The second of two given values over the first.

@@ -18,9 +18,11 @@ using Input = IdentificationInput;
 using Table = Input::Table;
 using Measurement = Input::Measurement;
 
-bool is_history(const Table& table) {
-    return table.measurement == Measurement::force_relaxation ||
-           table.measurement == Measurement::indentation_creep;
+/// What a key says; empty without it, or if it is no text.
+std::string word_of(const io::Document& document, std::string_view path) {
+    const io::Entry* entry = document.find(path);
+    const auto* word = entry ? std::get_if<std::string>(&entry->value) : nullptr;
+    return word ? *word : std::string();
 }
 
 using Refuse = std::function<void(const std::string& rule, const std::string& remedy)>;
@@ -95,16 +97,14 @@ void check_lengths(const Table& table, double radius, const io::Document& docume
 }
 
 bool is_finite_strain(const io::Document& document) {
-    const io::Entry* material = document.find("substrate.material");
-    const auto* word = material ? std::get_if<std::string>(&material->value) : nullptr;
-    return word && *word != "linear";
+    const std::string material = word_of(document, "substrate.material");
+    return !material.empty() && material != "linear";
 }
 
 void check_round(const io::Document& document) {
-    const io::Entry* shape = document.find("indenter.shape");
-    if (!shape) return;
-    const auto* word = std::get_if<std::string>(&shape->value);
-    if (word && (*word == "paraboloid" || *word == "sphere")) return;
+    if (!document.find("indenter.shape")) return;
+    const std::string shape = word_of(document, "indenter.shape");
+    if (shape == "paraboloid" || shape == "sphere") return;
     io::refuse(document, "indenter.shape",
                "material constants are identified under a round indenter",
                "take \"paraboloid\" or \"sphere\"");
@@ -120,7 +120,7 @@ void check_find(const Input& input, const std::vector<std::string>& find,
         refuse("without tangential force nothing tells the coefficient of friction",
                "leave out friction.coefficient");
     check_rolling(input, find, refuse);
-    const bool is_timed = std::ranges::any_of(input.tables, is_history);
+    const bool is_timed = std::ranges::any_of(input.tables, &Table::is_history);
     for (const char* key : {"substrate.relaxation.relative_moduli", "substrate.relaxation.times"})
         if (is_free(key) && !is_timed)
             refuse(std::string("no history tells ") + key,
@@ -139,15 +139,13 @@ void check_find(const Input& input, const std::vector<std::string>& find,
                        "take the model atlas, or leave out substrate.poisson");
     if (is_free("substrate.poisson") && has("fem"))
         refuse("fem does not find nu", "take the model layer");
-    const io::Entry* shape = document.find("indenter.shape");
-    const auto* word = shape ? std::get_if<std::string>(&shape->value) : nullptr;
     const bool is_scaled = is_free("indenter.radius") || is_free("substrate.thickness");
     if (is_timed && has("fem") && is_finite_strain(document))
         refuse("histories are closed forms of linear materials", "leave out fem");
     if (is_scaled && has("fem") && is_finite_strain(document))
         refuse("at finite strains lengths of fem are not in proportion to thickness and radius",
                "leave fem out, or the thickness and the radius");
-    if (is_scaled && word && *word == "sphere" &&
+    if (is_scaled && word_of(document, "indenter.shape") == "sphere" &&
         std::ranges::count(input.models, "half-space") != std::ssize(input.models))
         refuse("lengths of a layer under a sphere are not in proportion to each other",
                "take shape = \"paraboloid\", which the sphere is near its tip");

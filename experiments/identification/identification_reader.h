@@ -37,6 +37,11 @@ struct IdentificationInput {
         std::vector<double> observed;         ///< [SI] U, F_N, a, F_N, d or U
         std::vector<double> standard_errors;  ///< [SI] of the observed; empty: not stated
 
+        /// Over the time.
+        bool is_history() const {
+            return measurement == Measurement::force_relaxation ||
+                   measurement == Measurement::indentation_creep;
+        }
         /// Shifts while rolling are counted from any place.
         bool has_free_origin() const { return measurement == Measurement::rolling_shift; }
     };

@@ -10,7 +10,7 @@ Film two_frames() {
     Film film{.name = "BEM", .style = 3, .n_x = 5, .n_y = 2};
     film.mask.assign(10, false);
     film.mask[0] = film.mask[3] = film.mask[9] = true;
-    film.frames = {{"pressed", 0, 0, 0, 0}, {"n = 0.25", 1, 0, 12.5, .25}};
+    film.frames = {{"pressed", 0, 0, 0, 0, 0}, {"n = 0.25", 1, 0, 12.5, .25, 1}};
     for (int i = 0; i < 2 * 3 * Film::n_fields; ++i)
         film.bytes.push_back(static_cast<std::uint8_t>(i));
     film.steps = {{0, 0, 1e-16 + 1. / 3}, {.25, 1, 12.5}};

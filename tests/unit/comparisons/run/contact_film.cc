@@ -66,6 +66,9 @@ TEST(ContactFilm, HoldsTheFirstPeriodAndTheLast) {
     EXPECT_EQ(film->frames.back().label, "n = 3");
     EXPECT_NEAR(film->frames.back().shift, 1e6 * rolled().history.shift_per_period.back(), 1e-9);
     EXPECT_EQ(film->steps.size(), rolled().history.steps.size());
+    // Steps and frames tell the same places: a turning point, and the end upright.
+    EXPECT_NEAR(film->frames[3].way, 1e3 * rolled().history.amplitude, 1e-9);
+    EXPECT_NEAR(film->frames.back().way, film->steps.back().way, 1e-12);
 }
 
 // What the bytes of the last frame say, against the model's own surface: sums of pressure and

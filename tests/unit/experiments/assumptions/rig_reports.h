@@ -37,12 +37,8 @@ inline const experiments::Assumption& assumption_of(const experiments::RigReport
 
 inline const experiments::Calculation& calculation_of(const experiments::RigReport& report,
                                                       const std::string& name) {
-    for (const auto& assumption : report.assumptions) {
-        for (const auto& one : assumption.criteria)
-            if (one.calculation.name == name) return one.calculation;
-        for (const auto& one : assumption.background)
-            if (one.name == name) return one;
-    }
+    for (const auto& assumption : report.assumptions)
+        if (const auto* found = assumption.find(name)) return *found;
     throw std::out_of_range(name);
 }
 
