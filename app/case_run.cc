@@ -81,6 +81,7 @@ CaseRun run_models(const Case& c, const RunOptions& options, const Say& say,
         study_relaxation(c, run.histories.back(), options, say, run.extras.relaxation);
         study_small_strains(c, run.histories.back(), options, say, run.extras.small_strains);
     }
+    run.extras.numerical = numerical_error(c, run.histories.back(), options, say);
     return run;
 }
 
@@ -92,7 +93,9 @@ std::string summary_of(const CaseRun& run) {
     const auto layer = comparisons::compare_with_layer(c, run.histories, run.extras.study);
     return comparisons::summary_json(
         files::version, io::case_json(run.resolved), summaries,
-        {{"layer", layer ? comparisons::layer_json(c, *layer) : json()},
+        {{"numerical_error",
+          run.extras.numerical ? comparisons::numerical_error_json(*run.extras.numerical) : json()},
+         {"layer", layer ? comparisons::layer_json(c, *layer) : json()},
          {"loading_variants", comparisons::loading_json(run.extras.study.variants)},
          {"relaxation",
           c.relaxation ? comparisons::relaxation_json(c, run.extras.relaxation) : json()},

@@ -82,6 +82,13 @@ void study_relaxation(const Case& c, const contact::History& history, const RunO
 void study_small_strains(const Case& c, const contact::History& history, const RunOptions& options,
                          const Say& say, std::vector<comparisons::SmallStrains>& studies);
 
+/// What mesh and steps leave in the numbers of a model, by runs on coarser ones with no more files;
+/// `history` is that of the case's run. Empty unless `options` want studies.
+std::optional<comparisons::NumericalError> numerical_error(const Case& c,
+                                                           const contact::History& history,
+                                                           const RunOptions& options,
+                                                           const Say& say);
+
 /// Throws NotConverged if a check of the audit of the model called `name` failed.
 void require_sound(const contact::Audit& audit, const std::string& name);
 

@@ -70,6 +70,7 @@ struct DocumentSection {
     std::vector<std::string> paragraphs = {};
     std::vector<Figure> figures = {};
     std::vector<DocumentTable> tables = {};
+    bool printed = false;  ///< on paper also where nobody has unfolded it
 };
 
 /// What a study, an identification, an evaluated experiment or a rig's check tells its reader.
@@ -77,13 +78,18 @@ struct Document {
     std::string kind;  ///< small line above the title: "Half-space deviation"
     std::string title;
     std::string lead = {};  ///< one paragraph: what was asked
+    std::optional<Verdict> answer = {};
+    std::optional<DocumentTable> comparison = {};  ///< of those who answer
+    std::string verdicts_heading = "Verdict";
     std::vector<Verdict> verdicts = {};
-    std::optional<Player> player = {};                               ///< behind the verdicts
+    /// Beside answer and verdicts; empty: the first one of the sections.
+    std::optional<Figure> figure = {};
+    std::optional<Player> player = {};
     std::vector<std::pair<std::string, std::string>> settings = {};  ///< name, value with unit
-    std::vector<DocumentSection> sections = {};
-    std::vector<std::pair<std::string, std::string>> files = {};  ///< text, path from the report
-    std::string command = {};                                     ///< that makes it again
-    std::string version = {};                                     ///< of the program
+    std::vector<DocumentSection> sections = {};                      ///< folded
+    std::vector<std::pair<std::string, std::string>> files = {};     ///< text, path from the report
+    std::string command = {};                                        ///< that makes it again
+    std::string version = {};                                        ///< of the program
     std::string input = {};  ///< text of the resolved case, shown on a click
     /// Folder of ID.svg, ID.png and ID.csv of all figures, from the report; empty: the page makes
     /// them itself.

@@ -187,8 +187,13 @@ function layout_of(figure, theme) {
     return layout;
 }
 
-function draw(theme, size) {
-    for (const figure of content.figures)
+// What is folded has no width; it is drawn when it unfolds.
+function is_folded(figure) {
+    return document.getElementById("chart_" + figure.id).closest("details:not([open])") !== null;
+}
+
+function draw(theme, size, wanted = () => true) {
+    for (const figure of content.figures.filter(figure => !is_folded(figure) && wanted(figure)))
         Plotly.react("chart_" + figure.id, traces_of(figure, theme),
                      {...layout_of(figure, theme), ...size}, {displayModeBar: false, responsive: true});
 }
@@ -230,13 +235,56 @@ function make_sortable(heading) {
     heading.append(button);
 }
 
+const foldings = [...document.querySelectorAll("section > details")];
+
+// A link into what is folded unfolds it.
+function unfold_target() {
+    const details = document.getElementById(decodeURIComponent(location.hash.slice(1)))
+        ?.querySelector(":scope > details");
+    if (details) details.open = true;
+}
+
+function make_unfold_button() {
+    const button = document.getElementById("unfold");
+    if (!button) return;
+    const all_open = () => foldings.every(details => details.open);
+    const name = () => { button.textContent = all_open() ? "Fold all" : "Unfold all"; };
+    button.hidden = false;
+    button.addEventListener("click", () => {
+        const open = !all_open();
+        for (const details of foldings) details.open = open;
+    });
+    for (const details of foldings) details.addEventListener("toggle", name);
+}
+
+// On paper: what the reader has unfolded, and what a lab book needs.
+function print_with(draw_all) {
+    let unfolded = [];
+    addEventListener("beforeprint", () => {
+        unfolded = foldings.filter(details => !details.open && "printed" in details.dataset);
+        for (const details of unfolded) details.open = true;
+        draw_all(charts.paper, on_paper);
+    });
+    addEventListener("afterprint", () => {
+        for (const details of unfolded) details.open = false;
+        draw_all(charts.screen(), on_screen);
+    });
+}
+
 document.querySelectorAll(".data thead th").forEach(make_sortable);
+addEventListener("hashchange", unfold_target);
+unfold_target();
+make_unfold_button();
+print_with(content.figures.length ? draw : () => {});
 if (content.figures.length) {
     draw(charts.screen(), on_screen);
     matchMedia("(prefers-color-scheme: dark)")
         .addEventListener("change", () => draw(charts.screen(), on_screen));
-    addEventListener("beforeprint", () => draw(charts.paper, on_paper));
-    addEventListener("afterprint", () => draw(charts.screen(), on_screen));
+    for (const details of foldings)
+        details.addEventListener("toggle", () => {
+            const inside = figure => details.contains(document.getElementById("chart_" + figure.id));
+            if (details.open) draw(charts.screen(), on_screen, inside);
+        });
     for (const figure of content.figures) {
         const button = document.querySelector("#figure_" + figure.id + " button");
         if (!button) continue;  // its drawing is a file

@@ -69,19 +69,23 @@ void check_figure(const std::string& owner, const Figure& figure) {
 
 void check_document(const Document& document) {
     // Sections share the page with the template's own anchors.
-    std::set<std::string> sections{"content", "verdicts", "setting", "origin"}, figures, tables;
+    std::set<std::string> sections{"content", "answer", "player", "setting", "origin"}, figures,
+        tables;
+    const auto check_table = [&](const DocumentTable& table) {
+        const std::string owner = check_id("table", table.id, tables);
+        const std::size_t n = table.columns.size();
+        for (const auto& row : table.rows)
+            if (row.size() != n)
+                refuse(owner, fmt::format("a row of {} cells under {} headings", row.size(), n));
+    };
+    if (document.figure)
+        check_figure(check_id("figure", document.figure->id, figures), *document.figure);
+    if (document.comparison) check_table(*document.comparison);
     for (const DocumentSection& section : document.sections) {
         check_id("section", section.id, sections);
         for (const Figure& figure : section.figures)
             check_figure(check_id("figure", figure.id, figures), figure);
-        for (const DocumentTable& table : section.tables) {
-            const std::string owner = check_id("table", table.id, tables);
-            const std::size_t n = table.columns.size();
-            for (const auto& row : table.rows)
-                if (row.size() != n)
-                    refuse(owner,
-                           fmt::format("a row of {} cells under {} headings", row.size(), n));
-        }
+        for (const DocumentTable& table : section.tables) check_table(table);
     }
 }
 

@@ -25,20 +25,16 @@ data object(std::initializer_list<std::pair<const char*, data>> members) {
     return result;
 }
 
-data verdicts(const std::vector<Verdict>& list) {
+data verdict(const Verdict& content) {
     // By standing, class and word: colour is never the only difference.
     constexpr std::pair<const char*, const char*> words[] = {{"holds", "holds"},
                                                              {"fails", "fails"},
                                                              {"cannot_tell", "cannot tell"},
                                                              {"finding", "finding"}};
-    data result{data::type::list};
-    for (const Verdict& verdict : list) {
-        const auto& [name, word] = words[static_cast<int>(verdict.standing)];
-        result << object({{"class", name},
-                          {"standing", verdict.word.empty() ? word : verdict.word},
-                          {"sentence", typeset(verdict.sentence)}});
-    }
-    return result;
+    const auto& [name, word] = words[static_cast<int>(content.standing)];
+    return object({{"class", name},
+                   {"standing", content.word.empty() ? word : content.word},
+                   {"sentence", typeset(content.sentence)}});
 }
 
 /// How the cells of a column are written.
@@ -149,9 +145,41 @@ data section(const DocumentSection& content, const std::string& plots) {
     return object({{"id", content.id},
                    {"heading", typeset(content.heading)},
                    {"paragraphs", paragraphs},
+                   {"printed", content.printed},
                    {"section_has_figures", !content.figures.empty()},
                    {"figures", figures},
                    {"tables", tables}});
+}
+
+/// What stands before the details.
+void set_answer(const Document& document, data& page) {
+    data list{data::type::list}, answer{data::type::list}, comparison{data::type::list},
+        figure{data::type::list};
+    for (const Verdict& each : document.verdicts) list << verdict(each);
+    if (document.answer) answer << verdict(*document.answer);
+    if (document.comparison) comparison << table(*document.comparison);
+    if (document.figure) figure << figure_data(*document.figure, document.plots);
+    page.set("has_verdicts", !document.verdicts.empty());
+    page.set("verdicts_heading", document.verdicts_heading);
+    page.set("verdicts", list);
+    page.set("answer", answer);
+    page.set("comparison", comparison);
+    page.set("has_figure", document.figure.has_value());
+    page.set("figure", figure);
+}
+
+/// The document with a figure beside its answer.
+Document with_figure(Document document) {
+    for (DocumentSection& section : document.sections) {
+        if (document.figure) break;
+        if (section.figures.empty()) continue;
+        document.figure = std::move(section.figures.front());
+        section.figures.erase(section.figures.begin());
+    }
+    std::erase_if(document.sections, [](const DocumentSection& section) {
+        return section.paragraphs.empty() && section.figures.empty() && section.tables.empty();
+    });
+    return document;
 }
 
 /// The figures' data and the scripts that draw them.
@@ -202,16 +230,17 @@ void set_origin(const Document& document, data& page) {
 
 std::vector<Figure> figures_of(const Document& document) {
     std::vector<Figure> figures;
+    if (document.figure) figures.push_back(*document.figure);
     for (const DocumentSection& each : document.sections)
-        for (Figure figure : each.figures) {
-            figure.provenance = "tricontact " + document.version + ": " + document.command;
-            figures.push_back(std::move(figure));
-        }
+        figures.insert(figures.end(), each.figures.begin(), each.figures.end());
+    for (Figure& figure : figures)
+        figure.provenance = "tricontact " + document.version + ": " + document.command;
     return figures;
 }
 
-std::string document_html(const Document& document) {
-    check_document(document);
+std::string document_html(const Document& given) {
+    check_document(given);
+    const Document document = with_figure(given);
     data sections{data::type::list};
     for (const DocumentSection& each : document.sections) sections << section(each, document.plots);
     data page = object({{"style", std::string(page_style) + document_style},
@@ -221,12 +250,15 @@ std::string document_html(const Document& document) {
                         {"title_html", typeset(document.title)},
                         {"has_lead", !document.lead.empty()},
                         {"lead", typeset(document.lead)},
-                        {"has_verdicts", !document.verdicts.empty()},
-                        {"verdicts", verdicts(document.verdicts)},
+                        {"has_sections", !document.sections.empty()},
                         {"sections", sections}});
+    set_answer(document, page);
     set_player(document.player, page);
     set_origin(document, page);
     set_scripts(document, page);
+    using kainjow::mustache::partial;
+    page.set("table_part", data{partial{[] { return table_template; }}});
+    page.set("figure_part", data{partial{[] { return figure_template; }}});
     kainjow::mustache::mustache engine{document_template};
     if (!engine.is_valid())
         throw std::logic_error("document.html.mustache: " + engine.error_message());

@@ -13,6 +13,9 @@ extern const char* const page_style;
 extern const char* const charts_script;
 
 extern const char* const document_template;
+/// Its parts.
+extern const char* const table_template;
+extern const char* const figure_template;
 extern const char* const document_style;
 extern const char* const document_script;
 

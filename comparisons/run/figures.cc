@@ -13,12 +13,14 @@ report::Curve curve_of(const contact::History& history, std::size_t i) {
     return {.name = report::display_name(history.model), .colour = static_cast<int>(i)};
 }
 
-Figures make_figures(const contact::Case& c, const Histories& histories) {
+Figures make_figures(const contact::Case& c, const Histories& histories,
+                     const std::optional<NumericalError>& error) {
     Figures figures;
     const auto add = [&](const auto& maker, const Histories& of) {
         for (report::Figure& figure : maker(c, of)) figures.push_back(std::move(figure));
     };
-    add(shift_figures, histories);
+    for (report::Figure& figure : shift_figures(c, histories, error))
+        figures.push_back(std::move(figure));
     add(dissipation_figures, histories);
     const Histories on_grid = on_grids(histories);
     add(traction_figures, on_grid);

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
+#include "comparisons/resolution/numerical_error.h"
 #include "contact/case.h"
 #include "contact/history.h"
 #include "report/figure.h"
@@ -11,8 +13,10 @@ namespace tricontact::comparisons {
 using Histories = std::vector<contact::History>;
 using Figures = std::vector<report::Figure>;
 
-/// U(n) of all models in metres and over U_max, with the closed forms where they hold.
-Figures shift_figures(const contact::Case& c, const Histories& histories);
+/// U(n) of all models in metres and over U_max, with the closed forms where they hold; in metres
+/// with the band that mesh and steps leave.
+Figures shift_figures(const contact::Case& c, const Histories& histories,
+                      const std::optional<NumericalError>& error = {});
 /// Frictional work per period over W0, logarithmic; none when no period dissipates.
 Figures dissipation_figures(const contact::Case& c, const Histories& histories);
 /// Traction on the centre lines along x and y with its bound and zones; none without tractions.
@@ -35,7 +39,8 @@ Figures subsurface_figures(const contact::Case& c, const Histories& histories);
 Figures rough_figures(const contact::Case& c, const Histories& histories);
 
 /// All of the above, in the report's order; what needs grids is resampled (see resample.h).
-Figures make_figures(const contact::Case& c, const Histories& histories);
+Figures make_figures(const contact::Case& c, const Histories& histories,
+                     const std::optional<NumericalError>& error = {});
 
 /// What surface points are called and in which shades they are drawn, dark to light as in the
 /// thesis' figures: stick, slip, zero, released.

@@ -77,15 +77,23 @@ report::Figure shift_figure(const contact::Case& c, const Histories& histories,
 
 }  // namespace
 
-Figures shift_figures(const contact::Case& c, const Histories& histories) {
+Figures shift_figures(const contact::Case& c, const Histories& histories,
+                      const std::optional<NumericalError>& error) {
     if (last_phase(histories) <= 0) return {};
     const report::Unit unit = report::fitting_unit(histories.front().scales.unit_shift, "m");
     const std::string steps = "Lines: every step; markers: indenter upright.";
-    return {shift_figure(c, histories, [&unit](double) { return unit.factor; },
-                         {.id = "shift",
-                          .title = "Shift through the rolling periods",
-                          .caption = steps,
-                          .y = {"shift U [" + unit.symbol + "]"}}),
+    report::Figure metres = shift_figure(c, histories, [&unit](double) { return unit.factor; },
+                                         {.id = "shift",
+                                          .title = "Shift through the rolling periods",
+                                          .caption = steps,
+                                          .y = {"shift U [" + unit.symbol + "]"}});
+    if (error && error->coarser) {
+        report::Band band = error->shift_band(unit.factor);
+        band.name = report::display_name(error->model);
+        metres.caption += " Band: what mesh and steps leave in " + band.name + ".";
+        metres.bands.push_back(std::move(band));
+    }
+    return {std::move(metres),
             shift_figure(c, histories, [](double unit_shift) { return unit_shift; },
                          {.id = "shift_ratio",
                           .title = "Shift over U_max through the rolling periods",

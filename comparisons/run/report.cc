@@ -1,11 +1,10 @@
 #include "comparisons/run/report.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
 #include "comparisons/half_space/layer_report.h"
 #include "comparisons/quantities/results.h"
+#include "comparisons/run/answer.h"
 #include "comparisons/run/contact_film.h"
 #include "comparisons/run/figures.h"
 #include "comparisons/run/path_section.h"
@@ -20,9 +19,7 @@ namespace tricontact::comparisons {
 
 namespace {
 
-using contact::State;
 using report::DocumentSection;
-using report::Verdict;
 
 constexpr const char* audit_paragraph =
     "Every step of every model was checked; the table shows the worst violation of the whole run, "
@@ -33,56 +30,11 @@ constexpr const char* sources =
     "Micro-Walking (thesis, TU Berlin) · Mindlin and Deresiewicz (1953), J. Appl. Mech. 20 · "
     "Johnson (1985), Contact Mechanics";
 
-/// The number that answers the case: "settled shift", a length, over U_max.
-struct Headline {
-    const char* words;
-    const Quantity *length, *ratio;
-};
-
-Headline headline_of(const Results& s) {
-    using namespace quantities;
-    if (s.state() == State::ratcheting)
-        return {"shift per period", &shift_increment, &shift_increment_ratio};
-    if (!s.state() && !s.number(static_shift))
-        return {"shift at the end of the path", &final_shift, &final_shift_ratio};
-    if (!s.state()) return {"static shift", &static_shift, &static_shift_ratio};
-    if (s.number(settled_shift)) return {"settled shift", &settled_shift, &settled_shift_ratio};
-    return {"shift so far", &final_shift, &final_shift_ratio};
-}
-
-/// ", +29.8 % beside BEM layer" where both tell the same quantity.
-std::string beside_reference(const Results& s, const Results& reference) {
-    const Headline own = headline_of(s), other = headline_of(reference);
-    if (&s == &reference || own.length != other.length) return {};
-    const auto ours = s.number(*own.length), theirs = reference.number(*own.length);
-    if (!ours || !theirs || *theirs == 0) return {};
-    return ", " + report::percent(*ours / *theirs) + " beside " +
-           report::display_name(reference.model);
-}
-
-Verdict::Standing standing_of(std::optional<State> state) {
-    if (!state) return Verdict::Standing::finding;
-    if (*state == State::ratcheting) return Verdict::Standing::fails;
-    return *state == State::undecided ? Verdict::Standing::cannot_tell : Verdict::Standing::holds;
-}
-
-Verdict verdict_of(const Results& s, const Results& reference) {
-    const Headline headline = headline_of(s);
-    std::string sentence = fmt::format("{}: {} {}{}", report::display_name(s.model), headline.words,
-                                       with_ratio(s, *headline.length, *headline.ratio),
-                                       beside_reference(s, reference));
-    const auto kappa = s.number(quantities::kappa), eta = s.number(quantities::eta);
-    if (kappa) sentence += ", κ = " + report::significant(kappa, 3);
-    if (eta) sentence += ", η = " + report::significant(eta, 3);
-    return {standing_of(s.state()), sentence + ".",
-            s.state()                            ? contact::name_of(*s.state())
-            : s.number(quantities::static_shift) ? "static"
-                                                 : "path"};
-}
-
 DocumentSection results_section(const contact::Case& c, const std::vector<Results>& results) {
-    DocumentSection section{
-        .id = "results", .heading = "Results", .tables = results_tables(c, results)};
+    DocumentSection section{.id = "results",
+                            .heading = "Results",
+                            .tables = results_tables(c, results),
+                            .printed = true};
     if (std::ranges::any_of(results, [](const Results& s) { return s.periods() > 0; }))
         section.tables.push_back(period_table(results));
     return section;
@@ -151,15 +103,21 @@ report::Document run_document(const contact::Case& c, const std::string& resolve
                               .version = version,
                               .input = resolved_case,
                               .plots = "plots"};
-    // The answer first: what the others are compared with.
-    for (std::size_t i = results.size(); i-- > 0;)
-        document.verdicts.push_back(verdict_of(results[i], results.back()));
+    document.answer = answer_of(c, results.back(), extras.numerical);
+    if (results.size() > 1) document.comparison = models_table(c, results, extras.numerical);
+    document.verdicts_heading = "Assumptions";
+    document.verdicts = assumption_verdicts(
+        c, results, {extras.study.variants, extras.small_strains, extras.relaxation});
     document.player = player_of(c, extras.films);
     document.sections = {{"reading", "Reading", reading(c, results)}, results_section(c, results)};
     if (c.prescribed_path) document.sections.push_back(path_section(c, histories));
     for (DocumentSection& section : study_sections(c, histories, extras))
         document.sections.push_back(std::move(section));
-    Figures figures = make_figures(c, histories);
+    Figures figures = make_figures(c, histories, extras.numerical);
+    if (!figures.empty()) {
+        document.figure = std::move(figures.front());
+        figures.erase(figures.begin());
+    }
     if (c.relaxation)
         for (report::Figure& figure : modulus_figures(c, extras.relaxation))
             figures.push_back(std::move(figure));

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "comparisons/quantities/relaxation_study.h"
+#include "comparisons/resolution/numerical_error.h"
 #include "comparisons/resolution/refinement.h"
 #include "comparisons/run/loading_study.h"
 #include "comparisons/run/small_strains.h"
@@ -23,6 +24,7 @@ struct ReportFile {
 /// What a report may carry besides the histories.
 struct ReportExtras {
     LoadingStudy study;
+    std::optional<NumericalError> numerical;        ///< of the last model
     std::optional<Refinement> refinement;           ///< of which the histories are the finest level
     RelaxationStudy relaxation;                     ///< of cases with a relaxing substrate
     std::vector<SmallStrains> small_strains;        ///< of cases at finite strains

@@ -1,0 +1,289 @@
+#include "comparisons/run/answer.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <bit>
+#include <cctype>
+#include <cmath>
+#include <limits>
+
+#include "comparisons/quantities/reference.h"
+#include "report/format.h"
+
+namespace tricontact::comparisons {
+
+namespace {
+
+using contact::Case;
+using contact::State;
+using report::Verdict;
+
+constexpr double tolerance = .05;  // from which on an assumption fails
+constexpr double no_force = 1e-9;  // of f_T: rounding
+
+/// What a model takes for granted, in the order in which sentences name it.
+enum Trait : unsigned { springs = 1, half_space = 2, uncoupled = 4, small_strains = 8 };
+constexpr struct {
+    Trait trait;
+    const char* name;
+} traits[] = {{springs, "springs on a line"},
+              {half_space, "half-space"},
+              {uncoupled, "no coupling"},
+              {small_strains, "small strains"}};
+
+unsigned traits_of(const Case& c, const std::string& model) {
+    unsigned set = 0;
+    if (model.starts_with("mdr")) set |= springs;
+    if (c.layer.thickness && is_half_space(model) && !is_tabulated(c, model)) set |= half_space;
+    if (!couples(c, model)) set |= uncoupled;
+    if (c.law != Case::Law::linear && model != "fem") set |= small_strains;
+    return set;
+}
+
+std::string names_of(unsigned set) {
+    std::vector<std::string> names;
+    for (const auto& [trait, name] : traits)
+        if (set & trait) names.emplace_back(name);
+    return fmt::format("{}", fmt::join(names, ", "));
+}
+
+/// The headline's number where both tell the same.
+std::optional<double> ratio_of(const Results& s, const Results& other) {
+    const Headline own = headline_of(s);
+    if (own.length != headline_of(other).length) return {};
+    const auto ours = s.number(*own.length), theirs = other.number(*own.length);
+    if (!ours || !theirs || *theirs == 0) return {};
+    return *ours / *theirs;
+}
+
+/// Who takes least beside `s` for granted, yet less: what separates them are few assumptions.
+const Results* next_of(const Case& c, const Results& s, const std::vector<Results>& results) {
+    const unsigned own = traits_of(c, s.model);
+    const Results* next = nullptr;
+    int most = -1;
+    for (const Results& other : results) {
+        const unsigned set = traits_of(c, other.model);
+        const int size = std::popcount(set);
+        if (set == own || (set & own) != set || size < most) continue;
+        next = &other;
+        most = size;
+    }
+    return next;
+}
+
+Verdict::Standing standing_of(double change) {
+    return std::abs(change) < tolerance ? Verdict::Standing::holds : Verdict::Standing::fails;
+}
+
+std::string capital(std::string text) {
+    if (!text.empty()) text.front() = static_cast<char>(std::toupper(text.front()));
+    return text;
+}
+
+Verdict effect(const std::string& assumption, const char* words, double change,
+               const std::string& between) {
+    return {standing_of(change), fmt::format("{}: {} of the {} ({}).", capital(assumption),
+                                             report::percent(1 + change), words, between)};
+}
+
+/// Models side by side.
+void add_model_verdicts(const Case& c, const std::vector<Results>& results,
+                        std::vector<Verdict>& verdicts) {
+    std::vector<unsigned> told;
+    for (std::size_t i = results.size(); i-- > 0;) {
+        const Results& s = results[i];
+        const Results* other = next_of(c, s, results);
+        if (!other) continue;
+        const unsigned removed = traits_of(c, s.model) & ~traits_of(c, other->model);
+        if (std::ranges::find(told, removed) != told.end()) continue;
+        told.push_back(removed);
+        const std::string pair =
+            report::display_name(s.model) + " beside " + report::display_name(other->model);
+        if (const auto ratio = ratio_of(s, *other))
+            verdicts.push_back(effect(names_of(removed), headline_of(s).words, *ratio - 1, pair));
+        else if (s.state() && other->state() && s.state() != other->state() &&
+                 s.state() != State::undecided && other->state() != State::undecided)
+            verdicts.push_back(
+                {Verdict::Standing::fails,
+                 fmt::format("{}: {} instead of {} ({}).", capital(names_of(removed)),
+                             contact::name_of(*s.state()), contact::name_of(*other->state()),
+                             pair)});
+    }
+}
+
+void add_variant_verdicts(const std::vector<Results>& results,
+                          const std::vector<LoadingVariant>& variants,
+                          std::vector<Verdict>& verdicts) {
+    for (const LoadingVariant& v : variants) {
+        if (v.key != "contact.coupling" || v.model != results.back().model) continue;
+        const auto change = v.run.state ? v.rolled_error() : v.static_error();
+        // The variant is the assumption where the run couples, else its absence.
+        const bool assumed = v.changed == "false";
+        if (change)
+            verdicts.push_back(effect("no coupling of normal and tangential contact",
+                                      headline_of(results.back()).words,
+                                      assumed ? *change : 1 / (1 + *change) - 1,
+                                      report::display_name(v.model) + " with and without"));
+    }
+}
+
+std::string not_tested(const Case& c, const std::vector<Results>& results) {
+    std::vector<std::string> list;
+    if (c.law == Case::Law::linear) {
+        const Results& s = results.back();
+        const auto d = s.number(quantities::indentation);
+        list.push_back(c.layer.thickness && d
+                           ? fmt::format("small strains (the indentation is {} of the thickness)",
+                                         report::share(*d / *c.layer.thickness))
+                           : "small strains");
+    }
+    if (!c.relaxation) list.emplace_back("an elastic substrate");
+    list.emplace_back("Coulomb friction of one coefficient");
+    if (!c.indenter.height_map && !c.indenter.file) list.emplace_back("a smooth surface");
+    return fmt::format("{}", fmt::join(list, ", "));
+}
+
+/// "217.9 ± 1.1 µm".
+std::string length_text(double value, std::optional<double> error) {
+    if (!error) return report::quantity(value, "m");
+    const report::Unit unit = report::fitting_unit(value, "m");
+    return report::with_error(value / unit.factor, *error / unit.factor) + ' ' + unit.symbol;
+}
+
+std::string error_note(const std::optional<NumericalError>& error, const Quantity& q) {
+    if (!error) return " Its numerical error was not asked for (--no-studies).";
+    if (error->of(q)) return " ± is what mesh and steps leave, from the same on coarser ones.";
+    return error->why_none.empty()
+               ? " What mesh and steps leave is not known: on coarser ones it comes to no such "
+                 "number."
+               : " What mesh and steps leave is not known: " + error->why_none + ".";
+}
+
+}  // namespace
+
+Headline headline_of(const Results& s) {
+    using namespace quantities;
+    if (s.state() == State::ratcheting)
+        return {"shift per period", &shift_increment, &shift_increment_ratio};
+    if (!s.state() && !s.number(static_shift))
+        return {"shift at the end of the path", &final_shift, &final_shift_ratio};
+    if (!s.state()) return {"static shift", &static_shift, &static_shift_ratio};
+    if (s.number(settled_shift)) return {"settled shift", &settled_shift, &settled_shift_ratio};
+    return {"shift so far", &final_shift, &final_shift_ratio};
+}
+
+Verdict answer_of(const Case& c, const Results& s, const std::optional<NumericalError>& error) {
+    using namespace quantities;
+    const std::string by = " (" + report::display_name(s.model) + ").";
+    const auto length = [&](const Quantity& q) {
+        return length_text(s.number(q).value_or(0), error ? error->of(q) : std::nullopt);
+    };
+    if (!s.state() && std::abs(s.number(quantities::tangential_ratio).value_or(1)) < no_force)
+        return {
+            Verdict::Standing::finding,
+            fmt::format("The indenter is pressed in by {}; the {} is {}{}{}", length(indentation),
+                        size_name(c), length(contact_radius), by, error_note(error, indentation)),
+            "pressed"};
+    const Headline headline = headline_of(s);
+    const std::string number = length(*headline.length) + by,
+                      note = error_note(error, *headline.length);
+    const auto verdict = [&](Verdict::Standing standing, const std::string& words,
+                             const char* word) {
+        return Verdict{standing, words + number + note, word};
+    };
+    if (!s.state() && !s.number(static_shift))
+        return verdict(Verdict::Standing::finding, "At the end of the path the shift is ", "path");
+    if (!s.state())
+        return verdict(Verdict::Standing::finding, "The tangential force shifts the indenter by ",
+                       "static");
+    const char* const word = contact::name_of(*s.state());
+    Verdict told = [&] {
+        if (*s.state() == State::ratcheting)
+            return verdict(Verdict::Standing::fails, "Every period shifts the indenter by ", word);
+        if (*s.state() == State::undecided)
+            return verdict(Verdict::Standing::cannot_tell,
+                           fmt::format("After {} periods the shift is ", s.periods()), word);
+        if (!s.number(settled_shift))
+            return verdict(Verdict::Standing::holds,
+                           fmt::format("It settles, but after {} periods it is not known where; so "
+                                       "far it has shifted by ",
+                                       s.periods()),
+                           word);
+        return verdict(Verdict::Standing::holds,
+                       *s.state() == State::cyclic_slip
+                           ? "Slipping to and fro for ever, the indenter settles at a shift of "
+                           : "The indenter settles at a shift of ",
+                       word);
+    }();
+    if (const auto other = error ? error->other_state() : std::nullopt) {
+        told.standing = Verdict::Standing::cannot_tell;
+        told.sentence += fmt::format(
+            " Coarser meshes or longer steps come to {}: refine before relying on the verdict.",
+            contact::name_of(*other));
+    }
+    return told;
+}
+
+report::DocumentTable models_table(const Case& c, const std::vector<Results>& results,
+                                   const std::optional<NumericalError>& error) {
+    const Results& reference = results.back();
+    const Headline headline = headline_of(reference);
+    const report::Unit unit =
+        report::fitting_unit(reference.number(*headline.length).value_or(0), "m");
+    const std::string name = report::display_name(reference.model);
+    report::DocumentTable table{
+        .id = "models",
+        .title = "Models",
+        .columns = {{.heading = "model"},
+                    {.heading = "state"},
+                    {.heading = fmt::format("{} [{}]", headline.words, unit.symbol)},
+                    {.heading = "beside " + name + " [%]", .change = true},
+                    {.heading = "takes for granted"}}};
+    const unsigned of_reference = traits_of(c, reference.model);
+    for (std::size_t i = results.size(); i-- > 0;) {
+        const Results& s = results[i];
+        const bool is_reference = &s == &reference;
+        const bool same = headline_of(s).length == headline.length;
+        const auto value = same ? s.number(*headline.length) : std::nullopt;
+        const auto width = is_reference && error ? error->of(*headline.length) : std::nullopt;
+        const auto ratio = is_reference ? std::nullopt : ratio_of(s, reference);
+        const unsigned extra = traits_of(c, s.model) & ~of_reference;
+        table.rows.push_back({report::display_name(s.model),
+                              s.state() ? contact::name_of(*s.state()) : std::string("–"),
+                              value && width ? report::Cell(report::WithError{*value / unit.factor,
+                                                                              *width / unit.factor})
+                                             : report::number_cell(value, unit.factor),
+                              ratio ? 100 * (*ratio - 1) : std::numeric_limits<double>::quiet_NaN(),
+                              is_reference ? std::string("reference")
+                              : extra      ? names_of(extra)
+                                           : "the same as " + name});
+    }
+    return table;
+}
+
+std::vector<Verdict> assumption_verdicts(const Case& c, const std::vector<Results>& results,
+                                         const AssumptionStudies& studies) {
+    std::vector<Verdict> verdicts;
+    add_model_verdicts(c, results, verdicts);
+    add_variant_verdicts(results, studies.variants, verdicts);
+    for (const SmallStrains& study : studies.small_strains) {
+        const auto ratio = study.linear ? ratio_of(*study.linear, study.finite) : std::nullopt;
+        if (ratio)
+            verdicts.push_back(
+                effect("small strains", headline_of(study.finite).words, *ratio - 1,
+                       report::display_name(study.model) + " with a linear material"));
+    }
+    for (const RunComparison& twin : studies.relaxation.twins) {
+        const auto change = twin.other ? twin_error(*twin.other, twin.run) : std::nullopt;
+        if (change && twin.model == results.back().model)
+            verdicts.push_back(effect("an elastic substrate of the relaxed modulus",
+                                      headline_of(results.back()).words, *change,
+                                      report::display_name(twin.model) + " without relaxation"));
+    }
+    verdicts.push_back({Verdict::Standing::cannot_tell,
+                        "Taken for granted by all: " + not_tested(c, results) + ".", "not tested"});
+    return verdicts;
+}
+
+}  // namespace tricontact::comparisons
