@@ -162,6 +162,7 @@ void set_answer(const Document& document, data& page) {
     page.set("has_verdicts", !document.verdicts.empty());
     page.set("verdicts_heading", document.verdicts_heading);
     page.set("verdicts", list);
+    page.set("has_answer", document.answer.has_value());
     page.set("answer", answer);
     page.set("comparison", comparison);
     page.set("has_figure", document.figure.has_value());
@@ -258,6 +259,7 @@ std::string document_html(const Document& given) {
     set_scripts(document, page);
     using kainjow::mustache::partial;
     page.set("table_part", data{partial{[] { return table_template; }}});
+    page.set("verdicts_part", data{partial{[] { return verdicts_template; }}});
     page.set("figure_part", data{partial{[] { return figure_template; }}});
     kainjow::mustache::mustache engine{document_template};
     if (!engine.is_valid())

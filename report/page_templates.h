@@ -16,6 +16,7 @@ extern const char* const document_template;
 /// Its parts.
 extern const char* const table_template;
 extern const char* const figure_template;
+extern const char* const verdicts_template;
 extern const char* const document_style;
 extern const char* const document_script;
 

@@ -13,8 +13,7 @@ namespace {
 
 using contact::State;
 
-constexpr double negligible_shift = 1e-9;  // over U_max: rounding, not physics
-constexpr double near_limit = 0.03;        // relative distance below which convergence gets slow
+constexpr double near_limit = 0.03;  // relative distance below which convergence gets slow
 
 using Summaries = std::vector<Results>;
 
@@ -74,48 +73,21 @@ std::string undecided_sentence(const contact::Case& c, const Results& s, const R
     return text;
 }
 
-/// "; kappa = 1.2", empty where undefined.
-std::string factor(const Results& s, const Quantity& q, const char* letter) {
-    const auto value = s.number(q);
-    return value ? fmt::format("; {} = {}", letter, report::significant(value, 3)) : "";
-}
-
+/// What the answer and the tables leave open.
 std::string verdict_sentence(const contact::Case& c, const Results& s, const Reference& r) {
     using namespace quantities;
     const std::string name = report::display_name(s.model);
-    if (!s.number(static_shift))
-        return fmt::format("{}: at the end of the path the shift is {}.", name,
-                           with_ratio(s, final_shift, final_shift_ratio));
-    if (!s.state() && s.number(quantities::tangential_ratio) == 0.)
-        return fmt::format("{}: pressed without a tangential force.", name);
-    if (!s.state())
-        return fmt::format("{}: the tangential force shifts the indenter by {}.", name,
-                           with_ratio(s, static_shift, static_shift_ratio));
+    if (!s.state()) return {};
     if (*s.state() == State::undecided) return undecided_sentence(c, s, r);
-    if (*s.state() == State::ratcheting)
-        return fmt::format("{} ratchets: every period adds {} to the shift{}.", name,
-                           with_ratio(s, shift_increment, shift_increment_ratio),
-                           factor(s, eta, "η"));
+    if (*s.state() == State::ratcheting || s.number(settled_shift)) return {};
     const std::string by = s.verdict.by_limit ? ", by the limit of uncoupled contact," : "";
-    if (!s.number(settled_shift))
-        return fmt::format(
-            "{} {} in the end{}{} but where is not known yet: after {} {} at {}, of which the last "
-            "one added {}. Raise rolling.periods.",
-            name, *s.state() == State::shakedown ? "shakes down" : "settles", by,
-            by.empty() ? "," : "", s.periods(), s.periods() == 1 ? "period" : "periods",
-            with_ratio(s, final_shift, final_shift_ratio),
-            report::significant(s.number(shift_increment_ratio)));
-    const double u_stat = s.number(static_shift_ratio).value_or(0);
-    std::string growth;
-    if (u_stat > negligible_shift)
-        growth =
-            fmt::format(", {} times the static shift",
-                        report::significant(s.number(final_shift_ratio).value_or(0) / u_stat, 3));
     return fmt::format(
-        "{} {} within {} {} at {}{}{}.", name,
-        *s.state() == State::shakedown ? "shakes down" : "settles, slipping to and fro for ever,",
+        "{} {} in the end{}{} but where is not known yet: after {} {} at {}, of which the last "
+        "one added {}. Raise rolling.periods.",
+        name, *s.state() == State::shakedown ? "shakes down" : "settles", by, by.empty() ? "," : "",
         s.periods(), s.periods() == 1 ? "period" : "periods",
-        with_ratio(s, final_shift, final_shift_ratio), growth, factor(s, kappa, "κ"));
+        with_ratio(s, final_shift, final_shift_ratio),
+        report::significant(s.number(shift_increment_ratio)));
 }
 
 /// Whose verdict is the limit's.
@@ -131,45 +103,16 @@ std::string by_limit_sentence(const Summaries& summaries) {
         of_models(models, summaries));
 }
 
-/// "3.2 % higher than BEM's in metres (+1.2 % in U_max, each of its own)".
-std::string comparison_of(const Results& s, const Results& base, const Quantity& length,
-                          const Quantity& ratio) {
-    const double lengths = s.number(length).value_or(0) / base.number(length).value_or(0);
-    const double ratios = s.number(ratio).value_or(0) / base.number(ratio).value_or(0);
-    const std::string relation = std::abs(lengths - 1) < 5e-4
-                                     ? "as high as"
-                                     : report::apart(lengths, "higher than", "lower than");
-    return fmt::format("{} {}'s in metres ({} in U_max, each of its own)", relation,
-                       report::display_name(base.model), report::percent(ratios));
-}
-
-std::string comparison_sentence(const Results& s, const Results& base) {
-    using namespace quantities;
-    const std::string name = report::display_name(s.model),
-                      other = report::display_name(base.model);
+/// Where verdicts differ the models' numbers cannot be compared.
+std::string disagreement_sentence(const Results& s, const Results& base) {
     const auto state = s.state(), base_state = base.state();
     const bool decided = state != State::undecided && base_state != State::undecided;
-    if (state && base_state && decided && state != base_state)
-        return fmt::format(
-            "{} and {} do not agree on the verdict ({} against {}): compare their distance to the "
-            "limit, the periods run and the resolution.",
-            name, other, contact::name_of(*state), contact::name_of(*base_state));
-    if (state == State::ratcheting && base_state == state &&
-        base.number(shift_increment_ratio).value_or(0) > 0)
-        return fmt::format("{}'s shift per period is {}.", name,
-                           comparison_of(s, base, shift_increment, shift_increment_ratio));
-    if (!(base.number(final_shift_ratio).value_or(0) > negligible_shift)) return {};
-    const bool settled = s.number(settled_shift) && base.number(settled_shift);
-    std::string text = fmt::format("{}'s {}shift is {}", name,
-                                   !state    ? ""
-                                   : settled ? "settled "
-                                             : "present ",
-                                   comparison_of(s, base, final_shift, final_shift_ratio));
-    const auto own = s.number(kappa), of_base = base.number(kappa);
-    if (own && of_base)
-        text += fmt::format(": κ = {} against {}", report::significant(own, 3),
-                            report::significant(of_base, 3));
-    return text + ".";
+    if (!state || !base_state || !decided || state == base_state) return {};
+    return fmt::format(
+        "{} and {} do not agree on the verdict ({} against {}): compare their distance to the "
+        "limit, the periods run and the resolution.",
+        report::display_name(s.model), report::display_name(base.model), contact::name_of(*state),
+        contact::name_of(*base_state));
 }
 
 /// Closed form and models side by side. Where a substrate still relaxes, its shift is one of a
@@ -224,7 +167,7 @@ std::vector<std::string> reading(const contact::Case& c, const Summaries& summar
     for (const Results& s : summaries) findings.push_back(verdict_sentence(c, s, r));
     findings.push_back(by_limit_sentence(summaries));
     for (std::size_t i = 0; i + 1 < summaries.size(); ++i)
-        findings.push_back(comparison_sentence(summaries[i], summaries.back()));
+        findings.push_back(disagreement_sentence(summaries[i], summaries.back()));
     findings.push_back(limit_sentence(c, summaries, r));
     findings.push_back(static_sentence(c, summaries, r));
     for (const std::string& text : limitations(c, summaries)) findings.push_back(text);

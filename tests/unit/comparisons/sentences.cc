@@ -137,15 +137,6 @@ TEST(ReadingSentences, TheDipOfThePressureConcernsMdrWhereItRolls) {
     EXPECT_FALSE(says(reading_of(uncoupled(), {"mdr"}), ring));
 }
 
-TEST(ReadingSentences, WithoutATangentialForceNothingIsShifted) {
-    const synthetic::Options still{.f = 0, .rolling = false};
-    const Case c = synthetic::unit_case(still);
-    const std::string text =
-        joined(reading(c, {Results(c, synthetic::loaded_history("bem", still))}));
-    EXPECT_TRUE(says(text, "BEM: pressed without a tangential force.")) << text;
-    EXPECT_FALSE(says(text, "shifts the indenter")) << text;
-}
-
 TEST(FigureSentences, NothingSlipsAnyMoreAfterShakedownOnly) {
     const auto caption = [](double f) {
         const synthetic::Options options{.f = f};

@@ -50,8 +50,15 @@ TEST(Report, FilesAndNames) {
                                                "plots/shift.csv"}));
 }
 
-// What the others are compared with comes first; how far they are off in metres, whatever their own
-// U_max is.
+/// The row of a model in the table behind the answer.
+std::vector<report::Cell> row_of(const report::Document& document, const std::string& model) {
+    for (const auto& row : document.comparison->rows)
+        if (std::get<std::string>(row.front()) == model) return row;
+    throw std::out_of_range(model);
+}
+
+// The last model answers; how far the others are off in metres, whatever their own U_max is, and
+// what they take for granted.
 TEST(Report, AnswersFirst) {
     std::vector<contact::History> histories = synthetic::two_models();
     for (contact::History& history : histories) history.verdict = {contact::State::shakedown, 0, 0};
@@ -59,21 +66,63 @@ TEST(Report, AnswersFirst) {
     histories[0].scales.unit_shift = 2;
     const double ratio =
         histories[0].shift_per_period.back() / histories[1].shift_per_period.back();
-    const auto verdicts = run_document(synthetic::unit_case(), "", "1", histories).verdicts;
-    ASSERT_EQ(verdicts.size(), 2u);
-    EXPECT_TRUE(verdicts[0].sentence.starts_with("BEM: settled shift")) << verdicts[0].sentence;
-    EXPECT_FALSE(contains(verdicts[0].sentence, "beside"));
-    EXPECT_TRUE(contains(verdicts[1].sentence, ", " + report::percent(ratio) + " beside BEM"))
-        << verdicts[1].sentence;
+    const report::Document document = run_document(synthetic::unit_case(), "", "1", histories);
+    EXPECT_EQ(document.answer->word, "shakedown");
+    EXPECT_TRUE(document.answer->sentence.starts_with(
+        "The indenter settles at a shift of " +
+        report::quantity(histories[1].shift_per_period.back(), "m") + " (BEM)."))
+        << document.answer->sentence;
+    EXPECT_EQ(std::get<std::string>(document.comparison->rows.front().front()), "BEM");
+    EXPECT_EQ(std::get<std::string>(row_of(document, "BEM").back()), "reference");
+    const auto mdr = row_of(document, "MDR");
+    EXPECT_NEAR(std::get<double>(mdr[3]), 100 * (ratio - 1), 1e-9);
+    EXPECT_TRUE(contains(std::get<std::string>(mdr.back()), "springs on a line"));
+    const report::Verdict& springs = document.verdicts.front();
+    EXPECT_EQ(springs.standing, report::Verdict::Standing::fails);
+    EXPECT_TRUE(contains(springs.sentence, report::percent(ratio))) << springs.sentence;
+    EXPECT_TRUE(contains(springs.sentence, "(MDR beside BEM)")) << springs.sentence;
 }
 
-// Static shift here, growth per period there: nothing is set beside each other.
+// Below 5 % an assumption holds.
+TEST(Report, AnAssumptionThatChangesLittleHolds) {
+    std::vector<contact::History> histories = synthetic::two_models();
+    for (contact::History& history : histories) history.verdict = {contact::State::shakedown, 0, 0};
+    for (double& shift : histories[0].shift_per_period) shift *= 1.04;
+    const auto verdicts = run_document(synthetic::unit_case(), "", "1", histories).verdicts;
+    EXPECT_EQ(verdicts.front().standing, report::Verdict::Standing::holds);
+    EXPECT_EQ(verdicts.back().standing, report::Verdict::Standing::cannot_tell);
+    EXPECT_TRUE(contains(verdicts.back().sentence, "small strains")) << verdicts.back().sentence;
+}
+
+// Static shift here, growth per period there: no numbers are set beside each other, the states are.
 TEST(Report, ComparesNoneButEqualQuantities) {
     std::vector<contact::History> histories = synthetic::two_models();
     histories[0].verdict = {contact::State::ratcheting, 0, 0};
     histories[1].verdict = {contact::State::shakedown, 0, 0};
-    for (const auto& verdict : run_document(synthetic::unit_case(), "", "1", histories).verdicts)
-        EXPECT_FALSE(contains(verdict.sentence, "beside")) << verdict.sentence;
+    const report::Document document = run_document(synthetic::unit_case(), "", "1", histories);
+    const auto mdr = row_of(document, "MDR");
+    EXPECT_TRUE(std::isnan(std::get<double>(mdr[2])));
+    EXPECT_TRUE(std::isnan(std::get<double>(mdr[3])));
+    EXPECT_TRUE(contains(document.verdicts.front().sentence, "ratcheting instead of shakedown"))
+        << document.verdicts.front().sentence;
+}
+
+TEST(Report, OneModelIsComparedWithNobody) {
+    auto histories = synthetic::two_models();
+    histories.erase(histories.begin());
+    const report::Document document = run_document(synthetic::unit_case(), "", "1", histories);
+    EXPECT_FALSE(document.comparison);
+    EXPECT_EQ(document.verdicts.size(), 1u);
+}
+
+TEST(Report, WithoutATangentialForceNothingIsShifted) {
+    const Options still{.f = 0, .rolling = false};
+    const auto answer = run_document(synthetic::unit_case(still), "", "1",
+                                     {synthetic::loaded_history("bem", still)})
+                            .answer;
+    EXPECT_EQ(answer->word, "pressed");
+    EXPECT_TRUE(contains(answer->sentence, "is pressed in by 1 m")) << answer->sentence;
+    EXPECT_FALSE(contains(answer->sentence, "shift")) << answer->sentence;
 }
 
 TEST(Report, NeedsNoNetworkAndNoOtherFile) {
@@ -118,17 +167,8 @@ TEST(Report, TextsOfTheUserAreEscaped) {
     EXPECT_TRUE(contains(page, "p ≥ 0 &amp; gap ≥ 0"));
 }
 
-TEST(Report, SaysVerdictsAndNumbers) {
-    const Options options;
+TEST(Report, SaysWhatMadeIt) {
     const report::Document document = document_of(synthetic::unit_case());
-    const double u = theory::settled_shift_ratio(options.w, options.f).value();
-    ASSERT_EQ(document.verdicts.size(), 2u);
-    const report::Verdict& mdr = document.verdicts.back();  // the reference, BEM, comes first
-    EXPECT_EQ(mdr.word, "shakedown");
-    EXPECT_EQ(mdr.standing, report::Verdict::Standing::holds);
-    EXPECT_TRUE(contains(mdr.sentence, "MDR: settled shift " + report::quantity(u, "m")))
-        << mdr.sentence;
-    EXPECT_TRUE(contains(mdr.sentence, "κ = 1.50"));
     EXPECT_EQ(document.command, "tricontact run case.toml");
     EXPECT_EQ(document.version, "1.2.3");
 }
@@ -196,18 +236,8 @@ class Reading : public testing::Test {
     Results bem_{c_, synthetic::settling_history("bem")};
 };
 
-TEST_F(Reading, DifferenceBetweenModels) {
-    // U_max of MDR is 5 % larger: in metres the difference is another.
-    const double u = *bem_.number(quantities::final_shift_ratio);
-    mdr_.set(quantities::final_shift_ratio, 1.165 * u);
-    mdr_.set(quantities::final_shift, 1.05 * 1.165 * u);
-    bem_.set(quantities::kappa, 1.04);
+TEST_F(Reading, WhereTheLimitLies) {
     const std::string text = reading_text(c_, {mdr_, bem_});
-    EXPECT_TRUE(contains(
-        text,
-        "MDR's settled shift is 22.3 % higher than BEM's in metres (+16.5 % in U_max, each of "
-        "its own): κ = 1.50 against 1.04."))
-        << text;
     EXPECT_TRUE(contains(text, "cannot tell rolling along the load from rolling across")) << text;
     EXPECT_TRUE(contains(text, "13.4 % below it: shakedown is expected")) << text;
     EXPECT_FALSE(contains(reading_text(c_, {bem_}), "MDR's springs"));
@@ -224,7 +254,6 @@ TEST_F(Reading, WhoIsUndecidedDoesNotDisagree) {
     bem_.set(quantities::settled_shift, {});
     const std::string text = reading_text(c_, {mdr_, bem_});
     EXPECT_FALSE(contains(text, "do not agree")) << text;
-    EXPECT_TRUE(contains(text, "MDR's present shift is as high as BEM's")) << text;
 }
 
 TEST_F(Reading, OnlyHalfSpacesIgnoreTheLayer) {
@@ -238,16 +267,6 @@ TEST_F(Reading, OnlyHalfSpacesIgnoreTheLayer) {
     EXPECT_FALSE(contains(reading_text(c_, {fem}), "half-spaces:"));
     fem.set(quantities::state, contact::State::undecided);
     EXPECT_FALSE(contains(reading_text(c_, {fem}), "By the exact limit"));
-}
-
-TEST_F(Reading, RatchetingSpeeds) {
-    for (Results* s : {&mdr_, &bem_}) s->set(quantities::state, contact::State::ratcheting);
-    for (const auto* q : {&quantities::shift_increment, &quantities::shift_increment_ratio}) {
-        mdr_.set(*q, 0.9);
-        bem_.set(*q, 0.3);
-    }
-    EXPECT_TRUE(contains(reading_text(c_, {mdr_, bem_}),
-                         "MDR's shift per period is 200 % higher than BEM's in metres"));
 }
 
 TEST_F(Reading, UndecidedSaysWhatToDo) {

@@ -1,0 +1,108 @@
+#include "comparisons/resolution/numerical_error.h"
+
+#include <gtest/gtest.h>
+
+#include "comparisons/run/answer.h"
+#include "tests/unit/comparisons/history.h"
+
+namespace tricontact::comparisons::numerical_error_test {
+namespace {
+
+using contact::State;
+
+const contact::Case the_case = synthetic::unit_case();
+
+/// A run whose shifts are off by a share of their own.
+ResolvedRun run_off(double share, State state = State::shakedown) {
+    contact::History history = synthetic::settling_history("bem");
+    history.verdict = {state, 0, 0};
+    history.static_shift *= 1 + share;
+    for (contact::StepRecord& step : history.steps) step.shift[0] *= 1 + share;
+    for (double& shift : history.shift_per_period) shift *= 1 + share;
+    return {the_case, history};
+}
+
+/// Errors of first order: the run's own, twice and four times as much on coarser meshes.
+NumericalError of_first_order(double share) {
+    return {.model = "bem",
+            .run = run_off(share),
+            .coarser = run_off(2 * share),
+            .coarsest = run_off(4 * share),
+            .long_steps = {}};
+}
+
+double exact() {
+    return *run_off(0).results.number(quantities::settled_shift);
+}
+
+// v_h - v is h's part of a first order: 1.25 times what separates two meshes covers it.
+TEST(NumericalError, CoversErrorsOfTheFirstOrder) {
+    const double width = *of_first_order(.01).of(quantities::settled_shift);
+    EXPECT_NEAR(width, 1.25 * .01 * exact(), 1e-12);
+}
+
+// Two meshes agree by accident: the third tells.
+TEST(NumericalError, AnAccidentDoesNotHideIt) {
+    NumericalError error = of_first_order(.01);
+    error.coarser = run_off(.01);
+    EXPECT_NEAR(*error.of(quantities::settled_shift), 1.25 * .03 / 2 * exact(), 1e-12);
+}
+
+TEST(NumericalError, TwoMeshesCountThreeTimesAndStepsAreAdded) {
+    NumericalError error = of_first_order(.01);
+    error.coarsest.reset();
+    EXPECT_NEAR(*error.of(quantities::settled_shift), 3 * .01 * exact(), 1e-12);
+    error.long_steps = run_off(.024);  // .004 from the coarser mesh's own
+    EXPECT_NEAR(*error.of(quantities::settled_shift), (3 * .01 + 1.25 * .004) * exact(), 1e-12);
+    error.coarser.reset();
+    EXPECT_FALSE(error.of(quantities::settled_shift));
+}
+
+TEST(NumericalError, TheBandFollowsTheShift) {
+    const NumericalError error = of_first_order(.01);
+    const double unit = 1e-3;
+    const report::Band band = error.shift_band(unit);
+    ASSERT_EQ(band.x.size(), error.run->phases.size());
+    for (std::size_t k = 0; k < band.x.size(); ++k) {
+        const double shift = error.run->shifts[k] / unit;
+        EXPECT_NEAR(band.high[k] - shift, 1.25 * .01 / 1.01 * shift, 1e-9) << band.x[k];
+        EXPECT_NEAR(shift - band.low[k], band.high[k] - shift, 1e-9);
+    }
+}
+
+// A verdict that coarser meshes take back is none to rely on.
+TEST(NumericalError, AnotherVerdictOnCoarserMeshesIsSaid) {
+    NumericalError error = of_first_order(.01);
+    EXPECT_FALSE(error.other_state());
+    error.coarsest = run_off(.04, State::undecided);
+    EXPECT_FALSE(error.other_state());
+    const auto quiet = answer_of(the_case, error.run->results, error);
+    EXPECT_EQ(quiet.standing, report::Verdict::Standing::holds);
+    EXPECT_EQ(quiet.sentence.find("refine"), std::string::npos);
+    error.coarser = run_off(.02, State::ratcheting);
+    EXPECT_EQ(error.other_state(), State::ratcheting);
+    const auto told = answer_of(the_case, error.run->results, error);
+    EXPECT_EQ(told.standing, report::Verdict::Standing::cannot_tell);
+    EXPECT_NE(told.sentence.find("come to ratcheting: refine"), std::string::npos);
+}
+
+TEST(NumericalError, OfAPathItIsReadBetweenSteps) {
+    const ResolvedRun run = run_off(0);
+    const std::size_t n = run.phases.size();
+    EXPECT_DOUBLE_EQ(run.shift_at(run.phases.back() + 1), run.shifts.back());
+    EXPECT_DOUBLE_EQ(run.shift_at(run.phases.front()), run.shifts.front());
+    EXPECT_NEAR(run.shift_at((run.phases[n - 2] + run.phases[n - 1]) / 2),
+                (run.shifts[n - 2] + run.shifts[n - 1]) / 2, 1e-15);
+}
+
+TEST(NumericalError, FilesTellWidthsOrWhyNot) {
+    const auto json = numerical_error_json(of_first_order(.01));
+    EXPECT_NEAR(json["half_widths"]["settled_shift_m"].get<double>(), 1.25 * .01 * exact(), 1e-12);
+    EXPECT_TRUE(json["why_none"].is_null());
+    NumericalError none{.model = "fem", .run = run_off(0), .why_none = "the mesh is a file's"};
+    EXPECT_TRUE(numerical_error_json(none)["half_widths"].empty());
+    EXPECT_EQ(numerical_error_json(none)["why_none"], "the mesh is a file's");
+}
+
+}  // namespace
+}  // namespace tricontact::comparisons::numerical_error_test
