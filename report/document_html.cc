@@ -220,7 +220,7 @@ std::string document_html(const Document& document) {
     data sections{data::type::list};
     for (const DocumentSection& each : document.sections) sections << section(each, document.plots);
     data page = object({{"style", std::string(page_style) + document_style +
-                                       (document.player ? player_style : "")},
+                                      (document.player ? player_style : "")},
                         {"version", document.version},
                         {"kind", document.kind},
                         {"title", document.title},

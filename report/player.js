@@ -27,7 +27,7 @@ function ramp(colours, share) {
 }
 const table = (colours, n = 256) => Array.from({length: n}, (_, i) => ramp(colours, i / (n - 1)));
 const magnitudes = table(ramps.magnitude), signs = table(ramps.sign);
-const states = [null, [60, 66, 72], [213, 150, 60]];  // open, stick, slip
+const states = [null, [70, 86, 120], [213, 150, 60]];  // open, stick, slip
 
 function element(name, properties = {}, children = []) {
     const made = Object.assign(document.createElement(name), properties);
@@ -163,11 +163,11 @@ function paint_line(film, frame) {
         const x = film.cells[k] * cell, rgb = colour_of(shown, fields, k);
         if (state[k]) {
             pen.fillStyle = `rgb(${states[state[k]]})`;
-            pen.fillRect(x, height - 1.5 * band, cell + 0.5, band);
+            pen.fillRect(x, height - 1.5 * band, cell + 1, band);
         }
         if (!rgb) continue;
         pen.fillStyle = `rgb(${rgb})`;
-        pen.fillRect(x, zero, cell + 0.5, -share(k) * (zero - top));
+        pen.fillRect(x, zero, cell + 1, -share(k) * (zero - top));
     }
     pen.strokeStyle = colour("text");
     pen.lineWidth = 1.5 * ratio;

@@ -71,20 +71,20 @@ json film_json(const Film& film) {
         shift.push_back(rounded(s.shift));
         force.push_back(rounded(s.force));
     }
-    json result{{"name", film.name},
-                {"style", film.style},
-                {"line", film.line},
-                {"cells", grid_json(film.cells)},
-                {"mask", packed_bits(film.mask)},
-                {"largest",
-                 {film.largest_pressure, film.largest_traction, film.largest_gap,
-                  film.largest_von_mises}},
-                {"frames", frames},
-                {"bytes", packed_bytes(film.bytes)},
-                {"position", position},
-                {"way", way},
-                {"shift", shift},
-                {"force", force}};
+    json result{
+        {"name", film.name},
+        {"style", film.style},
+        {"line", film.line},
+        {"cells", grid_json(film.cells)},
+        {"mask", packed_bits(film.mask)},
+        {"largest",
+         {film.largest_pressure, film.largest_traction, film.largest_gap, film.largest_von_mises}},
+        {"frames", frames},
+        {"bytes", packed_bytes(film.bytes)},
+        {"position", position},
+        {"way", way},
+        {"shift", shift},
+        {"force", force}};
     if (!film.heights.empty()) {
         result["relief"] = grid_json(film.relief);
         result["relief"]["range"] = {rounded(film.lowest), rounded(film.highest)};

@@ -62,11 +62,10 @@ void add_body(const contact::Case& c, report::Player& player) {
         }
     player.highest_body = um * highest;
     for (const double h : heights)
-        player.body_heights.push_back(
-            !std::isfinite(h) ? 65535
-            : highest > 0 ? static_cast<std::uint16_t>(
-                                std::lround(65534 * std::clamp(h / highest, 0., 1.)))
-                          : 0);
+        player.body_heights.push_back(!std::isfinite(h) ? 65535
+                                      : highest > 0     ? static_cast<std::uint16_t>(std::lround(
+                                                              65534 * std::clamp(h / highest, 0., 1.)))
+                                                        : 0);
 }
 
 }  // namespace
@@ -171,10 +170,10 @@ std::optional<Film> ContactFilm::film(const History& history, int style) const {
     film.style = style;
     if (film.cells.n_y == 1) film.line = is_springs_ ? "springs" : "cells";
     for (const StepRecord& step : history.steps)
-        film.steps.push_back({step.phase,
-                              mm * (step.offset[0] * std::cos(direction_) +
-                                    step.offset[1] * std::sin(direction_)),
-                              um * step.shift[0], step.tangential_force[0]});
+        film.steps.push_back(
+            {step.phase,
+             mm * (step.offset[0] * std::cos(direction_) + step.offset[1] * std::sin(direction_)),
+             um * step.shift[0], step.tangential_force[0]});
     if (is_springs_)  // a line of its own, along the path
         for (Film::Frame& frame : film.frames) frame.x = frame.way, frame.y = 0;
     return film;

@@ -137,8 +137,7 @@ void add_relief(const Shots& shots, const Window& window, Film& film) {
     each([&](double h) { low = std::min(low, h), high = std::max(high, h); });
     const double range = high > low ? high - low : 1;
     each([&](double h) {
-        film.heights.push_back(
-            static_cast<std::uint16_t>(std::lround(65535 * (h - low) / range)));
+        film.heights.push_back(static_cast<std::uint16_t>(std::lround(65535 * (h - low) / range)));
     });
     film.lowest = to_um * low;
     film.highest = to_um * (low + range);
@@ -222,16 +221,16 @@ Film film_of(const Shots& shots, double direction) {
         }
     for (const Shot* shot : shots) {
         const contact::StepRecord& r = shot->record;
-        film.frames.push_back({.label = shot->label,
-                               .x = to_mm * r.offset[0],
-                               .y = to_mm * r.offset[1],
-                               .shift = to_um * r.shift[0],
-                               .position = r.phase,
-                               .way = to_mm * (r.offset[0] * std::cos(direction) +
-                                               r.offset[1] * std::sin(direction)),
-                               .force = r.tangential_force[0],
-                               .depth = to_um * r.indentation,
-                               .rotation = r.rotation});
+        film.frames.push_back(
+            {.label = shot->label,
+             .x = to_mm * r.offset[0],
+             .y = to_mm * r.offset[1],
+             .shift = to_um * r.shift[0],
+             .position = r.phase,
+             .way = to_mm * (r.offset[0] * std::cos(direction) + r.offset[1] * std::sin(direction)),
+             .force = r.tangential_force[0],
+             .depth = to_um * r.indentation,
+             .rotation = r.rotation});
     }
     add_fields(shots, cells, film);
     if (any.n_y > 1) {

@@ -47,9 +47,8 @@ void ShotRow::add(Shot shot) {
     shots_.push_back(std::move(shot));
     while (shots_.size() > most_shots && every_ < n_seen_) {
         every_ *= 2;
-        std::erase_if(shots_, [this](const Shot& one) {
-            return !one.is_quarter && one.place % every_ != 0;
-        });
+        std::erase_if(
+            shots_, [this](const Shot& one) { return !one.is_quarter && one.place % every_ != 0; });
     }
 }
 

@@ -21,8 +21,9 @@ Film two_frames() {
     return film;
 }
 
-// RFC 1950: 0x78 0xDA for the densest of a window of 32 kB, then the stream of RFC 1951, here one block of fixed
-// codes - literal "a" is 10010001, the end 0000000, bits filled in from the lowest - and Adler's sum of "a", 0x00620062.
+// RFC 1950: 0x78 0xDA for the densest of a window of 32 kB, then the stream of RFC 1951, here one
+// block of fixed codes - literal "a" is 10010001, the end 0000000, bits filled in from the lowest -
+// and Adler's sum of "a", 0x00620062.
 TEST(Player, PacksAsZlib) {
     EXPECT_EQ(packed("a"), base64(std::string("\x78\xDA\x4B\x04\x00\x00\x62\x00\x62", 9)));
 }
@@ -45,10 +46,12 @@ TEST(Player, RoundsNumbers) {
     EXPECT_EQ(json["films"][0]["shift"].dump(), "[0.3333333,12.5]");
 }
 
-// Heights take the lower byte first; a film without a surface, and one without sections, has neither.
+// Heights take the lower byte first; a film without a surface, and one without sections, has
+// neither.
 TEST(Player, PacksReliefsAndSections) {
     Film film = two_frames();
-    EXPECT_FALSE(player_json({.caption = "", .axis = "", .films = {film}})["films"][0].contains("relief"));
+    EXPECT_FALSE(
+        player_json({.caption = "", .axis = "", .films = {film}})["films"][0].contains("relief"));
     film.relief = {.n_x = 2, .n_y = 1};
     film.highest = 3;
     film.heights = {258, 1, 0, 65535};
