@@ -6,6 +6,7 @@
 #include "app/uncertain_case.h"
 #include "contact/load_path.h"
 #include "experiments/records/recorded_path.h"
+#include "io/case/case_reader.h"
 
 namespace tricontact::app {
 
