@@ -9,7 +9,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <stdexcept>
+#include <string_view>
 
 namespace tricontact::animation {
 
@@ -17,6 +19,20 @@ namespace {
 
 constexpr int fineness = 3;  // of the painting, along each side of a pixel
 constexpr int letters_per_inch = 72;
+
+/// Letters of the package fonts-dejavu-core. Those that VTK brings along have no µ: it would
+/// vanish.
+std::string font_of(bool bold) {
+    return std::string("/usr/share/fonts/truetype/dejavu/DejaVuSans") + (bold ? "-Bold" : "") +
+           ".ttf";
+}
+
+std::string without_micro(std::string text) {
+    constexpr std::string_view micro = "µ";
+    for (std::size_t at; (at = text.find(micro)) != std::string::npos;)
+        text.replace(at, micro.size(), "u");
+    return text;
+}
 
 }  // namespace
 
@@ -95,15 +111,23 @@ std::string Canvas::png() const {
     auto* letters = vtkFreeTypeTools::GetInstance();
     for (const Text& t : texts_) {
         vtkNew<vtkTextProperty> property;
-        property->SetFontFamilyToArial();
-        property->SetFontSize(t.size);
-        property->SetBold(t.bold);
+        const std::string font = font_of(t.bold);
+        const bool has_font = std::filesystem::exists(font);
+        if (has_font) {
+            property->SetFontFamily(VTK_FONT_FILE);
+            property->SetFontFile(font.c_str());
+        } else {
+            property->SetFontFamilyToArial();
+            property->SetBold(t.bold);
+        }
+        property->SetFontSize(t.size - 1);
         property->SetColor(0.13, 0.15, 0.17);
+        const std::string text = has_font ? t.text : without_micro(t.text);
         vtkNew<vtkImageData> drawn;
         std::array<int, 2> size{};
         std::array<int, 4> box{};
-        if (!letters->RenderString(property, t.text, letters_per_inch, drawn, size.data()) ||
-            !letters->GetBoundingBox(property, t.text, letters_per_inch, box.data()))
+        if (!letters->RenderString(property, text, letters_per_inch, drawn, size.data()) ||
+            !letters->GetBoundingBox(property, text, letters_per_inch, box.data()))
             throw std::runtime_error("VTK draws no letters");
         const double shift = t.align == Align::left     ? 0
                              : t.align == Align::centre ? size[0] / 2.

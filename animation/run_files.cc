@@ -1,6 +1,7 @@
 #include "animation/run_files.h"
 
 #include <fmt/format.h>
+#include <vtkLogger.h>
 #include <vtkXMLDataElement.h>
 #include <vtkXMLUtilities.h>
 
@@ -84,6 +85,7 @@ std::vector<std::pair<double, std::string>> read_series(const std::string& path)
     const auto bad = [&] {
         return InputError(path + ": is no collection of VTK's; run the case again");
     };
+    vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);
     const auto* root = vtkXMLUtilities::ReadElementFromString(text.c_str());
     if (!root) throw bad();
     auto& owned = const_cast<vtkXMLDataElement&>(*root);

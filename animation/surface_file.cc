@@ -5,6 +5,7 @@
 #include <vtkCellData.h>
 #include <vtkCommand.h>
 #include <vtkImageData.h>
+#include <vtkLogger.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
@@ -68,6 +69,8 @@ void set_fields(vtkDataSetAttributes& data, Surface& s, const std::string& path)
 /// Has the reader read the bytes; what VTK complains about is refused.
 template <class Reader>
 void read_into(Reader& reader, const std::string& bytes, const std::string& path) {
+    vtkLogger::SetStderrVerbosity(
+        vtkLogger::VERBOSITY_OFF);  // it is said once, as an error of ours
     bool failed = false;
     vtkNew<vtkCallbackCommand> complaint;
     complaint->SetClientData(&failed);
