@@ -20,13 +20,13 @@ namespace {
 constexpr int fineness = 3;  // of the painting, along each side of a pixel
 constexpr int letters_per_inch = 72;
 
-/// Letters of the package fonts-dejavu-core. Those that VTK brings along have no µ: it would
-/// vanish.
+/// Letters of the package fonts-dejavu-core. Those that VTK brings along have no brackets.
 std::string font_of(bool bold) {
     return std::string("/usr/share/fonts/truetype/dejavu/DejaVuSans") + (bold ? "-Bold" : "") +
            ".ttf";
 }
 
+/// VTK leaves out letters beyond ASCII: "12 µm" would read "12 m".
 std::string without_micro(std::string text) {
     constexpr std::string_view micro = "µ";
     for (std::size_t at; (at = text.find(micro)) != std::string::npos;)
@@ -122,7 +122,7 @@ std::string Canvas::png() const {
         }
         property->SetFontSize(t.size - 1);
         property->SetColor(0.13, 0.15, 0.17);
-        const std::string text = has_font ? t.text : without_micro(t.text);
+        const std::string text = without_micro(t.text);
         vtkNew<vtkImageData> drawn;
         std::array<int, 2> size{};
         std::array<int, 4> box{};
