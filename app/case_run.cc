@@ -28,7 +28,9 @@ class States {
           surfaces_(folder, "surface", provenance_),
           volumes_(folder, "volume", provenance_) {}
 
-    void add(double phase, contact::Model& model, const contact::Progress& progress) {
+    /// The section of the step, where its inside was written; else null.
+    const contact::Subsurface* add(double phase, contact::Model& model,
+                                   const contact::Progress& progress) {
         if (progress.step == 1) {
             surfaces_.clear();
             volumes_.clear();
@@ -37,11 +39,12 @@ class States {
         const Case::VtkOutput wanted = case_.output.vtk;
         if (wanted == all || (wanted == quarters && progress.quarter))
             surfaces_.add(phase, model.surface());
-        if (case_.output.volume == Case::VolumeOutput::quarters && progress.quarter)
-            add_volume(phase, model);
+        if (case_.output.volume != Case::VolumeOutput::quarters || !progress.quarter) return {};
+        return add_volume(phase, model);
     }
-    void add_last(double phase, contact::Model& model) {
-        if (case_.output.volume == Case::VolumeOutput::last) add_volume(phase, model);
+    const contact::Subsurface* add_last(double phase, contact::Model& model) {
+        if (case_.output.volume != Case::VolumeOutput::last) return {};
+        return add_volume(phase, model);
     }
     const std::optional<contact::Subsurface>& subsurface() const { return subsurface_; }
     void finish() const {
@@ -50,11 +53,12 @@ class States {
     }
 
   private:
-    void add_volume(double phase, contact::Model& model) {
+    const contact::Subsurface* add_volume(double phase, contact::Model& model) {
         const auto inside = model.interior();
-        if (!inside) return;
+        if (!inside) return {};
         volumes_.add(phase, *inside);
         subsurface_ = contact::subsurface_of(*inside, phase, model.surface().offset);
+        return &*subsurface_;
     }
 
     const Case& case_;
@@ -150,8 +154,9 @@ contact::History run_model(const std::string& name, const Case& c, const std::st
     const contact::Observer observer = [&](const contact::StepRecord& record, contact::Model& state,
                                            const contact::Progress& progress) {
         bar.update(progress.step, progress.steps_at_most);
-        states.add(record.phase, state, progress);
+        const auto* section = states.add(record.phase, state, progress);
         if (film) film->add(record, state, progress);
+        if (film && section) film->add_section(*section, progress.step);
     };
     contact::History history;
     try {
@@ -160,7 +165,8 @@ contact::History run_model(const std::string& name, const Case& c, const std::st
         states.finish();  // what did converge
         throw;
     }
-    states.add_last(history.steps.back().phase, model);
+    const auto* section = states.add_last(history.steps.back().phase, model);
+    if (film && section) film->add_section(*section, static_cast<int>(history.steps.size()));
     history.subsurface = states.subsurface();
     history.audit = model.audit();
     require_sound(history.audit, name);

@@ -1,55 +1,12 @@
-#include <dlfcn.h>
-#include <link.h>
-
-#include <array>
-#include <filesystem>
-#include <stdexcept>
-
 #include "app/commands/command.h"
 #include "app/fem_entries.h"
+#include "app/module_loader.h"
 
 namespace tricontact::app {
 
-namespace {
-
-namespace fs = std::filesystem;
-
-/// Folder of what this code is a part of: the program, or the module of Python.
-fs::path own_folder() {
-    Dl_info info{};
-    link_map* map = nullptr;
-    const bool found = ::dladdr1(reinterpret_cast<void*>(&own_folder), &info,
-                                 reinterpret_cast<void**>(&map), RTLD_DL_LINKMAP) != 0;
-    const bool is_program = !found || !map || map->l_name[0] == '\0';
-    return (is_program ? fs::read_symlink("/proc/self/exe") : fs::canonical(map->l_name))
-        .parent_path();
-}
-
-/// Beside us in a build; installed, below the folder of libraries.
-fs::path find_module() {
-    const fs::path own = own_folder();
-    for (const char* folder : std::array{".", FEM_MODULE_FOLDERS}) {
-        const fs::path path = (own / folder / FEM_MODULE).lexically_normal();
-        if (fs::exists(path)) return path;
-    }
-    throw std::runtime_error("finite elements: there is no " FEM_MODULE
-                             " where it was installed, seen from " +
-                             own.string() + "; install Tricontact as a whole");
-}
-
-FemEntriesFunction* find_entries() {
-    // Globally: MPI's own plug-ins look for its symbols there.
-    void* const module = dlopen(find_module().c_str(), RTLD_LAZY | RTLD_GLOBAL);
-    if (!module) throw std::runtime_error(std::string("finite elements: ") + dlerror());
-    void* const symbol = dlsym(module, fem_entries_symbol);
-    if (!symbol) throw std::runtime_error(std::string("finite elements: ") + dlerror());
-    return reinterpret_cast<FemEntriesFunction*>(symbol);
-}
-
-}  // namespace
-
 const FemEntries& fem_entries() {
-    static FemEntriesFunction* const entries = find_entries();
+    static auto* const entries = reinterpret_cast<FemEntriesFunction*>(
+        module_symbol("finite elements", FEM_MODULE, fem_entries_symbol));
     return *entries();
 }
 

@@ -44,13 +44,13 @@ std::vector<Command> all_commands() {
     commands[3].parser->preparse_callback(
         [](std::size_t) { errors_are_printed_elsewhere = fem_entries().is_further_process(); });
 #endif
-    commands.insert(commands.end(), {refine_command(),    influence_command(), export_command(),
-                                     import_command(),    limit_command(),     verify_command(),
-                                     walk_command(),      roll_command(),      sweep_command(),
-                                     atlas_command(),     predict_command(),   experiment_command(),
-                                     deviation_command(), fit_command(),       merge_command(),
-                                     identify_command(),  rig_command(),       design_command(),
-                                     convert_command(),   keys_command(),      list_command()});
+    commands.insert(commands.end(),
+                    {refine_command(),     influence_command(), export_command(), import_command(),
+                     limit_command(),      verify_command(),    walk_command(),   roll_command(),
+                     animate_command(),    sweep_command(),     atlas_command(),  predict_command(),
+                     experiment_command(), deviation_command(), fit_command(),    merge_command(),
+                     identify_command(),   rig_command(),       design_command(), convert_command(),
+                     keys_command(),       list_command()});
     return commands;
 }
 

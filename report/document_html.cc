@@ -9,6 +9,7 @@
 #include "report/document.h"
 #include "report/document_csv.h"
 #include "report/format.h"
+#include "report/packed.h"
 #include "report/page_templates.h"
 #include "report/player_json.h"
 #include "report/plot_style.h"
@@ -207,6 +208,10 @@ void set_player(const std::optional<Player>& player, data& page) {
     page.set("player_caption", player->caption);
     page.set("films_json", script_json(player_json(*player)));
     page.set("player_script", std::string(player_script));
+    page.set("has_scene", !player->body_heights.empty());
+    if (player->body_heights.empty()) return;
+    static const std::string library = packed(scene_library());
+    page.set("scene_library", library);
 }
 
 void set_origin(const Document& document, data& page) {
@@ -244,7 +249,8 @@ std::string document_html(const Document& given) {
     const Document document = with_figure(given);
     data sections{data::type::list};
     for (const DocumentSection& each : document.sections) sections << section(each, document.plots);
-    data page = object({{"style", std::string(page_style) + document_style},
+    data page = object({{"style", std::string(page_style) + document_style +
+                                      (document.player ? player_style : "")},
                         {"version", document.version},
                         {"kind", document.kind},
                         {"title", document.title},

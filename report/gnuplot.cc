@@ -1,106 +1,12 @@
 #include "report/gnuplot.h"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <spawn.h>
-#include <sys/mman.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
-#include <array>
-#include <cerrno>
-#include <cstring>
-#include <string_view>
-#include <vector>
+#include "report/run_program.h"
 
 namespace tricontact::report {
 
 namespace {
-
-[[noreturn]] void fail(std::string_view what, int error) {
-    throw GnuplotError(fmt::format("plots: {}: {}", what, std::strerror(error)));
-}
-
-/// A file in memory. Unlike a pipe it never fills up, so neither side can wait for the other, and
-/// a program that dies early cannot stop us with SIGPIPE.
-class MemoryFile {
-  public:
-    explicit MemoryFile(const char* name) : descriptor_(memfd_create(name, MFD_CLOEXEC)) {
-        if (descriptor_ < 0) fail("no memory for a plot", errno);
-    }
-    MemoryFile(const MemoryFile&) = delete;
-    MemoryFile& operator=(const MemoryFile&) = delete;
-    ~MemoryFile() { close(descriptor_); }
-
-    int descriptor() const { return descriptor_; }
-
-    void write_all(std::string_view text) const {
-        while (!text.empty()) {
-            const ssize_t written = write(descriptor_, text.data(), text.size());
-            if (written < 0 && errno == EINTR) continue;
-            if (written < 0) fail("cannot hand data to gnuplot", errno);
-            text.remove_prefix(static_cast<std::size_t>(written));
-        }
-    }
-
-    std::string content() const {
-        const off_t size = lseek(descriptor_, 0, SEEK_END);
-        if (size < 0) fail("cannot read what gnuplot drew", errno);
-        std::string text(static_cast<std::size_t>(size), '\0');
-        for (std::size_t done = 0; done < text.size();) {
-            const ssize_t got = pread(descriptor_, text.data() + done, text.size() - done,
-                                      static_cast<off_t>(done));
-            if (got < 0 && errno == EINTR) continue;
-            if (got <= 0) fail("cannot read what gnuplot drew", errno);
-            done += static_cast<std::size_t>(got);
-        }
-        return text;
-    }
-
-  private:
-    int descriptor_;
-};
-
-/// The present environment without what changes gnuplot's numbers, start-up or terminal.
-std::vector<std::string> plain_environment() {
-    std::vector<std::string> result{"LC_ALL=C"};
-    for (char** entry = environ; *entry != nullptr; ++entry) {
-        const std::string_view text = *entry;
-        if (!text.starts_with("LC_") && !text.starts_with("LANG") && !text.starts_with("GNU"))
-            result.emplace_back(text);
-    }
-    return result;
-}
-
-/// Starts gnuplot on the given files and waits for its end; returns the wait status.
-int run(const std::string& program, const MemoryFile& in, const MemoryFile& out,
-        const MemoryFile& err) {
-    // Read as a file (not "-"), gnuplot stops at the first error and says the line.
-    std::array<std::string, 3> words{program, "-d", "/dev/stdin"};
-    std::array<char*, 4> arguments{words[0].data(), words[1].data(), words[2].data(), nullptr};
-    std::vector<std::string> environment = plain_environment();
-    std::vector<char*> variables;
-    variables.reserve(environment.size() + 1);
-    for (std::string& entry : environment) variables.push_back(entry.data());
-    variables.push_back(nullptr);
-
-    posix_spawn_file_actions_t actions;
-    posix_spawn_file_actions_init(&actions);
-    posix_spawn_file_actions_adddup2(&actions, in.descriptor(), STDIN_FILENO);
-    posix_spawn_file_actions_adddup2(&actions, out.descriptor(), STDOUT_FILENO);
-    posix_spawn_file_actions_adddup2(&actions, err.descriptor(), STDERR_FILENO);
-    pid_t child = 0;
-    const int error = posix_spawnp(&child, program.c_str(), &actions, nullptr, arguments.data(),
-                                   variables.data());
-    posix_spawn_file_actions_destroy(&actions);
-    if (error != 0)
-        fail(fmt::format("cannot start '{}' (install the package gnuplot-nox)", program), error);
-
-    int status = 0;
-    while (waitpid(child, &status, 0) < 0)
-        if (errno != EINTR) fail("lost sight of gnuplot", errno);
-    return status;
-}
 
 std::string terminal(const Picture& picture, ImageFormat format) {
     if (format == ImageFormat::svg)
@@ -116,13 +22,13 @@ std::string terminal(const Picture& picture, ImageFormat format) {
 }  // namespace
 
 std::string run_gnuplot(const std::string& script, const std::string& program) {
-    const MemoryFile in("script"), out("image"), err("message");
-    in.write_all(script);
-    if (lseek(in.descriptor(), 0, SEEK_SET) < 0) fail("cannot rewind a script", errno);
-    const int status = run(program, in, out, err);
-    if (!WIFEXITED(status) || WEXITSTATUS(status) != 0)
-        throw GnuplotError("plots: gnuplot failed: " + err.content());
-    return out.content();
+    try {
+        // Read as a file (not "-"), gnuplot stops at the first error and says the line.
+        return run_program({program, "-d", "/dev/stdin"}, script);
+    } catch (const ProgramError& error) {
+        throw GnuplotError(std::string("plots: ") + error.what() +
+                           (error.is_missing() ? " (install the package gnuplot-nox)" : ""));
+    }
 }
 
 std::string draw(const Picture& picture, ImageFormat format) {

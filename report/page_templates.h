@@ -21,10 +21,14 @@ extern const char* const document_style;
 extern const char* const document_script;
 
 /// Plays the contact of a document that has a player.
+extern const char* const player_style;
 extern const char* const player_script;
 
 /// The script that draws charts (plotly.js), its licence in front, embedded when the program is
-/// built: cmake/charts.cmake. It defines `Plotly`.
+/// built: cmake/npm_packages.cmake. It defines `Plotly`.
 std::string_view chart_library();
+/// The script that draws the contact of a player in three dimensions (three.js), likewise. It
+/// defines `contact_scene`.
+std::string_view scene_library();
 
 }  // namespace tricontact::report

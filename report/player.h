@@ -6,8 +6,19 @@
 
 namespace tricontact::report {
 
+/// Cells of a picture, x fastest; a row of them is a line along x.
+struct FilmGrid {
+    int n_x = 0, n_y = 0;
+    double first_x = 0, first_y = 0;      ///< centre of the first cell [mm]
+    double spacing_x = 0, spacing_y = 0;  ///< [mm]
+
+    std::size_t size() const { return static_cast<std::size_t>(n_x) * n_y; }
+    double x(int i) const { return first_x + i * spacing_x; }
+    double y(int j) const { return first_y + j * spacing_y; }
+};
+
 /// A contact at successive instants, as a page plays it: fields on the cells that are ever in
-/// contact, a byte each.
+/// contact, a byte each; beside them the surface around the contact and sections below it.
 struct Film {
     enum Field { pressure, traction_x, traction_y, gap, state, n_fields };
     struct Frame {
@@ -16,25 +27,40 @@ struct Film {
         double shift = 0;     ///< [µm]
         double position = 0;  ///< on the axis of `steps`
         double way = 0;       ///< along the path [mm]
+        double force = 0;     ///< F_T along x [N]
+        double depth = 0;     ///< of the indenter's lowest point, d [µm]
+        double rotation = 0;  ///< of the indenter about the normal, from x towards y [rad]
+        int section = -1;     ///< its place in `von_mises`; none: -1
     };
-    /// Of each step: position on the axis, way along the path [mm], shift [µm].
+    /// Of each step: position on the axis, way along the path [mm], shift [µm], F_T [N].
     struct Step {
-        double position = 0, way = 0, shift = 0;
+        double position = 0, way = 0, shift = 0, force = 0;
     };
 
-    std::string name;                     ///< of the model, for people
-    int style = 0;                        ///< its colour, as in figures
-    int n_x = 0, n_y = 0;                 ///< cells, x fastest
-    double first_x = 0, first_y = 0;      ///< centre of the first cell [mm]
-    double spacing_x = 0, spacing_y = 0;  ///< [mm]
-    std::vector<bool> mask;               ///< cells that are ever in contact
-    /// The largest p, |tau| and gap, in words: what 255, or 127 to either side of 128, stands for.
-    std::string largest_pressure, largest_traction, largest_gap;
+    std::string name;        ///< of the model, for people
+    int style = 0;           ///< its colour, as in figures
+    std::string line;        ///< what a line of cells is made of, "springs"; empty: a surface
+    FilmGrid cells;          ///< of the fields
+    std::vector<bool> mask;  ///< cells that are ever in contact
+    /// The largest p, |tau|, gap and von Mises' stress, in words: what 255, or 127 to either side
+    /// of 128, stands for.
+    std::string largest_pressure, largest_traction, largest_gap, largest_von_mises;
     std::vector<Frame> frames;
     /// Frame after frame, field after field, the masked cells in their order. State: 0 open, 1
     /// stick, 2 slip.
     std::vector<std::uint8_t> bytes;
     std::vector<Step> steps;
+
+    /// Height of the surface over the undeformed one, frame after frame: from `lowest` to `highest`
+    /// [µm] in 65535 steps. Empty without a surface.
+    FilmGrid relief;
+    double lowest = 0, highest = 0;
+    std::vector<std::uint16_t> heights;
+
+    /// Von Mises' stress in the plane of the indenter's y, rows from the surface (y = 0) downwards,
+    /// in 254 steps from 1; 0: not computed there.
+    FilmGrid section;
+    std::vector<std::uint8_t> von_mises;
 };
 
 /// Films of the models of one case, side by side.
@@ -42,6 +68,11 @@ struct Player {
     std::string caption;
     std::string axis;  ///< of the positions: "period n [-]"
     std::vector<Film> films;
+    /// Height of the indenter over its lowest point, at positions from there: up to `highest_body`
+    /// [µm] in 65534 steps; 65535: beyond its rim. Empty where no film has a relief.
+    FilmGrid body;
+    double highest_body = 0;
+    std::vector<std::uint16_t> body_heights;
 };
 
 }  // namespace tricontact::report

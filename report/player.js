@@ -1,15 +1,18 @@
 "use strict";
 // Plays the contact: fields of all models at one instant, and where that is in the shift's history.
 
-(() => {
+(async () => {
 const root = document.getElementById("player");
-const content = JSON.parse(document.getElementById("films").textContent);
 const part = id => document.getElementById("player_" + id);
 const n_fields = 5;  // of film_json(): pressure, tau_x, tau_y, gap, state
 
-function bytes_of(text) {
-    return Uint8Array.from(atob(text), letter => letter.charCodeAt(0));
+// What packed() made, as a buffer of bytes.
+async function unpacked(text) {
+    const bytes = Uint8Array.from(atob(text), letter => letter.charCodeAt(0));
+    return new Response(new Blob([bytes]).stream().pipeThrough(new DecompressionStream("deflate"))).arrayBuffer();
 }
+const bytes_of = async text => new Uint8Array(await unpacked(text));
+const words_of = async text => new Uint16Array(await unpacked(text));
 
 // Light to dark for magnitudes (viridis turned round), two hues about zero (Okabe and Ito), and the
 // three states: safe for colour-blind readers, and told apart by their lightness too.
@@ -24,17 +27,47 @@ function ramp(colours, share) {
 }
 const table = (colours, n = 256) => Array.from({length: n}, (_, i) => ramp(colours, i / (n - 1)));
 const magnitudes = table(ramps.magnitude), signs = table(ramps.sign);
-const states = [null, [60, 66, 72], [213, 150, 60]];  // open, stick, slip
+const states = [null, [70, 86, 120], [213, 150, 60]];  // open, stick, slip
 
-const films = content.films.map(film => {
-    const mask = bytes_of(film.mask), cells = [];
-    for (let k = 0; k < film.n[0] * film.n[1]; ++k) if (mask[k >> 3] >> (k & 7) & 1) cells.push(k);
-    const canvas = root.querySelector(`canvas[data-film="${film.name}"]`);
-    const image = document.createElement("canvas");
-    [image.width, image.height] = film.n;
-    return {...film, cells, bytes: bytes_of(film.bytes), canvas, image,
-            pixels: new ImageData(film.n[0], film.n[1])};
-});
+function element(name, properties = {}, children = []) {
+    const made = Object.assign(document.createElement(name), properties);
+    made.append(...children);
+    return made;
+}
+function picture(label) {
+    const canvas = element("canvas", {width: 320, height: 200, ariaLabel: label});
+    canvas.setAttribute("role", "img");
+    return canvas;
+}
+
+// A film with its bytes, its canvases and the pictures of single pixels that these enlarge.
+async function film_of(film) {
+    const mask = await bytes_of(film.mask), [n_x, n_y] = film.cells.n, cells = [];
+    for (let k = 0; k < n_x * n_y; ++k) if (mask[k >> 3] >> (k & 7) & 1) cells.push(k);
+    const made = {...film, ...film.cells, cells, bytes: await bytes_of(film.bytes),
+                  canvas: root.querySelector(`canvas[data-film="${film.name}"]`),
+                  image: element("canvas", {width: n_x, height: n_y}), pixels: new ImageData(n_x, n_y)};
+    if (film.line)
+        made.canvas.ariaLabel = `Contact of ${film.name}, a line of ${film.line}, at the instant of the slider`;
+    if (film.section) {
+        const [n, m] = film.section.n;
+        const canvas = picture(`Von Mises’ stress below the surface of ${film.name} at the instant of the slider`);
+        canvas.hidden = true;
+        canvas.className = "section";
+        made.canvas.after(canvas);
+        made.section = {...film.section, canvas, bytes: await bytes_of(film.section.bytes),
+                        image: element("canvas", {width: n, height: m}), pixels: new ImageData(n, m)};
+    }
+    if (film.relief) made.relief = {...film.relief, heights: await words_of(film.relief.heights)};
+    return made;
+}
+
+const content = JSON.parse(document.getElementById("films").textContent);
+if (!window.DecompressionStream) {
+    part("label").textContent = "This browser cannot unpack what is played: it has no DecompressionStream.";
+    return;
+}
+const films = await Promise.all(content.films.map(film_of));
 // The film with most instants leads; others show the same instant, or what they have before it.
 const leader = films.reduce((a, b) => (b.frames.length > a.frames.length ? b : a));
 for (const film of films) {
@@ -47,55 +80,139 @@ for (const film of films) {
 }
 
 const colour = name => getComputedStyle(document.documentElement).getPropertyValue("--" + name).trim();
+const minus = text => text.replace("-", "−");
 const palette = root.dataset.colours.split(" ");
-let now = 0, timer = 0;
+let now = 0, timer = 0, scene = null;
 
-function field_of(film, frame, field) {
-    const start = (frame * n_fields + field) * film.cells.length;
-    return film.bytes.subarray(start, start + film.cells.length);
+// The five fields of a frame, on the film's cells.
+function fields_of(film, frame) {
+    return Array.from({length: n_fields}, (_, field) => {
+        const start = (frame * n_fields + field) * film.cells.length;
+        return film.bytes.subarray(start, start + film.cells.length);
+    });
+}
+
+// The colour of the k-th cell in the field that is chosen; null: none.
+function colour_of(shown, [pressure, tau_x, tau_y, gap, state], k) {
+    if (shown === "state") return states[state[k]];
+    if (shown === "gap") return gap[k] ? magnitudes[gap[k]] : null;
+    if (!state[k]) return null;
+    if (shown === "pressure") return magnitudes[pressure[k]];
+    if (shown === "traction_x") return signs[tau_x[k]];
+    return magnitudes[traction(tau_x[k], tau_y[k])];
+}
+const traction = (tau_x, tau_y) => Math.min(255, Math.round(Math.hypot(tau_x - 128, tau_y - 128) * 2));
+
+function set_pixel(pixels, at, rgb) {
+    pixels[at] = rgb[0], pixels[at + 1] = rgb[1], pixels[at + 2] = rgb[2], pixels[at + 3] = 255;
+}
+
+// A pen on the canvas, emptied, as wide as it is shown and of that height over its width.
+function pen_on(canvas, height_ratio) {
+    const ratio = devicePixelRatio || 1, width = Math.round(canvas.clientWidth * ratio);
+    const height = Math.round(width * height_ratio);
+    if (canvas.width !== width || canvas.height !== height) [canvas.width, canvas.height] = [width, height];
+    const pen = canvas.getContext("2d");
+    pen.clearRect(0, 0, width, height);
+    pen.imageSmoothingEnabled = false;
+    return pen;
 }
 
 function paint(film, frame) {
+    if (film.line) paint_line(film, frame);
+    else paint_surface(film, frame);
+    if (film.section) paint_section(film, frame);
+}
+
+function paint_surface(film, frame) {
     const shown = part("field").value, [n_x, n_y] = film.n, pixels = film.pixels.data;
+    const fields = fields_of(film, frame);
     pixels.fill(0);
-    const [pressure, tau_x, tau_y, gap, state] =
-        [0, 1, 2, 3, 4].map(field => field_of(film, frame, field));
-    film.cells.forEach((cell, k) => {
-        let rgb = states[0];
-        if (shown === "state") rgb = states[state[k]];
-        else if (shown === "gap") rgb = gap[k] ? magnitudes[gap[k]] : null;
-        else if (!state[k]) rgb = null;
-        else if (shown === "pressure") rgb = magnitudes[pressure[k]];
-        else if (shown === "traction_x") rgb = signs[tau_x[k]];
-        else rgb = magnitudes[Math.min(255, Math.round(Math.hypot(tau_x[k] - 128, tau_y[k] - 128) * 2))];
-        if (!rgb) return;
-        const column = cell % n_x, row = n_y - 1 - Math.floor(cell / n_x);  // y upwards
-        const at = 4 * (row * n_x + column);
-        pixels[at] = rgb[0], pixels[at + 1] = rgb[1], pixels[at + 2] = rgb[2], pixels[at + 3] = 255;
-    });
+    for (let k = 0; k < film.cells.length; ++k) {
+        const rgb = colour_of(shown, fields, k);
+        if (!rgb) continue;
+        const column = film.cells[k] % n_x, row = n_y - 1 - Math.floor(film.cells[k] / n_x);  // y upwards
+        set_pixel(pixels, 4 * (row * n_x + column), rgb);
+    }
     film.image.getContext("2d").putImageData(film.pixels, 0, 0);
-    const {canvas} = film, ratio = devicePixelRatio || 1;
-    const width = canvas.clientWidth * ratio;
-    const height = width * n_y * film.spacing[1] / (n_x * film.spacing[0]);
-    if (canvas.width !== Math.round(width) || canvas.height !== Math.round(height))
-        [canvas.width, canvas.height] = [Math.round(width), Math.round(height)];
-    const pen = canvas.getContext("2d");
-    pen.clearRect(0, 0, canvas.width, canvas.height);
-    pen.imageSmoothingEnabled = false;
-    pen.drawImage(film.image, 0, 0, canvas.width, canvas.height);
-    const x_of = x => (x - film.first[0] + film.spacing[0] / 2) / (n_x * film.spacing[0]) * canvas.width;
-    const y_of = y => canvas.height - (y - film.first[1] + film.spacing[1] / 2) /
-                                          (n_y * film.spacing[1]) * canvas.height;
-    if (part("arrows").checked) arrows(pen, film, tau_x, tau_y, state, x_of, y_of);
+    const pen = pen_on(film.canvas, n_y * film.spacing[1] / (n_x * film.spacing[0]));
+    const {width, height} = film.canvas;
+    pen.drawImage(film.image, 0, 0, width, height);
+    const x_of = x => (x - film.first[0] + film.spacing[0] / 2) / (n_x * film.spacing[0]) * width;
+    const y_of = y => height - (y - film.first[1] + film.spacing[1] / 2) / (n_y * film.spacing[1]) * height;
+    if (part("arrows").checked) arrows(pen, film, fields, x_of, y_of);
+    pen.strokeStyle = colour("text");
+    pen.lineWidth = 1.5 * (devicePixelRatio || 1);
+    pen.beginPath();
+    pen.arc(x_of(film.frames[frame].x), y_of(film.frames[frame].y), 4 * (devicePixelRatio || 1), 0, 2 * Math.PI);
+    pen.stroke();
+}
+
+// A line of springs or cells: the field as its curve, filled with its colours, over a band of stick
+// and slip.
+function paint_line(film, frame) {
+    const shown = part("field").value, [n_x] = film.n, fields = fields_of(film, frame);
+    const [pressure, tau_x, tau_y, gap, state] = fields;
+    const pen = pen_on(film.canvas, 0.62), {width, height} = film.canvas, ratio = devicePixelRatio || 1;
+    const band = 12 * ratio, bottom = height - 2 * band, top = 8 * ratio;
+    const zero = shown === "traction_x" ? (top + bottom) / 2 : bottom;
+    const share = {gap: k => gap[k] / 255, traction_x: k => (tau_x[k] - 128) / 127,
+                   traction: k => traction(tau_x[k], tau_y[k]) / 255}[shown] ?? (k => pressure[k] / 255);
+    const cell = width / n_x;
+    for (let k = 0; k < film.cells.length; ++k) {
+        const x = film.cells[k] * cell, rgb = colour_of(shown, fields, k);
+        if (state[k]) {
+            pen.fillStyle = `rgb(${states[state[k]]})`;
+            pen.fillRect(x, height - 1.5 * band, cell + 1, band);
+        }
+        if (!rgb) continue;
+        pen.fillStyle = `rgb(${rgb})`;
+        pen.fillRect(x, zero, cell + 1, -share(k) * (zero - top));
+    }
     pen.strokeStyle = colour("text");
     pen.lineWidth = 1.5 * ratio;
     pen.beginPath();
-    pen.arc(x_of(film.frames[frame].x), y_of(film.frames[frame].y), 4 * ratio, 0, 2 * Math.PI);
+    for (let k = 0; k < film.cells.length; ++k)
+        pen[k ? "lineTo" : "moveTo"]((film.cells[k] + 0.5) * cell, zero - share(k) * (zero - top));
+    pen.stroke();
+    pen.lineWidth = ratio;
+    pen.beginPath();
+    pen.moveTo(0, zero), pen.lineTo(width, zero);
+    const x = (film.frames[frame].x - film.first[0] + film.spacing[0] / 2) / (n_x * film.spacing[0]) * width;
+    pen.moveTo(x, zero), pen.lineTo(x, height);
+    pen.stroke();
+}
+
+// Von Mises' stress below the surface, to the scale and under the cells of the surface above it.
+function paint_section(film, frame) {
+    const {section} = film, [n_x, n_y] = section.n, place = film.frames[frame].section;
+    section.canvas.hidden = !part("section")?.checked;
+    if (section.canvas.hidden) return;
+    const pen = pen_on(section.canvas, n_y * section.spacing[1] / (n_x * section.spacing[0]));
+    const {width, height} = section.canvas;
+    if (place === undefined) {
+        pen.fillStyle = colour("soft");
+        pen.font = `${12 * (devicePixelRatio || 1)}px system-ui, sans-serif`;
+        pen.textAlign = "center";
+        pen.fillText("not computed at this instant", width / 2, height / 2);
+        return;
+    }
+    const pixels = section.pixels.data, values = section.bytes.subarray(place * n_x * n_y, (place + 1) * n_x * n_y);
+    pixels.fill(0);
+    for (let k = 0; k < values.length; ++k) if (values[k]) set_pixel(pixels, 4 * k, magnitudes[values[k]]);
+    section.image.getContext("2d").putImageData(section.pixels, 0, 0);
+    pen.imageSmoothingEnabled = true;
+    pen.drawImage(section.image, 0, 0, width, height);
+    const x = (film.frames[frame].x - section.first[0] + section.spacing[0] / 2) / (n_x * section.spacing[0]) * width;
+    pen.strokeStyle = colour("text");
+    pen.lineWidth = 1.5 * (devicePixelRatio || 1);
+    pen.beginPath();
+    pen.arc(x, 0, 4 * (devicePixelRatio || 1), 0, Math.PI);
     pen.stroke();
 }
 
 // Tangential traction on the substrate, on every few cells.
-function arrows(pen, film, tau_x, tau_y, state, x_of, y_of) {
+function arrows(pen, film, [, tau_x, tau_y, , state], x_of, y_of) {
     const [n_x] = film.n, step = Math.max(1, Math.round(Math.max(...film.n) / 14));
     const length = 0.9 * step * pen.canvas.width / n_x / 127;
     pen.strokeStyle = colour("text");
@@ -119,19 +236,21 @@ function arrows(pen, film, tau_x, tau_y, state, x_of, y_of) {
     pen.stroke();
 }
 
-// The shift of all films over `across` ("position" or "way"), and where the instant is.
-function chart(canvas, across) {
-    const ratio = devicePixelRatio || 1, width = canvas.clientWidth * ratio, height = 0.62 * width;
-    if (canvas.width !== Math.round(width)) [canvas.width, canvas.height] = [Math.round(width), Math.round(height)];
-    const pen = canvas.getContext("2d"), inset = 40 * ratio;
-    pen.clearRect(0, 0, canvas.width, canvas.height);
-    const all = key => films.flatMap(film => film[key]);
-    const ends = values => {
-        let low = Infinity, high = -Infinity;
-        for (const value of values) low = Math.min(low, value), high = Math.max(high, value);
-        return high > low ? [low, high] : [low - 1, high + 1];
-    };
-    const [left, right] = ends(all(across)), [low, high] = ends(all("shift"));
+// The least and the largest of a column of all films.
+const spans = {};
+function span_of(key) {
+    if (spans[key]) return spans[key];
+    let low = Infinity, high = -Infinity;
+    for (const film of films)
+        for (const value of film[key]) low = Math.min(low, value), high = Math.max(high, value);
+    return spans[key] = high > low ? [low, high] : [low - 1, high + 1];
+}
+
+// A column over another, of the steps of all films, and where the instant is.
+function chart(canvas) {
+    const {across, up} = canvas.dataset, pen = pen_on(canvas, 0.62);
+    const ratio = devicePixelRatio || 1, inset = 40 * ratio;
+    const [left, right] = span_of(across), [low, high] = span_of(up);
     const x_of = x => inset + (x - left) / (right - left) * (canvas.width - 1.3 * inset);
     const y_of = y => canvas.height - inset - (y - low) / (high - low) * (canvas.height - 1.5 * inset);
     pen.font = `${12 * ratio}px system-ui, sans-serif`;
@@ -139,7 +258,7 @@ function chart(canvas, across) {
     pen.lineWidth = ratio;
     pen.strokeRect(inset, 0.5 * inset, canvas.width - 1.3 * inset, canvas.height - 1.5 * inset);
     // Rounding beside a range is zero.
-    const number = (value, range) => (Math.abs(value) < 1e-6 * range ? "0" : Number(value.toPrecision(3)).toString().replace("-", "−"));
+    const number = (value, range) => (Math.abs(value) < 1e-6 * range ? "0" : minus(Number(value.toPrecision(3)).toString()));
     pen.textAlign = "center";
     for (const x of [left, right]) pen.fillText(number(x, right - left), x_of(x), canvas.height - 0.6 * inset);
     pen.fillText(canvas.dataset.label, canvas.width / 2, canvas.height - 0.2 * inset);
@@ -149,31 +268,37 @@ function chart(canvas, across) {
         pen.strokeStyle = pen.fillStyle = palette[film.style % palette.length];
         pen.lineWidth = 1.5 * ratio;
         pen.beginPath();
-        film.shift.forEach((shift, k) => pen[k ? "lineTo" : "moveTo"](x_of(film[across][k]), y_of(shift)));
+        film[up].forEach((value, k) => pen[k ? "lineTo" : "moveTo"](x_of(film[across][k]), y_of(value)));
         pen.stroke();
         const frame = film.frames[film.follows[now]];
         pen.beginPath();
-        pen.arc(x_of(frame[across]), y_of(frame.shift), 4.5 * ratio, 0, 2 * Math.PI);
+        pen.arc(x_of(frame[across]), y_of(frame[up]), 4.5 * ratio, 0, 2 * Math.PI);
         pen.fill();
     });
 }
+
+// What the largest colour of the film stands for.
+function scale_of(film) {
+    const field = part("field").value;
+    const largest = {pressure: film.largest[0], traction: film.largest[1], traction_x: film.largest[1],
+                     gap: film.largest[2]}[field];
+    let words = film.line ? `, along its ${film.line}` : "";
+    if (largest) words += `: up to ${field === "traction_x" ? "± " : ""}${largest}`;
+    if (film.section && part("section")?.checked) words += `; below: von Mises’ stress up to ${film.largest[3]}`;
+    return words;
+}
+
 function show(frame) {
     now = frame;
     const {label, x, y} = leader.frames[frame];
     part("scrub").value = frame;
-    const words = `${label}, indenter at ${x.toFixed(2).replace("-", "−")}, ${y.toFixed(2).replace("-", "−")} mm`;
+    const words = `${label}, indenter at ${minus(x.toFixed(2))}, ${minus(y.toFixed(2))} mm`;
     part("label").textContent = words;
     part("scrub").setAttribute("aria-valuetext", words);
     for (const film of films) paint(film, film.follows[frame]);
-    chart(part("history"), "position");
-    chart(part("loop"), "way");
-    const field = part("field").value;
-    films.forEach((film, i) => {
-        const largest = {pressure: film.largest[0], traction: film.largest[1], traction_x: film.largest[1],
-                         gap: film.largest[2]}[field];
-        document.getElementById("player_of_" + i).textContent =
-            field === "state" ? "" : ` up to ${field === "traction_x" ? "± " : ""}${largest}`;
-    });
+    for (const id of ["history", "loop", "force"]) chart(part(id));
+    films.forEach((film, i) => { part("of_" + i).textContent = scale_of(film); });
+    scene?.show(now);
 }
 
 function pause() {
@@ -188,6 +313,45 @@ function play() {
     part("play").setAttribute("aria-pressed", "true");
     timer = setInterval(() => show((now + 1) % leader.frames.length), 1000 / Number(part("speed").value));
 }
+
+// Instants of the leader at which some film has a section.
+const with_section = leader.frames.map((_, k) => k)
+    .filter(k => films.some(film => film.section && film.frames[film.follows[k]].section !== undefined));
+if (with_section.length) {
+    const box = element("input", {type: "checkbox", id: "player_section"});
+    box.addEventListener("change", () => {
+        pause();
+        // The nearest instant that has one.
+        const nearest = with_section.reduce((a, b) => (Math.abs(b - now) < Math.abs(a - now) ? b : a));
+        show(box.checked ? nearest : now);
+    });
+    part("arrows").closest("label").after(element("label", {}, [box, " section"]));
+}
+
+// The view in three dimensions: its library is unpacked and run when it is opened first.
+async function open_scene() {
+    pause();
+    const script = element("script", {textContent: new TextDecoder().decode(
+        await unpacked(document.getElementById("scene_library").textContent))});
+    document.head.append(script);
+    return contact_scene({place: part("scene"), films: films.filter(film => film.relief),
+                          body: {...content.body, heights: await words_of(content.body.heights)},
+                          colour, element, redraw: () => show(now)});
+}
+part("open_scene")?.addEventListener("click", async () => {
+    if (!part("scene").hidden) {
+        part("scene").hidden = true;
+    } else {
+        part("scene").hidden = false;
+        try {
+            scene ??= await open_scene();
+        } catch (error) {
+            part("scene").textContent = `This browser draws nothing in three dimensions: ${error.message}`;
+        }
+        show(now);
+    }
+    part("open_scene").setAttribute("aria-expanded", !part("scene").hidden);
+});
 
 part("scrub").max = leader.frames.length - 1;
 part("scrub").addEventListener("input", event => { pause(); show(Number(event.target.value)); });

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "report/base64.h"
+#include "report/packed.h"
 
 namespace tricontact::report {
 
@@ -14,11 +14,26 @@ namespace {
 
 using json = nlohmann::ordered_json;
 
-std::string packed(const std::vector<bool>& mask) {
+std::string packed_bits(const std::vector<bool>& mask) {
     std::string bytes((mask.size() + 7) / 8, '\0');
     for (std::size_t i = 0; i < mask.size(); ++i)
         if (mask[i]) bytes[i / 8] = static_cast<char>(bytes[i / 8] | (1 << (i % 8)));
-    return base64(bytes);
+    return packed(bytes);
+}
+
+std::string packed_bytes(const std::vector<std::uint8_t>& bytes) {
+    return packed({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+}
+
+/// The lower byte first, as JavaScript's arrays on all machines of today.
+std::string packed_words(const std::vector<std::uint16_t>& words) {
+    std::string bytes;
+    bytes.reserve(2 * words.size());
+    for (const std::uint16_t word : words) {
+        bytes.push_back(static_cast<char>(word & 255));
+        bytes.push_back(static_cast<char>(word >> 8));
+    }
+    return packed(bytes);
 }
 
 /// To seven digits: more than a picture has.
@@ -26,34 +41,60 @@ double rounded(double value) {
     return std::isfinite(value) ? std::stod(fmt::format("{:.7g}", value)) : 0;
 }
 
+json grid_json(const FilmGrid& grid) {
+    return {{"n", {grid.n_x, grid.n_y}},
+            {"first", {rounded(grid.first_x), rounded(grid.first_y)}},
+            {"spacing", {rounded(grid.spacing_x), rounded(grid.spacing_y)}}};
+}
+
+json frame_json(const Film::Frame& f) {
+    json frame{{"label", f.label},
+               {"x", rounded(f.x)},
+               {"y", rounded(f.y)},
+               {"shift", rounded(f.shift)},
+               {"position", rounded(f.position)},
+               {"way", rounded(f.way)},
+               {"force", rounded(f.force)},
+               {"depth", rounded(f.depth)}};
+    if (f.rotation != 0) frame["rotation"] = rounded(f.rotation);
+    if (f.section >= 0) frame["section"] = f.section;
+    return frame;
+}
+
 json film_json(const Film& film) {
     json frames = json::array(), position = json::array(), way = json::array(),
-         shift = json::array();
-    for (const Film::Frame& f : film.frames)
-        frames.push_back({{"label", f.label},
-                          {"x", rounded(f.x)},
-                          {"y", rounded(f.y)},
-                          {"shift", rounded(f.shift)},
-                          {"position", rounded(f.position)},
-                          {"way", rounded(f.way)}});
+         shift = json::array(), force = json::array();
+    for (const Film::Frame& frame : film.frames) frames.push_back(frame_json(frame));
     for (const Film::Step& s : film.steps) {
         position.push_back(rounded(s.position));
         way.push_back(rounded(s.way));
         shift.push_back(rounded(s.shift));
+        force.push_back(rounded(s.force));
     }
-    return {
+    json result{
         {"name", film.name},
         {"style", film.style},
-        {"n", {film.n_x, film.n_y}},
-        {"first", {rounded(film.first_x), rounded(film.first_y)}},
-        {"spacing", {rounded(film.spacing_x), rounded(film.spacing_y)}},
-        {"mask", packed(film.mask)},
-        {"largest", {film.largest_pressure, film.largest_traction, film.largest_gap}},
+        {"line", film.line},
+        {"cells", grid_json(film.cells)},
+        {"mask", packed_bits(film.mask)},
+        {"largest",
+         {film.largest_pressure, film.largest_traction, film.largest_gap, film.largest_von_mises}},
         {"frames", frames},
-        {"bytes", base64({reinterpret_cast<const char*>(film.bytes.data()), film.bytes.size()})},
+        {"bytes", packed_bytes(film.bytes)},
         {"position", position},
         {"way", way},
-        {"shift", shift}};
+        {"shift", shift},
+        {"force", force}};
+    if (!film.heights.empty()) {
+        result["relief"] = grid_json(film.relief);
+        result["relief"]["range"] = {rounded(film.lowest), rounded(film.highest)};
+        result["relief"]["heights"] = packed_words(film.heights);
+    }
+    if (!film.von_mises.empty()) {
+        result["section"] = grid_json(film.section);
+        result["section"]["bytes"] = packed_bytes(film.von_mises);
+    }
+    return result;
 }
 
 }  // namespace
@@ -61,7 +102,13 @@ json film_json(const Film& film) {
 json player_json(const Player& player) {
     json films = json::array();
     for (const Film& film : player.films) films.push_back(film_json(film));
-    return {{"axis", player.axis}, {"films", films}};
+    json result{{"axis", player.axis}, {"films", films}};
+    if (!player.body_heights.empty()) {
+        result["body"] = grid_json(player.body);
+        result["body"]["highest"] = rounded(player.highest_body);
+        result["body"]["heights"] = packed_words(player.body_heights);
+    }
+    return result;
 }
 
 }  // namespace tricontact::report

@@ -6,7 +6,8 @@
 
 namespace tricontact::report {
 
-/// What player.js plays. Bytes as base64, the mask eight cells to a byte, the lowest bit first.
+/// What player.js plays. Bytes as packed(), the mask eight cells to a byte, the lowest
+/// bit first.
 nlohmann::ordered_json player_json(const Player& player);
 
 }  // namespace tricontact::report

@@ -65,16 +65,66 @@ async function check_marker(expect, settle) {
     }
 }
 
+// Some real time: pages unpack beside their clock, which is a virtual one here.
+const a_while = () => new Response(
+    new Blob(["x".repeat(1e6)]).stream().pipeThrough(new CompressionStream("deflate"))).arrayBuffer();
+
+// The view in three dimensions: another picture at another instant and from another side, or a sentence where there
+// is no WebGL.
+async function check_scene(expect, settle) {
+    const part = id => document.getElementById("player_" + id);
+    if (!part("open_scene")) return;
+    expect(!window.contact_scene, "the library of three dimensions runs before it is asked for");
+    part("open_scene").click();
+    for (let i = 0; i < 1000 && !part("scene").textContent; ++i)
+        await a_while();
+    const canvas = part("scene").querySelector("canvas");
+    if (canvas) {
+        const first = canvas.toDataURL();
+        canvas.dispatchEvent(new KeyboardEvent("keydown", {key: "ArrowLeft", bubbles: true}));
+        const turned = canvas.toDataURL();
+        expect(turned !== first, "the view does not turn by keys");
+        part("scrub").value = 0;
+        part("scrub").dispatchEvent(new Event("input"));
+        expect(canvas.toDataURL() !== turned, "the view does not follow the slider");
+        expect(canvas.ariaLabel, "the view has no text for readers who cannot see it");
+    } else {
+        expect(/WebGL/.test(part("scene").textContent), "no view, and no word why");
+    }
+    expect(document.documentElement.scrollWidth <= innerWidth, "the view is wider than the page");
+    part("open_scene").click();
+    expect(part("scene").hidden, "the view cannot be closed");
+}
+
+// How long an instant takes, in real time: told on the console, for check_report.sh.
+async function measure_player() {
+    const part = id => document.getElementById("player_" + id);
+    while (part("controls").hidden) await new Promise(resolve => setTimeout(resolve, 20));
+    const ready = performance.now(), n = Number(part("scrub").max) + 1, n_drawn = 3 * n;
+    for (let k = 0; k < n_drawn; ++k) {
+        part("scrub").value = k % n;
+        part("scrub").dispatchEvent(new Event("input"));
+        // What the canvas was told is done by the time that a pixel is asked for.
+        document.querySelector("#player canvas").getContext("2d").getImageData(0, 0, 1, 1);
+    }
+    const each = (performance.now() - ready) / n_drawn;
+    console.log(`player: ready after ${ready.toFixed(0)} ms, ${each.toFixed(2)} ms per instant of ` +
+                `${document.querySelectorAll("#player canvas[data-film]").length} models`);
+}
+
 // A page that plays a contact: each instant is painted, the slider, the space bar and the button move
 // it, each field is another picture.
 async function check_player(expect, settle) {
     const part = id => document.getElementById("player_" + id);
     if (!document.getElementById("player")) return;
-    const canvases = [...document.querySelectorAll("#player canvas")];
+    const canvases = [...document.querySelectorAll("#player canvas:not(.section)")];
     const seen = () => canvases.map(canvas => canvas.toDataURL());
+    const copy = document.createElement("canvas");  // one that is made to be read
     const painted = canvas => {
-        const pixels = canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height).data;
-        return pixels.some(value => value > 0);
+        [copy.width, copy.height] = [canvas.width, canvas.height];
+        const pen = copy.getContext("2d", {willReadFrequently: true});
+        pen.drawImage(canvas, 0, 0);
+        return pen.getImageData(0, 0, copy.width, copy.height).data.some(value => value > 0);
     };
     expect(!part("controls").hidden, "the player has no controls");
     for (const canvas of canvases) expect(painted(canvas), `the canvas ${canvas.ariaLabel} is empty`);
@@ -97,6 +147,14 @@ async function check_player(expect, settle) {
         pictures.add(canvases[0].toDataURL());
     }
     expect(pictures.size === part("field").options.length, "two fields are one picture");
+    if (part("section")) {
+        part("section").click();
+        const sections = [...document.querySelectorAll("#player canvas.section")];
+        expect(sections.some(canvas => !canvas.hidden && painted(canvas)), "no section is painted");
+        part("section").click();
+        expect(sections.every(canvas => canvas.hidden), "sections cannot be closed");
+    }
+    await check_scene(expect, settle);
     to(0);
     part("play").click();
     for (let i = 0; i < 20 && part("scrub").value === "0"; ++i) await settle();
@@ -195,11 +253,15 @@ async function check_atlas(expect, settle) {
 }
 
 addEventListener("load", async () => {
+    if (location.hash === "#measure") return measure_player();
     const complaints = [];
     const expect = (right, complaint) => right || complaints.push(complaint);
     const all = (selector, root = document) => [...root.querySelectorAll(selector)];
     const settle = () => new Promise(resolve => setTimeout(resolve, 500));
     await settle();
+    const controls = document.getElementById("player_controls");
+    for (let i = 0; i < 1000 && controls?.hidden; ++i)
+        await a_while();
 
     const page = document.documentElement;
     expect(page.scrollWidth <= innerWidth, `page is ${page.scrollWidth} px wide`);

@@ -130,6 +130,7 @@ Command limit_command();
 Command verify_command();
 Command walk_command();
 Command roll_command();
+Command animate_command();
 Command sweep_command();
 Command atlas_command();
 Command predict_command();

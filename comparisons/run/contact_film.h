@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "comparisons/quantities/resample.h"
+#include "comparisons/run/film_shots.h"
 #include "contact/run.h"
 #include "report/player.h"
 
@@ -18,29 +19,27 @@ class ContactFilm {
     /// After each step.
     void add(const contact::StepRecord& record, const contact::Model& model,
              const contact::Progress& progress);
+    /// A section through the inside in the state after `step` steps.
+    void add_section(const contact::Subsurface& section, int step);
 
-    /// With all steps of the finished run. Empty: fewer than two instants, lines of springs or of
-    /// cells, grids of more points than a page shows. `style`: the model's place in its case.
+    /// With all steps of the finished run. Empty: fewer than two instants, nothing that ever
+    /// touches, grids of more points than a page shows. `style`: the model's place in its case.
     std::optional<report::Film> film(const contact::History& history, int style) const;
 
   private:
-    struct Shot {
-        contact::StepRecord record;
-        contact::Surface surface;  ///< a grid, of fields that are played
-    };
-
-    void keep(std::vector<Shot>& shots, const contact::StepRecord& record,
-              const contact::Model& model);
+    std::optional<Shot> shot_of(const contact::StepRecord& record, const contact::Model& model,
+                                const contact::Progress& progress);
+    void keep(ShotRow& row, const contact::StepRecord& record, const contact::Model& model,
+              const contact::Progress& progress);
     std::vector<const Shot*> chosen() const;
 
     bool is_path_ = false;
     double direction_ = 0;  // of the path [rad]
     std::optional<Shot> pressed_, loaded_;
-    std::vector<Shot> first_, recent_;
+    ShotRow first_, recent_;
     std::optional<Resampling> resampling_;
     double recent_period_ = 0;
-    std::size_t every_ = 1, n_seen_ = 0;  // of a path's steps
-    bool is_playable_ = true;
+    bool is_playable_ = true, is_springs_ = false;
 };
 
 /// The films of a case's models. Empty without any.

@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "bem/model.h"
 #include "contact/run.h"
 #include "mdr/model.h"
+#include "report/player_json.h"
 
 namespace tricontact::comparisons {
 namespace {
@@ -81,11 +83,10 @@ TEST(ContactFilm, BytesAreTheSurface) {
     const auto* frame = film.bytes.data() + film.bytes.size() - n_cells * report::Film::n_fields;
     const double pressure = std::ranges::max(s.normal_traction);
     std::size_t k = 0, n_slip = 0;
-    for (int j = 0; j < film.n_y; ++j)
-        for (int i = 0; i < film.n_x; ++i) {
-            if (!film.mask[static_cast<std::size_t>(j * film.n_x + i)]) continue;
-            const double x = 1e-3 * (film.first_x + i * film.spacing_x),
-                         y = 1e-3 * (film.first_y + j * film.spacing_y);
+    for (int j = 0; j < film.cells.n_y; ++j)
+        for (int i = 0; i < film.cells.n_x; ++i) {
+            if (!film.mask[static_cast<std::size_t>(j * film.cells.n_x + i)]) continue;
+            const double x = 1e-3 * film.cells.x(i), y = 1e-3 * film.cells.y(j);
             const auto cell =
                 static_cast<std::size_t>(std::lround((y - s.first[1]) / s.spacing[1])) * s.n_x +
                 static_cast<std::size_t>(std::lround((x - s.first[0]) / s.spacing[0]));
@@ -105,32 +106,141 @@ TEST(ContactFilm, BytesAreTheSurface) {
     EXPECT_LE(static_cast<std::size_t>(touching), n_cells);
 }
 
-// Springs of MDR are a line: there is no surface to be played.
-TEST(ContactFilm, LinesHaveNone) {
+// Springs of MDR are a line along the path, also where that is at an angle to x: as many springs as
+// stick in the last state say so, and the largest pressure is that of the model's own scale.
+TEST(ContactFilm, LinesOfSprings) {
     contact::Case c = rolling_case();
     c.models = {"mdr"};
     c.mdr.springs = 200;
+    c.rolling->angle = .5;
+    const auto model = mdr::make_model(c);
+    ContactFilm film(c);
+    std::size_t n_stick = 0;
+    const auto history =
+        contact::run(c, *model, [&](const auto& record, auto& state, const auto& progress) {
+            film.add(record, state, progress);
+            n_stick = static_cast<std::size_t>(
+                std::ranges::count(state.contact_states(), ContactState::stick));
+        });
+    const auto line = film.film(history, 0);
+    ASSERT_TRUE(line);
+    EXPECT_EQ(line->line, "springs");
+    EXPECT_EQ(line->cells.n_y, 1);
+    EXPECT_TRUE(line->heights.empty());
+    const auto n_cells = static_cast<std::size_t>(std::ranges::count(line->mask, true));
+    const auto states = std::span(line->bytes).last(n_cells);
+    ASSERT_GT(n_stick, 0u);
+    EXPECT_EQ(static_cast<std::size_t>(std::ranges::count(states, 1)), n_stick);
+    EXPECT_NEAR(line->frames[3].x, 1e3 * history.amplitude, 1e-9);  // a turning point
+    EXPECT_EQ(line->frames[3].y, 0);
+    const auto player = player_of(c, {*line});
+    ASSERT_TRUE(player);
+    EXPECT_NE(player->caption.find("springs"), std::string::npos);
+    EXPECT_TRUE(player->body_heights.empty());
+    EXPECT_FALSE(player_of(c, {}));
+}
+
+// Under the indenter, where nothing is open, the surface has its shape: height of the surface = h -
+// d, to the steps in which both are kept (a spacing of both grids aside, h is taken exactly).
+TEST(ContactFilm, TheSurfaceFollowsTheIndenter) {
+    const report::Film& film = *rolled().film;
+    const contact::Case c = rolling_case();
+    const report::Player player = *player_of(c, {film});
+    const report::Film::Frame& last = film.frames.back();
+    const std::size_t start = (film.frames.size() - 1) * film.relief.size();
+    const double step = (film.highest - film.lowest) / 65535;
+    std::size_t n_touching = 0;
+    for (int j = 0; j < film.relief.n_y; ++j)
+        for (int i = 0; i < film.relief.n_x; ++i) {
+            const double x = film.relief.x(i) - last.x, y = film.relief.y(j) - last.y;  // [mm]
+            const double height =
+                film.lowest + step * film.heights[start + j * film.relief.n_x + i];  // [um]
+            const double body = 1e3 * (x * x + y * y) / (2 * 40) - last.depth;
+            // The body is never below the surface; 1e-4 of the depth: the solver's tolerance.
+            EXPECT_GT(body, height - 2 * step - 1e-4 * last.depth);
+            n_touching += std::abs(body - height) < 2 * step + 1e-4 * last.depth;
+        }
+    const auto touching =
+        std::ranges::count_if(rolled().last.contact_state,
+                              [](ContactState state) { return state != ContactState::open; });
+    const double share = film.relief.spacing_x / (1e3 * rolled().last.spacing[0]);
+    EXPECT_NEAR(n_touching * share * share, touching, .1 * touching);  // the edge, by whole cells
+    // The indenter: a paraboloid up to the corner.
+    EXPECT_NEAR(player.highest_body, 1e3 * (player.body.first_x * player.body.first_x) / 40,
+                1e-6 * player.highest_body);
+    EXPECT_EQ(player.body_heights.front(), 65534);
+}
+
+// A stress field that is known, sigma_z = 1e5 Pa + 1e7 Pa/m * x + 2e7 Pa/m * depth alone, is its
+// own von Mises stress; the largest is in the deepest right corner of the picture.
+TEST(ContactFilm, SectionsAreTheStresses) {
+    const contact::Case c = rolling_case();
+    const auto model = bem::make_model(c, 1);
+    ContactFilm film(c);
+    contact::Subsurface section;
+    for (int i = -30; i <= 30; ++i) section.x.push_back(1e-3 * i);
+    for (int k = 0; k <= 10; ++k) section.z.push_back(-1e-3 * (10 - k) * (10 - k) / 5);
+    const auto stress = [](double x, double depth) { return 1e6 + 1e7 * x + 2e7 * depth; };
+    for (const double z : section.z)
+        for (const double x : section.x) section.stress.push_back({0, 0, stress(x, -z), 0, 0, 0});
+    const auto history =
+        contact::run(c, *model, [&](const auto& record, auto& state, const auto& progress) {
+            film.add(record, state, progress);
+            if (record.phase == 3) film.add_section(section, progress.step);
+        });
+    const report::Film made = *film.film(history, 0);
+    EXPECT_EQ(made.frames.back().section, 0);
+    EXPECT_EQ(made.frames.front().section, -1);
+    ASSERT_EQ(made.von_mises.size(), made.section.size());
+    // As wide as the surface's picture, no deeper than wide, and no deeper than what is known.
+    EXPECT_NEAR(made.section.n_x * made.section.spacing_x, made.cells.n_x * made.cells.spacing_x,
+                1e-9);
+    const auto value = [&](int i, int j) {
+        return stress(1e-3 * made.section.x(i) - history.steps.back().offset[0],
+                      1e-3 * made.section.y(j));
+    };
+    const double largest = value(made.section.n_x - 1, made.section.n_y - 1);
+    for (int j = 0; j < made.section.n_y; j += 7)
+        for (int i = 0; i < made.section.n_x; i += 7)
+            EXPECT_NEAR(made.von_mises[j * made.section.n_x + i], 1 + 254 * value(i, j) / largest,
+                        .51)
+                << i << ' ' << j;
+}
+
+// However many steps a period has, what is kept of it is bounded; turning points and the ends of
+// periods stay.
+TEST(ContactFilm, LongPeriodsAreThinned) {
+    contact::Case c = rolling_case();
+    c.models = {"mdr"};
+    c.mdr.springs = 60;
+    c.rolling->steps_per_quarter = 75;
     const auto model = mdr::make_model(c);
     ContactFilm film(c);
     const auto history =
         contact::run(c, *model, [&](const auto& record, auto& state, const auto& progress) {
             film.add(record, state, progress);
         });
-    EXPECT_FALSE(film.film(history, 0));
-    EXPECT_FALSE(player_of(c, {}));
+    const auto line = film.film(history, 0);
+    ASSERT_TRUE(line);
+    EXPECT_LE(line->frames.size(), 60u);
+    for (const char* label : {"n = 0.25", "n = 0.75", "n = 1", "n = 2.25", "n = 3"})
+        EXPECT_TRUE(std::ranges::any_of(line->frames, [&](const report::Film::Frame& frame) {
+            return frame.label == label;
+        })) << label;
 }
 
-// Fine grids and long paths stay below the size of a page: 600 kB a model.
+// Fine grids and long paths stay below the size of a page: 600 kB a model, five in 3 MB.
 TEST(ContactFilm, StaysSmall) {
     contact::Case c = rolling_case();
-    c.bem.cells_per_radius = 44;  // more than 96 across
+    c.bem.cells_per_radius = 40;  // more than 96 across
     c.rolling->periods = 1;
-    c.rolling->steps_per_quarter = 6;
+    c.rolling->steps_per_quarter = 1;
     const Played fine = played(c);
     ASSERT_TRUE(fine.film);
-    EXPECT_LE(fine.film->bytes.size(), 600'000u);
-    EXPECT_LE(std::max(fine.film->n_x, fine.film->n_y), 96);
-    EXPECT_EQ(fine.film->frames.back().label, "n = 1");
+    const report::Film& film = *fine.film;
+    EXPECT_LE(report::player_json(*player_of(c, {film}))["films"][0].dump().size(), 620'000u);
+    EXPECT_LE(std::max(film.cells.n_x, film.cells.n_y), 96);
+    EXPECT_EQ(film.frames.back().label, "n = 1");
 }
 
 }  // namespace
