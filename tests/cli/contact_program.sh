@@ -56,6 +56,18 @@ done
 awk -v a="$(last_shift run_ball)" -v b="$(last_shift run_back)" 'BEGIN { exit !(a > 0.1 && (a / b - 1) ^ 2 < 1e-16) }' ||
     complain "shifts $(last_shift run_ball) and $(last_shift run_back)"
 
+# A body by its heights comes back as such: the same shift, but for the map's bilinear parts.
+sed '/^\[rolling\]/,/^steps/d; s/^models.*/&/' ball.toml >still.toml
+"$program" export still.toml --set indenter.shape=sphere --output still >/dev/null || complain "export of a sphere"
+sed '/^% Case of Tricontact/,$d' still/still.inp >still/plain.inp
+"$program" import still/plain.inp --output map >told.txt || complain "import of heights: $(cat told.txt)"
+grep -q '^shape = "height-map"' map/plain.toml || complain "heights are no map"
+"$program" run map/plain.toml --output run_map --quiet --no-report || complain "run of a height map"
+"$program" run still.toml --set indenter.shape=sphere --output run_still --quiet --no-report || complain "run of a sphere"
+awk -v a="$(shift_of run_still/bem)" -v b="$(shift_of run_map/bem)" \
+    'BEGIN { exit !(a > 0 && (a / b - 1) ^ 2 < 1e-8) }' ||
+    complain "shifts $(shift_of run_still/bem) and $(shift_of run_map/bem)"
+
 # 2. The layer: coefficients beside the input, its own at zero positive, as many lines as it says.
 "$program" export ball.toml --model bem-layer --output layer >/dev/null || complain "export of the layer"
 grep -q "^ 'ball.influence' " layer/ball.inp || complain "the file of coefficients is not named"
