@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include "io/contact_program/case_parts.h"
 #include "io/contact_program/program_case.h"
 #include "io/keys/messages.h"
 
@@ -47,7 +48,12 @@ class KnownCase {
         if (body.planform != 1)
             refuse(body.line, fmt::format("IPLAN = {}", body.planform),
                    "no planform is cut out of the cells", "give 1");
-        if (body.heights) return;
+        if (body.heights) {
+            if (!is_close(one_.spacing[0], one_.spacing[1]))
+                refuse(one_.cells_line, "DX, DY", "heights stand on squares here",
+                       "give the same size, or a quadratic body by IBASE = 1");
+            return;
+        }
         if (one_.is_hertzian && body.curvature[0] == 0)
             refuse(one_.cells_line, "IPOTCN = -6", "there are no contacts of half ellipses",
                    "give the cells by 1 and the body by IBASE");
