@@ -18,6 +18,7 @@ namespace {
 constexpr std::size_t longest_in_message = 40;
 
 std::string quoted(std::string_view word) {
+    if (first_non_utf8(word) != std::string_view::npos) return "what stands there";
     return fmt::format("\"{}\"", one_line(shortened(word, longest_in_message)));
 }
 

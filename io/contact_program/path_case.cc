@@ -31,7 +31,12 @@ class PathReading {
                 refuse(one.digits.line, "T = 0", "only the first case presses without friction",
                        "give T = 1");
         by_force_ = head().digits.normal == 1;
-        for (const int axis : {0, 1}) kind_[axis] = kind_along(axis);
+        turns_ =
+            std::ranges::any_of(steps, [](const ProgramCase& one) { return one.rotation != 0; });
+        for (const int axis : {0, 1}) {
+            moves_[axis] = moves(axis);
+            kind_[axis] = kind_along(axis);
+        }
     }
 
     std::string text(const std::string& heading) const {
@@ -43,9 +48,9 @@ class PathReading {
             if (kind_[axis] == Kind::force)
                 table += fmt::format(", tangential_force_{} [N]", letter);
             if (kind_[axis] == Kind::shift) table += fmt::format(", shift_{} [mm]", letter);
-            if (moves(axis)) table += fmt::format(", offset_{} [mm]", letter);
+            if (moves_[axis]) table += fmt::format(", offset_{} [mm]", letter);
         }
-        if (turns()) table += ", rotation [rad]";
+        if (turns_) table += ", rotation [rad]";
         table += "\n";
         const bool frictionless = head().digits.tangential == 0;
         table += row(head(), 0, {}, 0, depth, !frictionless);
@@ -78,11 +83,6 @@ class PathReading {
         });
     }
 
-    bool turns() const {
-        return std::ranges::any_of(steps_,
-                                   [](const ProgramCase& one) { return one.rotation != 0; });
-    }
-
     /// Forces or shifts along an axis. No shift stands for no force where all is symmetric: while
     /// the indenter is pressed, and along y.
     Kind kind_along(int axis) const {
@@ -101,7 +101,7 @@ class PathReading {
                    "prescribes a shift where other cases of the sequence have a force",
                    "keep F, or begin another sequence by P = 2");
         if (force) return Kind::force;
-        return shift || (held && moves(0)) ? Kind::shift : Kind::none;
+        return shift || (held && moves_[0]) ? Kind::shift : Kind::none;
     }
 
     /// Of the first case's force, where others prescribe a depth [m].
@@ -138,10 +138,10 @@ class PathReading {
                 text += fmt::format(", {}", unsigned_zero(share * force(one, axis, load)));
             if (kind_[axis] == Kind::shift)
                 text += fmt::format(", {}", unsigned_zero(share * 1e3 * shift[axis]));
-            if (moves(axis))
+            if (moves_[axis])
                 text += fmt::format(", {}", unsigned_zero(1e3 * one.distance.offset[axis]));
         }
-        if (turns()) text += fmt::format(", {}", unsigned_zero(share * rotation));
+        if (turns_) text += fmt::format(", {}", unsigned_zero(share * rotation));
         return text + "\n";
     }
 
@@ -156,7 +156,8 @@ class PathReading {
 
     ProgramSequence steps_;
     const std::string& name_;
-    bool by_force_ = false;
+    bool by_force_ = false, turns_ = false;
+    bool moves_[2] = {};
     Kind kind_[2] = {};
 };
 
