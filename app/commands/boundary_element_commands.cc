@@ -3,11 +3,11 @@
 
 #include "app/commands/command.h"
 #include "app/roll_models.h"
+#include "bem/contact_program_influence.h"
 #include "bem/grid_compliance.h"
-#include "bem/influence_file.h"
 #include "bem/model.h"
 #include "io/contact_program/sequence.h"
-#include "io/keys/input_file.h"
+#include "io/contact_program/written_case.h"
 
 namespace tricontact::app {
 
@@ -89,8 +89,10 @@ void export_to_contact_program(BoundaryElementOptions options) {
         const contact::ContactPoints& grid = compliance->points();
         const bool coupled = compliance->is_coupled();
         influence = influence_of(read, *compliance, options.threads);
-        input = io::sequence_text(c, grid, coupled,
-                                  influence ? std::optional(influence_name) : std::nullopt);
+        input = io::with_written_case(
+            io::sequence_text(c, grid, coupled,
+                              influence ? std::optional(influence_name) : std::nullopt),
+            io::write_case(c));
         found = fmt::format("cases of CONTACT     {}\ncells                {} x {}\n",
                             io::sequence_of(c, coupled).size(), grid.n_x, grid.n_y);
     };
@@ -102,23 +104,6 @@ void export_to_contact_program(BoundaryElementOptions options) {
     std::cout << fmt::format("model                {}\n{}written              {}/{}.inp{}\n",
                              read.model, found, options.output, name,
                              influence ? ", " + influence_name : "");
-}
-
-constexpr std::size_t largest_input_mb = 100;
-
-/// Writes the case whose steps an input file of CONTACT has.
-void import_case(const CommandOptions& options) {
-    io::refuse_toml(options.file);
-    const io::ImportedCase imported = io::case_of_sequence(
-        io::read_input_file(options.file, "input file of CONTACT", largest_input_mb), options.file,
-        bem::is_coupled);
-    io::check_output_file(options.output, io::imported_case_beginning);
-    io::write_file(options.output, imported.text);
-    std::cout << fmt::format("steps                {}\n", imported.n_steps);
-    if (imported.left_out > 0)
-        std::cout << fmt::format("left out             {} normal problems ahead of them\n",
-                                 imported.left_out);
-    std::cout << fmt::format("written              {}\n", options.output);
 }
 
 }  // namespace
@@ -141,13 +126,6 @@ Command export_command() {
         .word("--model", &BoundaryElementOptions::model, "Model (the one of the case)",
               {"bem", "bem-layer"})
         .threads();
-}
-
-Command import_command() {
-    return Declared<CommandOptions>("import", "Write the case of an input file of CONTACT",
-                                    import_case)
-        .on_file("input", "Input file of CONTACT, module 3", "FILE.inp")
-        .required("--output", &CommandOptions::output, "The case file", "CASE.toml");
 }
 
 }  // namespace tricontact::app

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <numbers>
 #include <optional>
 
 #include "io/keys/messages.h"
@@ -17,14 +18,23 @@ namespace {
 constexpr std::size_t longest_in_message = 40;
 
 std::string quoted(std::string_view word) {
+    if (first_non_utf8(word) != std::string_view::npos) return "what stands there";
     return fmt::format("\"{}\"", one_line(shortened(word, longest_in_message)));
 }
 
-/// Fortran writes the exponent of double precision as 1.5d-3.
+bool is_digit(char c) {
+    return c >= '0' && c <= '9';
+}
+
+/// Fortran writes exponents as 1.5e-3, 1.5d-3, or by their sign alone, 1.5-3.
 std::optional<double> fortran_number(std::string_view word) {
     std::string text(word);
     std::ranges::replace_if(
-        text, [](char c) { return c == 'd' || c == 'D'; }, 'e');
+        text, [](char c) { return c == 'd' || c == 'D' || c == 'E'; }, 'e');
+    const std::size_t sign = text.find_last_of("+-");
+    if (sign != std::string::npos && sign > 0 &&
+        (is_digit(text[sign - 1]) || text[sign - 1] == '.'))
+        text.insert(sign, 1, 'e');
     const auto value = number_in(text);
     return value && std::isfinite(*value) ? value : std::nullopt;
 }
@@ -59,17 +69,51 @@ std::string_view InputLines::next_word(std::string_view what) {
     return word;
 }
 
-std::vector<InputNumber> InputLines::numbers(std::size_t n, std::string_view what) {
+InputNumber InputLines::next_number(std::string_view what) {
+    const std::string_view word = next_word(fmt::format("{} are", what));
+    const auto value = fortran_number(word);
+    if (!value)
+        refuse(quoted(word), fmt::format("is no number, but {} are due", what), "correct it");
+    return {*value, line_, column_};
+}
+
+std::vector<InputNumber> InputLines::numbers(std::size_t n, std::string_view what,
+                                             std::size_t further) {
     std::vector<InputNumber> values;
-    while (values.size() < n) {
-        const std::string_view word = next_word(fmt::format("{} are", what));
-        const auto value = fortran_number(word);
-        if (!value)
-            refuse(quoted(word), fmt::format("is no number, but {} are due", what), "correct it");
-        values.push_back({*value, line_, column_});
-    }
+    while (values.size() < n) values.push_back(next_number(what));
+    while (values.size() < n + further && next_ < words_.size() && fortran_number(words_[next_]))
+        values.push_back(next_number(what));
     end_of_values();
     return values;
+}
+
+void InputLines::skip_numbers(std::size_t n, std::string_view what) {
+    for (std::size_t k = 0; k < n; ++k) next_number(what);
+    end_of_values();
+}
+
+std::vector<InputNumber> InputLines::angle_and_numbers(std::size_t n, std::string_view what) {
+    std::string_view word = next_word(fmt::format("{} are", what));
+    const bool degrees = word.ends_with('d') || word.ends_with('D');
+    const auto angle = fortran_number(degrees ? word.substr(0, word.size() - 1) : word);
+    if (!angle)
+        refuse(quoted(word), fmt::format("is no angle, but {} are due", what),
+               "give it in radians, or in degrees as 90d");
+    std::vector<InputNumber> values{
+        {*angle * (degrees ? std::numbers::pi / 180 : 1), line_, column_}};
+    while (values.size() < n) values.push_back(next_number(what));
+    end_of_values();
+    return values;
+}
+
+std::string InputLines::text(std::string_view what) {
+    const std::string_view word = next_word(fmt::format("{} is", what));
+    end_of_values();
+    if (word.front() != '\'') return std::string(word);
+    const std::size_t begin = word.data() - current_.data() + 1, end = current_.find('\'', begin);
+    if (end == std::string_view::npos)
+        refuse(quoted(word), "has no apostrophe at its end", "add it");
+    return std::string(current_.substr(begin, end - begin));
 }
 
 int InputLines::whole_number(std::string_view what) {

@@ -26,8 +26,15 @@ class InputLines {
 
     /// Nothing but comments is left.
     bool at_end();
-    /// The next `n` numbers; `what` they are, for messages.
-    std::vector<InputNumber> numbers(std::size_t n, std::string_view what);
+    /// The next `n` numbers; `what` they are, for messages. As many as `further` more where the
+    /// same line has them.
+    std::vector<InputNumber> numbers(std::size_t n, std::string_view what, std::size_t further = 0);
+    /// Reads as many numbers and forgets them.
+    void skip_numbers(std::size_t n, std::string_view what);
+    /// The next `n` numbers, of which the first is an angle [rad]: 90d are degrees.
+    std::vector<InputNumber> angle_and_numbers(std::size_t n, std::string_view what);
+    /// The next word, or what stands between two apostrophes.
+    std::string text(std::string_view what);
     /// The next whole number.
     int whole_number(std::string_view what);
     /// `n` digits in one word; a shorter word lacks zeros in front.
@@ -49,6 +56,7 @@ class InputLines {
     /// Reads the next line that holds words; false at the end.
     bool advance();
     std::string_view next_word(std::string_view what);
+    InputNumber next_number(std::string_view what);
     void end_of_values() { next_ = words_.size(); }
     std::string place(int line, int column) const;
 

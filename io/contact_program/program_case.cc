@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "io/contact_program/distance_reading.h"
+
 namespace tricontact::io {
 
 namespace {
@@ -11,73 +13,8 @@ namespace {
 constexpr double millimetre = 1e-3;           // [m]
 constexpr double newton_per_square_mm = 1e6;  // 1 N/mm^2 in Pa
 constexpr int module_number = 3;
-constexpr int most_cells_along = 100000;
-
-/// A digit, what it may be, why not something else, and its place among those that are read.
-struct Digit {
-    char letter;
-    std::string_view allowed, rule, remedy;
-    int CaseDigits::*place = nullptr;
-};
-
-constexpr std::string_view any = "0123456789";
-
-const std::vector<Digit> first_word = {
-    {'P', "02", "a case goes on from the one before or begins again", "give 0 or 2",
-     &CaseDigits::previous},
-    {'B', "0", "only the full normal problem is solved", "give 0"},
-    {'T', "01", "only shifts in world-fixed coordinates are cases here",
-     "give 0 or 1; what rolls on is computed by tricontact roll", &CaseDigits::tangential},
-    {'N', "01", "depth or normal force is prescribed", "give 0 or 1", &CaseDigits::normal},
-    {'F', "012", "shifts or forces are prescribed", "give 0, 1 or 2", &CaseDigits::force},
-    {'S', "0", "stresses inside are asked for by output.volume of the case", "give 0"},
-};
-const std::vector<Digit> second_word = {
-    {'V', "0", "friction is the same everywhere", "give 0"},
-    {'L', "01", "only Coulomb friction is a case here", "give 0, or 1 to keep it",
-     &CaseDigits::friction},
-    {'D', "02", "cells are new or kept", "give 0 or 2", &CaseDigits::cells},
-    {'C', "02",
-     "only half-spaces with constant tractions per cell are read; coefficients of a "
-     "file do not tell the layer",
-     "give 0 or 2", &CaseDigits::influence},
-    {'M', "0", "only elastic bodies are cases here", "give 0"},
-    {'Z', "02", "undeformed distances are new or kept", "give 0 or 2", &CaseDigits::distance},
-    {'E', "0", "no further term of slip is a case here", "give 0"},
-};
-const std::vector<Digit> third_word = {
-    {'X', "0", "debug output has lines of its own", "give 0"},
-    {'H', "0", "no temperatures are computed", "give 0"},
-    {'G', "01", "settings of other solvers have no counterpart", "give 0 or 1",
-     &CaseDigits::solver},
-    {'I', any, "", ""},
-    {'A', any, "", ""},
-    {'O', any, "", ""},
-    {'W', any, "", ""},
-    {'R', "01", "every case is computed", "give 0 or 1", &CaseDigits::after},
-};
-
-void read_word(InputLines& lines, const std::vector<Digit>& declared, CaseDigits& digits) {
-    std::string letters;
-    for (const Digit& digit : declared) letters += digit.letter;
-    const std::vector<int> values = lines.digits(declared.size(), letters);
-    for (std::size_t k = 0; k < values.size(); ++k) {
-        const Digit& digit = declared[k];
-        if (digit.allowed.find(static_cast<char>('0' + values[k])) == std::string_view::npos)
-            lines.refuse(fmt::format("{} = {}", digit.letter, values[k]), digit.rule, digit.remedy);
-        if (digit.place) digits.*digit.place = values[k];
-    }
-}
-
-/// What no case file here says is refused with the digit's letter.
-CaseDigits read_digits(InputLines& lines) {
-    CaseDigits digits;
-    read_word(lines, first_word, digits);
-    digits.line = lines.line();
-    read_word(lines, second_word, digits);
-    read_word(lines, third_word, digits);
-    return digits;
-}
+constexpr int most_cells_along = 100000, most_cells = 2'000'000;
+constexpr int most_points = 1'000'000;  // inside, along one axis
 
 /// Reads one case after the other; what is not given again is that of the case before.
 class CaseReading {
@@ -87,7 +24,7 @@ class CaseReading {
     std::vector<ProgramCase> all() {
         while (enter_module()) {
             do read_case();
-            while (cases_.back().digits.after == 0);
+            while (cases_.back().digits.after % 2 == 0);
         }
         if (cases_.empty())
             lines_.refuse_line(lines_.line(), "", "the file holds no case of CONTACT's module 3",
@@ -110,41 +47,59 @@ class CaseReading {
     void read_case() {
         const bool first = cases_.empty();
         current_ = first ? ProgramCase{} : cases_.back();
-        current_.digits = read_digits(lines_);
-        if (first) demand_all_new();
+        current_.digits = read_case_digits(lines_);
         const CaseDigits& digits = current_.digits;
-        if (digits.solver == 0) read_solver();
+        if (first) demand_all_new();
+        if (digits.debug != 0) lines_.digits(7, "PSFLRIN");
+        if (digits.solver != 1) read_solver();
         read_loads();
-        if (digits.friction == 0) read_friction();
-        if (digits.influence != 0) read_materials();
-        if (digits.cells != 0) read_cells();
-        if (digits.distance != 0) read_distance();
+        if (digits.friction != 1 && digits.variable == 0) read_friction(1);
+        if (digits.influence >= 2) read_materials();
+        if (digits.heat == 3) read_heat();
+        if (digits.cells == 2 && digits.distance != 2)
+            lines_.refuse_line(digits.lines[1], "D, Z", "new cells need a new undeformed distance",
+                               "give Z = 2");
+        if (digits.cells == 2) read_cells();
+        if (digits.distance == 2) {
+            if (current_.is_hertzian)
+                place_hertzian();
+            else
+                read_distance(lines_, current_);
+        }
+        if (digits.friction != 1 && digits.variable != 0) read_friction(current_.n_y);
+        if (digits.extra == 9)
+            lines_.skip_numbers(2 * static_cast<std::size_t>(current_.n_x) * current_.n_y,
+                                "the extra slip of all cells");
+        current_.has_extra_slip =
+            digits.extra == 9 || (digits.extra == 1 && current_.has_extra_slip);
+        if (digits.stress >= 2) read_points();
+        if (digits.stress == 0) current_.deepest = 0;
         cases_.push_back(current_);
     }
 
     void demand_all_new() {
-        const CaseDigits& d = current_.digits;
+        CaseDigits& d = current_.digits;
         const auto demand = [&](bool is_new, const char* rule) {
             if (!is_new)
                 lines_.refuse_line(d.line, rule, "the first case has nothing to go on from",
                                    "give all of its values");
         };
         demand(d.previous == 2, "P = 0");
-        demand(d.friction == 0, "L = 1");
-        demand(d.cells != 0, "D = 0");
-        demand(d.influence != 0, "C = 0");
-        demand(d.distance != 0, "Z = 0");
-        demand(d.solver == 0, "G = 1");
+        demand(d.friction != 1, "L = 1");
+        demand(d.cells == 2, "D = 0");
+        demand(d.influence >= 2, "C = 0");
+        demand(d.distance == 2, "Z = 0");
+        demand(d.solver != 1, "G = 1");
+        demand(d.stress == 0 || d.stress == 3, "S = 1");
     }
 
     void demand_positive(const InputNumber& number, const char* name) const {
         if (!(number > 0)) lines_.refuse(name, number, "must be positive", "correct it");
     }
 
-    int cells_along(const InputNumber& number, const char* name) const {
-        if (!(number >= 1 && number <= most_cells_along) || number != std::floor(number))
-            lines_.refuse(name, number,
-                          fmt::format("must be a whole number from 1 to {}", most_cells_along),
+    int count(const InputNumber& number, const char* name, int most) const {
+        if (!(number >= 1 && number <= most) || number != std::floor(number))
+            lines_.refuse(name, number, fmt::format("must be a whole number from 1 to {}", most),
                           "correct it");
         return static_cast<int>(number);
     }
@@ -153,32 +108,57 @@ class CaseReading {
         const auto v = lines_.numbers(5, "MAXGS, MAXIN, MAXNR, MAXOUT and EPS");
         demand_positive(v[4], "EPS");
         current_.tolerance = v[4];
+        constexpr std::size_t further[] = {0, 0, 4, 4, 2, 8};  // by G
+        lines_.skip_numbers(further[current_.digits.solver], "the settings of the solver");
     }
 
     void read_loads() {
         const bool force = current_.digits.normal == 1;
         const auto v = lines_.numbers(
-            4, force ? "FN and three tangential values" : "PEN and three tangential values");
-        demand_positive(v[0], force ? "FN" : "PEN");
-        if (v[3] != 0) lines_.refuse("CPHI", v[3], "no case here is turned", "give 0");
+            4, force ? "FN and three tangential values" : "PEN and three tangential values", 2);
+        if (force) demand_positive(v[0], "FN");
         current_.loads_line = lines_.line();
         current_.normal = v[0] * (force ? 1 : millimetre);
         const int forces = current_.digits.force;
-        current_.tangential = {v[1] * (forces >= 1 ? 1 : millimetre),
-                               v[2] * (forces == 2 ? 1 : millimetre)};
+        const bool rolling = current_.is_rolling();
+        for (const int axis : {0, 1})
+            current_.tangential[axis] = v[1 + axis] * (forces > axis || rolling ? 1 : millimetre);
+        current_.rotation = v[3] / (rolling ? millimetre : 1);
+        current_.spins_elsewhere = v.size() == 6 && (v[4] != 0 || v[5] != 0);
     }
 
-    void read_friction() {
+    /// As many sets of them as cells along y where friction varies.
+    void read_friction(int sets) {
         constexpr double same = 1e-3;  // as CONTACT asks for
-        const auto v = lines_.numbers(2, "FSTAT and FKIN");
-        demand_positive(v[0], "FSTAT");
-        if (std::abs(v[1] - v[0]) > same * v[0])
-            lines_.refuse("FKIN", v[1], "must be FSTAT in Coulomb friction", "correct it");
-        current_.friction_coefficient = v[0];
+        const int law = current_.digits.friction;
+        current_.friction_law = law;
+        for (int k = 0; k < sets; ++k) {
+            if (law == 0) {
+                const auto v = lines_.numbers(2, "FSTAT and FKIN");
+                demand_positive(v[0], "FSTAT");
+                if (std::abs(v[1] - v[0]) > same * v[0])
+                    lines_.refuse("FKIN", v[1], "must be FSTAT in Coulomb friction", "correct it");
+                current_.friction_coefficient = v[0];
+            } else {
+                lines_.skip_numbers(law == 6 ? 4 : 5, "constants of the friction law");
+            }
+            current_.friction_line = lines_.line();
+        }
+        if (law != 0) lines_.skip_numbers(2, "MEMDST and MEM_S0");
     }
 
     void read_materials() {
+        const int material = current_.digits.material;
+        current_.influence = current_.digits.influence;
+        if (current_.is_rolling()) read_rolling();
+        if (current_.influence == 4) {
+            const auto v = lines_.numbers(3, "IF_METH, VARIANT and NN");
+            lines_.skip_numbers(2 * count(v[2], "NN", 9999), "surface inclinations");
+        }
+        current_.influence_file =
+            current_.influence == 9 ? lines_.text("the file of coefficients") : "";
         const auto v = lines_.numbers(4, "POISS 1,2 and GG 1,2");
+        current_.materials_line = lines_.line();
         for (const std::size_t body : {0, 1}) {
             if (!(v[body] >= 0 && v[body] <= 0.5))
                 lines_.refuse(body == 0 ? "POISS1" : "POISS2", v[body], "must be from 0 to 0.5",
@@ -187,19 +167,59 @@ class CaseReading {
             current_.poisson[body] = v[body];
             current_.shear_modulus[body] = newton_per_square_mm * v[body + 2];
         }
+        if (current_.digits.bound == 1) lines_.skip_numbers(1, "FLXZ");
+        if (material == 1) read_creep();
+        constexpr std::size_t further[] = {0, 0, 4, 3, 4};  // by M
+        lines_.skip_numbers(further[material], "constants of the material");
+    }
+
+    void read_rolling() {
+        const auto v = lines_.angle_and_numbers(3, "CHI, DQ and VELOC");
+        demand_positive(v[1], "DQ");
+        demand_positive(v[2], "VELOC");
+        current_.rolling_line = lines_.line();
+        current_.direction = v[0];
+        current_.step = millimetre * v[1];
+        current_.speed = millimetre * v[2];
+    }
+
+    void read_creep() {
+        const auto v = lines_.numbers(4, "FG 1,2 and TC 1,2");
+        for (const std::size_t k : {0, 1, 2, 3})
+            if (!(v[k] >= 0))
+                lines_.refuse(k < 2 ? "FG" : "TC", v[k], "must not be negative", "correct it");
+        current_.creep_ratio = {v[0], v[1]};
+        current_.creep_time = {v[2], v[3]};
+    }
+
+    void read_heat() {
+        for (int body = 0; body < 2; ++body)
+            lines_.skip_numbers(4, "BKTEMP, HEATCP, LAMBDA and DENS");
+        if (current_.digits.material == 4) lines_.skip_numbers(1, "BETAPL");
     }
 
     void read_cells() {
         const int way = lines_.whole_number("IPOTCN");
-        if (way < -5 || way == 0 || way > 4)
-            lines_.refuse(fmt::format("IPOTCN = {}", way), "must be from -5 to -1 or from 1 to 4",
+        if (way < -6 || way == 0 || way > 4)
+            lines_.refuse(fmt::format("IPOTCN = {}", way), "must be from -6 to -1 or from 1 to 4",
                           "give the cells by 1: first corner and size of a cell");
         current_.is_hertzian = way < 0;
-        const auto v = lines_.numbers(way < 0 ? 5 : 6, "MX, MY and the place of the cells");
+        const bool by_hertz = way < 0 && way > -6;
+        const auto v = lines_.numbers(by_hertz ? 5 : 6, "MX, MY and the place of the cells");
         current_.cells_line = lines_.line();
-        current_.n_x = cells_along(v[0], "MX");
-        current_.n_y = cells_along(v[1], "MY");
-        if (way > 0) place_cells(way, v);
+        current_.n_x = count(v[0], "MX", most_cells_along);
+        current_.n_y = count(v[1], "MY", most_cells_along);
+        if (static_cast<long long>(current_.n_x) * current_.n_y > most_cells)
+            lines_.refuse(fmt::format("MX, MY = {}, {}", current_.n_x, current_.n_y),
+                          fmt::format("are more than {} cells", most_cells), "take fewer");
+        hertz_ = {way, {}};
+        if (way > 0)
+            place_cells(way, v);
+        else
+            for (std::size_t k = 2; k < v.size(); ++k) {
+                demand_positive(v[k], "a value of IPOTCN < 0");
+                hertz_.values.push_back(v[k]);
+            }
     }
 
     /// By corner or centre of the first cell (odd, even pairs), and by size of a cell or the last
@@ -219,51 +239,64 @@ class CaseReading {
         }
     }
 
-    void read_distance() {
-        current_.curvature = current_.offset = {};
-        if (current_.is_hertzian) return;  // nothing is given
-        const auto kind = lines_.numbers(2, "IBASE and IPLAN");
-        if (kind[0] != 1)
-            lines_.refuse("IBASE", kind[0], "only quadratic undeformed distances tell the body",
-                          "give 1, or describe the body in a case file");
-        if (kind[1] != 1)
-            lines_.refuse("IPLAN", kind[1], "no planform is cut out of the cells", "give 1");
-        const auto b = lines_.numbers(6, "B(1) to B(6)");
-        current_.distance_line = lines_.line();
-        if (b[1] != 0)
-            lines_.refuse("B(2)", b[1], "the body's axes must be those of x and y",
-                          "turn the axes");
-        const double curved[] = {b[0] / millimetre, b[2] / millimetre};
-        const double inclined[] = {b[3], b[4]};
-        for (const std::size_t axis : {0, 1}) {
-            if (curved[axis] < 0 || (curved[axis] == 0 && (axis == 0 || inclined[axis] != 0)))
-                lines_.refuse(axis == 0 ? "B(1)" : "B(3)", b[2 * axis], "a body must be convex",
-                              "correct it");
-            current_.curvature[axis] = curved[axis];
-            current_.offset[axis] = curved[axis] == 0 ? 0 : -inclined[axis] / (2 * curved[axis]);
+    void place_hertzian() {
+        if (hertz_.way == -6) {  // no ellipse
+            current_.distance = {};
+            return;
         }
-        check_lowest_point(b[5]);
+        const HertzianCells cells = hertzian_cells(current_, hertz_, lines_);
+        current_.distance = {};
+        current_.distance.line = current_.distance.data_line = current_.cells_line;
+        current_.distance.curvature = cells.curvature;
+        const std::array<int, 2> n{current_.n_x, current_.n_y};
+        for (const std::size_t axis : {0, 1}) {
+            current_.spacing[axis] = 2 * cells.half_side[axis] / n[axis];
+            current_.first[axis] = -cells.half_side[axis] + current_.spacing[axis] / 2;
+        }
     }
 
-    /// The offset's lowest point has the height zero: the depth d is counted from there.
-    void check_lowest_point(const InputNumber& given) {
-        constexpr double allowed = 1e-2;  // of the height over a cell: files are rounded
-        double height = 0, over_cell = 0;
-        for (const std::size_t axis : {0, 1}) {
-            const double a = current_.curvature[axis];
-            height += a * std::pow(current_.offset[axis], 2);
-            over_cell += a * std::pow(current_.spacing[axis], 2);
+    /// Points inside, block by block: only how deep they lie matters.
+    void read_points() {
+        lines_.numbers(2, "MATFIL and OUTPUT");
+        if (current_.digits.stress == 2) return;  // where they are is kept
+        current_.deepest = 0;
+        while (const int kind = lines_.whole_number("ISUBS")) {
+            const bool listed = kind == 3 || kind == 7 || kind == 9;
+            if (!listed && kind != 1 && kind != 2 && kind != 5 && kind != 6)
+                lines_.refuse(fmt::format("ISUBS = {}", kind),
+                              "must be 0, which ends the blocks, 1 to 3, 5 to 7 or 9",
+                              "correct it");
+            read_block(kind);
         }
-        if (!(std::abs(millimetre * given - height) <= allowed * over_cell))
-            lines_.refuse("B(6)", given,
-                          fmt::format("leaves the lowest point beside the height 0, where it would "
-                                      "be with {:.6g}",
-                                      height / millimetre),
-                          "correct it");
+    }
+
+    void read_block(int kind) {
+        const auto deepen = [&](double z) {
+            current_.deepest = std::max(current_.deepest, std::abs(z) * millimetre);
+        };
+        const auto list = [&](int n, const char* what) {
+            for (const InputNumber& z : lines_.numbers(n, what)) deepen(z);
+        };
+        if (kind == 2 || kind == 6) {
+            lines_.skip_numbers(3, "IXL, IXINC and IXH");
+            lines_.skip_numbers(3, "IYL, IYINC and IYH");
+        }
+        const bool rows = kind <= 3;  // of points, equally far from each other
+        if (kind == 3 || kind == 7 || kind == 9) {
+            const auto n = lines_.numbers(rows ? 2 : 3, rows ? "NX and NY" : "NX, NY and NZ");
+            for (const int axis : {0, 1})
+                lines_.skip_numbers(count(n[axis], axis == 0 ? "NX" : "NY", most_points),
+                                    "places of the points");
+            if (!rows) return list(count(n[2], "NZ", most_points), "depths of the points");
+        }
+        if (!rows) return list(count(lines_.numbers(1, "NZ")[0], "NZ", most_points), "depths");
+        const auto z = lines_.numbers(3, "NZ, ZL and DZ");
+        deepen(z[1] + (count(z[0], "NZ", most_points) - 1) * z[2]);
     }
 
     InputLines lines_;
     ProgramCase current_;
+    HertzInput hertz_;
     std::vector<ProgramCase> cases_;
 };
 

@@ -1,27 +1,28 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "contact/vector2.h"
-#include "io/contact_program/input_lines.h"
+#include "io/contact_program/case_digits.h"
 
 namespace tricontact::io {
 
-/// The control digits of a case of CONTACT's module 3, as far as they say what the case is.
-struct CaseDigits {
-    int line = 0;        ///< of the first of them
-    int previous = 0;    ///< P: 0 goes on from the case before, 2 begins again
-    int tangential = 0;  ///< T: 0 none, 1 shift
-    int normal = 0;      ///< N: 0 depth, 1 force
-    int force = 0;       ///< F: which of x and y have a force, 0 to 2
-    int friction = 0;    ///< L: 0 new, 1 kept
-    int cells = 0;       ///< D: 0 kept, 2 new
-    int influence = 0;   ///< C: 0 kept, 2 half-space
-    int distance = 0;    ///< Z: 0 kept, 2 new
-    int solver = 0;      ///< G: 0 new settings, 1 kept
-    int after = 0;       ///< R: 0 goes on in the module, 1 returns
+/// Undeformed distance of the bodies of an input file [m].
+struct UndeformedDistance {
+    int line = 0;  ///< of IBASE
+    int data_line = 0;
+    int planform = 1;  ///< IPLAN; 1: unrestricted
+    /// A, B [1/m] of h = A (x - x0)^2 + B (y - y0)^2 - depth, unless there are heights.
+    contact::Vector2 curvature{};
+    contact::Vector2 offset{};  ///< (x0, y0) [m]
+    double depth = 0;           ///< of the lowest point below the height 0 [m]
+    bool is_turned = false;     ///< its axes are not those of x and y
+    bool is_inclined = false;   ///< along an axis without curvature
+    /// Per cell, x fastest; null: quadratic.
+    std::shared_ptr<const std::vector<double>> heights;
 };
 
 /// One case of an input file of CONTACT's module 3, complete: what it keeps of the one before is
@@ -30,24 +31,45 @@ struct ProgramCase {
     CaseDigits digits;
     int loads_line = 0;
     double normal = 0;              ///< F_N [N], or d [m] where N = 0
-    contact::Vector2 tangential{};  ///< FX, FY over mu F_N on body 1, or shifts [m] by F
+    contact::Vector2 tangential{};  ///< FX, FY over mu F_N on body 1, or shifts [m], creepages by F
+    double rotation = 0;            ///< CPHI: of a shift [rad], of rolling [rad/m]
+    bool spins_elsewhere = false;   ///< about another point than the origin
 
-    double tolerance = 0;                              ///< EPS
-    double friction_coefficient = 0;                   ///< of the last L = 0
+    double tolerance = 0;  ///< EPS
+    int friction_line = 0;
+    int friction_law = 0;             ///< L of the last one that was not kept
+    double friction_coefficient = 0;  ///< of the last L = 0
+
+    int rolling_line = 0;
+    double direction = 0;  ///< CHI [rad]
+    double step = 0;       ///< DQ [m]
+    double speed = 0;      ///< VELOC [m/s]
+
+    int materials_line = 0;
+    int influence = 0;                                 ///< C of the last one that was not kept
+    std::string influence_file;                        ///< CFNAME of C = 9
     std::array<double, 2> poisson{}, shear_modulus{};  ///< bodies 1 and 2 [-], [Pa]
+    /// M = 1: creep compliance J(t) = (1 + f (1 - exp(-t/tau)))/G.
+    std::array<double, 2> creep_ratio{}, creep_time{};  ///< FG, TC: f [-], tau [s]
 
     int cells_line = 0;
     bool is_hertzian = false;  ///< cells and distance follow from Hertz' theory
     int n_x = 0, n_y = 0;
     contact::Vector2 first{}, spacing{};  ///< centre of the first cell, and their size [m]
 
-    int distance_line = 0;
-    contact::Vector2 curvature{};  ///< A, B [1/m] of h = A (x - x0)^2 + B (y - y0)^2
-    contact::Vector2 offset{};     ///< (x0, y0) [m]
+    UndeformedDistance distance;
+    bool has_extra_slip = false;  ///< E = 9, or kept
+    double deepest = 0;           ///< of the points inside [m]; 0: none is asked for
+
+    bool is_rolling() const { return digits.tangential >= 2; }
 };
 
 /// Reads all cases of an input file; `name` stands for it in messages. Throws contact::InputError
-/// with line and column for what is no such file, or is no case here.
+/// with line and column for what is no such file. Whether a case is one here is another question
+/// (check_known).
 std::vector<ProgramCase> read_program_cases(std::string text, const std::string& name);
+
+/// Throws contact::InputError, naming file and line, for what no model here computes.
+void check_known(const ProgramCase& one, const std::string& name);
 
 }  // namespace tricontact::io

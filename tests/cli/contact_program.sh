@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Cases become input of the program CONTACT and come back; what is no case is refused with its line.
+# Cases become input of the program CONTACT and come back; what is none is refused with its line.
 # usage: contact_program.sh PROGRAM SOURCE_DIR
 source "$(dirname -- "${BASH_SOURCE[0]}")/prepare.bash"
 
@@ -26,25 +26,47 @@ steps = "turning-points"
 spacing = "0.5 mm"
 TOML
 
+# shift_of FOLDER: the last one in a model's folder [m].
+shift_of() { column shift_x_m "$1/history.csv" | tail -n 1; }
 # last_shift FOLDER: over U_max.
 last_shift() { sed -n 's/^ *"final_shift_ratio": \(.*\),/\1/p' "$1/summary.json"; }
 
-# 1. Written and read again: the same input but for the last digits, and a run of the same numbers.
+# 1. Written and read again: the case itself, whatever it is; from the numbers alone, where the file
+# has been changed, the same input but for the last digits, and a run of the same numbers.
 "$program" export ball.toml --output out >told.txt || complain "export: $(cat told.txt)"
 grep -q "^cases of CONTACT     10$" told.txt || complain "export says: $(cat told.txt)"
 [ "$(grep -c MODULE out/ball.inp)" -eq 11 ] || complain "steps: $(grep -c MODULE out/ball.inp)"
-"$program" import out/ball.inp --output back.toml >told.txt || complain "import: $(cat told.txt)"
-"$program" export back.toml --output again >/dev/null || complain "export of the import"
-awk 'NR == FNR { line[FNR] = $0; next } FNR > 1 { n = split(line[FNR], a); m = split($0, b)
+"$program" import out/ball.inp --output whole >told.txt || complain "import: $(cat told.txt)"
+grep -q "the case that they were written of" told.txt || complain "import says: $(cat told.txt)"
+"$program" check ball.toml >ball.txt
+"$program" check whole/ball.toml >whole.txt
+cmp -s ball.txt whole.txt || complain "another case came back"
+sed 's/^% Body 1 is the indenter.*/% by hand/' out/ball.inp >back.inp
+"$program" import back.inp --output by_numbers >told.txt || complain "import: $(cat told.txt)"
+grep -q "^cases 1 to 10 .*for tricontact run$" told.txt || complain "import says: $(cat told.txt)"
+"$program" export by_numbers/back.toml --output again >/dev/null || complain "export of the import"
+awk '/^% Case of Tricontact/ { nextfile } NR == FNR { line[FNR] = $0; next } FNR > 2 { n = split(line[FNR], a); m = split($0, b)
         same = n == m
         for (k = 1; k <= n; k++) if (a[k] != b[k] && (a[k] - b[k]) ^ 2 > 1e-24 * (a[k] ^ 2 + 1)) same = 0
         if (!same) print FNR ": " line[FNR] " | " $0 }' out/ball.inp again/back.inp >differences
 [ ! -s differences ] || complain "import and export: $(head -3 differences)"
-for name in ball back; do
-    "$program" run $name.toml --output run_$name --quiet --no-report || complain "run of $name"
+for name in ball by_numbers/back; do
+    "$program" run $name.toml --output "run_${name##*/}" --quiet --no-report || complain "run of $name"
 done
 awk -v a="$(last_shift run_ball)" -v b="$(last_shift run_back)" 'BEGIN { exit !(a > 0.1 && (a / b - 1) ^ 2 < 1e-16) }' ||
     complain "shifts $(last_shift run_ball) and $(last_shift run_back)"
+
+# A body by its heights comes back as such: the same shift, but for the map's bilinear parts.
+sed '/^\[rolling\]/,/^steps/d; s/^models.*/&/' ball.toml >still.toml
+"$program" export still.toml --set indenter.shape=sphere --output still >/dev/null || complain "export of a sphere"
+sed '/^% Case of Tricontact/,$d' still/still.inp >still/plain.inp
+"$program" import still/plain.inp --output map >told.txt || complain "import of heights: $(cat told.txt)"
+grep -q '^shape = "height-map"' map/plain.toml || complain "heights are no map"
+"$program" run map/plain.toml --output run_map --quiet --no-report || complain "run of a height map"
+"$program" run still.toml --set indenter.shape=sphere --output run_still --quiet --no-report || complain "run of a sphere"
+awk -v a="$(shift_of run_still/bem)" -v b="$(shift_of run_map/bem)" \
+    'BEGIN { exit !(a > 0 && (a / b - 1) ^ 2 < 1e-8) }' ||
+    complain "shifts $(shift_of run_still/bem) and $(shift_of run_map/bem)"
 
 # 2. The layer: coefficients beside the input, its own at zero positive, as many lines as it says.
 "$program" export ball.toml --model bem-layer --output layer >/dev/null || complain "export of the layer"
@@ -70,16 +92,29 @@ cmp -s by_bem-layer/ball.influence layer/ball.influence || complain "the layer's
 grep -q '^ 999 999 50 1 ' by_bem/ball.inp || complain "the half-space's coefficients couple"
 awk 'NR > 4 && !/%/ && ($4 != 0 || $5 != 0 || $6 != 0 || $9 != 0) { bad = 1 } END { exit bad }' \
     by_bem/ball.influence || complain "coefficients of a coupling that there is not"
-refused "C = 9" import "$work/layer/ball.inp" --output case.toml
+# Read without the case, the layer's coefficients come back as a file of our own: the same shift.
+sed '/^% Case of Tricontact/,$d' layer/ball.inp >layer/plain.inp
+"$program" import layer/plain.inp --output plain >told.txt || complain "import of the layer: $(cat told.txt)"
+"$program" run plain/plain.toml --output run_plain --quiet --no-report || complain "run by coefficients"
+"$program" run ball.toml --models bem-layer --output run_layer --quiet --no-report || complain "run of the layer"
+awk -v a="$(shift_of run_layer/bem-layer)" -v b="$(shift_of run_plain/bem)" \
+    'BEGIN { exit !(a > 0 && (a / b - 1) ^ 2 < 1e-10) }' ||
+    complain "shifts $(shift_of run_layer/bem-layer) and $(shift_of run_plain/bem)"
+rm layer/ball.influence
+refused "layer/ball.influence: cannot be read" import "$work/layer/plain.inp" --output case
 
 # 3. Bad input files state their message in the first line.
 $python "$source_dir/tests/cli/bad_inputs.py" "$source_dir/tests/cli/bad_contact" "$work/bad_contact" ||
     complain "the table of bad_contact"
 for file in "$work"/bad_contact/*.inp; do
     expected=$(head -n 1 "$file" | sed 's/^% expect: //')
-    refused "$file$expected" import "$file" --output case.toml
+    refused "$file$expected" import "$file" --output case
 done
-refused "the file cannot be read (No such file or directory)" import none.inp --output case.toml
+refused "the file cannot be read (No such file or directory)" import none.inp --output case
+
+# FX = -1 slides: a file of CONTACT, but no case.
+sed 's/-0.875/-1/' "$source_dir/tests/cli/bad_contact/good.inp" >slides.inp
+refused "reaches the friction limit mu F_N" import "$work/slides.inp" --output case
 
 # 4. Cases that no such input says.
 refused "ball.toml: load.indentation: CONTACT takes F_T over the F_N of each step" \

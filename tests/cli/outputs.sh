@@ -136,7 +136,8 @@ stays "ball.toml: is an input" influence ball.toml --output "$work/ball.toml"
 "$program" influence ball.toml --output table.txt >/dev/null || complain "influence"
 stays "table.txt: is an input" influence ball.toml --set bem.influence=table.txt --output table.txt
 "$program" export ball.toml --output program >/dev/null || complain "export"
-stays "program/ball.inp: is an input" import program/ball.inp --output program/ball.inp
+mkdir imported && echo precious >imported/ball.toml
+stays "imported/ball.toml: is there already" import program/ball.inp --output imported
 if ((has_fem)); then
     "$program" mesh layer.toml --set "fem.size=0.5 mm" --set "substrate.width=30 mm" \
         --set "substrate.depth=30 mm" --output meshed >/dev/null 2>&1 || complain "mesh"
@@ -144,21 +145,17 @@ if ((has_fem)); then
 fi
 
 # 4. Files that the user names.
-for command in "influence ball.toml" "import program/ball.inp"; do
-    for obstacle in "ln -s precious" "ln -s nowhere" mkfifo "cp precious" mkdir; do
-        $obstacle target
-        # shellcheck disable=SC2086
-        stays "target: " $command --output target
-        rm -rf target
-    done
-    # shellcheck disable=SC2086
-    stays "missing/target: cannot be written" $command --output missing/target
-    for time in first second; do
-        # shellcheck disable=SC2086
-        "$program" $command --output kept.txt >/dev/null || complain "$command, the $time time"
-    done
-    rm kept.txt
+for obstacle in "ln -s precious" "ln -s nowhere" mkfifo "cp precious" mkdir; do
+    $obstacle target
+    stays "target: " influence ball.toml --output target
+    rm -rf target
 done
+stays "missing/target: cannot be written" influence ball.toml --output missing/target
+for time in first second; do
+    "$program" influence ball.toml --output kept.txt >/dev/null || complain "influence, the $time time"
+    "$program" import program/ball.inp --output kept >/dev/null || complain "import, the $time time"
+done
+rm -r kept.txt kept
 [ "$(cat precious)" == precious ] || complain "the target of links was written to"
 
 # 5. Standard output on a full disk.

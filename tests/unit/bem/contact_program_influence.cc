@@ -14,7 +14,7 @@
 #include <utility>
 #include <vector>
 
-#include "bem/influence_file.h"
+#include "bem/contact_program_influence.h"
 
 namespace tricontact::bem::contact_program_influence_test {
 namespace {

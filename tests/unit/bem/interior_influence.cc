@@ -149,6 +149,27 @@ TEST(InteriorInfluence, TheBaseHolds) {
 }
 
 // Far away the rectangle is a point force: Boussinesq's sigma_z = -3 P z^3/(2 pi r^5) and
+
+// CONTACT's example subsurf (examples/subsurf.ref_out): a unit square under p = 1, then under a
+// traction of 0.999 along x as well, nu = 0.28; three printed digits, its points 1e-4 aside.
+TEST(InteriorInfluence, BelowTheSquareOfTheProgramContact) {
+    const InteriorInfluence below(half_space(.28), {1, 1}, {0, .1, .4, 1.25}, 5);
+    constexpr double printed = 6e-4;
+    const auto axis = below.at(0, 1e-5, 1e-5).stress;
+    EXPECT_NEAR(axis[0][2], -.780, printed);
+    EXPECT_NEAR((axis[0][2] + axis[1][2] + axis[2][2]) / 3, -.853, printed);
+    const auto deep = below.at(2, 1e-5, 1e-5).stress;
+    EXPECT_NEAR(deep[0][2] - deep[2][2], .665, printed);  // von Mises on the axis, largest there
+    EXPECT_NEAR(below.at(3, 1e-5, 1e-5).stress[0][2], .008, printed);  // largest principal stress
+    const auto ahead = [&](std::size_t level, int component) {
+        const auto s = below.at(level, .4, 0).stress;
+        return s[component][2] + .999 * s[component][0];
+    };
+    EXPECT_NEAR(ahead(0, 0), -2.044, 2 * printed);  // grows towards the edge, 1e-4 aside there
+    EXPECT_NEAR(ahead(0, 1), -.966, printed);
+    EXPECT_NEAR(ahead(1, 2), -1.058, printed);
+}
+
 // Cerruti's -3 Q x z^2/(2 pi r^5); the next term is (width/r)^2.
 TEST(InteriorInfluence, FarAwayItIsAPointForce) {
     const double x = 30e-3, y = 20e-3, z = 40e-3, r = std::sqrt(x * x + y * y + z * z);

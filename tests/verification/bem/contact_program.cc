@@ -13,7 +13,7 @@
 #include "contact/solvers/contact_region.h"
 #include "contact/surface_model.h"
 #include "io/case/case_reader.h"
-#include "io/contact_program/sequence.h"
+#include "io/contact_program/import.h"
 #include "tests/verification/contact_program_prints.h"
 #include "theory/cattaneo_mindlin.h"
 
@@ -29,7 +29,7 @@ int cells(double area, double spacing) {
 }
 
 contact::Case imported(const std::string& input) {
-    return io::parse_case(io::case_of_sequence(input, "example.inp", bem::is_coupled).text,
+    return io::parse_case(io::import_cases(input, "example.inp", bem::is_coupled).cases.back().text,
                           "example.toml");
 }
 

@@ -10,6 +10,7 @@
 #include "bem/model.h"
 #include "contact/error.h"
 #include "io/case/case_reader.h"
+#include "io/contact_program/import.h"
 #include "io/contact_program/program_case.h"
 #include "io/contact_program/sequence.h"
 #include "tests/unit/io/sphere_case.h"
@@ -54,10 +55,13 @@ void expect_close(double a, double b, const char* what) {
 void expect_same_back(const std::vector<std::string>& overrides, const std::string& text = sphere) {
     SCOPED_TRACE(testing::PrintToString(overrides));
     const Written first = written(overrides, text);
-    const ImportedCase imported = case_of_sequence(first.text, "first.inp", bem::is_coupled);
+    const Import found = import_cases(first.text, "first.inp", bem::is_coupled);
+    ASSERT_EQ(found.cases.size(), 1U);
+    EXPECT_TRUE(found.left_out.empty());
+    const ImportedCase& imported = found.cases[0];
     const Case back = parse_case(imported.text, "back.toml");
     const auto a = sequence_of(first.c, first.coupled), b = sequence_of(back, first.coupled);
-    EXPECT_EQ(imported.n_steps, a.size());
+    EXPECT_EQ(imported.n_steps(), a.size());
     ASSERT_EQ(a.size(), b.size());
     for (std::size_t k = 0; k < a.size(); ++k) {
         EXPECT_EQ(a[k].tangential, b[k].tangential);
@@ -164,9 +168,9 @@ TEST(ContactProgram, ReadsAnExamplesStep) {
     EXPECT_NEAR(cases[0].first[0], -4e-3, 1e-12);
     EXPECT_NEAR(cases[1].normal, .07258e-3, 1e-12);  // a depth
     EXPECT_EQ(cases[1].friction_coefficient, .4013);
-    EXPECT_NEAR(cases[1].curvature[0], 2.963, 1e-12);
-    EXPECT_NEAR(cases[1].offset[0], .25e-3, 1e-12);
-    EXPECT_EQ(cases[1].offset[1], 0);
+    EXPECT_NEAR(cases[1].distance.curvature[0], 2.963, 1e-12);
+    EXPECT_NEAR(cases[1].distance.offset[0], .25e-3, 1e-12);
+    EXPECT_EQ(cases[1].distance.offset[1], 0);
 }
 
 /// The words of the first line with `key`.
@@ -192,9 +196,9 @@ TEST(ContactProgram, WritesWorldFixedSteps) {
         EXPECT_EQ(cases[k].digits.force, 2);
         EXPECT_NEAR(cases[k].tangential[0], -.56, 1e-15);
     }
-    EXPECT_NEAR(cases[2].offset[0], .65e-3, 1e-15);
-    EXPECT_NEAR(cases[3].offset[0], 1.3e-3, 1e-15);
-    EXPECT_NEAR(cases[7].offset[0], -1.3e-3, 1e-15);
+    EXPECT_NEAR(cases[2].distance.offset[0], .65e-3, 1e-15);
+    EXPECT_NEAR(cases[3].distance.offset[0], 1.3e-3, 1e-15);
+    EXPECT_NEAR(cases[7].distance.offset[0], -1.3e-3, 1e-15);
     EXPECT_EQ(cases[0].n_x, rig.grid.n_x);
     EXPECT_EQ(cases[0].n_y, rig.grid.n_y);
     for (int axis : {0, 1}) EXPECT_NEAR(cases[0].first[axis], rig.grid.first[axis], 1e-15);
@@ -217,7 +221,8 @@ TEST(ContactProgram, OtherBodiesByTheirHeights) {
             const double r = 1e3 * std::hypot(ball.grid.x[k], ball.grid.y[k]);
             ASSERT_NEAR(h, R - std::sqrt(R * R - r * r), 1e-12);
         }
-    EXPECT_THROW(case_of_sequence(ball.text, "ball.inp", bem::is_coupled), contact::InputError);
+    // Its heights move from case to case.
+    EXPECT_THROW(import_cases(ball.text, "ball.inp", bem::is_coupled), contact::InputError);
 }
 
 TEST(ContactProgram, NamesTheFileOfCoefficients) {

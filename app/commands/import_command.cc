@@ -1,0 +1,145 @@
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "app/commands/command.h"
+#include "bem/contact_program_influence.h"
+#include "bem/grid_compliance.h"
+#include "io/contact_program/import.h"
+#include "io/contact_program/written_case.h"
+#include "io/keys/input_file.h"
+
+namespace tricontact::app {
+
+namespace {
+
+namespace fs = std::filesystem;
+using io::Import;
+using io::ImportedCase;
+
+constexpr std::size_t largest_input_mb = 100;
+
+/// Writes the cases of one input file of CONTACT into a folder.
+class CaseImport {
+  public:
+    CaseImport(const CommandOptions& options, const Import& found)
+        : options_(options), found_(found), stem_(fs::path(options.file).stem().string()) {
+        for (const ImportedCase& one : found.cases) last_ = std::max(last_, one.last);
+        for (const auto& one : found.left_out) last_ = std::max(last_, one.last);
+    }
+
+    io::OutputNames names() const {
+        io::OutputNames names;
+        for (const ImportedCase& one : found_.cases) {
+            names.results.push_back(name(one) + ".toml");
+            if (!one.heights.empty()) names.results.push_back(name(one) + io::heights_ending);
+            if (!one.influence_file.empty())
+                names.results.push_back(name(one) + io::influence_ending);
+        }
+        return names;
+    }
+
+    void write() {
+        for (const ImportedCase& one : found_.cases) {
+            try {
+                write(one);
+            } catch (const contact::InputError& why) {
+                for (const char* ending : {".toml", io::heights_ending, io::influence_ending})
+                    fs::remove(options_.output + "/" + name(one) + ending);
+                left_out_.push_back({one.first, one.last, why.what()});
+                continue;
+            }
+            tell(one);
+        }
+        if (n_written_ == 0) options_.refuse(left_out_.front().reason);
+        left_out_.insert(left_out_.end(), found_.left_out.begin(), found_.left_out.end());
+        for (const auto& one : left_out_)
+            told_ += fmt::format("{:<21}left out: {}\n", cases(one.first, one.last), one.reason);
+    }
+
+    std::string told() const {
+        return told_ + fmt::format("written              {} of {} in {}\n", n_written_,
+                                   found_.cases.size() + found_.left_out.size(), options_.output);
+    }
+
+  private:
+    /// The file's own name; of several the number of the first case of CONTACT follows.
+    std::string name(const ImportedCase& one) const {
+        const bool alone = found_.cases.size() + found_.left_out.size() == 1;
+        const auto width = std::to_string(last_).size();
+        return alone ? stem_ : fmt::format("{}_{:0{}}", stem_, one.first, width);
+    }
+
+    static std::string cases(std::size_t first, std::size_t last) {
+        return first == last ? fmt::format("case {}", first)
+                             : fmt::format("cases {} to {}", first, last);
+    }
+
+    void write(const ImportedCase& one) {
+        if (!one.influence_file.empty()) {
+            const auto path = fs::path(options_.file).parent_path() / one.influence_file;
+            options_.write(name(one) + io::influence_ending,
+                           bem::influence_text(bem::read_contact_program_influence(
+                               path.string(), one.shear_modulus)));
+        }
+        if (!one.heights.empty()) options_.write(name(one) + io::heights_ending, one.heights);
+        options_.write(name(one) + ".toml", one.text_beside(name(one)));
+        io::read_case(options_.output + "/" + name(one) + ".toml");  // a case that runs
+    }
+
+    void tell(const ImportedCase& one) {
+        ++n_written_;
+        told_ += fmt::format("{:<21}{}/{}.toml, for tricontact {}\n", cases(one.first, one.last),
+                             options_.output, name(one), one.rolls_on ? "roll" : "run");
+        for (const std::string& remark : one.remarks)
+            told_ += fmt::format("{:<21}{}\n", "", remark);
+    }
+
+    const CommandOptions& options_;
+    const Import& found_;
+    std::string stem_;
+    std::size_t last_ = 0;  // case of the file
+    std::size_t n_written_ = 0;
+    std::vector<io::LeftOutCases> left_out_;
+    std::string told_;
+};
+
+/// What export wrote comes back as the case that it was written of.
+bool import_written(const CommandOptions& options, const std::string& input) {
+    const auto text = io::written_case(input);
+    if (!text) return false;
+    const std::string name = fs::path(options.file).stem().string() + ".toml";
+    options.fill({{name}}, [&] {
+        options.write(name, *text);
+        io::read_case(options.output + "/" + name);
+    });
+    std::cout << fmt::format(
+        "all cases            the case that they were written of\n"
+        "written              {}/{}\n",
+        options.output, name);
+    return true;
+}
+
+/// Writes the cases of an input file of CONTACT (docs/contact-program.md).
+void import_from_contact_program(CommandOptions options) {
+    io::refuse_toml(options.file);
+    const std::string input =
+        io::read_input_file(options.file, "input file of CONTACT", largest_input_mb);
+    options.choose_folder("_cases");
+    if (import_written(options, input)) return;
+    const Import found = io::import_cases(input, options.file, bem::is_coupled);
+    CaseImport work(options, found);
+    options.fill(work.names(), [&] { work.write(); });
+    std::cout << work.told();
+}
+
+}  // namespace
+
+Command import_command() {
+    return Declared<CommandOptions>("import", "Write the cases of an input file of CONTACT",
+                                    import_from_contact_program)
+        .on_file("input", "Input file of CONTACT, module 3", "FILE.inp")
+        .output("Folder (results/<file>_cases)");
+}
+
+}  // namespace tricontact::app

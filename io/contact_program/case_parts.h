@@ -1,0 +1,41 @@
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "contact/substrates/material.h"
+#include "io/contact_program/program_case.h"
+
+namespace tricontact::io {
+
+/// Consecutive cases of a file that go on from each other.
+using ProgramSequence = std::span<const ProgramCase>;
+
+/// One row of cells: a body that is straight along y.
+inline bool is_line_contact(const ProgramCase& one) {
+    return one.n_y == 1;
+}
+
+/// Both bodies; a very stiff indenter is taken for rigid (see rigid_shear_ratio).
+contact::MaterialPair materials_of(const ProgramCase& one);
+
+/// F_N [N], or the depth d [m] of the body's lowest point where N = 0.
+double program_load(const ProgramCase& one);
+
+/// Sections [indenter], [substrate] with what relaxes of it, [friction] and [contact] of a case
+/// file. Throws contact::InputError, naming file and line, for viscoelastic bodies that are not
+/// alike.
+std::string bodies_text(const ProgramCase& one, const std::string& name);
+/// "normal_force = ..." or "indentation = ...".
+std::string normal_text(const ProgramCase& one);
+/// Section [bem], the last one: cells are squares with the edge DX.
+std::string cells_text(const ProgramCase& one);
+
+/// Throws contact::InputError, naming file and line, for what changes within a sequence besides
+/// loads and places.
+void check_alike(ProgramSequence steps, const std::string& name);
+
+/// Equal but for the rounding of values in a file.
+bool is_close(double a, double b);
+
+}  // namespace tricontact::io

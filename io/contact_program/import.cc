@@ -1,0 +1,157 @@
+#include "io/contact_program/import.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "contact/error.h"
+#include "io/contact_program/case_parts.h"
+#include "io/contact_program/sequence.h"
+#include "io/contact_program/sequence_case.h"
+#include "io/keys/messages.h"
+
+namespace tricontact::io {
+
+namespace {
+
+/// The next cases that go on from each other: until one begins anew, or is steady.
+ProgramSequence next_sequence(ProgramSequence cases) {
+    std::size_t n = 1;
+    if (cases.front().digits.tangential != 3)
+        while (n < cases.size() && cases[n].digits.previous != 2 && cases[n].digits.tangential != 3)
+            ++n;
+    return cases.first(n);
+}
+
+/// Imports one sequence.
+class SequenceImport {
+  public:
+    SequenceImport(ProgramSequence steps, const std::string& name, const CouplesBodies& is_coupled)
+        : steps_(steps), name_(name), coupled_(couples(is_coupled)) {}
+
+    void write(ImportedCase& out) const {
+        for (const ProgramCase& one : steps_) check_known(one, name_);
+        check_beginning();
+        check_alike(steps_, name_);
+        const std::string cases = out.n_steps() == 1
+                                      ? fmt::format("case {}", out.first)
+                                      : fmt::format("cases {} to {}", out.first, out.last);
+        const std::string heading =
+            fmt::format("title = {}\nmodels = [\"bem\"]\n",
+                        toml_string(fmt::format("Sequence of CONTACT, {}, {}", name_, cases)));
+        out.rolls_on = steps_.back().is_rolling();
+        out.text = text(heading);
+        if (!out.rolls_on) out.text += inside_text();
+        if (head().distance.heights) out.heights = heights_table();
+        out.influence_file = head().influence_file;
+        out.shear_modulus =
+            ShearModuli{head().shear_modulus[0], head().shear_modulus[1]}.combined();
+        out.remarks = remarks();
+    }
+
+  private:
+    const ProgramCase& head() const { return steps_.front(); }
+
+    bool couples(const CouplesBodies& is_coupled) const {
+        // Numerical coefficients may couple any bodies: how they are pressed matters.
+        return head().influence == 9 || is_coupled(materials_of(head()));
+    }
+
+    void check_beginning() const {
+        if (head().digits.previous == 2 || head().digits.tangential == 3) return;
+        fail(fmt::format("{}:{}:1", name_, head().digits.line),
+             fmt::format("P = {}", head().digits.previous),
+             "goes on from steady rolling, from which no case here begins",
+             "begin from rest, T = 1 with P = 2");
+    }
+
+    std::string text(const std::string& heading) const {
+        if (steps_.back().is_rolling()) return rolling_case(steps_, name_, heading);
+        if (std::ranges::any_of(steps_, &ProgramCase::is_rolling))
+            fail(fmt::format("{}:{}:1", name_, steps_.back().digits.line), "T = 1",
+                 "goes on from rolling", "begin again by P = 2");
+        if (steps_.size() == 1 && head().digits.tangential == 0)
+            return pressing_case(steps_, name_, coupled_, heading);
+        try {
+            return sequence_case(steps_, name_, coupled_, heading);
+        } catch (const contact::InputError&) {
+            return path_case(steps_, name_, heading);
+        }
+    }
+
+    /// Stresses inside, as far down as the deepest point of the last case, in front of [bem].
+    std::string inside_text() const {
+        const double depth = steps_.back().deepest;
+        if (depth < steps_.back().spacing[0] || head().influence == 9) return {};
+        return fmt::format("[output]\nvolume = \"last\"\nvolume_depth = \"{} mm\"\n", 1e3 * depth);
+    }
+
+    /// Matrix of the heights in mm, a row of cells along x per line.
+    std::string heights_table() const {
+        const auto& heights = *head().distance.heights;
+        std::string table;
+        for (std::size_t k = 0; k < heights.size(); ++k)
+            table += fmt::format("{}{}", 1e3 * heights[k], (k + 1) % head().n_x == 0 ? "\n" : ", ");
+        return table;
+    }
+
+    std::vector<std::string> remarks() const {
+        const ProgramCase& last = steps_.back();
+        std::vector<std::string> found;
+        if (!is_line_contact(last) && !is_close(last.spacing[0], last.spacing[1]))
+            found.push_back(fmt::format("cells of {:.6g} x {:.6g} mm became squares of {:.6g} mm",
+                                        1e3 * last.spacing[0], 1e3 * last.spacing[1],
+                                        1e3 * last.spacing[0]));
+        const double aside = (last.distance.offset[0] - last.first[0]) / last.spacing[0];
+        if (!last.distance.heights && std::abs(aside - std::round(aside)) > 1e-3)
+            found.push_back("the lowest point lies at a cell's centre here, not beside it");
+        if (last.digits.heat != 0) found.emplace_back("temperatures are not computed (H)");
+        if (last.deepest > 0 && last.is_rolling())
+            found.emplace_back("stresses inside are not computed while the contact rolls on (S)");
+        const bool mixed = std::ranges::any_of(steps_, [&](const ProgramCase& one) {
+            return one.digits.normal != head().digits.normal;
+        });
+        if (mixed)
+            found.emplace_back("the depths PEN were taken for the force FN of the first case");
+        return found;
+    }
+
+    ProgramSequence steps_;
+    const std::string& name_;
+    bool coupled_;
+};
+
+}  // namespace
+
+std::string ImportedCase::text_beside(const std::string& stem) const {
+    std::string out = text;
+    const auto add = [&](std::string_view section, const std::string& line) {
+        out.insert(out.find(section) + section.size(), line);
+    };
+    if (!heights.empty())
+        add("[indenter]\n", fmt::format("file = {}\n", toml_string(stem + heights_ending)));
+    if (!influence_file.empty())
+        add("[bem]\n", fmt::format("influence = {}\n", toml_string(stem + influence_ending)));
+    return out;
+}
+
+Import import_cases(std::string text, const std::string& name, const CouplesBodies& is_coupled) {
+    const std::vector<ProgramCase> cases = read_program_cases(std::move(text), name);
+    Import found;
+    for (std::size_t begin = 0; begin < cases.size();) {
+        const auto steps = next_sequence(ProgramSequence(cases).subspan(begin));
+        ImportedCase one{.first = begin + 1, .last = begin + steps.size()};
+        begin += steps.size();
+        try {
+            SequenceImport(steps, name, is_coupled).write(one);
+            found.cases.push_back(std::move(one));
+        } catch (const contact::InputError& why) {
+            found.left_out.push_back({one.first, one.last, why.what()});
+        }
+    }
+    if (found.cases.empty()) throw contact::InputError(found.left_out.front().reason);
+    return found;
+}
+
+}  // namespace tricontact::io

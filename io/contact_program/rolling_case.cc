@@ -1,0 +1,152 @@
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "contact/bodies/half_space_scales.h"
+#include "io/case/case_reader.h"
+#include "io/contact_program/sequence_case.h"
+#include "io/keys/messages.h"
+
+namespace tricontact::io {
+
+namespace {
+
+constexpr double same_direction = 1e-6;  // [rad]
+constexpr double same_step = 1e-3;       // of DX
+
+/// Reads rolling on out of a steady state, or of steps from rest.
+class RollingReading {
+  public:
+    RollingReading(ProgramSequence steps, const std::string& name)
+        : steps_(steps), name_(name), rolling_(steps.back()) {
+        sign_ = sign_of_x();
+        if (rolling_.distance.heights)
+            refuse(rolling_.distance.line, "IBASE",
+                   "a body given by heights does not tell how it rolls on",
+                   "give a quadratic body by IBASE = 1");
+        if (rolling_.digits.tangential == 2) check_from_rest();
+    }
+
+    std::string text(const std::string& heading) const {
+        const std::string sections =
+            bodies_text(rolling_, name_) + load_text() + "[tractive_rolling]\n" + drive_text();
+        const std::string cells = cells_text(rolling_);
+        const auto c = parse_case(heading + sections + cells, name_ + ", as a case");
+        const double a = contact::half_space_scales(c).contact_radius;
+        return heading + sections +
+               fmt::format("distance = {}\n", toml_number(n_rolled() * rolling_.spacing[0] / a)) +
+               cells;
+    }
+
+  private:
+    [[noreturn]] void refuse(int line, const std::string& subject, const std::string& rule,
+                             const std::string& remedy) const {
+        fail(fmt::format("{}:{}:1", name_, line), subject, rule, remedy);
+    }
+
+    /// Cells; of a steady state, which is found directly, one.
+    double n_rolled() const {
+        double n = 0;
+        for (const ProgramCase& one : steps_) n += one.digits.tangential == 2;
+        return std::max(n, 1.);
+    }
+
+    /// The indenter rolls towards +x here: a contact that rolls towards -x is turned round.
+    double sign_of_x() const {
+        const double turns = rolling_.direction / std::numbers::pi, whole = std::round(turns);
+        if (std::abs(turns - whole) * std::numbers::pi > same_direction)
+            refuse(rolling_.rolling_line, fmt::format("CHI = {}", rolling_.direction),
+                   "the contact rolls along x, to one side or the other", "give 0 or 180d");
+        return std::fmod(whole, 2) == 0 ? 1 : -1;
+    }
+
+    /// Pressed and loaded in one step, then rolled cell by cell under the same loads.
+    void check_from_rest() const {
+        std::size_t n_pressed = 0;
+        while (steps_[n_pressed].digits.tangential < 2) ++n_pressed;
+        if (n_pressed > 1)
+            refuse(steps_[1].digits.line, "T = 1",
+                   "what rolls on from rest is pressed and loaded in one case",
+                   "give one case T = 1");
+        const bool forced = rolling_.digits.force >= 1;
+        if (n_pressed == 0 && forced)
+            refuse(rolling_.loads_line, "FX", "acts before the contact rolls on from rest",
+                   "load it by a case T = 1");
+        if (n_pressed == 1 && !same_rest(steps_[0], forced))
+            refuse(steps_[0].loads_line, "FX",
+                   forced ? "must be that of rolling on" : "no load acts before a creepage does",
+                   "give the same FN and FX in all cases, or no FX");
+        for (const ProgramCase& one : steps_.subspan(n_pressed)) check_step(one);
+    }
+
+    bool same_rest(const ProgramCase& rest, bool forced) const {
+        const bool same_normal = rest.digits.normal == rolling_.digits.normal &&
+                                 is_close(program_load(rest), program_load(rolling_));
+        const double load = rest.digits.tangential == 0 ? 0 : rest.tangential[0];
+        const bool same_load = forced && rest.digits.force >= 1
+                                   ? is_close(load, rolling_.tangential[0])
+                                   : load == 0 && (!forced || rolling_.tangential[0] == 0);
+        return same_normal && same_load && rest.tangential[1] == 0 && rest.rotation == 0;
+    }
+
+    void check_step(const ProgramCase& one) const {
+        const auto demand = [&](bool same, int line, const char* what) {
+            if (!same)
+                refuse(line, what, "changes while the contact rolls on from rest", "keep it");
+        };
+        demand(one.digits.tangential == 2, one.digits.line, "T");
+        demand(one.digits.force == rolling_.digits.force &&
+                   one.digits.normal == rolling_.digits.normal,
+               one.digits.line, "F or N");
+        demand(is_close(one.normal, rolling_.normal) && one.tangential == rolling_.tangential &&
+                   one.rotation == rolling_.rotation,
+               one.loads_line, "the load or creepage");
+        demand(one.distance.offset == rolling_.distance.offset, one.distance.data_line,
+               "the place of the body");
+        if (std::abs(one.step / one.spacing[0] - 1) > same_step)
+            refuse(one.rolling_line, fmt::format("DQ = {}", 1e3 * one.step),
+                   fmt::format("is not DX = {}: a step is one cell", 1e3 * one.spacing[0]),
+                   "give the same length");
+    }
+
+    std::string load_text() const {
+        std::string text = "[load]\n" + normal_text(rolling_);
+        if (rolling_.digits.force >= 1)
+            text += fmt::format("tangential_ratio = {}\n",
+                                toml_number(0 - sign_ * rolling_.tangential[0]));
+        return text;
+    }
+
+    std::string drive_text() const {
+        std::string text;
+        if (rolling_.digits.force == 0)
+            text += fmt::format("longitudinal_creepage = {}\n",
+                                toml_number(sign_ * rolling_.tangential[0] + 0.));
+        const double across = rolling_.tangential[1], spin = rolling_.rotation;
+        if (rolling_.digits.force == 2 && across != 0)
+            refuse(rolling_.loads_line, fmt::format("FY = {}", across),
+                   "across the way a creepage is prescribed, or no force acts",
+                   "give F = 1 and CETA, or FY = 0");
+        if (rolling_.digits.force < 2 && (across != 0 || spin != 0))
+            text += fmt::format("lateral_creepage = {}\n", toml_number(sign_ * across + 0.));
+        if (spin != 0) text += fmt::format("spin = \"{} rad/m\"\n", spin);
+        if (rolling_.digits.material == 1 && rolling_.creep_ratio[0] * rolling_.creep_time[0] > 0)
+            text += fmt::format("speed = \"{} mm/s\"\n", 1e3 * rolling_.speed);
+        return text;
+    }
+
+    ProgramSequence steps_;
+    const std::string& name_;
+    const ProgramCase& rolling_;
+    double sign_ = 1;  // of x there
+};
+
+}  // namespace
+
+std::string rolling_case(ProgramSequence steps, const std::string& name,
+                         const std::string& heading) {
+    return RollingReading(steps, name).text(heading);
+}
+
+}  // namespace tricontact::io

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <string>
+
+#include "io/contact_program/case_parts.h"
+
+namespace tricontact::io {
+
+/// The case that is pressed, loaded and perhaps rolled to and fro in whole periods of equal steps
+/// as these shifts are (T = 0, 1); each step is compared with the case's. `heading`: what comes
+/// before the sections. Throws contact::InputError, naming file and line, for steps that are
+/// others.
+std::string sequence_case(ProgramSequence steps, const std::string& name, bool is_coupled,
+                          const std::string& heading);
+
+/// The case that follows these shifts row by row, whatever they are ([path]). Throws
+/// contact::InputError for what no row says.
+std::string path_case(ProgramSequence steps, const std::string& name, const std::string& heading);
+
+/// The normal problem alone, T = 0, as a case without tangential load.
+std::string pressing_case(ProgramSequence steps, const std::string& name, bool is_coupled,
+                          const std::string& heading);
+
+/// The case that rolls on as this steady state does (T = 3), or as these steps from rest do (T = 2
+/// after pressing). Throws contact::InputError as path_case().
+std::string rolling_case(ProgramSequence steps, const std::string& name,
+                         const std::string& heading);
+
+}  // namespace tricontact::io
