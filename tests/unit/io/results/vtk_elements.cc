@@ -105,7 +105,7 @@ TEST_F(VtkElements, AnElementSurfaceReadsBackExactlyAsPointDataOfQuadrilaterals)
     expect_scalar(data, "slip_path_m", s.slip_path);
     expect_scalar(data, "friction_work_J_per_m2", s.friction_work);
     expect_bytes(data, "contact_state", {0, 1, 2, 0, 1, 2, 0, 1, 2, 0, 1, 2, 0, 1, 2});
-    expect_numbers(grid->GetFieldData(), "TimeValue", {1. / 3});
+    expect_numbers(grid->GetFieldData(), "time_periods", {1. / 3});
     expect_numbers(grid->GetFieldData(), "indenter_position_m", {0.0011, -0.0007, 0});
     expect_origin(grid->GetFieldData());
 }
@@ -191,7 +191,7 @@ TEST_F(VtkElements, AnInteriorReadsBackExactly) {
     expect_bytes(grid->GetCellData(), "region", {1, 0});
     expect_scalar(grid->GetCellData(), "strain_energy_density_J_per_m3", in.energy_density);
     vtkFieldData* fields = grid->GetFieldData();
-    expect_numbers(fields, "TimeValue", {2.25});
+    expect_numbers(fields, "time_periods", {2.25});
     expect_numbers(fields, "strain_energy_J", {1. / 7});
     expect_numbers(fields, "applied_force_N", {1. / 3, -1. / 9, -21.1});
     expect_numbers(fields, "base_reaction_N", {-1. / 3, 1. / 9, 21.1});

@@ -55,7 +55,7 @@ TEST_F(VtkRectilinear, AGridReadsBackExactly) {
         EXPECT_EQ(pressure->GetTuple1(i), contact::mean_pressure(in.stress[i]));
     }
     vtkFieldData* fields = read->GetFieldData();
-    expect_numbers(fields, "TimeValue", {0.25});
+    expect_numbers(fields, "time_periods", {0.25});
     expect_numbers(fields, "strain_energy_J", {1. / 7});
     expect_numbers(fields, "applied_force_N", {1. / 3, -1. / 9, -21.1});
     EXPECT_FALSE(fields->GetArray("base_reaction_N"));  // nobody computed it

@@ -76,7 +76,7 @@ void expect_fields(vtkFieldData* data, const Surface& s) {
 }
 
 void expect_provenance(vtkFieldData* data, double phase, const Surface& s) {
-    expect_numbers(data, "TimeValue", {phase});
+    expect_numbers(data, "time_periods", {phase});
     expect_numbers(data, "indenter_position_m", {s.offset[0], s.offset[1], 0});
     expect_origin(data);
 }
