@@ -74,7 +74,7 @@ RollingRun roll_model(const std::string& model, const Case& c, const RollOptions
             if (!std::isfinite(way)) return steady.add(0, surface);
             const double at = speed > 0 ? state.distance / speed : way;
             surfaces.add(at, surface);
-            indenters.add(at, indenter, {.indentation = state.indentation});
+            indenters.add(at, indenter, {.offset = surface.offset, .indentation = state.indentation});
         };
     RollingRun run = roll(model, c, runs);
     bar.finish("");

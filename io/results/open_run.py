@@ -1,6 +1,5 @@
-# Opens the results beside this script in ParaView, at the last state: one layout per model with stick and
-# slip, the tractions, a section through substrate and indenter, and the shift over the periods; of a walking
-# machine its motion.
+# Opens the results beside this script in ParaView, at the last state: one layout per model with stick and slip,
+# the tractions, a section through substrate and indenter, and the shift; of a walking machine its motion.
 #   paraview --script=open_run.py        (or pvpython open_run.py IMAGE_FOLDER to save pictures)
 import csv
 import glob
@@ -158,6 +157,7 @@ def surface_cells(source):
 
 def show_stick_slip(source, view):
     display = Show(source, view)
+    display.SetRepresentationType("Surface")
     colour(display, view, surface_cells(source), "contact_state", "contact")
     display.PointSize = 6
     say_time(source, view)
@@ -174,6 +174,7 @@ def thinned(source):
 
 def show_tractions(source, view, size, lift):
     display = Show(source, view)
+    display.SetRepresentationType("Surface")
     colour(display, view, "CELLS" if source.CellData["normal_traction_Pa"] else "POINTS", "normal_traction_Pa",
            "normal traction [Pa]")
     display.PointSize = 6

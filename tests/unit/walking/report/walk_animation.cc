@@ -56,7 +56,7 @@ TEST_F(WalkAnimation, BodyMovesAsItsPointsDo) {
     write_walk_animation(folder_.string(), c, std::vector{some_snapshot(7)}, provenance_);
     vtkPolyData* poly = read("machine_000000.vtp");
     vtkPointData* data = poly->GetPointData();
-    constexpr double rounding = 1e-18;  // of numbers about 1e-4
+    constexpr double rounding = 1e-10;  // of numbers below 1e-3 in single precision
     int n_corners = 0;
     for (vtkIdType cell = 0; cell < poly->GetNumberOfCells(); ++cell) {
         if (poly->GetCellData()->GetArray("part")->GetTuple1(cell) != 2) continue;
@@ -89,7 +89,7 @@ TEST_F(WalkAnimation, ForcesActOnTheBodyAndBalanceItsAcceleration) {
             z += force[2];
         }
     const auto due = acceleration(c.machine, spots_of(c.machine), snapshot.motion);
-    constexpr double rounding = 1e-18;  // of numbers about 1e-4
+    constexpr double rounding = 1e-10;  // of numbers below 1e-3 in single precision
     EXPECT_NEAR(x, due.x, rounding);
     EXPECT_NEAR(z, -due.z, rounding);
     vtkDataArray* states = poly->GetPointData()->GetArray("contact_state");
