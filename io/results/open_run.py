@@ -8,22 +8,15 @@ import sys
 
 from paraview.simple import *
 
-FIELDS = {
-    "surface": ["normal_traction_Pa", "tangential_traction_Pa", "contact_state"],
-    "steady": ["normal_traction_Pa", "tangential_traction_Pa", "contact_state"],
-    "volume": ["von_mises_Pa"],
-}
+FIELDS = {"surface": ["normal_traction_Pa", "tangential_traction_Pa", "contact_state"],
+          "steady": ["normal_traction_Pa", "tangential_traction_Pa", "contact_state"], "volume": ["von_mises_Pa"]}
 CATEGORIES = {  # of whole numbers: what each stands for, and its colour
     "contact_state": [("open", "#e8e8e8"), ("stick", "#2f5d8c"), ("slip", "#e08a2e")],
     "part": [("spots", "#c0392b"), ("spring", "#444444"), ("body", "#7d9cc0"), ("ground", "#d9cdb8"),
              ("ground, marked", "#a8977a")],
 }
-TIMES = {  # name of the time in the files, and how it is told
-    "time_s": "t = {time:.4g} s",
-    "time_periods": "n = {time:.3f} periods",
-    "time_half_lengths": "rolled: {time:.3f} a",
-    "time": "time {time:.4g}",
-}
+TIMES = {"time_s": "t = {time:.4g} s", "time_periods": "n = {time:.3f} periods",
+         "time_half_lengths": "rolled: {time:.3f} a", "time": "time {time:.4g}"}
 PLOTS = [  # of the first that a table has the columns of: table, across, upwards, title
     ("history.csv", "time_s", {"shift_x_m": "along x", "shift_y_m": "along y"}, "Rigid shift U [m]"),
     ("history.csv", "phase", {"shift_x_m": "along x", "shift_y_m": "along y"}, "Rigid shift U [m]"),
@@ -32,7 +25,6 @@ PLOTS = [  # of the first that a table has the columns of: table, across, upward
 ]
 TITLES = {"time_s": "time [s]", "phase": "periods of rolling, or rows of the path",
           "distance_m": "rolled way [m]", "time": "time"}
-DIM = [0.75, 0.75, 0.75]
 WRITTEN_TO = @folder@  # looked into where ParaView does not say where this script lies
 
 
@@ -250,7 +242,7 @@ def show_section(folder, surface, volume, view, size, lift):
         shaped = body.Input if body.Input != indenter else body
         shaped.Transform.Scale = [1.0, 1.0, scale]
         shown = Show(body, view)
-        shown.AmbientColor = shown.DiffuseColor = DIM
+        shown.AmbientColor = shown.DiffuseColor = [0.75, 0.75, 0.75]
         shown.Opacity = 0.45
         Hide(indenter, view)
     say_time(surface, view)
@@ -325,7 +317,6 @@ def show_machine(folder):
     source = open_series(os.path.join(folder, "machine.pvd"))
     layout = CreateLayout(os.path.basename(folder))
     view = new_view(layout)
-    moved = source
     name = next(a for a in ("displacement_m", "displacement") if source.PointData[a])
     field = servermanager.Fetch(source).GetFieldData().GetArray("magnification")
     moved = WarpByVector(Input=source, Vectors=["POINTS", name], ScaleFactor=field.GetTuple1(0) if field else 1.0)
@@ -334,9 +325,8 @@ def show_machine(folder):
     display.RenderPointsAsSpheres = 1
     display.LineWidth = 3
     colour(display, view, "CELLS", "part", "part")
-    bounds = list(bounds_of(source))
     say_time(source, view)
-    look(view, [-0.3, -1.0, 0.35], [0.0, 0.0, 1.0], bounds)
+    look(view, [-0.3, -1.0, 0.35], [0.0, 0.0, 1.0], bounds_of(source))
     views = {"machine": view}
     plot = plot_of(folder)
     if plot:
