@@ -106,7 +106,7 @@ TEST_F(WalkAnimation, IsInSiUnitsWithDimensions) {
     write_walk_animation(folder_.string(), c, snapshots, provenance_);
     const double tau = std::sqrt(machine.mass / machine.tangential_stiffness);
     vtkPolyData* poly = read("machine_000001.vtp");
-    EXPECT_DOUBLE_EQ(poly->GetFieldData()->GetArray("time")->GetTuple1(0), tau);
+    EXPECT_DOUBLE_EQ(poly->GetFieldData()->GetArray("time_s")->GetTuple1(0), tau);
     EXPECT_DOUBLE_EQ(poly->GetFieldData()->GetArray("run_time_s")->GetTuple1(0), 8 * tau);
     EXPECT_NE(content("machine.pvd").find("timestep=\"0\" "), std::string::npos);
     // The left spot: k_z n upwards, k_x u backwards.
