@@ -179,6 +179,14 @@ TEST_F(Vtk, TheCollectionListsFilesByPhase) {
               "</VTKFile>\n");
 }
 
+// States of one time come before it as far apart as the following ones; later ones share the gap.
+TEST_F(Vtk, StatesOfOneTimeAreSetApart) {
+    EXPECT_EQ(times_apart({0, 0, 0, 0.25, 0.5}), (std::vector{-0.5, -0.25, 0., 0.25, 0.5}));
+    EXPECT_EQ(times_apart({0, 1, 1, 2}), (std::vector{0., 0.5, 1., 2.}));
+    EXPECT_EQ(times_apart({3, 3}), (std::vector{2., 3.}));
+    EXPECT_TRUE(times_apart({}).empty());
+}
+
 TEST_F(Vtk, FieldsOfAWrongSizeAreRefused) {
     Surface s = surface_of(Surface::Layout::grid, 5, 4);
     s.gap.pop_back();

@@ -112,8 +112,8 @@ TEST_F(WalkAnimation, IsInSiUnitsWithDimensions) {
     // The left spot: k_z n upwards, k_x u backwards.
     const auto normal = vector(poly->GetPointData(), "normal_force_N", 0);
     const auto tangential = vector(poly->GetPointData(), "tangential_force_N", 0);
-    EXPECT_DOUBLE_EQ(normal[2], machine.normal_stiffness * 6e-5 * machine.half_width);
-    EXPECT_DOUBLE_EQ(tangential[0], -machine.tangential_stiffness * 1e-5 * machine.half_width);
+    EXPECT_FLOAT_EQ(normal[2], machine.normal_stiffness * 6e-5 * machine.half_width);
+    EXPECT_FLOAT_EQ(tangential[0], -machine.tangential_stiffness * 1e-5 * machine.half_width);
     std::array<double, 3> spot{};
     poly->GetPoint(0, spot.data());
     EXPECT_EQ(spot[0], -machine.half_width);
