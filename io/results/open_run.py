@@ -60,10 +60,6 @@ def fields_of(source):
     return [data.GetArrayInformation(i).GetName() for i in range(data.GetNumberOfArrays())]
 
 
-def bounds_of(source):
-    return source.GetDataInformation().GetBounds()
-
-
 def largest(source, name):
     array = source.PointData[name] or source.CellData[name]
     return array.GetRange(-1)[1] if array else 0.0
@@ -150,6 +146,7 @@ def surface_cells(source):
 def show_stick_slip(source, view):
     display = Show(source, view)
     display.SetRepresentationType("Surface")
+    display.Ambient, display.Diffuse = 1.0, 0.0  # the colours of the scale
     colour(display, view, surface_cells(source), "contact_state", "contact")
     display.PointSize = 6
     say_time(source, view)
@@ -167,6 +164,7 @@ def thinned(source):
 def show_tractions(source, view, size, lift):
     display = Show(source, view)
     display.SetRepresentationType("Surface")
+    display.Ambient, display.Diffuse = 1.0, 0.0  # the colours of the scale
     colour(display, view, "CELLS" if source.CellData["normal_traction_Pa"] else "POINTS", "normal_traction_Pa",
            "normal traction [Pa]")
     display.PointSize = 6
@@ -210,7 +208,7 @@ def back_half(source, bounds):
 
 def whole(volume):
     """A half model mirrored at y = 0."""
-    bounds = bounds_of(volume)
+    bounds = volume.GetDataInformation().GetBounds()
     if bounds[2] < -1e-6 * (bounds[3] - bounds[2]):
         return volume
     both = Reflect(Input=volume, Plane="Y Min", FlipAllInputArrays=1)
@@ -220,7 +218,7 @@ def whole(volume):
 
 def show_section(folder, surface, volume, view, size, lift):
     """Volume, surface and indenter, cut at y = 0 and deformed by one scale."""
-    bounds = bounds_of(surface)
+    bounds = surface.GetDataInformation().GetBounds()
     scale = warp_scale(surface, size)
     time = GetAnimationScene().AnimationTime
     skin = back_half(warped(surface, scale), bounds)
@@ -230,7 +228,7 @@ def show_section(folder, surface, volume, view, size, lift):
         colour(display, view, surface_cells(surface), "contact_state", "contact", "Upper Right Corner")
         body = whole(volume)
         body.UpdatePipeline(time)
-        inside = back_half(warped(body, scale), bounds_of(body))
+        inside = back_half(warped(body, scale), body.GetDataInformation().GetBounds())
         shown = Show(inside, view)
         colour(shown, view, "POINTS", "von_mises_Pa", "von Mises stress [Pa]")
     else:
@@ -238,7 +236,7 @@ def show_section(folder, surface, volume, view, size, lift):
     path = os.path.join(folder, "indenter.pvd")
     if os.path.exists(path):
         indenter = open_series(path)
-        body = back_half(Transform(Input=indenter, Transform="Transform"), bounds_of(indenter))
+        body = back_half(Transform(Input=indenter, Transform="Transform"), indenter.GetDataInformation().GetBounds())
         shaped = body.Input if body.Input != indenter else body
         shaped.Transform.Scale = [1.0, 1.0, scale]
         shown = Show(body, view)
@@ -289,7 +287,7 @@ def show_model(folder, series):
     for kind in kinds:
         prefix = "" if kind == "surface" else kind + "_"
         source = open_series(os.path.join(folder, kind + ".pvd"))
-        bounds = bounds_of(source)
+        bounds = source.GetDataInformation().GetBounds()
         size = max(bounds[1] - bounds[0], bounds[3] - bounds[2])
         lift = 2e-3 * size
         above = ([0.0, 0.0, 1.0], [0.0, 1.0, 0.0])
@@ -326,7 +324,7 @@ def show_machine(folder):
     display.LineWidth = 3
     colour(display, view, "CELLS", "part", "part")
     say_time(source, view)
-    look(view, [-0.3, -1.0, 0.35], [0.0, 0.0, 1.0], bounds_of(source))
+    look(view, [-0.3, -1.0, 0.35], [0.0, 0.0, 1.0], source.GetDataInformation().GetBounds())
     views = {"machine": view}
     plot = plot_of(folder)
     if plot:
