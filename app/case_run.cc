@@ -5,6 +5,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "app/run_states.h"
 #include "app/studies/point_key.h"
 #include "comparisons/half_space/layer_report.h"
 #include "comparisons/run/relaxation_report.h"
@@ -12,62 +13,8 @@
 #include "io/results/history_csv.h"
 #include "io/results/journal.h"
 #include "io/results/progress.h"
-#include "io/results/vtk_files.h"
 
 namespace tricontact::app {
-
-namespace {
-
-/// The ParaView files of one model.
-class States {
-  public:
-    States(const Case& c, const std::string& folder)
-        : case_(c),
-          // The command that makes the files again from what stands beside the results.
-          provenance_{files::version, std::string("tricontact run ") + resolved_case_name},
-          surfaces_(folder, "surface", provenance_),
-          volumes_(folder, "volume", provenance_) {}
-
-    /// The section of the step, where its inside was written; else null.
-    const contact::Subsurface* add(double phase, contact::Model& model,
-                                   const contact::Progress& progress) {
-        if (progress.step == 1) {
-            surfaces_.clear();
-            volumes_.clear();
-        }
-        using enum Case::VtkOutput;
-        const Case::VtkOutput wanted = case_.output.vtk;
-        if (wanted == all || (wanted == quarters && progress.quarter))
-            surfaces_.add(phase, model.surface());
-        if (case_.output.volume != Case::VolumeOutput::quarters || !progress.quarter) return {};
-        return add_volume(phase, model);
-    }
-    const contact::Subsurface* add_last(double phase, contact::Model& model) {
-        if (case_.output.volume != Case::VolumeOutput::last) return {};
-        return add_volume(phase, model);
-    }
-    const std::optional<contact::Subsurface>& subsurface() const { return subsurface_; }
-    void finish() const {
-        if (case_.output.vtk != Case::VtkOutput::none) surfaces_.finish();
-        if (subsurface_) volumes_.finish();
-    }
-
-  private:
-    const contact::Subsurface* add_volume(double phase, contact::Model& model) {
-        const auto inside = model.interior();
-        if (!inside) return {};
-        volumes_.add(phase, *inside);
-        subsurface_ = contact::subsurface_of(*inside, phase, model.surface().offset);
-        return &*subsurface_;
-    }
-
-    const Case& case_;
-    io::Provenance provenance_;
-    io::VtkSeries surfaces_, volumes_;
-    std::optional<contact::Subsurface> subsurface_;  // of the last volume
-};
-
-}  // namespace
 
 Case with_coarser_mesh(Case c) {
     for (auto* size : {&c.bem.spacing, &c.fem.size, &c.fem.accuracy})
@@ -149,12 +96,12 @@ contact::History run_model(const std::string& name, const Case& c, const std::st
     }
     contact::Model& model = *made;
 
-    States states(c, folder);
+    RunStates states(c, folder, say);
     io::ProgressBar bar(std::cerr, io::ProgressBar::style_of_stderr(options.quiet), name);
     const contact::Observer observer = [&](const contact::StepRecord& record, contact::Model& state,
                                            const contact::Progress& progress) {
         bar.update(progress.step, progress.steps_at_most);
-        const auto* section = states.add(record.phase, state, progress);
+        const auto* section = states.add(record, state, progress);
         if (film) film->add(record, state, progress);
         if (film && section) film->add_section(*section, progress.step);
     };
@@ -165,7 +112,7 @@ contact::History run_model(const std::string& name, const Case& c, const std::st
         states.finish();  // what did converge
         throw;
     }
-    const auto* section = states.add_last(history.steps.back().phase, model);
+    const auto* section = states.add_last(history.steps.back(), model);
     if (film && section) film->add_section(*section, static_cast<int>(history.steps.size()));
     history.subsurface = states.subsurface();
     history.audit = model.audit();

@@ -152,17 +152,21 @@ void RollRecorder::note(const rolling::RollingState& state, double way, const Su
     while (next_line < std::size(line_distances) && way + tolerance >= line_distances[next_line])
         ++next_line;
     const bool line = next_line > before;
-    if (!line && !(runs.show && runs.show_all)) return;
+    const auto frame = [&](double at) { return std::floor((at + tolerance) * runs.frames); };
+    const bool shown = runs.show && (line || frame(way) > frame(last_shown));
+    if (!line && !shown) return;
     const contact::Surface now = surface();
     if (line) run.lines.push_back(centre_line(now, friction_coefficient, state.distance));
-    if (runs.show) runs.show(way, now);
+    if (!shown) return;
+    last_shown = way;
+    runs.show(way, state, now);
 }
 
 void RollRecorder::note_steady(const rolling::RollingState& state, contact::Surface surface) {
     run.lines.push_back(centre_line(surface, friction_coefficient, contact::infinity));
     run.history.steady = state;
     run.history.surface = std::move(surface);
-    if (runs.show) runs.show(contact::infinity, run.history.surface);
+    if (runs.show) runs.show(contact::infinity, state, run.history.surface);
 }
 
 void RollRecorder::add_curve(double begin, double sliding,

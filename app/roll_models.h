@@ -15,10 +15,12 @@ struct RollRuns {
     int threads = 1;
     /// After each step from rest, then after each point of the creep curve: how far it is.
     std::function<void(int step, int steps)> progress = {};
-    /// Receives states of the surface: those of which the report draws lines, or all; the way is
-    /// rolled over the half length a, infinite for the steady state.
-    std::function<void(double way, const contact::Surface&)> show = {};
-    bool show_all = false;
+    /// Receives states of the surface: those of which the report draws lines and `frames` in each
+    /// half length a of the way; the way is rolled over a, infinite for the steady state.
+    std::function<void(double way, const rolling::RollingState&, const contact::Surface&)> show =
+        {};
+    double frames = 0;
+    static constexpr double every_step = 1e9;  ///< frames; of springs, which are many, 40
     /// Called before the contact rolls again from rest, on a larger grid than has proved too small:
     /// what was shown before is void.
     std::function<void()> begin_again = {};
@@ -32,6 +34,7 @@ struct RollRecorder {
     const RollRuns& runs;
     double friction_coefficient;
     std::size_t next_line = 0;  ///< of the report's ways
+    double last_shown = 0;      ///< way
 
     /// A state from rest; `way` rolled over the half length a, growing from call to call. Of the
     /// first state at each of the report's ways, less a tolerance, a line is kept.

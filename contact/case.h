@@ -34,7 +34,7 @@ struct Case {
     };
     enum class AmplitudeReference { hertz, model };
     enum class Steps { increment, per_quarter, turning_points };
-    enum class VtkOutput { none, quarters, all };
+    enum class VtkOutput { none, quarters, frames, all };
     enum class VolumeOutput { none, last, quarters };
     enum class Base { bonded, frictionless, half_space };
     enum class Sides { free, fixed };
@@ -196,7 +196,8 @@ struct Case {
     };
 
     struct Output {
-        VtkOutput vtk = VtkOutput::quarters;
+        VtkOutput vtk = VtkOutput::frames;
+        int frames_per_period = 40;  ///< at most, for VtkOutput::frames
         VolumeOutput volume = VolumeOutput::none;
         std::optional<double> volume_depth;  ///< of half-space models [m]; empty: 3 a
     };

@@ -274,7 +274,7 @@ class Run {
 
     void note(const LoadStep& step, const StepRecord& record, bool quarter) {
         // Slow pressing takes no time that could be told.
-        if ((case_.relaxation || case_.prescribed_path) && std::isfinite(step.duration))
+        if (std::isfinite(step.duration))
             time_ += step.duration;
         history_.steps.push_back(record);
         history_.steps.back().time = time_;

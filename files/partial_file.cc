@@ -106,11 +106,19 @@ void write_all(int descriptor, std::string_view bytes) {
 }
 
 // The lock goes with the descriptor, so the file has its final name before it is closed.
-void PartialFile::move_to_target() {
-    if (::fsync(descriptor_) != 0) fail(errno);
+void PartialFile::move_to_target(bool synced) {
+    if (synced && ::fsync(descriptor_) != 0) fail(errno);
     if (std::rename(path_.c_str(), target_.c_str()) != 0) fail(errno);
     path_.clear();
     if (::close(std::exchange(descriptor_, -1)) != 0) fail(errno);
+}
+
+void sync_file_system(const std::string& folder) {
+    const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (descriptor < 0) fail(errno);
+    const int error = ::syncfs(descriptor) == 0 ? 0 : errno;
+    ::close(descriptor);
+    if (error != 0) fail(error);
 }
 
 void remove_left_partial_files(const std::string& folder) noexcept {

@@ -23,13 +23,16 @@ class PartialFile {
     int descriptor() const { return descriptor_; }
     const std::string& path() const { return path_; }  ///< until it is moved
     void write(std::string_view bytes) { write_all(descriptor_, bytes); }
-    /// Synced to the disk first.
-    void move_to_target();
+    /// Synced to the disk first, unless that is left to `sync_file_system` for many files at once.
+    void move_to_target(bool synced = true);
 
   private:
     std::string target_, path_;
     int descriptor_ = -1;
 };
+
+/// All that was written to the file system of a folder is on the disk. Throws std::system_error.
+void sync_file_system(const std::string& folder);
 
 /// Removes from a folder what killed processes left of partial files, and nothing that is being
 /// written. Where the file system has no locks, what is older than a day. A folder that does not

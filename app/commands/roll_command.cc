@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include "app/commands/command.h"
@@ -5,6 +6,7 @@
 #include "bem/model.h"
 #include "io/results/progress.h"
 #include "io/results/vtk_files.h"
+#include "io/results/vtk_indenter.h"
 #include "report/format.h"
 #include "rolling/creep_theory.h"
 #include "rolling/rolling_document.h"
@@ -25,9 +27,22 @@ io::OutputNames roll_outputs(const std::vector<std::string>& models) {
     io::OutputNames names{{resolved_case_name, "summary.json", "creep.csv", "report.html"},
                           {io::paraview_macro_name}};
     for (const std::string& model : models)
-        for (const char* name : {"/history.csv", "/surface.pvd", "/steady.pvd"})
+        for (const char* name : {"/history.csv", "/surface.pvd", "/indenter.pvd", "/steady.pvd"})
             names.results.push_back(model + name);
     return names;
+}
+
+double frames_of(const Case::Output& output) {
+    if (output.vtk == Case::VtkOutput::all) return RollRuns::every_step;
+    return output.vtk == Case::VtkOutput::frames ? output.frames_per_period : 0;
+}
+
+io::IndenterShape indenter_shape(const Case& c) {
+    constexpr double shown = 1.5;  // half lengths of the contact
+    const contact::HalfSpaceScales scales = contact::half_space_scales(c);
+    return {*c.make_indenter(),
+            {shown * std::max(scales.half_widths[0], scales.half_widths[1]),
+             c.is_cylindrical() ? c.indenter.length / 2 : 0}};
 }
 
 rolling::RollingRun roll_model(const std::string& model, const Case& c,
@@ -35,26 +50,38 @@ rolling::RollingRun roll_model(const std::string& model, const Case& c,
     const std::string folder = options.output + "/" + model;
     io::make_output_folder(folder);
     const io::Provenance provenance{files::version, roll_again};
-    io::VtkSeries surfaces(folder, "surface", provenance), steady(folder, "steady", provenance);
+    const double speed = c.tractive_rolling->speed;
+    const char* time = speed > 0 ? io::time_in_seconds : io::time_in_half_lengths;
+    io::VtkSeries surfaces(folder, "surface", provenance, time);
+    io::VtkSeries indenters(folder, "indenter", provenance, time);
+    io::VtkSeries steady(folder, "steady", provenance, time);
+    const io::IndenterShape indenter = indenter_shape(c);
     io::ProgressBar bar(std::cerr, io::ProgressBar::style_of_stderr(options.quiet), model);
     RollRuns runs{.points = options.points,
                   .threads = options.threads,
                   .progress = [&](int step, int steps) { bar.update(step, steps); },
                   .show = {},
-                  .show_all = c.output.vtk == Case::VtkOutput::all,
+                  .frames = frames_of(c.output),
                   .begin_again =
                       [&] {
                           surfaces.clear();
+                          indenters.clear();
                           steady.clear();
                       }};
     if (c.output.vtk != Case::VtkOutput::none)
-        runs.show = [&](double way, const contact::Surface& surface) {
-            std::isfinite(way) ? surfaces.add(way, surface) : steady.add(0, surface);
+        runs.show = [&](double way, const rolling::RollingState& state,
+                        const contact::Surface& surface) {
+            if (!std::isfinite(way)) return steady.add(0, surface);
+            const double at = speed > 0 ? state.distance / speed : way;
+            surfaces.add(at, surface);
+            indenters.add(at, indenter,
+                          {.offset = surface.offset, .indentation = state.indentation});
         };
     rolling::RollingRun run = roll(model, c, runs);
     bar.finish("");
     if (runs.show) {
         surfaces.finish();
+        indenters.finish();
         steady.finish();
     }
     io::write_file(folder + "/history.csv", rolling::history_csv(run));

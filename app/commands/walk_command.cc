@@ -33,12 +33,13 @@ std::vector<Snapshot> frames_of(const Walk& walk, std::size_t most) {
     return frames;
 }
 
-void write_animation(const std::string& output, const WalkCase& walk_case, const Walk& walk) {
+void write_animation(const CommandOptions& options, const WalkCase& walk_case, const Walk& walk) {
     const auto frames = frames_of(walk, static_cast<std::size_t>(walk_case.frames));
     if (frames.empty()) return;
-    const std::string folder = output + "/animation";
+    const std::string folder = options.output + "/animation";
     io::make_output_folder(folder);
     walking::write_walk_animation(folder, walk_case, frames, {files::version, walk_again});
+    options.write(io::paraview_macro_name, io::paraview_macro(options.output));
 }
 
 void write_page(const CommandOptions& options, const WalkCase& walk_case, const Walk& walk) {
@@ -58,7 +59,7 @@ void walk_machine(CommandOptions options) {
     const std::string resolved = walking::write_walk_case(walk_case);
     Walk walk;
     options.fill({{resolved_case_name, "summary.json", "report.html", "windows.csv", "motion.csv",
-                   "animation/machine.pvd"}},
+                   "animation/machine.pvd", io::paraview_macro_name}},
                  [&] {
                      options.write(resolved_case_name, resolved);
                      walk = walking::walk(walk_case, report_recording);
@@ -66,7 +67,7 @@ void walk_machine(CommandOptions options) {
                                    walking::walk_summary(walk_case, resolved, walk));
                      options.write("windows.csv", walking::windows_csv(walk_case, walk));
                      options.write("motion.csv", walking::motion_csv(walk_case, walk));
-                     write_animation(options.output, walk_case, walk);
+                     write_animation(options, walk_case, walk);
                      if (options.report) write_page(options, walk_case, walk);
                  });
     if (!options.quiet) std::cout << walking::walk_text(walk_case, walk);

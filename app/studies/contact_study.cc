@@ -132,7 +132,7 @@ class ContactKind : public StudyKind {
             if (point.output.vtk == Case::VtkOutput::none)
                 throw contact::InputError(
                     "--vtk: output.vtk = \"none\" leaves nothing to write; set output.vtk = "
-                    "\"quarters\" in the case or in [set], or omit --vtk");
+                    "\"frames\" in the case or in [set], or omit --vtk");
     }
 
     std::vector<Places> lots(const StudyPoints&, const Places& open) const override {
@@ -193,8 +193,8 @@ StudyPoint make_point(const Case& c, const std::string& model, int level, const 
     Case of_point = c;
     of_point.title.clear();
     of_point.models = {model};
-    of_point.output = {
-        .vtk = Case::VtkOutput::none, .volume = Case::VolumeOutput::none, .volume_depth = {}};
+    of_point.output = {};
+    of_point.output.vtk = Case::VtkOutput::none;
     if (level > 0)
         of_point = io::parse_case(io::write_case(of_point), name, finer(model, of_point, level));
     Case content = of_point;

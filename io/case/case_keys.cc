@@ -81,11 +81,19 @@ std::vector<CaseKey> model_keys() {
          at<&Case::fem, &Fem::cache>},
         {choice_key("output.vtk",
                     {choice("none", Vtk::none), choice("quarters", Vtk::quarters),
-                     choice("all", Vtk::all)},
-                    R"("quarters")",
-                    "surfaces written for ParaView: none, each quarter period, all steps",
-                    {.default_value = R"("quarters")"}),
+                     choice("frames", Vtk::frames), choice("all", Vtk::all)},
+                    R"("frames")",
+                    "surfaces written for ParaView: none; the loaded contact and each quarter "
+                    "period; pressing, loading and frames_per_period; all steps",
+                    {.default_value = R"("frames")"}),
          at<&Case::output, &Output::vtk>},
+        {integer_key("output.frames_per_period", {4, 10000}, "40",
+                   "at most, of the steps that are computed; of a prescribed path: from row to "
+                   "row; of rolling on: in each half length a of the way",
+                   {.default_value = "40"}),
+         [](Case& c) {
+             return c.output.vtk == Vtk::frames ? Field(&c.output.frames_per_period) : Field();
+         }},
         {choice_key("output.volume",
                     {choice("none", Volume::none), choice("last", Volume::last),
                      choice("quarters", Volume::quarters)},

@@ -152,8 +152,8 @@ std::vector<CaseKey> rolling_keys() {
                     {.alternative = steps}),
          in_steps<Steps::turning_points, &Rolling::steps>},
         {quantity_key("rolling.speed", Dimension::velocity, above_zero(1e9), R"("1 mm/s")",
-                      "speed of the drive, the same all along the path; of elastic substrates the "
-                      "checks of a rig alone use it",
+                      "speed of the drive, the same all along the path; of elastic substrates only "
+                      "the checks of a rig and the time of the results use it",
                       {.required = true}),
          [](Case& c) {
              const bool has_one = c.rolling && (c.relaxation || c.rolling->speed > 0);

@@ -19,14 +19,16 @@ namespace {
 
 namespace fs = std::filesystem;
 
+enum class Kept { no, unsynced, synced };
+
 // Writes the file; `blamed` and `what` begin the message of any failure: "<blamed>: <what> (Disk
 // full)".
 void write_or_refuse(const std::string& path, std::string_view bytes, const std::string& blamed,
-                     const char* what, bool keep) {
+                     const char* what, Kept kept) {
     try {
         files::PartialFile file(path);
         file.write(bytes);
-        if (keep) file.move_to_target();
+        if (kept != Kept::no) file.move_to_target(kept == Kept::synced);
     } catch (const std::system_error& error) {
         refuse_output(blamed, what, error.code().value());
     }
@@ -38,6 +40,13 @@ const char* kind_of(fs::file_type type) {
            : type == fifo   ? "is a named pipe, not a regular file"
            : type == socket ? "is a socket, not a regular file"
                             : "is a device, not a regular file";
+}
+
+void write_checked(const std::string& path, std::string_view bytes, Kept kept) {
+    if (fs::path(path).filename().empty())
+        fail(path, "", "names no file to write", "add a file name");
+    check_replaceable(path);
+    write_or_refuse(path, bytes, path, "cannot be written", kept);
 }
 
 // The drawing goes last: a removal that is interrupted is made up for.
@@ -62,10 +71,19 @@ std::string first_bytes(const std::string& path, std::size_t n) {
 }
 
 void write_file(const std::string& path, std::string_view bytes) {
-    if (fs::path(path).filename().empty())
-        fail(path, "", "names no file to write", "add a file name");
-    check_replaceable(path);
-    write_or_refuse(path, bytes, path, "cannot be written", true);
+    write_checked(path, bytes, Kept::synced);
+}
+
+void write_unsynced(const std::string& path, std::string_view bytes) {
+    write_checked(path, bytes, Kept::unsynced);
+}
+
+void sync_files(const std::string& folder) {
+    try {
+        files::sync_file_system(folder);
+    } catch (const std::system_error& error) {
+        refuse_output(folder, "files cannot be written", error.code().value());
+    }
 }
 
 void make_output_folder(const std::string& path) {
@@ -76,7 +94,7 @@ void make_output_folder(const std::string& path) {
     files::remove_left_partial_files(path);
     // Proves the right to write, and leaves nothing behind.
     write_or_refuse((fs::path(path) / "probe").string(), "probe", path,
-                    "the output folder cannot be written to", false);
+                    "the output folder cannot be written to", Kept::no);
 }
 
 std::string output_folder(const std::string& given, const std::string& input_file,

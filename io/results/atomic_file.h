@@ -11,6 +11,10 @@ namespace tricontact::io {
 /// what check_replaceable (output_target.h) does. Throws contact::InputError naming the path, the
 /// system's reason and a remedy.
 void write_file(const std::string& path, std::string_view bytes);
+/// The same but for the fsync, for files of a series: whole whenever the process ends, but on the
+/// disk after `sync_files` of their folder only. Both throw contact::InputError.
+void write_unsynced(const std::string& path, std::string_view bytes);
+void sync_files(const std::string& folder);
 
 /// Makes the folder (with parents) if it is missing and proves that a file can be written there.
 /// Throws contact::InputError if it is a file, or cannot be made or written to.

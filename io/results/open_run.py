@@ -1,13 +1,30 @@
-# Opens the results beside this script in ParaView, at the last state: one layout per model, the
-# contact surface and, where there are such, steady rolling and the inside.
+# Opens the results beside this script in ParaView, at the last state: one layout per model with stick and slip,
+# the tractions, a section through substrate and indenter, and the shift; of a walking machine its motion.
 #   paraview --script=open_run.py        (or pvpython open_run.py IMAGE_FOLDER to save pictures)
+import csv
 import glob
 import os
 import sys
 
 from paraview.simple import *
 
-FIELDS = {"surface": ["normal_traction_Pa"], "steady": ["normal_traction_Pa"], "volume": ["von_mises_Pa"]}
+FIELDS = {"surface": ["normal_traction_Pa", "tangential_traction_Pa", "contact_state"],
+          "steady": ["normal_traction_Pa", "tangential_traction_Pa", "contact_state"], "volume": ["von_mises_Pa"]}
+CATEGORIES = {  # of whole numbers: what each stands for, and its colour
+    "contact_state": [("open", "#e8e8e8"), ("stick", "#2f5d8c"), ("slip", "#e08a2e")],
+    "part": [("spots", "#c0392b"), ("spring", "#444444"), ("body", "#7d9cc0"), ("ground", "#d9cdb8"),
+             ("ground, marked", "#a8977a")],
+}
+TIMES = {"time_s": "t = {time:.4g} s", "time_periods": "n = {time:.3f} periods",
+         "time_half_lengths": "rolled: {time:.3f} a", "time": "time {time:.4g}"}
+PLOTS = [  # of the first that a table has the columns of: table, across, upwards, title
+    ("history.csv", "time_s", {"shift_x_m": "along x", "shift_y_m": "along y"}, "Rigid shift U [m]"),
+    ("history.csv", "phase", {"shift_x_m": "along x", "shift_y_m": "along y"}, "Rigid shift U [m]"),
+    ("history.csv", "distance_m", {"longitudinal_creepage": "along x"}, "Creepage [-]"),
+    ("../motion.csv", "time", {"x": "body", "base": "base of the spring"}, "Position"),
+]
+TITLES = {"time_s": "time [s]", "phase": "periods of rolling, or rows of the path",
+          "distance_m": "rolled way [m]", "time": "time"}
 WRITTEN_TO = @folder@  # looked into where ParaView does not say where this script lies
 
 
@@ -38,64 +55,294 @@ def all_series():
                        ": let WRITTEN_TO in this script name their folder")
 
 
-def warp_scale(source, size):
-    """1 if the deformation can be seen as it is, else such that it is a tenth of the size."""
-    largest = source.PointData["displacement_m"].GetRange(-1)[1]
-    return 1.0 if largest > 0.02 * size or largest == 0 else 0.1 * size / largest
+def fields_of(source):
+    data = source.GetDataInformation().DataInformation.GetFieldDataInformation()
+    return [data.GetArrayInformation(i).GetName() for i in range(data.GetNumberOfArrays())]
 
 
-def look_at(view, bounds, inside):
-    """From above for a surface, from the front for a line, obliquely for a body."""
-    centre = [(bounds[2 * i] + bounds[2 * i + 1]) / 2 for i in range(3)]
-    above = not inside and bounds[3] > bounds[2]
-    direction = [-0.6, -1.0, 0.6] if inside else [0.0, 0.0, 1.0] if above else [0.0, -1.0, 0.0]
-    view.CameraFocalPoint = centre
-    view.CameraPosition = [c + d for c, d in zip(centre, direction)]
-    view.CameraViewUp = [0.0, 1.0, 0.0] if above else [0.0, 0.0, 1.0]
-    view.CameraParallelProjection = 1
-    ResetCamera(view)
+def largest(source, name):
+    array = source.PointData[name] or source.CellData[name]
+    return array.GetRange(-1)[1] if array else 0.0
 
 
-def show(path, kind, view):
-    """A series warped by its displacement and coloured by its main field."""
+def open_series(path, time=None):
+    """The series, named after its model, up to date at its last state or at a time."""
     source = OpenDataFile(path)
-    RenameSource(os.path.basename(os.path.dirname(path)) + " " + kind, source)
+    folder, name = os.path.split(os.path.splitext(path)[0])
+    RenameSource(os.path.basename(folder) + " " + name, source)
     scene = GetAnimationScene()
     scene.UpdateAnimationUsingDataTimeSteps()
     scene.GoToLast()
-    source.UpdatePipeline(scene.AnimationTime)
-    bounds = source.GetDataInformation().GetBounds()
-    size = max(bounds[1] - bounds[0], bounds[3] - bounds[2])
-    if kind == "volume" and bounds[2] < 0:
-        source = Clip(Input=source, ClipType="Plane")
-        source.ClipType.Origin = [0.0, 0.0, 0.0]
-        source.ClipType.Normal = [0.0, -1.0, 0.0]  # keeps y >= 0
-    if len(source.CellData) and not len(source.PointData):
-        source = CellDatatoPointData(Input=source)
-    source.UpdatePipeline(scene.AnimationTime)
-    warped = WarpByVector(Input=source, Vectors=["POINTS", "displacement_m"])
-    warped.ScaleFactor = warp_scale(source, size)
-    display = Show(warped, view)
-    ColorBy(display, ["POINTS"] + FIELDS[kind])
-    display.RescaleTransferFunctionToDataRange(False, True)
+    source.UpdatePipeline(scene.AnimationTime if time is None else time)
+    return source
+
+
+def new_view(layout, kind="RenderView"):
+    view = CreateView(kind)
+    AssignViewToLayout(view=view, layout=layout, hint=0)
+    if kind == "RenderView":
+        view.UseColorPaletteForBackground = 0
+        view.Background = [1.0, 1.0, 1.0]
+        view.OrientationAxesLabelColor = [0.0, 0.0, 0.0]
+        view.CameraParallelProjection = 1
+    return view
+
+
+def cross(a, b):
+    return [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+
+
+def look(view, direction, up, bounds):
+    """Fits the bounds into the view, seen from that direction."""
+    centre = [(bounds[2 * i] + bounds[2 * i + 1]) / 2 for i in range(3)]
+    view.CameraFocalPoint = centre
+    view.CameraPosition = [c + d for c, d in zip(centre, direction)]
+    view.CameraViewUp = up
+    length = sum(d * d for d in direction) ** 0.5
+    ahead = [-d / length for d in direction]
+    right = cross(ahead, up)
+    width = sum(d * d for d in right) ** 0.5
+    right = [d / width for d in right]
+    half = [(bounds[2 * i + 1] - bounds[2 * i]) / 2 for i in range(3)]
+    across, upwards = (sum(abs(a * h) for a, h in zip(axis, half)) for axis in (right, cross(right, ahead)))
+    view.CameraParallelScale = 1.25 * max(upwards, across / 1.25)
+
+
+def say_time(source, view):
+    """A line with the time of the state, and what the view shows."""
+    formats = [text for name, text in TIMES.items() if name in fields_of(source)]
+    if not formats:
+        return
+    told = AnnotateTimeFilter(Input=source, Format=formats[0])
+    display = Show(told, view)
+    display.Color, display.FontSize, display.WindowLocation = [0.0, 0.0, 0.0], 14, "Upper Left Corner"
+
+
+def colour(display, view, association, name, title, corner="Lower Right Corner"):
+    ColorBy(display, [association, name])
+    table = GetColorTransferFunction(name)
+    if name in CATEGORIES:
+        table.InterpretValuesAsCategories = 1
+        table.AnnotationsInitialized = 1
+        table.Annotations = [text for i, (word, _) in enumerate(CATEGORIES[name]) for text in (str(i), word)]
+        table.IndexedColors = [int(colour[i:i + 2], 16) / 255 for _, colour in CATEGORIES[name] for i in (1, 3, 5)]
+        table.IndexedOpacities = [1.0] * len(CATEGORIES[name])
+    else:
+        table.ApplyPreset("Viridis (matplotlib)", True)
+        display.RescaleTransferFunctionToDataRange(False, True)
     display.SetScalarBarVisibility(view, True)
-    look_at(view, bounds, kind == "volume")
+    bar = GetScalarBar(table, view)
+    bar.Title, bar.ComponentTitle = title, ""
+    bar.TitleColor = bar.LabelColor = [0.0, 0.0, 0.0]
+    bar.TitleFontSize = bar.LabelFontSize = 13
+    bar.WindowLocation = corner
+
+
+def surface_cells(source):
+    """Where the state of a surface is: in its cells, or the points of a line of springs."""
+    return "CELLS" if source.CellData["contact_state"] else "POINTS"
+
+
+def show_stick_slip(source, view):
+    display = Show(source, view)
+    display.SetRepresentationType("Surface")
+    display.Ambient, display.Diffuse = 1.0, 0.0  # the colours of the scale
+    colour(display, view, surface_cells(source), "contact_state", "contact")
+    display.PointSize = 6
+    say_time(source, view)
+
+
+def thinned(source):
+    """The points of a surface at which arrows are drawn, on a coarse grid where it is a grid."""
+    extent = source.GetDataInformation().GetExtent()
+    if source.GetDataInformation().GetDataSetTypeAsString() == "vtkImageData":
+        every = [max(1, (extent[2 * i + 1] - extent[2 * i]) // 24) for i in range(2)]
+        source = ExtractSubset(Input=source, VOI=extent, SampleRateI=every[0], SampleRateJ=every[1])
+    return CellCenters(Input=source) if len(source.CellData) > 1 else source
+
+
+def show_tractions(source, view, size, lift):
+    display = Show(source, view)
+    display.SetRepresentationType("Surface")
+    display.Ambient, display.Diffuse = 1.0, 0.0  # the colours of the scale
+    colour(display, view, "CELLS" if source.CellData["normal_traction_Pa"] else "POINTS", "normal_traction_Pa",
+           "normal traction [Pa]")
+    display.PointSize = 6
+    strongest = largest(source, "tangential_traction_Pa")
+    if strongest > 0:
+        arrows = Glyph(Input=thinned(source), GlyphType="Arrow")
+        arrows.OrientationArray = ["POINTS", "tangential_traction_Pa"]
+        arrows.ScaleArray = ["POINTS", "tangential_traction_Pa"]
+        arrows.ScaleFactor = 0.06 * size / strongest
+        arrows.GlyphMode = "All Points"
+        RenameSource("tangential tractions", arrows)
+        shown = Show(arrows, view)
+        shown.AmbientColor = shown.DiffuseColor = [1.0, 1.0, 1.0]
+        shown.Position = [0.0, 0.0, lift]
+    say_time(source, view)
+
+
+def warp_scale(source, size):
+    """1 if the deformation can be seen as it is, else such that it is a tenth of the size."""
+    most = largest(source, "displacement_m")
+    return 1.0 if most > 0.02 * size or most == 0 else 0.1 * size / most
+
+
+def warped(source, scale):
+    if not source.PointData["displacement_m"]:
+        source = CellDatatoPointData(Input=source)
+        source.ProcessAllArrays = 1
+        source.UpdatePipeline(GetAnimationScene().AnimationTime)
+    return WarpByVector(Input=source, Vectors=["POINTS", "displacement_m"], ScaleFactor=scale)
+
+
+def back_half(source, bounds):
+    """What lies behind the plane y = 0; all of a line."""
+    if not bounds[2] < 0 < bounds[3]:
+        return source
+    clip = Clip(Input=source, ClipType="Plane")
+    clip.ClipType.Origin = [0.0, 0.0, 0.0]
+    clip.ClipType.Normal = [0.0, -1.0, 0.0]
+    return clip
+
+
+def whole(volume):
+    """A half model mirrored at y = 0."""
+    bounds = volume.GetDataInformation().GetBounds()
+    if bounds[2] < -1e-6 * (bounds[3] - bounds[2]):
+        return volume
+    both = Reflect(Input=volume, Plane="Y Min", FlipAllInputArrays=1)
+    RenameSource("mirrored", both)
+    return both
+
+
+def show_section(folder, surface, volume, view, size, lift):
+    """Volume, surface and indenter, cut at y = 0 and deformed by one scale."""
+    bounds = surface.GetDataInformation().GetBounds()
+    scale = warp_scale(surface, size)
+    time = GetAnimationScene().AnimationTime
+    skin = back_half(warped(surface, scale), bounds)
+    display = Show(skin, view)
+    display.Position = [0.0, 0.0, lift]
+    if volume:
+        colour(display, view, surface_cells(surface), "contact_state", "contact", "Upper Right Corner")
+        body = whole(volume)
+        body.UpdatePipeline(time)
+        inside = back_half(warped(body, scale), body.GetDataInformation().GetBounds())
+        shown = Show(inside, view)
+        colour(shown, view, "POINTS", "von_mises_Pa", "von Mises stress [Pa]")
+    else:
+        colour(display, view, "POINTS", "normal_traction_Pa", "normal traction [Pa]")
+    path = os.path.join(folder, "indenter.pvd")
+    if os.path.exists(path):
+        indenter = open_series(path)
+        body = back_half(Transform(Input=indenter, Transform="Transform"), indenter.GetDataInformation().GetBounds())
+        shaped = body.Input if body.Input != indenter else body
+        shaped.Transform.Scale = [1.0, 1.0, scale]
+        shown = Show(body, view)
+        shown.AmbientColor = shown.DiffuseColor = [0.75, 0.75, 0.75]
+        shown.Opacity = 0.45
+        Hide(indenter, view)
+    say_time(surface, view)
+    note = Text(Text="deformation as it is" if scale == 1 else "deformation and indenter's height x %.3g" % scale)
+    shown = Show(note, view)
+    shown.Color, shown.FontSize, shown.WindowLocation = [0.0, 0.0, 0.0], 12, "Lower Left Corner"
+
+
+def plot_of(folder):
+    """Table, columns and title of what is plotted over the run; none if there is no such table."""
+    for name, across, upwards, title in PLOTS:
+        path = os.path.normpath(os.path.join(folder, name))
+        if not os.path.exists(path):
+            continue
+        with open(path, encoding="utf-8", newline="") as file:
+            rows = list(csv.DictReader(file))
+        numbers = {c: [float(row[c] or 0) for row in rows] for c in [across, *upwards] if rows and c in rows[0]}
+        moving = [c for c in upwards if any(numbers.get(c, []))]
+        if any(numbers.get(across, [])) and moving:
+            return path, across, {c: upwards[c] for c in moving}, title
+    return None
+
+
+def show_plot(layout, path, across, upwards, title):
+    table = CSVReader(FileName=[path])
+    RenameSource(os.path.basename(os.path.dirname(path)) + " " + os.path.basename(path), table)
+    view = new_view(layout, "XYChartView")
+    display = Show(table, view, "XYChartRepresentation")
+    display.UseIndexForXAxis = 0
+    display.XArrayName = across
+    display.SeriesVisibility = list(upwards)
+    display.SeriesLabel = [text for pair in upwards.items() for text in pair]
+    display.SeriesLineThickness = [text for name in upwards for text in (name, "2")]
+    view.LeftAxisTitle, view.BottomAxisTitle = title, TITLES[across]
+    return view
+
+
+def show_model(folder, series):
+    """The views of a model, by name."""
+    layout = CreateLayout(os.path.basename(folder))
+    views = {}
+    kinds = [kind for kind in ("surface", "steady") if os.path.join(folder, kind + ".pvd") in series]
+    volume = os.path.join(folder, "volume.pvd")
+    for kind in kinds:
+        prefix = "" if kind == "surface" else kind + "_"
+        source = open_series(os.path.join(folder, kind + ".pvd"))
+        bounds = source.GetDataInformation().GetBounds()
+        size = max(bounds[1] - bounds[0], bounds[3] - bounds[2])
+        lift = 2e-3 * size
+        above = ([0.0, 0.0, 1.0], [0.0, 1.0, 0.0])
+        if not bounds[3] > bounds[2]:  # a line, seen from the front
+            bounds = (*bounds[:2], -0.1 * size, 0.1 * size, -0.1 * size, 0.1 * size)
+        for name, show in (("stick_slip", show_stick_slip), ("tractions", show_tractions)):
+            view = views[prefix + name] = new_view(layout)
+            show(source, view) if name == "stick_slip" else show(source, view, size, lift)
+            look(view, *above, bounds)
+        if kind == "surface":
+            inside = open_series(volume) if volume in series else None
+            view = views["section"] = new_view(layout)
+            show_section(folder, source, inside, view, size, lift)
+            depth = 0.5 * size if inside else 0.12 * size
+            shown = (bounds[0], bounds[1], 0.0, max(bounds[3], 0.0), -depth, 0.1 * size)
+            look(view, [-0.35, -1.0, 0.5], [0.0, 0.0, 1.0], shown)
+    plot = plot_of(folder)
+    if plot:
+        views["shift" if "shift_x_m" in plot[2] else "plot"] = show_plot(layout, *plot)
+    return views
+
+
+def show_machine(folder):
+    """A walking machine in motion, its displacements magnified, and its way."""
+    source = open_series(os.path.join(folder, "machine.pvd"))
+    layout = CreateLayout(os.path.basename(folder))
+    view = new_view(layout)
+    name = next(a for a in ("displacement_m", "displacement") if source.PointData[a])
+    field = servermanager.Fetch(source).GetFieldData().GetArray("magnification")
+    moved = WarpByVector(Input=source, Vectors=["POINTS", name], ScaleFactor=field.GetTuple1(0) if field else 1.0)
+    display = Show(moved, view)
+    display.PointSize = 10
+    display.RenderPointsAsSpheres = 1
+    display.LineWidth = 3
+    colour(display, view, "CELLS", "part", "part")
+    say_time(source, view)
+    look(view, [-0.3, -1.0, 0.35], [0.0, 0.0, 1.0], source.GetDataInformation().GetBounds())
+    views = {"machine": view}
+    plot = plot_of(folder)
+    if plot:
+        views["motion"] = show_plot(layout, *plot)
+    return views
 
 
 def main():
     series = all_series()
     pictures = sys.argv[1] if len(sys.argv) > 1 else None
     for model in sorted(set(os.path.dirname(path) for path in series)):
-        name = os.path.basename(model)
-        kinds = [k for k in FIELDS if os.path.join(model, k + ".pvd") in series]
-        layout = CreateLayout(name)
-        for i, kind in enumerate(kinds):
-            view = CreateView("RenderView")
-            AssignViewToLayout(view=view, layout=layout, hint=0)
-            show(os.path.join(model, kind + ".pvd"), kind, view)
+        is_machine = os.path.join(model, "machine.pvd") in series
+        views = show_machine(model) if is_machine else show_model(model, series)
+        for name, view in views.items():
             Render(view)
             if pictures:
-                SaveScreenshot(os.path.join(pictures, name + "_" + kind + ".png"), view)
+                SaveScreenshot(os.path.join(pictures, os.path.basename(model) + "_" + name + ".png"), view,
+                               ImageResolution=[1000, 800], FontScaling="Do not scale fonts")
 
 
 main()

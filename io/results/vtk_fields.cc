@@ -3,6 +3,7 @@
 #include <vtkDataObject.h>
 #include <vtkDoubleArray.h>
 #include <vtkFieldData.h>
+#include <vtkFloatArray.h>
 #include <vtkNew.h>
 #include <vtkPointSet.h>
 #include <vtkPoints.h>
@@ -26,8 +27,9 @@ void check_size(const char* name, std::size_t size, std::size_t n) {
                                     " values are due, not " + std::to_string(size));
 }
 
-vtkNew<vtkDoubleArray> array_of(const char* name, int n_components, std::size_t n) {
-    vtkNew<vtkDoubleArray> array;
+template <class Array = vtkFloatArray>
+vtkNew<Array> array_of(const char* name, int n_components, std::size_t n) {
+    vtkNew<Array> array;
     array->SetName(name);
     array->SetNumberOfComponents(n_components);
     array->SetNumberOfTuples(static_cast<vtkIdType>(n));
@@ -35,11 +37,11 @@ vtkNew<vtkDoubleArray> array_of(const char* name, int n_components, std::size_t 
 }
 
 template <std::size_t N>
-vtkNew<vtkDoubleArray> array_of(const char* name, std::span<const std::array<double, N>> values,
+vtkNew<vtkFloatArray> array_of(const char* name, std::span<const std::array<double, N>> values,
                                 std::size_t n) {
     check_size(name, values.size(), n);
     auto array = array_of(name, static_cast<int>(N), n);
-    double* out = array->GetPointer(0);
+    float* out = array->GetPointer(0);
     for (const auto& value : values) out = std::copy(value.begin(), value.end(), out);
     return array;
 }
@@ -60,12 +62,12 @@ void add_vector(vtkFieldData& data, const char* name,
                 double z_sign) {
     auto array = array_of(name, 3, n);
     array->Fill(0);
-    double* out = array->GetPointer(0);
+    float* out = array->GetPointer(0);
     for (std::size_t k = 0; k < 3; ++k) {
         if (components[k].empty()) continue;
         check_size(name, components[k].size(), n);
         const double sign = k == 2 ? z_sign : 1;
-        for (std::size_t i = 0; i < n; ++i) out[3 * i + k] = sign * components[k][i];
+        for (std::size_t i = 0; i < n; ++i) out[3 * i + k] = static_cast<float>(sign * components[k][i]);
     }
     data.AddArray(array);
 }
@@ -95,7 +97,7 @@ void add_bytes(vtkFieldData& data, const char* name, std::span<const std::uint8_
 }
 
 void add_numbers(vtkFieldData& data, const char* name, std::initializer_list<double> values) {
-    auto array = array_of(name, static_cast<int>(values.size()), 1);
+    auto array = array_of<vtkDoubleArray>(name, static_cast<int>(values.size()), 1);
     std::copy(values.begin(), values.end(), array->GetPointer(0));
     data.AddArray(array);
 }
@@ -123,6 +125,7 @@ VtkFile xml_of(vtkDataObject& data) {
     const auto writer = vtkSmartPointer<vtkXMLWriter>::Take(
         vtkXMLDataObjectWriter::NewWriter(data.GetDataObjectType()));
     vtkNew<vtkZLibDataCompressor> compressor;
+    compressor->SetCompressionLevel(1);  // the others take twice the time for 4 % of the size
     writer->SetInputDataObject(&data);
     writer->SetDataModeToAppended();
     writer->EncodeAppendedDataOff();

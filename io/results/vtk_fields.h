@@ -18,6 +18,8 @@ namespace tricontact::io {
 // Arrays of VTK's data sets. All throw std::invalid_argument unless there is one value for each of
 // the `n` points or cells.
 
+// Fields are kept in single precision, 7 digits.
+
 /// A number each; nothing is added if the field is empty.
 void add_scalar(vtkFieldData& data, const char* name, std::span<const double> values,
                 std::size_t n);
@@ -33,7 +35,7 @@ void add_tensor(vtkFieldData& data, const char* name, std::span<const std::array
 void add_bytes(vtkFieldData& data, const char* name, std::span<const std::uint8_t> values,
                std::size_t n);
 
-/// One tuple of numbers for the whole data set.
+/// One tuple of numbers for the whole data set, in double precision.
 void add_numbers(vtkFieldData& data, const char* name, std::initializer_list<double> values);
 void add_texts(vtkFieldData& data, const char* name, const std::vector<std::string>& texts);
 void add_provenance(vtkFieldData& data, const Provenance& provenance);

@@ -12,6 +12,7 @@
 #include <vtkRectilinearGrid.h>
 #include <vtkUnstructuredGrid.h>
 
+#include <algorithm>
 #include <filesystem>
 
 #include "io/keys/messages.h"
@@ -42,6 +43,20 @@ void add_fields(vtkFieldData& data, const Surface& s) {
     std::vector<std::uint8_t> states;
     for (const auto state : s.contact_state) states.push_back(static_cast<std::uint8_t>(state));
     add_bytes(data, "contact_state", states, n);
+}
+
+// The state that has the largest share of each element, by Simpson's weights of its nodes.
+std::vector<std::uint8_t> states_of_quads(const Surface& s) {
+    constexpr std::array weights{1, 1, 1, 1, 4, 4, 4, 4, 16};  // over 36; VTK's order of nodes
+    std::vector<std::uint8_t> states;
+    for (const auto& quad : s.quads) {
+        std::array<int, 3> shares{};
+        for (std::size_t i = 0; i < quad.size(); ++i)
+            shares.at(static_cast<std::size_t>(s.contact_state[quad[i]])) += weights[i];
+        states.push_back(
+            static_cast<std::uint8_t>(std::ranges::max_element(shares) - shares.begin()));
+    }
+    return states;
 }
 
 void add_consistent_tractions(vtkFieldData& data, const Surface& s) {
@@ -94,9 +109,11 @@ void fill(vtkUnstructuredGrid& grid, const Surface& s) {
     add_cells(grid, VTK_BIQUADRATIC_QUAD, s.quads);
     add_fields(*grid.GetPointData(), s);
     add_consistent_tractions(*grid.GetPointData(), s);
+    add_bytes(*grid.GetCellData(), "contact_state", states_of_quads(s), s.quads.size());
 }
 
 void add_circumstances(vtkFieldData& data, const Surface& surface) {
+    add_texts(data, "contact_state_names", {"open", "stick", "slip"});
     add_numbers(data, "indenter_position_m", {surface.offset[0], surface.offset[1], 0.});
 }
 
@@ -149,11 +166,11 @@ void add_circumstances(vtkFieldData& data, const Interior& interior) {
 }
 
 template <class Data, class Fields>
-VtkFile file_of(double phase, const Fields& fields, const Provenance& provenance) {
+VtkFile file_of(const Instant& instant, const Fields& fields, const Provenance& provenance) {
     vtkNew<Data> data;
     fill(*data, fields);
     vtkFieldData& circumstances = *data->GetFieldData();
-    add_numbers(circumstances, "TimeValue", {phase});
+    add_numbers(circumstances, instant.name, {instant.time});
     add_circumstances(circumstances, fields);
     add_provenance(circumstances, provenance);
     return xml_of(*data);
@@ -186,35 +203,68 @@ Bytes concatenated(std::span<const std::uint8_t> of_hexes, std::span<const std::
 
 }  // namespace
 
-VtkFile vtk_file(double phase, const Surface& surface, const Provenance& provenance) {
+VtkFile vtk_file(const Instant& instant, const Surface& surface, const Provenance& provenance) {
     if (surface.layout == Surface::Layout::grid)
-        return file_of<vtkImageData>(phase, surface, provenance);
+        return file_of<vtkImageData>(instant, surface, provenance);
     if (surface.layout == Surface::Layout::line)
-        return file_of<vtkPolyData>(phase, surface, provenance);
-    return file_of<vtkUnstructuredGrid>(phase, surface, provenance);
+        return file_of<vtkPolyData>(instant, surface, provenance);
+    return file_of<vtkUnstructuredGrid>(instant, surface, provenance);
 }
 
-VtkFile vtk_file(double phase, const Interior& interior, const Provenance& provenance) {
-    return interior.is_grid() ? file_of<vtkRectilinearGrid>(phase, interior, provenance)
-                              : file_of<vtkUnstructuredGrid>(phase, interior, provenance);
+VtkFile vtk_file(const Instant& instant, const Interior& interior, const Provenance& provenance) {
+    return interior.is_grid() ? file_of<vtkRectilinearGrid>(instant, interior, provenance)
+                              : file_of<vtkUnstructuredGrid>(instant, interior, provenance);
+}
+
+std::vector<double> times_apart(const std::vector<double>& times) {
+    const auto n = times.size();
+    const auto end_of = [&](std::size_t begin) {
+        std::size_t end = begin;
+        while (end < n && times[end] <= times[begin]) ++end;
+        return end;
+    };
+    std::vector<double> apart = times;
+    for (std::size_t begin = 0, end = 0; begin < n; begin = end) {
+        end = end_of(begin);
+        double step = 1;  // where nothing says what a time is
+        if (begin > 0)
+            step = (times[begin] - times[begin - 1]) / static_cast<double>(end - begin);
+        else if (end < n)
+            step = (times[end] - times[begin]) / static_cast<double>(end_of(end) - end);
+        for (std::size_t k = begin; k < end; ++k)
+            apart[k] = times[begin] - static_cast<double>(end - 1 - k) * step;
+    }
+    return apart;
 }
 
 void VtkSeries::add(double time, const VtkFile& file) {
     const std::string name = fmt::format("{}_{:06}{}", name_, files_.size(), file.extension);
-    write_file((std::filesystem::path(folder_) / name).string(), file.bytes);
-    files_.emplace_back(time, name);
+    write_unsynced(path_of(name), file.bytes);
+    last_size_ = file.bytes.size();
+    times_.push_back(time);
+    files_.push_back(name);
+    write_unsynced(path_of(name_ + ".pvd"), collection());
 }
 
 void VtkSeries::finish() const {
+    if (!files_.empty()) sync_files(folder_);
+    write_file(path_of(name_ + ".pvd"), collection());
+}
+
+std::string VtkSeries::path_of(const std::string& name) const {
+    return (std::filesystem::path(folder_) / name).string();
+}
+
+std::string VtkSeries::collection() const {
+    const std::vector<double> times = times_apart(times_);
     std::string out =
         "<?xml version=\"1.0\"?>\n"
         "<VTKFile type=\"Collection\" version=\"1.0\" byte_order=\"LittleEndian\">\n"
         "  <Collection>\n";
-    for (const auto& [time, file] : files_)
-        out += "    <DataSet timestep=\"" + shortest(time) + "\" group=\"\" part=\"0\" file=\"" +
-               xml_attribute(file) + "\"/>\n";
-    out += "  </Collection>\n</VTKFile>\n";
-    write_file((std::filesystem::path(folder_) / (name_ + ".pvd")).string(), out);
+    for (std::size_t i = 0; i < files_.size(); ++i)
+        out += "    <DataSet timestep=\"" + shortest(times[i]) +
+               "\" group=\"\" part=\"0\" file=\"" + xml_attribute(files_[i]) + "\"/>\n";
+    return out + "  </Collection>\n</VTKFile>\n";
 }
 
 std::string paraview_macro(const std::string& folder) {

@@ -24,42 +24,78 @@ struct VtkFile {
     std::string bytes;
 };
 
+/// The time of a state and what it is: the name of its array, see `time_in_*`.
+struct Instant {
+    const char* name;
+    double time;
+};
+inline constexpr const char* time_in_seconds = "time_s";
+inline constexpr const char* time_in_periods = "time_periods";  ///< of rolling, or rows of a path
+inline constexpr const char* time_in_half_lengths = "time_half_lengths";  ///< of rolling on
+
 /// A contact surface: `.vti` (grid: cell data, cells centred on the points), `.vtp` (line: point
 /// data on vertices and a polyline) or `.vtu` (nodes: point data on biquadratic quadrilaterals at
-/// z = 0). Throws std::invalid_argument where a field has another size than the surface.
-VtkFile vtk_file(double phase, const contact::Surface& surface, const Provenance& provenance);
+/// z = 0, the contact state also as cell data). Throws std::invalid_argument where a field has another size than the surface.
+VtkFile vtk_file(const Instant& instant, const contact::Surface& surface,
+                 const Provenance& provenance);
 
 /// The inside of the substrate: `.vtu` of triquadratic hexahedra or `.vtr` of a rectilinear grid,
 /// point data, with von Mises' stress and the mean pressure (compression positive) beside the
 /// stress. Throws std::invalid_argument.
-VtkFile vtk_file(double phase, const contact::Interior& interior, const Provenance& provenance);
+VtkFile vtk_file(const Instant& instant, const contact::Interior& interior,
+                 const Provenance& provenance);
 
 /// States over time for ParaView: files `folder/name_000000.vti` (.vtp, .vtu; see vtk_file) and the
-/// collection `folder/name.pvd`. Time is the phase in rolling periods: the model is quasi-static.
-/// Vectors have three components, z out of the substrate. The same states give the same bytes.
+/// collection `folder/name.pvd`, whose times grow (`times_apart`) and which lists at any moment the
+/// files that are there. Vectors have three components, z out of the substrate. The same states
+/// give the same bytes.
 class VtkSeries {
   public:
     /// The folder must exist (see make_output_folder).
-    VtkSeries(std::string folder, std::string name, Provenance provenance)
-        : folder_(std::move(folder)), name_(std::move(name)), provenance_(std::move(provenance)) {}
+    VtkSeries(std::string folder, std::string name, Provenance provenance,
+              const char* time_name = time_in_periods)
+        : folder_(std::move(folder)),
+          name_(std::move(name)),
+          provenance_(std::move(provenance)),
+          time_name_(time_name) {}
 
     /// Begins again: the first file comes next.
-    void clear() { files_.clear(); }
+    void clear() {
+        files_.clear();
+        times_.clear();
+    }
+    std::size_t last_size() const { return last_size_; }  ///< bytes of the last file
     /// Writes the next file of the series. Throws contact::InputError if that fails.
     template <class Fields>
-    void add(double phase, const Fields& fields) {
-        add(phase, vtk_file(phase, fields, provenance_));
+    void add(double time, const Fields& fields) {
+        add(time, vtk_file({time_name_, time}, fields, provenance_));
     }
-    /// The same for a file that is made already, and any time.
+    /// The same of something that knows its file, at a place.
+    template <class Shape>
+    void add(double time, const Shape& shape, const typename Shape::Place& place) {
+        add(time, shape.file({time_name_, time}, place, provenance_));
+    }
+    /// The same for a file that is made already, of a time that is not before that of the last.
     void add(double time, const VtkFile& file);
-    /// Writes the collection of all files so far. Throws contact::InputError if that fails.
+    /// Sees that all files are on the disk. Throws contact::InputError if that fails.
     void finish() const;
 
   private:
+    std::string path_of(const std::string& name) const;
+    std::string collection() const;
+
     std::string folder_, name_;
     Provenance provenance_;
-    std::vector<std::pair<double, std::string>> files_;  // and their times
+    const char* time_name_;
+    std::vector<double> times_;
+    std::vector<std::string> files_;
+    std::size_t last_size_ = 0;
 };
+
+/// Times that do not decrease, set apart, since ParaView shows one state at a time: of states at
+/// one time the last keeps it, the others come before it at equal distances, after all that was
+/// earlier; the first ones as far apart as the following states are.
+std::vector<double> times_apart(const std::vector<double>& times);
 
 /// The script, with a place for the folder.
 extern const std::string_view paraview_script;

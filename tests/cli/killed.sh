@@ -19,7 +19,7 @@ whole_csv() {
 
 whole() {
     case $1 in
-        *.vti | *.vtp | *.vtu | *.pvd) ends_with "$1" '</VTKFile>' ;;
+        *.vti | *.vtp | *.vtu | *.vts | *.pvd) ends_with "$1" '</VTKFile>' ;;
         *.csv) whole_csv "$1" ;;
         *.toml) "$program" check "$1" >/dev/null || complain "cannot be read: $1" ;;
         */.tricontact) ends_with "$1" 'summary.json' ;;

@@ -200,7 +200,7 @@ void write_walk_animation(const std::string& folder, const WalkCase& walk_case,
         vtkNew<vtkPolyData> poly;
         fill(*poly, walk_scene(walk_case.machine, snapshot, snapshots.front().motion.base), units);
         vtkFieldData& circumstances = *poly->GetFieldData();
-        io::add_numbers(circumstances, "TimeValue", {time});
+        io::add_numbers(circumstances, ("time" + units.of_time).c_str(), {time});
         io::add_numbers(circumstances, ("run_time" + units.of_time).c_str(), {run_time});
         io::add_numbers(circumstances, "magnification", {magnified});
         io::add_provenance(circumstances, provenance);

@@ -157,7 +157,8 @@ TEST(CaseReader, OmittedSectionsMeanRigidStaticAndDefaults) {
     EXPECT_EQ(c.title, "");
     EXPECT_EQ(c.bem.cells_per_radius, 22.5);
     EXPECT_FALSE(c.bem.spacing);
-    EXPECT_EQ(c.output.vtk, Case::VtkOutput::quarters);
+    EXPECT_EQ(c.output.vtk, Case::VtkOutput::frames);
+    EXPECT_EQ(c.output.frames_per_period, 40);
 }
 
 // The defaults are declared twice: with the keys, for the reference, and in the structure.

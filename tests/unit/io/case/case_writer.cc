@@ -174,7 +174,10 @@ Case any_case() {
         c.bem.cells_per_radius = between(2, 50);
     c.bem.tolerance = of_magnitude(-13, -3);
     c.mdr.springs = *rc::gen::inRange(100, 5000);
-    c.output.vtk = one_of({Case::VtkOutput::none, Case::VtkOutput::quarters, Case::VtkOutput::all});
+    c.output.vtk = one_of({Case::VtkOutput::none, Case::VtkOutput::quarters, Case::VtkOutput::frames,
+                           Case::VtkOutput::all});
+    if (c.output.vtk == Case::VtkOutput::frames)
+        c.output.frames_per_period = *rc::gen::inRange(4, 10001);
     c.output.volume =
         one_of({Case::VolumeOutput::none, Case::VolumeOutput::last, Case::VolumeOutput::quarters});
     if (*rc::gen::arbitrary<bool>()) c.output.volume_depth = between(.1, 10) * a;

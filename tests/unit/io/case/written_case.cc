@@ -85,7 +85,8 @@ tolerance = 1e-06
 cache = ""
 
 [output]
-vtk = "quarters"
+vtk = "frames"
+frames_per_period = 40
 volume = "none"
 )";
     EXPECT_EQ(write_case(parse_case(input, "case.toml")), resolved);

@@ -105,7 +105,7 @@ TEST_F(VtkElements, AnElementSurfaceReadsBackExactlyAsPointDataOfQuadrilaterals)
     expect_scalar(data, "slip_path_m", s.slip_path);
     expect_scalar(data, "friction_work_J_per_m2", s.friction_work);
     expect_bytes(data, "contact_state", {0, 1, 2, 0, 1, 2, 0, 1, 2, 0, 1, 2, 0, 1, 2});
-    expect_numbers(grid->GetFieldData(), "TimeValue", {1. / 3});
+    expect_numbers(grid->GetFieldData(), "time_periods", {1. / 3});
     expect_numbers(grid->GetFieldData(), "indenter_position_m", {0.0011, -0.0007, 0});
     expect_origin(grid->GetFieldData());
 }
@@ -184,14 +184,14 @@ TEST_F(VtkElements, AnInteriorReadsBackExactly) {
     for (int i = 0; i < 45; ++i) {
         for (int c = 0; c < 3; ++c) {
             EXPECT_EQ(grid->GetPoint(i)[c], in.points[i][c]);
-            EXPECT_EQ(displacement->GetComponent(i, c), in.displacement[i][c]);
+            EXPECT_EQ(displacement->GetComponent(i, c), in_file(in.displacement[i][c]));
         }
-        for (int c = 0; c < 6; ++c) EXPECT_EQ(stress->GetComponent(i, c), in.stress[i][c]);
+        for (int c = 0; c < 6; ++c) EXPECT_EQ(stress->GetComponent(i, c), in_file(in.stress[i][c]));
     }
     expect_bytes(grid->GetCellData(), "region", {1, 0});
     expect_scalar(grid->GetCellData(), "strain_energy_density_J_per_m3", in.energy_density);
     vtkFieldData* fields = grid->GetFieldData();
-    expect_numbers(fields, "TimeValue", {2.25});
+    expect_numbers(fields, "time_periods", {2.25});
     expect_numbers(fields, "strain_energy_J", {1. / 7});
     expect_numbers(fields, "applied_force_N", {1. / 3, -1. / 9, -21.1});
     expect_numbers(fields, "base_reaction_N", {-1. / 3, 1. / 9, 21.1});
@@ -225,13 +225,13 @@ TEST_F(VtkElements, StressMeasuresAreThoseOfKnownStates) {
     vtkDataArray* pressure = data->GetArray("pressure_Pa");
     ASSERT_TRUE(mises && pressure);
     for (int i = 0; i < 3; ++i) {
-        EXPECT_DOUBLE_EQ(mises->GetTuple1(i), 2e6);
-        EXPECT_DOUBLE_EQ(pressure->GetTuple1(i), -2e6 / 3);
-        EXPECT_DOUBLE_EQ(mises->GetTuple1(3 + i), std::sqrt(3) * 1e6);
+        EXPECT_FLOAT_EQ(mises->GetTuple1(i), 2e6);
+        EXPECT_FLOAT_EQ(pressure->GetTuple1(i), -2e6 / 3);
+        EXPECT_FLOAT_EQ(mises->GetTuple1(3 + i), std::sqrt(3) * 1e6);
         EXPECT_EQ(pressure->GetTuple1(3 + i), 0);
     }
     EXPECT_EQ(mises->GetTuple1(6), 0);
-    EXPECT_DOUBLE_EQ(pressure->GetTuple1(6), 3e6);
+    EXPECT_FLOAT_EQ(pressure->GetTuple1(6), 3e6);
 }
 
 TEST_F(VtkElements, TheSameStateGivesTheSameBytes) {

@@ -42,13 +42,18 @@ class VtkFiles : public testing::Test {
     std::filesystem::path folder_;
 };
 
+// Fields are kept in single precision.
+inline double in_file(double value) {
+    return static_cast<float>(value);
+}
+
 inline void expect_scalar(vtkFieldData* data, const char* name, const std::vector<double>& values) {
     vtkDataArray* array = data->GetArray(name);
     ASSERT_TRUE(array) << name;
     ASSERT_EQ(array->GetNumberOfComponents(), 1) << name;
     ASSERT_EQ(array->GetNumberOfTuples(), static_cast<vtkIdType>(values.size())) << name;
     for (std::size_t i = 0; i < values.size(); ++i)
-        ASSERT_EQ(array->GetTuple1(static_cast<vtkIdType>(i)), values[i]) << name << ' ' << i;
+        ASSERT_EQ(array->GetTuple1(static_cast<vtkIdType>(i)), in_file(values[i])) << name << ' ' << i;
 }
 
 inline void expect_vector(vtkFieldData* data, const char* name, const std::vector<double>& x,
@@ -60,9 +65,9 @@ inline void expect_vector(vtkFieldData* data, const char* name, const std::vecto
     ASSERT_EQ(array->GetNumberOfTuples(), static_cast<vtkIdType>(x.size())) << name;
     for (std::size_t i = 0; i < x.size(); ++i) {
         const double* tuple = array->GetTuple3(static_cast<vtkIdType>(i));
-        ASSERT_EQ(tuple[0], x[i]) << name << ' ' << i;
-        ASSERT_EQ(tuple[1], y[i]) << name << ' ' << i;
-        ASSERT_EQ(tuple[2], z.empty() ? 0 : z_sign * z[i]) << name << ' ' << i;
+        ASSERT_EQ(tuple[0], in_file(x[i])) << name << ' ' << i;
+        ASSERT_EQ(tuple[1], in_file(y[i])) << name << ' ' << i;
+        ASSERT_EQ(tuple[2], in_file(z.empty() ? 0 : z_sign * z[i])) << name << ' ' << i;
     }
 }
 

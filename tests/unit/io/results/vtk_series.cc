@@ -76,7 +76,7 @@ void expect_fields(vtkFieldData* data, const Surface& s) {
 }
 
 void expect_provenance(vtkFieldData* data, double phase, const Surface& s) {
-    expect_numbers(data, "TimeValue", {phase});
+    expect_numbers(data, "time_periods", {phase});
     expect_numbers(data, "indenter_position_m", {s.offset[0], s.offset[1], 0});
     expect_origin(data);
 }
@@ -177,6 +177,14 @@ TEST_F(Vtk, TheCollectionListsFilesByPhase) {
               "    <DataSet timestep=\"0.25\" group=\"\" part=\"0\" file=\"a&amp;b_000001.vtp\"/>\n"
               "  </Collection>\n"
               "</VTKFile>\n");
+}
+
+// States of one time come before it as far apart as the following ones; later ones share the gap.
+TEST_F(Vtk, StatesOfOneTimeAreSetApart) {
+    EXPECT_EQ(times_apart({0, 0, 0, 0.25, 0.5}), (std::vector{-0.5, -0.25, 0., 0.25, 0.5}));
+    EXPECT_EQ(times_apart({0, 1, 1, 2}), (std::vector{0., 0.5, 1., 2.}));
+    EXPECT_EQ(times_apart({3, 3}), (std::vector{2., 3.}));
+    EXPECT_TRUE(times_apart({}).empty());
 }
 
 TEST_F(Vtk, FieldsOfAWrongSizeAreRefused) {

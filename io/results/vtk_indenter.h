@@ -1,0 +1,36 @@
+#pragma once
+
+#include <vector>
+
+#include "contact/bodies/indenter.h"
+#include "io/results/vtk_files.h"
+
+namespace tricontact::io {
+
+/// The indenter's surface about its lowest point, for ParaView: a disc, or of a body along y a
+/// strip.
+class IndenterShape {
+  public:
+    /// What is shown of it [m]: the disc's radius, or half of the strip's width (along x) with its
+    /// half length. Where the body ends sooner, less.
+    struct Extent {
+        double radius;
+        double half_length = 0;  ///< along y; 0: a disc
+    };
+    IndenterShape(const contact::Indenter& indenter, const Extent& extent);
+
+    /// Where the lowest point is, and how the body has turned about the normal through it.
+    struct Place {
+        contact::Vector2 offset{};  ///< [m]
+        double indentation = 0;     ///< d [m]
+        double rotation = 0;        ///< from x towards y [rad]
+    };
+    /// `.vts`, points in place, z out of the substrate: h(x, y) - d over the undeformed surface.
+    VtkFile file(const Instant& instant, const Place& place, const Provenance& provenance) const;
+
+  private:
+    int n_along_;                                // points of a radius or of the strip's width
+    std::vector<std::array<double, 3>> points_;  // x, y, h
+};
+
+}  // namespace tricontact::io
