@@ -34,7 +34,7 @@ def value(item: Any) -> str:
     if isinstance(item, (list, tuple)):
         return "[" + ", ".join(map(value, item)) + "]"
     if is_quantity(item):  # of pint
-        unit = f"{item.units:~C}"
+        unit = f"{item.units:~C}".replace("**", "^")
         number = getattr(item.magnitude, "tolist", lambda: item.magnitude)()
         if isinstance(number, list):
             return value([one * item.units for one in number])

@@ -12,7 +12,7 @@ class Label(NamedTuple):
     """Of a column, a field or a quantity."""
 
     unit: str
-    """SI: "m", "J/m^2"; "1" of what has none, "" of texts and unknown names."""
+    """SI: "m", "J/m2"; "1" of what has none, "" of texts and unknown names."""
     text: str
     """What it means."""
     over: str = ""
@@ -44,11 +44,7 @@ def label_of(name: str) -> Label:
 
 
 def _unit(base: str, power: str, below: str) -> str:
-    def with_power(unit: str) -> str:
-        return re.sub(r"(\d)$", r"^\1", unit)
-
-    parts = [with_power(base + power)] + [with_power(one) for one in below.split("_per_") if one]
-    return "/".join(parts)
+    return "/".join([base + power, *(one for one in below.split("_per_") if one)])
 
 
 def is_quantity(item: Any) -> bool:

@@ -6,7 +6,7 @@ source "$(dirname -- "${BASH_SOURCE[0]}")/prepare.bash"
 
 "$program" manual man >tricontact.1
 if command -v man >/dev/null; then
-    man --warnings -l -E UTF-8 -T utf8 -Z tricontact.1 >/dev/null 2>warnings || complain "man does not take the page"
+    man --warnings -l "$work/tricontact.1" >/dev/null 2>warnings || complain "man does not take the page"
     [ ! -s warnings ] || complain "man warns: $(cat warnings)"
 fi
 "$program" manual bash >completion.bash
@@ -47,7 +47,7 @@ offered() {
 is_offered() {
     local expected=$1
     shift
-    offered "$@" | grep -qxF -- "$expected" || complain "$* <TAB> does not offer $expected"
+    offered "$@" | grep -xF -- "$expected" >/dev/null || complain "$* <TAB> does not offer $expected"
 }
 is_offered limit tricontact li
 is_offered --tolerance tricontact limit --to

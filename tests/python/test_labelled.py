@@ -26,7 +26,7 @@ def test_units_of_names_and_declarations_agree():
     for name in declared:
         unit = labels.label_of(name).unit
         match = rule.search(name)
-        assert (labels._unit(*match.groups()) if match else "1") == unit.replace("^", "^"), name
+        assert (labels._unit(*match.groups()) if match else "1") == unit, name
 
 
 @pytest.mark.parametrize(
@@ -34,7 +34,7 @@ def test_units_of_names_and_declarations_agree():
     [
         ("shift_x_m", "m"),
         ("normal_traction_Pa", "Pa"),
-        ("dissipation_J_per_m2", "J/m^2"),
+        ("dissipation_J_per_m2", "J/m2"),
         ("normal_line_load_N_per_m", "N/m"),
         ("rolling.amplitude_m", "m"),
         ("tangential_ratio", "1"),
