@@ -2,6 +2,7 @@
 # projects find them, and the examples.
 
 include(CMakePackageConfigHelpers)
+set(documents ${CMAKE_INSTALL_DATADIR}/doc/tricontact)
 set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/Tricontact)
 
 install(EXPORT Tricontact FILE TricontactTargets.cmake NAMESPACE Tricontact::
@@ -20,5 +21,5 @@ install(FILES ${PROJECT_BINARY_DIR}/TricontactConfig.cmake
 
 install(DIRECTORY examples
         DESTINATION ${CMAKE_INSTALL_DATADIR}/tricontact)
-install(FILES LICENSE README.md CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
-install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR} PATTERN conf.py EXCLUDE)
+install(FILES LICENSE README.md CHANGELOG.md DESTINATION ${documents})
+install(DIRECTORY docs DESTINATION ${documents} PATTERN conf.py EXCLUDE)

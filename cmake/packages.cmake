@@ -14,10 +14,9 @@ set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME tricontact)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_COMPONENT_PROGRAM_DESCRIPTION
-"frictional contact by MDR, boundary elements and finite elements
- Computes a body that is pressed on an elastic layer, loaded tangentially and
- rolled, by several independent models from one case file, and states how far
- they differ. With a module for Python, documents and example cases.")
+"Computes a body that is pressed on an elastic layer, loaded tangentially and
+rolled, by several independent models from one case file, and states how far
+they differ. With a module for Python, documents and example cases.")
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 if(TRICONTACT_WITH_PYTHON)
     math(EXPR next_minor "${Python_VERSION_MINOR} + 1")

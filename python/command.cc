@@ -67,7 +67,7 @@ py::list options_of(const std::string& name) {
     py::list all;
     const Command command = command_called(name);
     for (const CLI::Option* option : command.parser->get_options())
-        if (option->get_name() != "--help,-h" && option->get_name() != "-h,--help")
+        if (option != command.parser->get_help_ptr())
             all.append(py::make_tuple(option->get_name(), option->get_items_expected_max() == 0,
                                       option->get_required(), option->get_description()));
     return all;

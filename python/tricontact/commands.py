@@ -15,7 +15,7 @@ from pathlib import Path
 from typing import Any, Literal, Optional, Sequence, Union
 
 from . import _core, _toml
-from ._core import Case
+from ._core import Case, InputError
 from .outcome import Outcome, read_outcome
 from .progress import Progress, display
 
@@ -27,7 +27,7 @@ Overrides = Optional[dict[str, Any]]
 
 @contextlib.contextmanager
 def _file_of(given: Input) -> Iterator[str]:
-    """The file itself, or one that is gone afterwards."""
+    """The file itself, or one that is gone afterwards, which errors do not name."""
     if not isinstance(given, (Case, dict)):
         yield os.fspath(given)
         return
@@ -35,7 +35,11 @@ def _file_of(given: Input) -> Iterator[str]:
     with tempfile.TemporaryDirectory(prefix="tricontact-") as folder:
         path = Path(folder) / "case.toml"
         path.write_text(text, encoding="utf-8")
-        yield str(path)
+        try:
+            yield str(path)
+        except InputError as error:
+            name = "<case>" if isinstance(given, Case) else "<dict>"
+            raise InputError(str(error).replace(str(path), name)) from None
 
 
 def _arguments(options: dict[str, Any]) -> list[str]:
@@ -73,12 +77,8 @@ def _call(
     progress: Progress,
     **options: Any,
 ) -> Outcome:
-    with contextlib.ExitStack() as stack:
-        if output is not None:
-            folder = Path(os.fspath(output))
-        else:
-            temporary = tempfile.TemporaryDirectory(prefix="tricontact-")
-            folder = Path(stack.enter_context(temporary)) / "results"
+    with tempfile.TemporaryDirectory(prefix="tricontact-") as temporary:
+        folder = Path(temporary) / "results" if output is None else Path(os.fspath(output))
         options["output"] = str(folder)
         text = _printed(name, given, overrides, progress, options)
         return read_outcome(name, folder, text, keep=output is not None)
@@ -238,9 +238,10 @@ def build_atlas(
 
     Raises RuntimeError if the error bars cover too few of the random points.
     """
-    folder = output if output is not None else _core._default_sweep_folder(os.fspath(study))
-    if shard is not None and output is None:
-        folder += "_shard_" + shard.replace("/", "_of_")
+    folder = output
+    if folder is None:
+        part = "_shard_" + shard.replace("/", "_of_") if shard is not None else ""
+        folder = _core._default_sweep_folder(os.fspath(study)) + part
     other = os.fspath(atlas) if atlas is not None else None
     return _call("atlas", study, None, folder, progress, check=check, seed=seed, atlas=other,
                  shard=shard, jobs=jobs, retry_failed=retry_failed)

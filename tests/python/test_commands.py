@@ -104,15 +104,14 @@ def test_what_is_wrong_is_said_as_the_program_says_it(rig, tmp_path):
         tricontact.limit(rig, tolerance=2.0)
     with pytest.raises(tricontact.InputError, match="substrate.poisson"):
         tricontact.predict(rig, overrides={"substrate.poisson": 0.7})
-    with pytest.raises(tricontact.InputError, match="not .*moon"):
+    with pytest.raises(tricontact.InputError, match="--vary: moon not in"):
         tricontact.limit(rig, vary="moon")
-    with pytest.raises(tricontact.InputError, match="indenter"):
+    with pytest.raises(tricontact.InputError, match="^<dict>:1:1: missing key models"):
         tricontact.limit({"substrate": {"young": "1 MPa"}})
 
 
 def test_progress_is_told_and_may_end_it(rig):
     told = []
-    tricontact.deviation  # offered
     tricontact.run(
         tricontact.Case.from_file(rig, {**COARSE, "rolling.periods": 1}),
         models=["mdr"],
