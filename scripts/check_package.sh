@@ -28,7 +28,11 @@ ln -f /var/cache/apt/archives/*.deb "$root/var/cache/apt/archives/" 2>/dev/null 
     cp /var/cache/apt/archives/*.deb "$root/var/cache/apt/archives/" 2>/dev/null || true
 cp "$package" "$root/tmp/tricontact.deb"
 
-inside() { chroot "$root" env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/root DEBIAN_FRONTEND=noninteractive LC_ALL=C "$@"; }
+# In a space of mounts of its own: /proc goes away with it.
+inside() {
+    unshare --mount bash -c 'mount -t proc proc "$0/proc" && exec chroot "$0" env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin \
+        HOME=/root DEBIAN_FRONTEND=noninteractive LC_ALL=C "$@"' "$root" "$@"
+}
 install() {
     # Nothing is pressed to disk before the end: the folder is thrown away.
     inside apt-get -qq -o Dpkg::Use-Pty=0 -o Dpkg::Options::=--force-unsafe-io install --no-install-recommends "$@" \

@@ -59,10 +59,11 @@ def table(
     is_text = shown[across].dtype.kind not in "fiu"
     factor, unit = (1.0, "") if is_text else scale_of(shown[across], label.unit)
     at = shown[across] if is_text else factor * shown[across]
+    order = slice(None) if is_text else np.argsort(at, kind="stable")
     up_unit = shown.label(ups[0]).unit
     up_factor, up_shown = scale_of(np.concatenate([shown[up] for up in ups]), up_unit)
     for up in ups:
-        ax.plot(at, up_factor * shown[up], "." if shown.n_rows < 3 else ".-",
+        ax.plot(at[order], up_factor * shown[up][order], "." if shown.n_rows < 3 else ".-",
                 label=shown.label(up).text)
     ax.set_xlabel(_axis_text(label.text, label.over or unit))
     first = shown.label(ups[0])

@@ -49,7 +49,8 @@ def table(shown: "Table", caption: str = "") -> str:
 
 def numbers(values: Iterable[tuple[str, Any, str]], caption: str = "") -> str:
     """Names, values and units below each other."""
-    return rows(["", "value", "unit"], values, caption)
+    shown = [(name, value, "" if unit == "1" else unit) for name, value, unit in values]
+    return rows(["", "value", "unit"], shown, caption)
 
 
 def result(shown: "Result") -> str:
@@ -64,7 +65,8 @@ def result(shown: "Result") -> str:
         if all(value is None or isinstance(value, list) for value in values):
             continue
         label = label_of(name)
-        lines.append([label.text, *values, label.over or label.unit])
+        unit = label.over or ("" if label.unit == "1" else label.unit)
+        lines.append([label.text, *values, unit])
     return rows(["", *found, "unit"], lines, shown.case.title)
 
 

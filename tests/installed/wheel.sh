@@ -35,7 +35,7 @@ history = tricontact.run(case, models=["mdr"], studies=False)["mdr"]
 settled = tricontact.theory.settled_shift_ratio(0.24, 0.56)
 assert abs(history.shift_per_period[-1] / history.scales.unit_shift / settled - 1) < 1e-2
 if list(Path(tricontact.__file__).parent.glob("tricontact_fem_module*")):
-    arguments = [str(cases / "rig_layer_parallel.toml"), "--set", "fem.size=4 mm", "--output", str(work / "mesh")]
+    arguments = [str(cases / "rig_layer_parallel.toml"), "--set", "fem.size=0.5 mm", "--output", str(work / "mesh")]
     tricontact._core._run_command("mesh", arguments, print, print)
     assert list((work / "mesh").glob("*.msh"))
 print("wheel: passed")
