@@ -26,5 +26,6 @@ endif()
 set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "gnuplot-nox, fontconfig, fonts-dejavu-core")
 set(CPACK_DEBIAN_PACKAGE_SUGGESTS
     "paraview, python3-xarray, python3-pandas, python3-matplotlib, python3-pint")
-set(CPACK_PRE_BUILD_SCRIPTS ${PROJECT_SOURCE_DIR}/cmake/debian_layout.cmake)
+set(CPACK_PRE_BUILD_SCRIPTS ${PROJECT_SOURCE_DIR}/cmake/debian/layout.cmake)
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_CONTROL_EXTRA ${PROJECT_SOURCE_DIR}/cmake/debian/prerm)
 include(CPack)
