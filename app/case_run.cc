@@ -97,7 +97,7 @@ contact::History run_model(const std::string& name, const Case& c, const std::st
     contact::Model& model = *made;
 
     RunStates states(c, folder, say);
-    io::ProgressBar bar(std::cerr, io::ProgressBar::style_of_stderr(options.quiet), name);
+    io::ProgressBar bar = options.progress_bar(name);
     const contact::Observer observer = [&](const contact::StepRecord& record, contact::Model& state,
                                            const contact::Progress& progress) {
         bar.update(progress.step, progress.steps_at_most);

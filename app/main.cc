@@ -35,22 +35,16 @@ int fail(int code, const std::string& message) {
     return code;
 }
 
-/// In the order of the help.
-std::vector<Command> all_commands() {
-    using namespace app;
-    std::vector<Command> commands{run_command(), check_command()};
+/// Those of the program; the one that runs as several processes lets the first print errors.
+std::vector<Command> own_commands() {
+    std::vector<Command> commands = app::all_commands();
 #ifdef TRICONTACT_WITH_FEM
-    commands.insert(commands.end(), {mesh_command(), condense_command(), cache_command()});
-    commands[3].parser->preparse_callback(
-        [](std::size_t) { errors_are_printed_elsewhere = fem_entries().is_further_process(); });
+    for (const Command& command : commands)
+        if (command.parser->get_name() == "condense")
+            command.parser->preparse_callback([](std::size_t) {
+                errors_are_printed_elsewhere = app::fem_entries().is_further_process();
+            });
 #endif
-    commands.insert(commands.end(),
-                    {refine_command(),     influence_command(), export_command(), import_command(),
-                     limit_command(),      verify_command(),    walk_command(),   roll_command(),
-                     animate_command(),    sweep_command(),     atlas_command(),  predict_command(),
-                     experiment_command(), deviation_command(), fit_command(),    merge_command(),
-                     identify_command(),   rig_command(),       design_command(), convert_command(),
-                     keys_command(),       list_command()});
     return commands;
 }
 
@@ -95,10 +89,10 @@ int flushed(int code) {
 }
 
 int run_program(int argc, char** argv) {
-    CLI::App app{"Tricontact: models of frictional contact side by side, from one case file."};
+    CLI::App app{app::program_text};
     app.set_version_flag("--version", std::string("tricontact ") + files::version);
     app.require_subcommand(1);
-    const std::vector<Command> commands = all_commands();
+    const std::vector<Command> commands = own_commands();
     for (const Command& command : commands) app.add_subcommand(command.parser);
     if (const auto wrong = what_is_wrong(app, commands, argc, argv); !wrong.empty())
         return fail(exit_bad_input, wrong);

@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <iostream>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -10,6 +11,7 @@
 #include "files/version.h"
 #include "io/results/atomic_file.h"
 #include "io/results/output_folder.h"
+#include "io/results/progress.h"
 #include "report/document.h"
 
 namespace tricontact::app {
@@ -19,6 +21,14 @@ using contact::Case;
 /// Receives a line about what a model decided or reused.
 using Say = std::function<void(const std::string&)>;
 inline const Say silent = [](const std::string&) {};
+
+/// Who hears what a command tells, in the place of the terminal.
+struct Listener {
+    std::ostream* out;  ///< the answer
+    Say say;            ///< a line about what goes on
+    /// How many of how many steps of what is called so are done.
+    std::function<void(const std::string& name, int done, int total)> progress;
+};
 
 /// Name of the resolved case beside its results.
 inline constexpr const char* resolved_case_name = "case.toml";
@@ -31,11 +41,24 @@ struct CommandOptions {
     std::vector<std::string> models;     ///< empty: those of the case
     int threads = 1;                     ///< or processes side by side
     bool quiet = false;
-    bool report = true;  ///< write report.html
+    bool report = true;                                  ///< write report.html
+    std::shared_ptr<const Listener> listener = nullptr;  ///< null: the terminal
 
+    /// For the answer: standard output.
+    std::ostream& out() const { return listener ? *listener->out : std::cout; }
     /// A line on standard error, unless quiet.
     void say(const std::string& line) const {
-        if (!quiet) std::cerr << line << '\n';
+        if (!quiet) listener ? listener->say(line) : void(std::cerr << line << '\n');
+    }
+    /// How far the work called `name` is, on standard error, unless quiet.
+    io::ProgressBar progress_bar(const std::string& name, const std::string& noun = "step") const {
+        using Bar = io::ProgressBar;
+        const auto style = listener ? Bar::Style::silent : Bar::style_of_stderr(quiet);
+        Bar bar(std::cerr, style, name, {}, noun);
+        if (listener && !quiet)
+            bar.watch(
+                [to = listener, name](int done, int total) { to->progress(name, done, total); });
+        return bar;
     }
     Say sayer() const {
         return [this](const std::string& line) { say(line); };

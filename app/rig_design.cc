@@ -11,6 +11,7 @@
 #include "app/uncertain_case.h"
 #include "atlas/prediction.h"
 #include "contact/error.h"
+#include "contact/interruption.h"
 #include "contact/special_values.h"
 
 namespace tricontact::app {
@@ -62,6 +63,7 @@ class Evaluation {
     explicit Evaluation(const DesignStudy& study) : study_(study) {}
 
     std::vector<double> operator()(const std::vector<double>& fractions) {
+        contact::interruption_point();
         std::vector<double> ratios(study_.requirements.size(), contact::undefined);
         try {
             const io::RigFile file = study_.input.at(fractions);

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "contact/error.h"
+#include "contact/interruption.h"
 #include "contact/special_values.h"
 #include "statistics/distribution.h"
 #include "statistics/sample_quantile.h"
@@ -91,6 +92,7 @@ SampledPrediction sampled_prediction(const Case& c, const std::string& model,
     const Prediction nominal = atlas::predict(numbers.set, model);
     Case values = numbers.set;
     const auto functions = [&](const std::vector<double>& independent) {
+        contact::interruption_point();
         const std::vector<double> u =
             correlation.empty() ? independent : by_copula(independent, root);
         Case at = numbers.set;

@@ -67,11 +67,13 @@ function(tricontact_library name)
         set(export TricontactFem)
     endif()
     set_target_properties(tricontact_${name} PROPERTIES EXPORT_NAME ${name})
-    install(TARGETS tricontact_${name} EXPORT ${export} DESTINATION ${CMAKE_INSTALL_LIBDIR})
+    install(TARGETS tricontact_${name} EXPORT ${export} DESTINATION ${CMAKE_INSTALL_LIBDIR}
+            COMPONENT development)
     file(RELATIVE_PATH folder ${PROJECT_SOURCE_DIR} ${CMAKE_CURRENT_SOURCE_DIR})
     foreach(room IN ITEMS . LISTS ARG_ROOMS)
         file(GLOB headers CONFIGURE_DEPENDS ${room}/*.h)
-        install(FILES ${headers} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/tricontact/${folder}/${room})
+        install(FILES ${headers} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/tricontact/${folder}/${room}
+                COMPONENT development)
     endforeach()
 endfunction()
 

@@ -9,6 +9,7 @@
 
 #include "contact/bodies/half_space_scales.h"
 #include "contact/error.h"
+#include "contact/interruption.h"
 #include "contact/load_path.h"
 #include "contact/own_limit.h"
 #include "contact/special_values.h"
@@ -284,6 +285,7 @@ class Run {
             states_.add(model_.contact_states());
         if (quarter && !negligible_ && snapshots_.wants(step.phase, perhaps_last_period_))
             snapshots_.keep(step.phase, model_.surface());
+        interruption_point();
         if (observer_)
             observer_(history_.steps.back(), model_,
                       {static_cast<int>(history_.steps.size()), n_at_most_, quarter});

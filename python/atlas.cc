@@ -5,11 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
-#include <optional>
 
 #include "atlas/atlas_file.h"
-#include "atlas/prediction_json.h"
 #include "atlas/shipped.h"
 #include "io/case/case_keys.h"
 #include "python/bindings.h"
@@ -74,13 +71,6 @@ py::tuple read(const Atlas& atlas, const std::string& quantity, const Coordinate
     return py::make_tuple(values, errors);
 }
 
-py::object predict(const contact::Case& c, const std::optional<std::vector<std::string>>& models) {
-    auto json = nlohmann::ordered_json::object();
-    for (const std::string& model : models ? *models : atlas::predictable_models(c))
-        json[model] = atlas::json_of(atlas::predict(c, model));
-    return from_json(json.dump());
-}
-
 void add_axis(py::module_& module) {
     py::class_<Axis>(module, "Axis", "A coordinate of an atlas: a key of case files.")
         .def_readonly("key", &Axis::key, "\"rolling.amplitude_ratio\"")
@@ -120,7 +110,6 @@ void add_atlas(py::module_& module) {
     module.def("_shipped_atlas", atlas::shipped, py::arg("name"),
                py::return_value_policy::reference);
     module.def("_read_atlas", atlas::read_atlas, py::arg("path"));
-    module.def("_predict", predict, py::arg("case"), py::arg("models"));
 }
 
 }  // namespace tricontact::python

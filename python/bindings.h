@@ -9,6 +9,7 @@ namespace tricontact::python {
 
 // Parts of the module tricontact._core, one per file.
 void add_atlas(pybind11::module_& module);
+void add_command(pybind11::module_& module);
 void add_case(pybind11::module_& module);
 void add_surface(pybind11::module_& module);
 void add_history(pybind11::module_& module);
@@ -34,6 +35,19 @@ Result toml(const char* function, const Values& values) {
     return pybind11::module_::import("tricontact._toml")
         .attr(function)(values)
         .template cast<Result>();
+}
+
+/// What a module of the package, in Python, has by this name.
+inline pybind11::object in_python(const char* module, const char* name) {
+    return pybind11::module_::import((std::string("tricontact.") + module).c_str()).attr(name);
+}
+
+/// A method that is written there, as a function of the object.
+inline auto passed_on(const char* module, const char* name) {
+    return [module, name](const pybind11::object& self, const pybind11::args& args,
+                          const pybind11::kwargs& kwargs) {
+        return in_python(module, name)(self, *args, **kwargs);
+    };
 }
 
 /// What json.loads makes of a text.

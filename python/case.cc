@@ -54,6 +54,7 @@ py::class_<C> add_kind(py::module_& module, const char* name, const char* text, 
             "to_toml", [write](const C& c) { return write(c); },
             "The same as the text of a case file.")
         .def_readonly("title", &C::title, "Title of the case.")
+        .def("_repr_html_", passed_on("shown", "case"))
         .def("__repr__", [name = std::string(name)](const C& c) {
             return '<' + name + ' ' + py::repr(py::str(c.title)).template cast<std::string>() + '>';
         });

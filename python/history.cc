@@ -80,6 +80,11 @@ void add_history(py::module_& module) {
         .def("__getitem__", column, py::arg("name"), "A column. Raises KeyError.")
         .def("__len__", [](const History& history) { return history.steps.size(); })
         .def("to_pandas", to_pandas, "All columns as a DataFrame. Raises ImportError.")
+        .def("to_xarray", passed_on("labelled", "history"),
+             "All columns as a Dataset along `step`. Raises ImportError.")
+        .def("plot", passed_on("plots", "history"),
+             "A column over the rolling periods, with matplotlib. Raises ImportError.")
+        .def("_repr_html_", passed_on("shown", "history"))
         .def_readonly("model", &History::model, "Name of the model.")
         .def_property_readonly(
             "state", state_of,

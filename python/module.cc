@@ -43,6 +43,7 @@ PYBIND11_MODULE(_core, module) {
     python::add_error<contact::NotConverged>(
         module, "NotConverged", PyExc_RuntimeError,
         "A solver did not reach its tolerance; no number of it is given out.");
+    python::add_command(module);
     python::add_case(module);
     python::add_surface(module);
     python::add_history(module);

@@ -1,6 +1,7 @@
 #include <pybind11/stl.h>
 
 #include <algorithm>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <thread>
@@ -25,6 +26,7 @@ namespace {
 struct Result {
     CaseRun run;
     std::string summary;
+    std::map<std::string, std::vector<contact::Snapshot>> surfaces;  // of every step, if wanted
 };
 
 /// With these models, if any, instead of its own, checked as a case file that names them.
@@ -48,7 +50,7 @@ void tell(const py::object& on_step, const std::string& model, int step, int ste
 }
 
 Result run(const Case& given, const std::optional<std::vector<std::string>>& models,
-           std::optional<int> threads, bool studies, const py::object& on_step) {
+           std::optional<int> threads, bool studies, bool all_surfaces, const py::object& on_step) {
     const Case c = with_models(given, models);
     app::refuse_rolling_on(c, "case");
     app::RunOptions options;
@@ -59,17 +61,23 @@ Result run(const Case& given, const std::optional<std::vector<std::string>>& mod
     const py::gil_scoped_release free_the_lock;
     SignalCheck check_signals;
     const app::Say say = [&](const std::string&) { check_signals(); };
+    decltype(Result::surfaces) surfaces;
     const app::ModelRun run_one = [&](const std::string& name, comparisons::LoadingStudy* study) {
-        const contact::Observer observer = [&](const contact::StepRecord&, contact::Model&,
+        const contact::Observer observer = [&](const contact::StepRecord& record,
+                                               contact::Model& model,
                                                const contact::Progress& progress) {
             check_signals();
+            if (all_surfaces) {
+                if (progress.step == 1) surfaces[name].clear();
+                surfaces[name].push_back({record.phase, model.surface()});
+            }
             tell(on_step, name, progress.step, progress.steps_at_most);
         };
         return app::history_of(name, c, options.threads, say, observer, study);
     };
     CaseRun done = app::run_models(c, options, say, run_one);
     std::string summary = app::summary_of(done);
-    return {std::move(done), std::move(summary)};
+    return {std::move(done), std::move(summary), std::move(surfaces)};
 }
 
 py::object history(const py::object& self, const std::string& model) {
@@ -77,6 +85,17 @@ py::object history(const py::object& self, const std::string& model) {
         if (history.model == model)
             return py::cast(history, py::return_value_policy::reference_internal, self);
     throw py::key_error(model);
+}
+
+/// Those of every step, or the history's.
+py::list surfaces(const py::object& self, const std::string& model) {
+    const auto& result = self.cast<const Result&>();
+    const auto kept = result.surfaces.find(model);
+    if (kept == result.surfaces.end()) return history(self, model).attr("snapshots");
+    py::list list;
+    for (const contact::Snapshot& snapshot : kept->second)
+        list.append(py::cast(snapshot, py::return_value_policy::reference_internal, self));
+    return list;
 }
 
 comparisons::Results results(const Result& result, const std::string& model) {
@@ -151,20 +170,26 @@ void add_run(py::module_& module) {
             "models", [](const Result& result) { return result.run.c.models; },
             "Names of the models.")
         .def("__getitem__", history, py::arg("model"), "History of a model. Raises KeyError.")
+        .def(
+            "surfaces",
+            [](const py::object& self, const std::string& model) {
+                return in_python("labelled", "Surfaces")(surfaces(self, model));
+            },
+            py::arg("model"),
+            "Contact surfaces of a model: as run() was told, of every step. Raises KeyError.")
+        .def("to_xarray", passed_on("labelled", "result"),
+             "The quantities of all models as a Dataset. Raises ImportError.")
+        .def("plot", passed_on("plots", "result"),
+             "A column of all models over the periods, with matplotlib. Raises ImportError.")
+        .def("_repr_html_", passed_on("shown", "result"))
         .def("results", results, py::arg("model"), "Quantities of a model. Raises KeyError.")
         .def_property_readonly(
             "case", [](const Result& result) { return result.run.c; }, "The case as it was run.")
         .def_property_readonly(
             "summary", [](const Result& result) { return from_json(result.summary); },
             "The numbers of summary.json.");
-    module.def(
-        "run", run, py::arg("case"), py::kw_only(), py::arg("models") = py::none(),
-        py::arg("threads") = py::none(), py::arg("studies") = true, py::arg("on_step") = py::none(),
-        "Run the models of a case, or those named. threads: for large grids (all cores). studies:\n"
-        "also the further runs that the program makes for comparison. on_step(model, step,\n"
-        "steps_at_most) is called after each step; what it raises ends the run. Other threads go\n"
-        "on, and Ctrl-C ends the run between two steps.\n\n"
-        "Raises InputError, NotConverged.");
+    module.def("_run", run, py::arg("case"), py::arg("models"), py::arg("threads"),
+               py::arg("studies"), py::arg("all_surfaces"), py::arg("on_step"));
 }
 
 void add_roll(py::module_& module) {

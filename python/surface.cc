@@ -2,6 +2,7 @@
 
 #include <pybind11/stl.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 
@@ -21,14 +22,13 @@ struct Field {
     std::vector<double> Surface::*values;
 };
 
-constexpr std::array<Field, 18> fields{{
+constexpr std::array<Field, 17> fields{{
     {"normal_traction_Pa", &Surface::normal_traction},
     {"tangential_traction_x_Pa", &Surface::tangential_traction_x},
     {"tangential_traction_y_Pa", &Surface::tangential_traction_y},
     {"friction_bound_Pa", &Surface::friction_bound},
     {"displacement_x_m", &Surface::displacement_x},
     {"displacement_y_m", &Surface::displacement_y},
-    {"displacement_z_m", &Surface::displacement_z},
     {"gap_m", &Surface::gap},
     {"slip_x_m", &Surface::slip_x},
     {"slip_y_m", &Surface::slip_y},
@@ -42,6 +42,7 @@ constexpr std::array<Field, 18> fields{{
     {"tangential_line_load_N_per_m", &Surface::tangential_line_load},
 }};
 constexpr const char* state_name = "contact_state";
+constexpr const char* height_name = "displacement_z_m";
 
 bool is_grid(const Surface& s) {
     return s.n_x > 0;
@@ -61,12 +62,22 @@ py::array view_of(const Surface& s, const T* first, const py::object& owner) {
     return view(first, shape_of(s), strides, owner);
 }
 
+/// z out of the substrate, as in the files for ParaView.
+py::array outward(const Surface& s) {
+    py::array_t<double> values(shape_of(s));
+    std::ranges::transform(s.displacement_z, values.mutable_data(),
+                           [](double inward) { return 0. - inward; });  // without -0
+    values.attr("setflags")(py::arg("write") = false);
+    return values;
+}
+
 py::array field(const py::object& self, const std::string& name) {
     const auto& s = self.cast<const Surface&>();
     if (name == state_name && !s.contact_state.empty()) {
         static_assert(sizeof(ContactState) == sizeof(std::uint8_t));
         return view_of(s, reinterpret_cast<const std::uint8_t*>(s.contact_state.data()), self);
     }
+    if (name == height_name && !s.displacement_z.empty()) return outward(s);
     for (const Field& field : fields)
         if (field.name == name && !(s.*field.values).empty())
             return view_of(s, (s.*field.values).data(), self);
@@ -77,6 +88,7 @@ std::vector<std::string> field_names(const Surface& s) {
     std::vector<std::string> names;
     for (const Field& field : fields)
         if (!(s.*field.values).empty()) names.emplace_back(field.name);
+    if (!s.displacement_z.empty()) names.emplace_back(height_name);
     if (!s.contact_state.empty()) names.emplace_back(state_name);
     return names;
 }
@@ -102,9 +114,15 @@ void add_surface(py::module_& module) {
     py::class_<Surface>(
         module, "Surface",
         "Fields of the contact surface by their names, as NumPy arrays that share the memory of\n"
-        "the run: of the shape (n_y, n_x) on a grid, (1, n) along a line, (n,) on other nodes.")
+        "the run: of the shape (n_y, n_x) on a grid, (1, n) along a line, (n,) on other nodes.\n"
+        "Signs as in the files for ParaView: z is out of the substrate, tractions act on it,\n"
+        "normal traction is positive in compression.")
         .def_property_readonly("fields", field_names, "Names of the fields, with units.")
         .def("__getitem__", field, py::arg("name"), "A field. Raises KeyError.")
+        .def("to_xarray", passed_on("labelled", "surface"),
+             "All fields as a Dataset over their positions. Raises ImportError.")
+        .def("plot", passed_on("plots", "surface"),
+             "A field as a map, of springs along their line, with matplotlib. Raises ImportError.")
         .def_property_readonly("layout", layout_of, "\"grid\", \"line\" or \"nodes\".")
         .def_property_readonly(
             "shape", [](const Surface& s) { return py::tuple(py::cast(shape_of(s))); },

@@ -3,6 +3,7 @@
 #include <pybind11/stl.h>
 
 #include "app/studies/sweep.h"
+#include "contact/interruption.h"
 #include "io/results/atomic_file.h"
 #include "python/bindings.h"
 #include "walking/input/walk_reader.h"
@@ -20,6 +21,7 @@ py::tuple walk(const walking::WalkCase& c) {
     std::string summary, motion, windows;
     {
         const py::gil_scoped_release free_the_lock;
+        const contact::Interruption by_signals{SignalCheck()};
         const walking::Walk walk = walking::walk(c, walking::report_recording);
         summary = walking::walk_summary(c, walking::write_walk_case(c), walk);
         motion = walking::motion_csv(c, walk);
@@ -31,7 +33,7 @@ py::tuple walk(const walking::WalkCase& c) {
 void sweep(const std::string& study, const std::string& folder, int jobs, bool retry_failed,
            bool vtk, bool report) {
     const py::gil_scoped_release free_the_lock;
-    SignalCheck check_signals;
+    const contact::Interruption by_signals{SignalCheck()};
     app::SweepOptions options;
     options.file = study;
     options.output = folder;
@@ -40,7 +42,6 @@ void sweep(const std::string& study, const std::string& folder, int jobs, bool r
     options.vtk = vtk;
     options.report = report;
     options.quiet = true;
-    options.attend = [&] { check_signals(); };
     app::sweep(options);
 }
 

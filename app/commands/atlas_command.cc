@@ -102,11 +102,9 @@ class AtlasBuild {
     std::size_t most_points() const { return static_cast<std::size_t>(study_.atlas->points); }
 
     void compute(const StudyPoints& runs, io::ResultStore& store) const {
-        compute_missing(contact_kind(), runs, store,
-                        {.name = "atlas",
-                         .jobs = options_.threads,
-                         .retry_failed = options_.retry_failed,
-                         .quiet = options_.quiet});
+        compute_missing(
+            contact_kind(), runs, store,
+            {.name = "atlas", .options = options_, .retry_failed = options_.retry_failed});
     }
 
     Atlas fitted(const std::vector<Sample>& samples, std::size_t n_points) const {
@@ -199,11 +197,11 @@ class AtlasBuild {
         return say_check(*map.quantity, std::move(errors), n_covered);
     }
 
-    static bool say_check(const Quantity& q, std::vector<double> errors, std::size_t n_covered) {
+    bool say_check(const Quantity& q, std::vector<double> errors, std::size_t n_covered) const {
         std::ranges::sort(errors);
         const auto n = static_cast<double>(errors.size());
         const double covered = static_cast<double>(n_covered) / n;
-        std::cout << fmt::format(
+        options_.out() << fmt::format(
             "{}: {} points, error median {:.3g} %, 95 % below {:.3g} %, largest {:.3g} %; {:.3g} % "
             "within their bars\n",
             q.key, errors.size(), 100 * errors[errors.size() / 2],

@@ -15,10 +15,14 @@
 // Files of commands take from here what most of them need: texts, output, options, cases.
 namespace tricontact::app {
 
+inline constexpr const char* program_text =
+    "Tricontact: models of frictional contact side by side, from one case file.";
+
 /// A subcommand of the program, its options in the order in which the help names them.
 struct Command {
     CLI::App_p parser;
-    std::function<bool()> run;  ///< false if it failed
+    std::function<bool()> run;          ///< false if it failed
+    CommandOptions* options = nullptr;  ///< what it has in common with others, if anything
 };
 
 /// Declares a command with its struct of options (CommandOptions and its own), which `run` gets.
@@ -29,6 +33,7 @@ class Declared {
     Declared(const char* name, const char* text, Run run)
         : options_(std::make_shared<Options>()),
           command_{std::make_shared<CLI::App>(text, name), {}} {
+        if constexpr (std::is_base_of_v<CommandOptions, Options>) command_.options = options_.get();
         command_.run = [options = options_, run]() -> bool {
             if constexpr (std::is_same_v<decltype(run(*options)), bool>)
                 return run(*options);
@@ -70,7 +75,11 @@ class Declared {
     template <class Base>
     Declared& word(const char* name, std::string Base::*place, const char* text,
                    const std::vector<std::string>& words) {
-        option(name, place, text);
+        return option(name, place, text).one_of(words);
+    }
+
+    /// What was declared last is one of some words, which stand in the help as its type.
+    Declared& one_of(const std::vector<std::string>& words) {
         last_->check(CLI::IsMember(words).description(""))
             ->type_name(CLI::detail::join(words, "|"));
         return *this;
@@ -144,5 +153,9 @@ Command design_command();
 Command convert_command();
 Command keys_command();
 Command list_command();
+Command manual_command();
+
+/// All of them, in the order of the help.
+std::vector<Command> all_commands();
 
 }  // namespace tricontact::app

@@ -20,10 +20,11 @@ void design_rig(DesignOptions options) {
         options.write("design.json", experiments::design_json(study));
         options.write_report(experiments::design_document(study), "tricontact design " + name);
     });
-    for (const std::string& line : experiments::design_sentences(study)) std::cout << line << '\n';
-    std::cout << "look closer: tricontact rig " << options.file
-              << experiments::best_overrides(study) << '\n'
-              << options.where() << '\n';
+    for (const std::string& line : experiments::design_sentences(study))
+        options.out() << line << '\n';
+    options.out() << "look closer: tricontact rig " << options.file
+                  << experiments::best_overrides(study) << '\n'
+                  << options.where() << '\n';
 }
 
 }  // namespace

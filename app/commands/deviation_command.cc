@@ -34,8 +34,7 @@ void add_runs(const DeviationOptions& options, HalfSpaceDeviation& deviation) {
         points.push_back(make_point(checked, checked.models.front(), run.level, options.file));
     }
     io::ResultStore store = open_results(options.output);
-    compute_missing(contact_kind(), points, store,
-                    {.name = "deviation", .jobs = options.threads, .quiet = options.quiet});
+    compute_missing(contact_kind(), points, store, {.name = "deviation", .options = options});
     std::vector<RolledResult> results;
     for (std::size_t i = 0; i < runs.size(); ++i)
         results.push_back({runs[i], results_of(store.find(points[i].key))});
@@ -66,8 +65,9 @@ void compare_with_half_space(DeviationOptions options) {
                      if (options.runs) add_runs(options, deviation);
                      write(options, c, deviation);
                  });
-    std::cout << deviation_text(deviation);
-    for (const auto& verdict : deviation_verdicts(deviation)) std::cout << verdict.sentence << '\n';
+    options.out() << deviation_text(deviation);
+    for (const auto& verdict : deviation_verdicts(deviation))
+        options.out() << verdict.sentence << '\n';
     options.say(options.where());
 }
 

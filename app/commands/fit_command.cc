@@ -16,8 +16,6 @@ namespace tricontact::app {
 
 namespace {
 
-using comparisons::RollingRun;
-
 struct FitOptions : CommandOptions {
     double confidence = 0.95;  ///< of the intervals
 };
@@ -72,8 +70,8 @@ std::optional<double> line_shift_factor(const FitOptions& options,
     return factor;
 }
 
-RollingRun run_of(const io::Study& study, const StudyPoint& point,
-                  const comparisons::Results& results) {
+comparisons::RollingRun run_of(const io::Study& study, const StudyPoint& point,
+                               const comparisons::Results& results) {
     const Case& c = point.contact();
     std::vector<std::string> stated, group{comparisons::direction_name(c.rolling->angle)};
     for (std::size_t i = 0; i < study.axes.size(); ++i) {
@@ -83,26 +81,27 @@ RollingRun run_of(const io::Study& study, const StudyPoint& point,
         if (!std::ranges::count(variables, key.path) && key.path != angle_key)
             group.push_back(stated.back());
     }
-    RollingRun run{.model = point.model,
-                   .group = io::joined(group),
-                   .point = io::joined(stated),
-                   .angle = c.rolling->angle,
-                   .level = point.level,
-                   .results = results};
+    comparisons::RollingRun run{.model = point.model,
+                                .group = io::joined(group),
+                                .point = io::joined(stated),
+                                .angle = c.rolling->angle,
+                                .level = point.level,
+                                .results = results};
     if (const auto amplitude = results.number(comparisons::quantities::amplitude))
         run.steps_per_quarter = contact::steps_in_quarter(*c.rolling, *amplitude);
     return run;
 }
 
-std::vector<RollingRun> stored_runs(const io::Study& study, const std::vector<StudyPoint>& points,
-                                    const FitOptions& options) {
+std::vector<comparisons::RollingRun> stored_runs(const io::Study& study,
+                                                 const std::vector<StudyPoint>& points,
+                                                 const FitOptions& options) {
     const std::string &folder = options.output, path = folder + '/' + io::result_store_name;
     const std::string sweep = fmt::format("tricontact sweep {} --output {}", options.file, folder);
     if (!std::filesystem::exists(path))
         throw contact::InputError(fmt::format("{}: holds no {}; compute the study first: {}",
                                               folder, io::result_store_name, sweep));
     const io::ResultStore store(path, io::ResultStore::Mode::read);
-    std::vector<RollingRun> runs;
+    std::vector<comparisons::RollingRun> runs;
     std::size_t n_missing = 0, n_failed = 0;
     for (const StudyPoint& point : points) {
         const auto found = store.find(point.key);

@@ -200,28 +200,28 @@ IdentificationStudy study_of(const IdentificationInput& input, const IdentifyOpt
     return study;
 }
 
-void print(const IdentificationStudy& study) {
+void print(const IdentificationStudy& study, std::ostream& out) {
     const auto& parameters = study.input.parameters;
-    std::cout << fmt::format("{:<11}", "model");
-    for (const auto& p : parameters) std::cout << fmt::format(" {:<32}", p.symbol);
-    std::cout << fmt::format(" {:>8}  {}\n", "R^2", "chi^2");
+    out << fmt::format("{:<11}", "model");
+    for (const auto& p : parameters) out << fmt::format(" {:<32}", p.symbol);
+    out << fmt::format(" {:>8}  {}\n", "R^2", "chi^2");
     for (const IdentifiedModel& model : study.models) {
         const auto& found = model.found;
-        std::cout << fmt::format("{:<11}", model.name);
+        out << fmt::format("{:<11}", model.name);
         for (const auto& p : parameters) {
             const auto k = found.find(p.key, p.index);
-            std::cout << fmt::format(" {:<32}", k ? experiments::shown(model, *k) : "none");
+            out << fmt::format(" {:<32}", k ? experiments::shown(model, *k) : "none");
         }
-        std::cout << fmt::format(" {:>8.5f}  {}\n", found.r_squared,
-                                 found.goodness
-                                     ? fmt::format("{:.3g}, {} degrees of freedom",
-                                                   found.sum_of_squares, found.degrees_of_freedom)
-                                     : "errors estimated");
+        out << fmt::format(" {:>8.5f}  {}\n", found.r_squared,
+                           found.goodness
+                               ? fmt::format("{:.3g}, {} degrees of freedom", found.sum_of_squares,
+                                             found.degrees_of_freedom)
+                               : "errors estimated");
     }
     for (const IdentifiedModel& model : study.models)
-        if (model.posterior) std::cout << experiments::posterior_sentence(model) << '\n';
+        if (model.posterior) out << experiments::posterior_sentence(model) << '\n';
     for (const auto& verdict : experiments::identification_verdicts(study))
-        std::cout << verdict.sentence << '\n';
+        out << verdict.sentence << '\n';
 }
 
 void identify_properties(IdentifyOptions options) {
@@ -236,7 +236,7 @@ void identify_properties(IdentifyOptions options) {
         options.write("identify.json", experiments::identification_json(study).dump(2) + '\n');
         options.write_report(experiments::identification_document(study), study.command);
     });
-    print(study);
+    print(study, options.out());
 }
 
 }  // namespace

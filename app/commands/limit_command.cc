@@ -72,7 +72,7 @@ void find_limits(const Case& c, const LimitOptions& options) {
                       {"a row per model", "limit.csv"},
                       {"the case, resolved", resolved_case_name}};
     options.write_report(document, command);
-    std::cout << comparisons::limit_text(study);
+    options.out() << comparisons::limit_text(study);
     options.say(options.where());
 }
 

@@ -144,17 +144,17 @@ void predict_case(const PredictOptions& options) {
             }));
     const std::string json = json_text(c, predictions, samples);
     if (options.json)
-        std::cout << json;
+        options.out() << json;
     else
-        for (const Prediction& p : predictions) std::cout << text_of(p);
+        for (const Prediction& p : predictions) options.out() << text_of(p);
     if (!options.json)
-        for (const SampledPrediction& p : samples) std::cout << text_of(p);
+        for (const SampledPrediction& p : samples) options.out() << text_of(p);
     if (options.output.empty()) return;
     write_files(options, c, json);
     if (options.json) return;
-    std::cout << (has_page(c) ? "page: " + options.output + '/' + page_name
-                              : std::string("no page: it is about spheres"))
-              << '\n';
+    options.out() << (has_page(c) ? "page: " + options.output + '/' + page_name
+                                  : std::string("no page: it is about spheres"))
+                  << '\n';
 }
 
 }  // namespace

@@ -171,8 +171,9 @@ void refine_case(RefineOptions options) {
         result = finish_last(plan.levels.back(), levels, refined, options);
     });
 
-    std::cout << refinement_text(result);
-    for (const std::string& sentence : refinement_sentences(result)) std::cout << sentence << '\n';
+    options.out() << refinement_text(result);
+    for (const std::string& sentence : refinement_sentences(result))
+        options.out() << sentence << '\n';
     options.say(options.where());
 }
 

@@ -30,12 +30,12 @@ double static_shift(const experiments::Rig& rig, bool coupled) {
     return history_of(model_name, c, 1, silent).static_shift;
 }
 
-void print(const experiments::RigReport& report) {
-    std::cout << report.title << '\n';
+void print(const experiments::RigReport& report, std::ostream& out) {
+    out << report.title << '\n';
     for (const experiments::Assumption& one : report.assumptions) {
-        std::cout << fmt::format("{}: {}\n", experiments::finding_of(one.standing()), one.claim);
+        out << fmt::format("{}: {}\n", experiments::finding_of(one.standing()), one.claim);
         for (const experiments::Criterion& criterion : one.criteria)
-            std::cout << fmt::format(
+            out << fmt::format(
                 "{:4}{} = {}, {}: {}{}\n", "", criterion.calculation.symbol,
                 experiments::text_of(criterion.calculation.result, criterion.calculation.unit),
                 experiments::threshold_text(criterion), experiments::word_of(criterion.standing()),
@@ -45,23 +45,22 @@ void print(const experiments::RigReport& report) {
                     : "");
         if (const std::string effects = experiments::effects_text(report, one.name);
             !effects.empty())
-            std::cout << fmt::format("{:4}taking it for granted: {}\n", "", effects);
+            out << fmt::format("{:4}taking it for granted: {}\n", "", effects);
         for (const std::string& missing : one.missing)
-            std::cout << fmt::format("{:4}not given: {}\n", "", missing);
-        if (!one.consequence.empty()) std::cout << fmt::format("{:4}{}\n", "", one.consequence);
+            out << fmt::format("{:4}not given: {}\n", "", missing);
+        if (!one.consequence.empty()) out << fmt::format("{:4}{}\n", "", one.consequence);
     }
-    if (!report.printed.empty()) std::cout << "printed numbers\n";
+    if (!report.printed.empty()) out << "printed numbers\n";
     for (const experiments::PrintedCheck& check : report.printed) {
-        std::cout << fmt::format("{:<17} {} = {} {}\n", experiments::word_of(check.agreement),
-                                 check.printed.name, check.printed.text, check.printed.source);
+        out << fmt::format("{:<17} {} = {} {}\n", experiments::word_of(check.agreement),
+                           check.printed.name, check.printed.text, check.printed.source);
         if (const std::string error = experiments::error_text(check); !error.empty())
-            std::cout << fmt::format("{:18}{}\n", "", error);
+            out << fmt::format("{:18}{}\n", "", error);
         if (!check.calculation || check.agreement == experiments::PrintedCheck::Agreement::agrees)
             continue;
-        std::cout << fmt::format("{:18}{}\n", "", experiments::arithmetic(*check.calculation));
+        out << fmt::format("{:18}{}\n", "", experiments::arithmetic(*check.calculation));
         if (!check.substitutes.empty())
-            std::cout << fmt::format("{:18}follows from {}\n", "",
-                                     experiments::substitutes_text(check));
+            out << fmt::format("{:18}follows from {}\n", "", experiments::substitutes_text(check));
     }
 }
 
@@ -92,7 +91,7 @@ void check_assumptions(RigOptions options) {
         options.write_report(experiments::rig_document(given, report),
                              "tricontact rig " + stem + ".toml");
     });
-    print(report);
+    print(report, options.out());
 }
 
 }  // namespace

@@ -95,8 +95,8 @@ void run_case(RunOptions options) {
     std::optional<CaseRun> run;
     options.fill(run_outputs(c.models), [&] { run.emplace(compute(c, options)); });
     if (options.quiet) return;
-    for (const contact::History& history : run->histories) std::cout << line_of({c, history});
-    std::cout << options.where() << '\n';
+    for (const contact::History& history : run->histories) options.out() << line_of({c, history});
+    options.out() << options.where() << '\n';
 }
 
 }  // namespace

@@ -31,8 +31,7 @@ StudyPoints points_of(const StrainContact& contact, const std::string& file) {
 StrainDeviation computed(const CommandOptions& options, const StrainContact& contact,
                          const StudyPoints& points) {
     io::ResultStore store = open_results(options.output);
-    compute_missing(contact_kind(), points, store,
-                    {.name = "deviation", .jobs = options.threads, .quiet = options.quiet});
+    compute_missing(contact_kind(), points, store, {.name = "deviation", .options = options});
     std::vector<std::optional<comparisons::Results>> results;
     for (const StudyPoint& point : points) results.push_back(results_of(store.find(point.key)));
     return comparisons::strain_deviation(contact, results);
@@ -68,8 +67,9 @@ void compare_with_finite_strains(CommandOptions options, double elements) {
             deviation = computed(options, contact, points);
             write(options, deviation, elements);
         });
-    std::cout << strain_text(deviation);
-    for (const auto& verdict : strain_verdicts(deviation)) std::cout << verdict.sentence << '\n';
+    options.out() << strain_text(deviation);
+    for (const auto& verdict : strain_verdicts(deviation))
+        options.out() << verdict.sentence << '\n';
     options.say(options.where());
 }
 

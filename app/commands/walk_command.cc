@@ -70,7 +70,7 @@ void walk_machine(CommandOptions options) {
                      write_animation(options, walk_case, walk);
                      if (options.report) write_page(options, walk_case, walk);
                  });
-    if (!options.quiet) std::cout << walking::walk_text(walk_case, walk);
+    if (!options.quiet) options.out() << walking::walk_text(walk_case, walk);
     options.say(options.where());
 }
 

@@ -9,6 +9,7 @@
 #include "app/models.h"
 #include "app/studies/study_kind.h"
 #include "app/studies/worker_pool.h"
+#include "contact/interruption.h"
 #include "files/version.h"
 #include "io/results/progress.h"
 
@@ -88,14 +89,13 @@ void compute_missing(const StudyKind& kind, const StudyPoints& points, io::Resul
     ::setenv("OPENBLAS_NUM_THREADS", "1", 1);
     const Places open = missing(points, store, runs);
     const std::size_t n_found = points.size() - open.size();
-    if (n_found > 0 && !runs.quiet)
-        std::cerr << fmt::format("{} of {} points are there already\n", n_found, points.size());
+    if (n_found > 0)
+        runs.options.say(fmt::format("{} of {} points are there already", n_found, points.size()));
     for (const std::size_t i : open) load_model(points[i].model);  // once, not in each process
     const std::vector<Places> lots = kind.lots(points, open);
     Places all(lots.size());
     std::iota(all.begin(), all.end(), 0);
-    io::ProgressBar bar(std::cerr, io::ProgressBar::style_of_stderr(runs.quiet), runs.name, {},
-                        "point");
+    io::ProgressBar bar = runs.options.progress_bar(runs.name, "point");
     int n_done = 0;
     const auto task = [&](std::size_t i) {
         return compute_lot(kind, points, lots[i], runs.folder);
@@ -104,7 +104,7 @@ void compute_missing(const StudyKind& kind, const StudyPoints& points, io::Resul
         store.add(outcomes_of(points, lots[i], report));
         bar.update(n_done += static_cast<int>(lots[i].size()), static_cast<int>(open.size()));
     };
-    run_in_processes(all, runs.jobs, task, keep, runs.attend);
+    run_in_processes(all, runs.options.threads, task, keep, contact::interruption_check);
     if (!open.empty()) bar.finish();
 }
 

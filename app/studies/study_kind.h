@@ -9,6 +9,7 @@
 #include <variant>
 #include <vector>
 
+#include "app/options.h"
 #include "comparisons/run/sweep_document.h"
 #include "contact/error.h"
 #include "io/case/study_reader.h"
@@ -107,12 +108,10 @@ std::string text_of(const io::Study& study, const Combination& combination);
 
 /// How points are computed.
 struct PointRuns {
-    std::string name;           ///< of the command, before its progress
-    int jobs = 1;               ///< processes side by side
-    bool retry_failed = false;  ///< points whose failure the store has
-    bool quiet = false;         ///< no progress
-    std::string folder = {};    ///< of the sweep, if points write files of their own (ParaView)
-    std::function<void()> attend = {};  ///< called while points are computed; may throw
+    std::string name;               ///< of the command, before its progress
+    const CommandOptions& options;  ///< processes side by side, who hears of progress
+    bool retry_failed = false;      ///< points whose failure the store has
+    std::string folder = {};        ///< of the sweep, if points write files of their own (ParaView)
 };
 
 /// The store in the folder of a sweep, for writing; says on standard error if rows of it were

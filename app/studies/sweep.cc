@@ -68,11 +68,9 @@ void sweep(SweepOptions options) {
         io::ResultStore store = open_results(options.output);
         compute_missing(kind, points, store,
                         {.name = "sweep",
-                         .jobs = options.threads,
+                         .options = options,
                          .retry_failed = options.retry_failed,
-                         .quiet = options.quiet,
-                         .folder = options.vtk ? options.output : "",
-                         .attend = options.attend});
+                         .folder = options.vtk ? options.output : ""});
         options.write(table_name, table_of(kind, study, points, store));
         if (options.report) {
             report::Document document = kind.report(study, points, store, options.output);

@@ -13,6 +13,7 @@
 #include <system_error>
 #include <utility>
 
+#include "contact/interruption.h"
 #include "files/partial_file.h"
 
 namespace tricontact::app {
@@ -34,6 +35,7 @@ constexpr char end_mark = '\n';
     ::prctl(PR_SET_PDEATHSIG, SIGKILL);
     ::signal(SIGINT, SIG_DFL);  // the handler of a host such as Python would let it live on
     if (::getppid() != parent) ::_exit(1);  // it ended before the line above
+    const contact::Interruption none({});
     try {
         files::write_all(fd, task(i) + end_mark);
     } catch (const std::system_error&) {  // nobody reads it any more

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "contact/error.h"
+#include "contact/interruption.h"
 #include "contact/load_path.h"
 
 namespace tricontact::comparisons {
@@ -71,8 +72,10 @@ ExactCurve curve_of(const DeviationContact& contact, double poisson, LayerBase b
                      .thickness_ratios = decades(-1, 3),
                      .ratios = {},
                      .needed = {}};
-    for (const double thickness : curve.thickness_ratios)
+    for (const double thickness : curve.thickness_ratios) {
+        contact::interruption_point();
         curve.ratios.push_back(exact.ratios(thickness, coupled));
+    }
     for (const auto& [q, ratio] : curve.ratios.front())
         curve.needed[q] = needed_on(exact, q, curve);
     return curve;
@@ -81,6 +84,7 @@ ExactCurve curve_of(const DeviationContact& contact, double poisson, LayerBase b
 ExactMap map_of(const DeviationContact& contact) {
     ExactMap map{decades(-1, 2), {map_poissons.begin(), map_poissons.end()}, {}};
     for (const double poisson : map.poissons) {
+        contact::interruption_point();
         const ExactDeviation exact(contact, poisson, LayerBase::bonded);
         for (const double thickness : map.thickness_ratios)
             map.ratios.push_back(exact.ratios(thickness, false));

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "contact/error.h"
+#include "contact/interruption.h"
 #include "contact/root.h"
 #include "contact/special_values.h"
 #include "experiments/identification/best_sum_of_squares.h"
@@ -133,6 +134,7 @@ void add_tables(const IdentificationTask& task, const BestSumOfSquares& squares,
     const auto residuals = squares.residuals(x);
     const auto widths = half_widths(squares.logarithmic_slopes(x), found);
     const auto& errors = squares.standard_errors();
+    contact::interruption_point();
     const auto origins = origins_of(task, task.model(values_of(task.parameters, x)), errors);
     double known = 0, known_degrees = 0, explained = 0, total = 0;
     std::size_t row = 0;

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "contact/error.h"
+#include "contact/interruption.h"
 #include "contact/special_values.h"
 #include "statistics/distribution.h"
 #include "statistics/ensemble_sampler.h"
@@ -121,6 +122,7 @@ std::vector<Interval> predicted_values(const IdentificationTask& task, const Ide
         std::ranges::copy(table.standard_errors, std::back_inserter(errors));
     const std::size_t every = std::max<std::size_t>(1, points.size() / n_predictions);
     for (std::size_t i = 0; i < points.size(); i += every) {
+        contact::interruption_point();
         const auto predicted = task.model(values_of(task.parameters, points[i]));
         const auto residuals = residuals_of(task, predicted, errors);
         std::size_t row = 0;

@@ -50,6 +50,7 @@ ProgressBar::ProgressBar(std::ostream& out, Style style, std::string label, Cloc
 
 void ProgressBar::update(int done, int total) {
     done_ = done;
+    if (watch_) watch_(done, total);
     if (style_ == Style::silent || total <= 0) return;
     const auto now = clock_();
     const double fraction = std::clamp(static_cast<double>(done) / total, 0., 1.);

@@ -4,6 +4,7 @@
 #include <functional>
 #include <iosfwd>
 #include <string>
+#include <utility>
 
 namespace tricontact::io {
 
@@ -13,6 +14,8 @@ class ProgressBar {
   public:
     enum class Style { bar, lines, silent };
     using Clock = std::function<std::chrono::duration<double>()>;
+    /// Hears of every update, whatever the style.
+    using Watch = std::function<void(int done, int total)>;
 
     /// What fits standard error: `bar` on a terminal, `lines` elsewhere, `silent` if `quiet`.
     static Style style_of_stderr(bool quiet);
@@ -22,6 +25,7 @@ class ProgressBar {
     ProgressBar(std::ostream& out, Style style, std::string label, Clock clock = {},
                 std::string noun = "step");
 
+    void watch(Watch watch) { watch_ = std::move(watch); }
     /// `done` of at most `total` steps are done.
     void update(int done, int total);
     /// Ends the bar with the number of steps and the time taken, and `remark` if there is one.
@@ -32,6 +36,7 @@ class ProgressBar {
     Style style_;
     std::string label_, noun_;
     Clock clock_;
+    Watch watch_;
     std::chrono::duration<double> start_, drawn_{-1};
     int done_ = 0;
     int tenths_ = 0;  // lines: tenths already reported

@@ -4,7 +4,8 @@
     result = tricontact.run(case)
     result["bem"]["shift_x_m"], result.summary
 
-Quantities are in SI units; those of a case may be texts with units, as in case files.
+Quantities are in SI units; those of a case may be texts with units, as in case files, or
+quantities of pint.
 """
 
 from . import atlas, theory
@@ -21,10 +22,12 @@ from ._core import (
     Surface,
     WalkCase,
     __version__,
-    run,
 )
-from .atlas import predict
+from .commands import deviation, design, experiment, fit, identify, limit, predict, refine, rig
+from .labelled import Surfaces
+from .outcome import Outcome
 from .rolling import Rolling, roll
+from .running import run
 from .studies import sweep
 from .table import Table, read_table
 from .walking import Walk, walk
@@ -35,19 +38,29 @@ __all__ = [
     "History",
     "InputError",
     "NotConverged",
+    "Outcome",
     "Result",
     "Results",
     "Rolling",
     "Scales",
     "Snapshot",
     "Surface",
+    "Surfaces",
     "Table",
     "Walk",
     "WalkCase",
     "__version__",
     "atlas",
+    "design",
+    "deviation",
+    "experiment",
+    "fit",
+    "identify",
+    "limit",
     "predict",
     "read_table",
+    "refine",
+    "rig",
     "roll",
     "run",
     "sweep",

@@ -3,6 +3,8 @@
 import json
 from typing import Any, NoReturn
 
+from .labels import is_quantity
+
 
 def _refuse(what: str) -> NoReturn:
     raise TypeError(f"{what}; TOML has texts, numbers, true and false, and lists of them")
@@ -31,6 +33,12 @@ def value(item: Any) -> str:
         return float.__repr__(item)
     if isinstance(item, (list, tuple)):
         return "[" + ", ".join(map(value, item)) + "]"
+    if is_quantity(item):  # of pint
+        unit = f"{item.units:~C}".replace("**", "^")
+        number = getattr(item.magnitude, "tolist", lambda: item.magnitude)()
+        if isinstance(number, list):
+            return value([one * item.units for one in number])
+        return _text(f"{number!r} {unit}") if unit else value(number)
     if hasattr(item, "tolist"):  # NumPy's numbers and arrays
         return value(item.tolist())
     _refuse(f"{item!r} is no value for a key")

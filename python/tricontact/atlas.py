@@ -8,15 +8,18 @@ Coordinates are in SI units, angles in radians.
 """
 
 import os
-from typing import Any, Literal, NamedTuple, Optional, Sequence, Union
+from typing import Any, Literal, NamedTuple, Union
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from . import _core
-from ._core import Axis, Case
+from . import _core, shown
+from ._core import Axis
+from .commands import build_atlas as build
+from .commands import predict
+from .labels import magnitude
 
-__all__ = ["Atlas", "Axis", "Values", "load", "names", "predict"]
+__all__ = ["Atlas", "Axis", "Values", "build", "load", "names", "predict"]
 
 
 class Values(NamedTuple):
@@ -80,6 +83,11 @@ class Atlas:
     def __repr__(self) -> str:
         return f"<Atlas {self.name}: {', '.join(self.quantities)}>"
 
+    def _repr_html_(self) -> str:
+        lines = [[axis.key, *axis.range, axis.unit] for axis in self.axes]
+        title = f"{self.title}: {', '.join(self.quantities)}"
+        return shown.rows(["", "from", "to", "unit"], lines, title)
+
     def __call__(
         self, quantity: str, *, outside: Literal["raise", "nan"] = "raise", **coordinates: ArrayLike
     ) -> Values:
@@ -92,7 +100,8 @@ class Atlas:
         """Read a quantity at one point or many.
 
         coordinates: one per axis, by its name (amplitude_ratio=0.24) or its whole key with _ for
-        the dot (rolling_amplitude_ratio=0.24), numbers or arrays, which broadcast; SI units.
+        the dot (rolling_amplitude_ratio=0.24), numbers or arrays, which broadcast; SI units, or
+        quantities of pint.
         outside: what becomes of points outside the domain, those with NaN included, and of those
         where the bar is too long for the atlas to say a value: "raise", or "nan". Other threads of Python go on meanwhile.
 
@@ -118,7 +127,8 @@ class Atlas:
             if len(given) != 1:
                 raise TypeError(f"atlas {self.name}: coordinate {axis.name} is "
                                 + ("given twice" if given else "missing"))
-            arrays.append(np.asarray(left.pop(given[0]), dtype=np.float64))
+            number = magnitude(left.pop(given[0]), axis.unit)
+            arrays.append(np.asarray(number, dtype=np.float64))
         if left:
             names = ", ".join(axis.name for axis in self.axes)
             raise TypeError(f"atlas {self.name} has no coordinate {next(iter(left))}: {names}")
@@ -139,15 +149,3 @@ def load(name: Union[str, "os.PathLike[str]"]) -> Atlas:
     if isinstance(name, str) and name in names():
         return Atlas(_core._shipped_atlas(name))
     return Atlas(_core._read_atlas(os.fspath(name)))
-
-
-def predict(case: Case, models: Optional[Sequence[str]] = None) -> dict[str, dict[str, Any]]:
-    """What the atlases say of a case, without a run: for each model a dictionary.
-
-    As "models" of tricontact predict --json: quantities with keys and SI units of summary.json,
-    beside each the half width of its bar of 95 % (KEY_error; 0 of closed forms), "state", what it
-    rests on ("rests_on"), and what is not said ("gaps"). models: all that an atlas is about.
-
-    Raises InputError if no atlas is about the case, or one of the models.
-    """
-    return _core._predict(case, None if models is None else list(models))

@@ -5,11 +5,13 @@ import importlib
 import os
 from collections.abc import Iterator, Mapping
 from pathlib import Path
-from typing import Any, Union
+from typing import Any, Optional, Sequence, Union
 
 import numpy as np
 from numpy.typing import NDArray
 
+from . import plots, shown
+from .labels import Label, label_of
 
 _Array = NDArray[Any]
 
@@ -17,11 +19,18 @@ _Array = NDArray[Any]
 class Table(Mapping[str, _Array]):
     """Columns by their names, each a NumPy array: of numbers, missing ones NaN, or of texts."""
 
-    def __init__(self, text: str) -> None:
-        names, *rows = list(csv.reader(text.splitlines()))
-        self._columns = {
-            name: _column([row[i] for row in rows]) for i, name in enumerate(names)
-        }
+    def __init__(
+        self,
+        content: Union[str, Mapping[str, Sequence[Any]]],
+        units: Optional[Mapping[str, str]] = None,
+    ) -> None:
+        """From the text of a CSV file, or from columns.
+
+        units: of columns whose names do not tell them.
+        """
+        columns = _columns_of(content) if isinstance(content, str) else content
+        self._columns = {name: _column(fields) for name, fields in columns.items()}
+        self._units = dict(units or {})
 
     def __getitem__(self, name: str) -> _Array:
         return self._columns[name]
@@ -33,9 +42,52 @@ class Table(Mapping[str, _Array]):
         """Number of columns; that of rows is the length of each."""
         return len(self._columns)
 
+    def __repr__(self) -> str:
+        return f"<Table of {self.n_rows} rows: {', '.join(self._columns)}>"
+
+    def _repr_html_(self) -> str:
+        return shown.table(self)
+
+    @property
+    def n_rows(self) -> int:
+        """Number of rows."""
+        return len(next(iter(self._columns.values()), ()))
+
+    def label(self, name: str) -> Label:
+        """Unit and meaning of a column."""
+        label = label_of(name)
+        return label._replace(unit=self._units[name]) if name in self._units else label
+
+    @property
+    def units(self) -> dict[str, str]:
+        """SI units of the columns of numbers: "m", "1"; "" where a table mixes them."""
+        return {
+            name: self.label(name).unit
+            for name, values in self._columns.items()
+            if values.dtype.kind in "fiu"
+        }
+
     def to_pandas(self) -> Any:
         """The same as a DataFrame. Raises ImportError where there is no pandas."""
         return importlib.import_module("pandas").DataFrame(self._columns)
+
+    def to_xarray(self, dim: str = "row") -> Any:
+        """The same as a Dataset along `dim`, units in the attributes. Raises ImportError."""
+        xarray = importlib.import_module("xarray")
+        return xarray.Dataset(
+            {
+                name: (dim, values, self.label(name).attributes)
+                for name, values in self._columns.items()
+            }
+        )
+
+    def plot(self, x: Optional[str] = None, y: Union[None, str, Sequence[str]] = None,
+             ax: Any = None) -> Any:
+        """Columns y over column x with matplotlib; returns the axes. Raises ImportError.
+
+        x: the first column of numbers. y: the second one.
+        """
+        return plots.table(self, x, y, ax)
 
 
 def read_table(path: Union[str, "os.PathLike[str]"]) -> Table:
@@ -43,8 +95,17 @@ def read_table(path: Union[str, "os.PathLike[str]"]) -> Table:
     return Table(Path(path).read_text(encoding="utf-8"))
 
 
-def _column(fields: list[str]) -> _Array:
-    try:
-        return np.array([float(field) if field else np.nan for field in fields])
-    except ValueError:
+def _columns_of(text: str) -> dict[str, list[str]]:
+    names, *rows = list(csv.reader(text.splitlines()))
+    return {name: [row[i] for row in rows] for i, name in enumerate(names)}
+
+
+def _column(fields: Sequence[Any]) -> _Array:
+    if isinstance(fields, np.ndarray):
+        return fields
+    if any(isinstance(field, bool) for field in fields):
         return np.array(fields)
+    try:
+        return np.array([np.nan if field in ("", None) else float(field) for field in fields])
+    except (TypeError, ValueError):
+        return np.array(["" if field is None else str(field) for field in fields])

@@ -99,7 +99,7 @@ found=$(grep -nE '(^ *|[;&|({] *)python3? ' tests/cli/*.sh tests/installed/*.sh 
 [ -z "$found" ] || complain "$found: take \"\$python\" of prepare.bash, or /usr/bin/python3"
 
 # Package clients know registries, mirrors and proxies of the machine.
-found=$(grep -nE 'https?://' CMakeLists.txt ./*/CMakeLists.txt cmake/* scripts/* .ci/run | grep -v 'www.w3.org' || true)
+found=$(grep -rnE 'https?://' CMakeLists.txt ./*/CMakeLists.txt cmake scripts .ci/run | grep -v 'www.w3.org' || true)
 [ -z "$found" ] || complain "a host in the sources: $found"
 
 # Links [text](path#anchor) relative to their document.

@@ -6,6 +6,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "contact/interruption.h"
 #include "contact/special_values.h"
 #include "walking/machine/velocity_verlet.h"
 #include "walking/run/limit_cycle.h"
@@ -150,6 +151,7 @@ Ends run_lanes(Batch& batch, const WalkSteps& steps, std::vector<Walk>& walks) {
         std::int64_t next = window_end;
         for (const std::int64_t stop : {judged_begin, tail_begin})
             if (stop > done) next = std::min(next, stop);
+        contact::interruption_point();
         batch.advance(next - done, sums);
         done = next;
         if (done < window_end) continue;

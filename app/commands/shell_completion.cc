@@ -1,0 +1,161 @@
+#include "app/commands/option_texts.h"
+
+namespace tricontact::app {
+
+namespace {
+
+/// Between single quotes of a shell.
+std::string quoted(const std::string& text) {
+    std::string out = "'";
+    for (const char c : text) out += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    return out + '\'';
+}
+
+std::string names_of(const std::vector<CommandText>& commands) {
+    std::string names;
+    for (const CommandText& command : commands) names += (names.empty() ? "" : " ") + command.name;
+    return names;
+}
+
+std::string joined_choices(const OptionText& option) {
+    return fmt::format("{}", fmt::join(option.choices, " "));
+}
+
+/// What completes the value of an option in bash, or an argument.
+std::string bash_values(const OptionText& option) {
+    if (option.name == "--models")  // behind the last comma
+        return fmt::format(
+            "local before=; [[ $word == *,* ]] && before=${{word%,*}},; "
+            "COMPREPLY=($(compgen -P \"$before\" -W {} -- \"${{word##*,}}\")); "
+            "compopt -o nospace",
+            quoted(joined_choices(option)));
+    if (!option.choices.empty())
+        return fmt::format("COMPREPLY=($(compgen -W {} -- \"$word\")){}",
+                           quoted(joined_choices(option)),
+                           option.name == "--set" ? "; compopt -o nospace" : "");
+    if (option.is_folder()) return "compopt -o filenames; COMPREPLY=($(compgen -d -- \"$word\"))";
+    if (option.is_file()) return "compopt -o filenames; COMPREPLY=($(compgen -f -- \"$word\"))";
+    return "COMPREPLY=()";
+}
+
+std::string bash_command(const CommandText& command) {
+    std::string flags, values, arguments;
+    for (const OptionText& option : command.options) {
+        if (option.is_argument) {
+            arguments = bash_values(option);
+            continue;
+        }
+        flags += option.name + ' ';
+        if (!option.is_flag())
+            values +=
+                fmt::format("            {}) {}; return ;;\n", option.name, bash_values(option));
+    }
+    return fmt::format(
+        "    {})\n        case $before in\n{}        esac\n"
+        "        if [[ $word == -* ]]; then COMPREPLY=($(compgen -W '{}--help' -- \"$word\"))\n"
+        "        else {}; fi ;;\n",
+        command.name, values, flags, arguments.empty() ? ":" : arguments);
+}
+
+/// Brackets and colons divide the parts of a specification of zsh.
+std::string zsh_text(const std::string& text) {
+    std::string out;
+    for (const char c : text) {
+        if (c == '[' || c == ']' || c == ':') out += '\\';
+        out += c;
+    }
+    return out;
+}
+
+std::string zsh_values(const OptionText& option) {
+    if (option.name == "--models") return "_values -s , model " + joined_choices(option);
+    if (option.name == "--set") return "compadd -S \"\" -- " + joined_choices(option);
+    if (!option.choices.empty()) return '(' + joined_choices(option) + ')';
+    if (option.is_folder()) return "_files -/";
+    if (option.is_file()) return "_files";
+    return "";
+}
+
+std::string zsh_option(const OptionText& option) {
+    const std::string values = zsh_values(option);
+    if (option.is_argument) return fmt::format("*:{}:{}", option.name, values);
+    const std::string many = option.name == "--set" ? "*" : "";
+    const std::string text = fmt::format("{}{}[{}]", many, option.name, zsh_text(option.text));
+    return option.is_flag() ? text : fmt::format("{}:{}:{}", text, zsh_text(option.type), values);
+}
+
+std::string fish_values(const OptionText& option) {
+    if (option.is_flag()) return "";
+    if (!option.choices.empty()) return " -x -a " + quoted(joined_choices(option));
+    if (option.is_folder()) return " -x -a '(__fish_complete_directories)'";
+    return option.is_file() ? " -r -F" : " -x";
+}
+
+}  // namespace
+
+std::string bash_completion(const std::vector<CommandText>& commands) {
+    std::string cases;
+    for (const CommandText& command : commands) cases += bash_command(command);
+    return fmt::format(
+        "# Completion of tricontact for bash: tricontact manual bash\n"
+        "_tricontact() {{\n"
+        "    local word=${{COMP_WORDS[COMP_CWORD]}} before=${{COMP_WORDS[COMP_CWORD-1]}}\n"
+        "    if [ \"$COMP_CWORD\" -eq 1 ]; then\n"
+        "        COMPREPLY=($(compgen -W '{} --help --version' -- \"$word\"))\n"
+        "        return\n"
+        "    fi\n"
+        "    case ${{COMP_WORDS[1]}} in\n{}    esac\n"
+        "}}\n"
+        "complete -F _tricontact tricontact\n",
+        names_of(commands), cases);
+}
+
+std::string zsh_completion(const std::vector<CommandText>& commands) {
+    std::string descriptions, cases;
+    for (const CommandText& command : commands) {
+        descriptions += "        " + quoted(command.name + ':' + zsh_text(command.text)) + '\n';
+        cases += fmt::format("        {})\n            _arguments '--help[Print the help]'",
+                             command.name);
+        for (const OptionText& option : command.options)
+            cases += " \\\n                " + quoted(zsh_option(option));
+        cases += " ;;\n";
+    }
+    return fmt::format(
+        "#compdef tricontact\n"
+        "# Completion of tricontact for zsh: tricontact manual zsh\n"
+        "_tricontact() {{\n"
+        "    local -a commands=(\n{}    )\n"
+        "    if (( CURRENT == 2 )); then\n"
+        "        _describe command commands\n"
+        "        return\n"
+        "    fi\n"
+        "    local command=$words[2]\n"
+        "    words=(\"${{(@)words[2,-1]}}\")\n"
+        "    (( CURRENT-- ))\n"
+        "    case $command in\n{}    esac\n"
+        "}}\n"
+        "_tricontact \"$@\"\n",
+        descriptions, cases);
+}
+
+std::string fish_completion(const std::vector<CommandText>& commands) {
+    std::string out =
+        "# Completion of tricontact for fish: tricontact manual fish\n"
+        "complete -c tricontact -n __fish_use_subcommand -f\n";
+    for (const CommandText& command : commands) {
+        out += fmt::format("complete -c tricontact -n __fish_use_subcommand -a {} -d {}\n",
+                           command.name, quoted(command.text));
+        for (const OptionText& option : command.options) {
+            const std::string when = fmt::format(
+                "complete -c tricontact -n '__fish_seen_subcommand_from {}'", command.name);
+            if (!option.is_argument)
+                out += fmt::format("{} -l {} -d {}{}\n", when, option.name.substr(2),
+                                   quoted(option.text), fish_values(option));
+            else if (!option.choices.empty())
+                out += fmt::format("{} -f -a {}\n", when, quoted(joined_choices(option)));
+        }
+    }
+    return out;
+}
+
+}  // namespace tricontact::app

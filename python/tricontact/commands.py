@@ -1,0 +1,247 @@
+"""The program's commands, called within this process: their numbers, tables and reports.
+
+Options are those of the program. Without `output` no files are left behind; with it they are
+where the program would put them, and what is there already is not computed again. What is wrong
+raises InputError, what does not converge NotConverged. Other threads go on; Ctrl-C ends a command
+(not while finite elements are condensed), and so does what `progress` raises.
+"""
+
+import contextlib
+import json
+import os
+import tempfile
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any, Literal, Optional, Sequence, Union
+
+from . import _core, _toml
+from ._core import Case, InputError
+from .outcome import Outcome, read_outcome
+from .progress import Progress, display
+
+Input = Union[str, "os.PathLike[str]", Case, dict[str, Any]]
+"""A file, a case, or a dictionary that holds what a file would (paths in it absolute)."""
+StrPath = Union[str, "os.PathLike[str]"]
+Overrides = Optional[dict[str, Any]]
+
+
+@contextlib.contextmanager
+def _file_of(given: Input) -> Iterator[str]:
+    """The file itself, or one that is gone afterwards, which errors do not name."""
+    if not isinstance(given, (Case, dict)):
+        yield os.fspath(given)
+        return
+    text = given.to_toml() if isinstance(given, Case) else _toml.document(given)
+    with tempfile.TemporaryDirectory(prefix="tricontact-") as folder:
+        path = Path(folder) / "case.toml"
+        path.write_text(text, encoding="utf-8")
+        try:
+            yield str(path)
+        except InputError as error:
+            name = "<case>" if isinstance(given, Case) else "<dict>"
+            raise InputError(str(error).replace(str(path), name)) from None
+
+
+def _arguments(options: dict[str, Any]) -> list[str]:
+    """As a shell would give them; what is None or False is not given."""
+    found = []
+    for name, value in options.items():
+        if value is None or value is False:
+            continue
+        found.append("--" + name.replace("_", "-"))
+        if value is not True:
+            is_list = not isinstance(value, str) and isinstance(value, Sequence)
+            found.append(",".join(value) if is_list else str(value))
+    return found
+
+
+def _printed(
+    name: str, given: Input, overrides: Overrides, progress: Progress, options: dict[str, Any]
+) -> str:
+    """Calls the command; what it prints."""
+    sets = [part for one in _toml.overrides(overrides or {}) for part in ("--set", one)]
+    shown = display(progress)
+    try:
+        with _file_of(given) as file:
+            arguments = [file, *sets, *_arguments(options)]
+            return _core._run_command(name, arguments, shown.say, shown.progress)
+    finally:
+        shown.close()
+
+
+def _call(
+    name: str,
+    given: Input,
+    overrides: Overrides,
+    output: Optional[StrPath],
+    progress: Progress,
+    **options: Any,
+) -> Outcome:
+    with tempfile.TemporaryDirectory(prefix="tricontact-") as temporary:
+        folder = Path(temporary) / "results" if output is None else Path(os.fspath(output))
+        options["output"] = str(folder)
+        text = _printed(name, given, overrides, progress, options)
+        return read_outcome(name, folder, text, keep=output is not None)
+
+
+def limit(
+    case: Input,
+    *,
+    overrides: Overrides = None,
+    vary: Literal["load", "amplitude"] = "load",
+    tolerance: Optional[float] = None,
+    models: Optional[Sequence[str]] = None,
+    output: Optional[StrPath] = None,
+    threads: Optional[int] = None,
+    progress: Progress = None,
+) -> Outcome:
+    """The limit of shakedown of each model, in the load f_T or the amplitude w, by bisection.
+
+    tolerance: width of the bracket (1e-6 of mdr, 1e-3 of others).
+    """
+    return _call("limit", case, overrides, output, progress, vary=vary, tolerance=tolerance,
+                 models=models, threads=threads)
+
+
+def refine(
+    case: Input,
+    *,
+    overrides: Overrides = None,
+    levels: int = 3,
+    model: Literal["fem", "bem"] = "fem",
+    output: Optional[StrPath] = None,
+    threads: Optional[int] = None,
+    progress: Progress = None,
+) -> Outcome:
+    """A case on finer and finer meshes: extrapolated values and their errors."""
+    return _call("refine", case, overrides, output, progress, levels=levels, model=model,
+                 threads=threads)
+
+
+def deviation(
+    case: Input,
+    *,
+    overrides: Overrides = None,
+    no_runs: bool = False,
+    finite_strain: bool = False,
+    elements: Optional[float] = None,
+    output: Optional[StrPath] = None,
+    jobs: Optional[int] = None,
+    progress: Progress = None,
+) -> Outcome:
+    """How far the layer of a case is from a half-space, or linear elasticity from finite strains.
+
+    no_runs: exact theory alone. finite_strain: by finite elements, so many `elements` in the
+    contact radius (5).
+    """
+    return _call("deviation", case, overrides, output, progress, no_runs=no_runs,
+                 finite_strain=finite_strain, elements=elements, jobs=jobs)
+
+
+def predict(
+    case: Input,
+    models: Optional[Sequence[str]] = None,
+    *,
+    overrides: Overrides = None,
+    samples: Optional[int] = None,
+    output: Optional[StrPath] = None,
+) -> Outcome:
+    """What the atlases say of a case, without a run.
+
+    outcome[model] has the quantities with keys and SI units of summary.json, beside each the half
+    width of its bar of 95 % (KEY_error; 0 of closed forms), "state", what it rests on ("rests_on"),
+    and what is not said ("gaps"). models: all that an atlas is about. samples: points of the
+    uncertain numbers of the case, for distributions and Sobol' indices.
+    """
+    if output is not None:
+        return _call("predict", case, overrides, output, None, models=models, samples=samples)
+    options = {"models": models, "samples": samples, "json": True}
+    return Outcome("predict", json.loads(_printed("predict", case, overrides, None, options)))
+
+
+def experiment(
+    case: Input,
+    *,
+    overrides: Overrides = None,
+    output: Optional[StrPath] = None,
+    threads: Optional[int] = None,
+    progress: Progress = None,
+) -> Outcome:
+    """Records of a rig evaluated, and compared with its models."""
+    return _call("experiment", case, overrides, output, progress, threads=threads)
+
+
+def identify(
+    case: Input,
+    *,
+    overrides: Overrides = None,
+    posterior: bool = False,
+    output: Optional[StrPath] = None,
+    threads: Optional[int] = None,
+    progress: Progress = None,
+) -> Outcome:
+    """E, nu, mu, lengths and Prony terms from measurements on a rig.
+
+    posterior: also draw from the density of what is found (the table "posterior").
+    """
+    return _call("identify", case, overrides, output, progress, posterior=posterior,
+                 threads=threads)
+
+
+def rig(
+    case: Input,
+    *,
+    overrides: Overrides = None,
+    samples: Optional[int] = None,
+    output: Optional[StrPath] = None,
+) -> Outcome:
+    """What the evaluation of a rig takes for granted, checked. Violations are no error.
+
+    samples: of the uncertain quantities, for the chance that an assumption is violated.
+    """
+    return _call("rig", case, overrides, output, None, samples=samples)
+
+
+def design(
+    case: Input, *, overrides: Overrides = None, output: Optional[StrPath] = None
+) -> Outcome:
+    """Values of a rig that make assumptions hold and deviations visible."""
+    return _call("design", case, overrides, output, None)
+
+
+def fit(
+    study: StrPath, output: Optional[StrPath] = None, *, confidence: float = 0.95
+) -> Outcome:
+    """kappa and eta fitted to a finished sweep, in the folder that sweep() filled; models compared."""
+    folder = output if output is not None else _core._default_sweep_folder(os.fspath(study))
+    return _call("fit", study, None, folder, None, confidence=confidence)
+
+
+def build_atlas(
+    study: StrPath,
+    output: Optional[StrPath] = None,
+    *,
+    check: Optional[int] = None,
+    seed: int = 1,
+    atlas: Optional[StrPath] = None,
+    shard: Optional[str] = None,
+    jobs: Optional[int] = None,
+    retry_failed: bool = False,
+    progress: Progress = None,
+) -> Outcome:
+    """Map results over keys of a case, as the program's command atlas; tricontact.atlas.build.
+
+    The folder `output` (results/<name of the study>) then holds atlas.json, which load() reads;
+    runs that were computed before an interruption are taken from it. check: so many random points,
+    computed more finely, are compared with the atlas, or with another one's file `atlas`. shard:
+    "i/n", only the i-th of n parts of the runs.
+
+    Raises RuntimeError if the error bars cover too few of the random points.
+    """
+    folder = output
+    if folder is None:
+        part = "_shard_" + shard.replace("/", "_of_") if shard is not None else ""
+        folder = _core._default_sweep_folder(os.fspath(study)) + part
+    other = os.fspath(atlas) if atlas is not None else None
+    return _call("atlas", study, None, folder, progress, check=check, seed=seed, atlas=other,
+                 shard=shard, jobs=jobs, retry_failed=retry_failed)

@@ -1,0 +1,75 @@
+#!/usr/bin/env bash
+# Installs the Debian package into a bare Debian 12 in a folder, which debootstrap makes, and tries it there: a case
+# runs, Python imports the module, manual and completions are in place. With `paraview` beside ParaView and its
+# module for Python. As root; the archives of packages that the machine has are used, others are fetched.
+# usage: check_package.sh PACKAGE.deb FOLDER [paraview]   FOLDER is kept: another call begins with its Debian
+set -euo pipefail
+package=$(realpath "$1")
+folder=$(realpath -m "$2")
+beside=${3:-}
+base=$folder/debian
+root=$folder/root
+mkdir -p "$folder"
+
+# The mirror of this machine, and its key.
+sources=$(cat /etc/apt/sources.list /etc/apt/sources.list.d/* 2>/dev/null || true)
+mirror=$(grep -oE '[a-z]+://[^ ]+/debian/?( |$)' <<<"$sources" | grep -v security | head -n 1 | tr -d ' ')
+if [ ! -e "$base/etc/debian_version" ]; then
+    rm -rf "$base"
+    debootstrap --variant=minbase bookworm "$base" "$mirror" >"$folder/debootstrap.log" || {
+        tail "$folder/debootstrap.log"
+        exit 1
+    }
+fi
+
+rm -rf "$root"
+cp -a "$base" "$root"
+ln -f /var/cache/apt/archives/*.deb "$root/var/cache/apt/archives/" 2>/dev/null ||
+    cp /var/cache/apt/archives/*.deb "$root/var/cache/apt/archives/" 2>/dev/null || true
+cp "$package" "$root/tmp/tricontact.deb"
+
+# In a space of mounts of its own: /proc goes away with it.
+inside() {
+    unshare --mount bash -c 'mount -t proc proc "$0/proc" && exec chroot "$0" env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin \
+        HOME=/root DEBIAN_FRONTEND=noninteractive LC_ALL=C "$@"' "$root" "$@"
+}
+install() {
+    # Nothing is pressed to disk before the end: the folder is thrown away.
+    inside apt-get -qq -o Dpkg::Use-Pty=0 -o Dpkg::Options::=--force-unsafe-io install --no-install-recommends "$@" \
+        >>"$folder/install.log" 2>&1 || {
+        tail -n 30 "$folder/install.log"
+        exit 1
+    }
+}
+: >"$folder/install.log"
+inside apt-get -qq update
+[ "$beside" != paraview ] || install paraview python3-paraview
+install /tmp/tricontact.deb
+
+complain() {
+    printf 'FAILED: %s\n' "$*"
+    exit 1
+}
+cases=/usr/share/tricontact/examples/cases
+inside tricontact --version
+inside tricontact run "$cases/rig_sphere_parallel.toml" --models mdr,bem --set rolling.periods=2 --no-studies \
+    --no-report --quiet --output /tmp/out || complain "the case does not run"
+[ -s "$root/tmp/out/summary.json" ] || complain "there is no summary.json"
+inside tricontact mesh "$cases/rig_layer_parallel.toml" --set 'fem.size=2 mm' --output /tmp/mesh >/dev/null ||
+    complain "the finite elements are not found"
+inside python3 -c '
+import tricontact
+case = tricontact.Case.from_file("/usr/share/tricontact/examples/cases/rig_sphere_parallel.toml",
+                                 {"rolling.periods": 2, "rolling.steps": "turning-points"})
+print("Python:", tricontact.run(case, models=["mdr"], studies=False)["mdr"].state, "of", tricontact.__version__)
+' || complain "import tricontact does not work"
+for file in share/man/man1/tricontact.1 share/bash-completion/completions/tricontact share/doc/tricontact/README.md; do
+    [ -s "$root/usr/$file" ] || complain "there is no $file"
+done
+if [ "$beside" = paraview ]; then
+    inside pvpython -c 'import paraview.simple' || complain "ParaView has lost its module for Python"
+fi
+inside apt-get -qq -o Dpkg::Use-Pty=0 purge tricontact >/dev/null
+found=$(find "$root/usr" -name '*tricontact*' -not -path '*/__pycache__*')
+[ -z "$found" ] || complain "left behind: $found"
+printf '%s%s: passed\n' "$(basename "$package")" "${beside:+ beside ParaView}"

@@ -1,0 +1,160 @@
+"""Commands of the program in Python: the program's own files, its options, what ends them."""
+
+import inspect
+import json
+import signal
+import threading
+import time
+
+import numpy as np
+import pytest
+
+import tricontact
+from tricontact import _core, commands
+
+COARSE = {"mdr.springs": 500, "rolling.steps": "turning-points"}
+FUNCTIONS = {
+    "limit": commands.limit,
+    "refine": commands.refine,
+    "deviation": commands.deviation,
+    "predict": commands.predict,
+    "experiment": commands.experiment,
+    "identify": commands.identify,
+    "rig": commands.rig,
+    "design": commands.design,
+    "fit": commands.fit,
+    "atlas": commands.build_atlas,
+}
+# In Python a parameter of another name, what progress decides, or what the result always has.
+OTHERWISE = {"--set": "overrides", "--quiet": None, "--json": None}
+
+
+@pytest.mark.parametrize("name", FUNCTIONS)
+def test_options_are_those_of_the_program(name):
+    expected = set()
+    for option, *_ in _core._command_options(name):
+        parameter = OTHERWISE.get(option, option.lstrip("-").replace("-", "_"))
+        if parameter:
+            expected.add(parameter)
+    assert set(inspect.signature(FUNCTIONS[name]).parameters) - {"progress"} == expected
+
+
+def test_numbers_are_those_of_the_program(rig, program, tmp_path):
+    settings = [text for key, value in COARSE.items() for text in ("--set", f"{key}={value}")]
+    options = ("--models", "mdr", "--tolerance", "0.01", "--quiet", "--output", "out")
+    program("limit", rig, *settings, *options)
+    limit = tricontact.limit(rig, overrides=COARSE, models=["mdr"], tolerance=0.01)
+    assert dict(limit) == json.loads((tmp_path / "out" / "limit.json").read_text())
+    assert limit["mdr"] == limit["models"]["mdr"]
+    assert "<html" in limit.report and "mdr" in limit.text and limit.folder is None
+    # A case in the place of its file.
+    case = tricontact.Case.from_file(rig, COARSE)
+    again = tricontact.limit(case, models=["mdr"], tolerance=0.01)
+    assert again["mdr"] == limit["mdr"]
+    # The bracket is as narrow as asked for, around MDR's exact limit of shakedown (thesis).
+    exact = tricontact.theory.shakedown_limit(0.24)
+    assert limit["mdr"]["limit"] == pytest.approx(exact, abs=0.01)
+
+
+def test_tables_have_units(rig):
+    limit = tricontact.limit(rig, overrides=COARSE, models=["mdr"], tolerance=0.05)
+    runs = limit.table("models/mdr/runs")
+    assert runs.units["final_shift_m"] == "m" and runs.units["final_shift_ratio"] == "1"
+    xarray = pytest.importorskip("xarray")
+    data = limit.to_xarray("models/mdr/runs")
+    assert isinstance(data, xarray.Dataset)
+    assert data["final_shift_m"].attrs["units"] == "m"
+    np.testing.assert_array_equal(data["value"].values, runs["value"])
+    assert "<table>" in limit._repr_html_()
+    with pytest.raises(KeyError, match="nothing.*limit"):
+        limit.table("nothing")
+
+
+def test_rig_and_design(examples):
+    rig = tricontact.rig(examples / "rigs" / "sphere_parallel.toml")
+    names = list(rig.table("assumptions")["name"])
+    assert "half_space" in names and "quasi_static_drive" in names
+    # Of the rig: a = (3 F_N R (1 - nu^2)/(4 E))^(1/3), against a rigid sphere but for 1e-5.
+    radius = (3 * 21.1 * 0.04 * 0.75 / (4 * 5.2e6)) ** (1 / 3)
+    computed = {one["name"]: one["computed"] for one in rig["printed"]}
+    assert computed["contact_radius"]["result"]["value"] == pytest.approx(radius, rel=1e-4)
+    design = tricontact.design(examples / "rigs" / "design_resolution.toml")
+    assert len(design) > 0 and design.text
+
+
+def test_identify_and_predict(examples, rig):
+    found = tricontact.identify(examples / "measurements" / "rig_indentation.toml")
+    assert "layer" in found.text
+    predicted = tricontact.predict(rig)
+    # Half-space, uncoupled springs: MDR is exact (thesis).
+    exact = tricontact.theory.settled_shift_ratio(0.24, 0.56)
+    assert predicted["mdr"]["settled_shift_ratio"] == pytest.approx(exact, rel=1e-6)
+
+
+def test_files_stay_where_they_are_wanted(rig, tmp_path):
+    folder = tmp_path / "limits"
+    limit = tricontact.limit(rig, overrides=COARSE, models=["mdr"], tolerance=0.1, output=folder)
+    assert limit.folder == folder and (folder / "report.html").exists()
+
+
+def test_what_is_wrong_is_said_as_the_program_says_it(rig, tmp_path):
+    with pytest.raises(tricontact.InputError, match="nowhere.toml"):
+        tricontact.limit(tmp_path / "nowhere.toml")
+    with pytest.raises(tricontact.InputError, match="tolerance"):
+        tricontact.limit(rig, tolerance=2.0)
+    with pytest.raises(tricontact.InputError, match="substrate.poisson"):
+        tricontact.predict(rig, overrides={"substrate.poisson": 0.7})
+    with pytest.raises(tricontact.InputError, match="--vary: moon not in"):
+        tricontact.limit(rig, vary="moon")
+    with pytest.raises(tricontact.InputError, match="^<dict>:1:1: missing key models"):
+        tricontact.limit({"substrate": {"young": "1 MPa"}})
+
+
+def test_progress_is_told_and_may_end_it(rig):
+    told = []
+    tricontact.run(
+        tricontact.Case.from_file(rig, {**COARSE, "rolling.periods": 1}),
+        models=["mdr"],
+        progress=lambda *step: told.append(step),
+    )
+    assert told and told[-1][0] == "mdr" and 0 < told[-1][1] <= told[-1][2]
+
+    class Enough(Exception):
+        pass
+
+    def enough(*_):
+        raise Enough
+
+    with pytest.raises(Enough):
+        tricontact.refine(rig, model="bem", progress=enough, overrides={"models": ["bem"]})
+
+
+def test_ctrl_c_ends_a_command(rig):
+    # Without it: minutes. Other threads go on meanwhile, or nobody would send the signal.
+    timer = threading.Timer(1.0, signal.raise_signal, [signal.SIGINT])
+    begin = time.monotonic()
+    timer.start()
+    with pytest.raises(KeyboardInterrupt):
+        tricontact.limit(rig, models=["bem"], overrides={"bem.spacing": "0.05 mm"})
+    assert time.monotonic() - begin < 60  # far from the minutes that it takes
+
+
+def test_sweep_and_fit(examples, tmp_path):
+    study = tmp_path / "amplitudes.toml"
+    study.write_text(
+        f"""case = "{examples}/cases/rig_sphere_parallel.toml"
+models = ["mdr"]
+[set]
+mdr.springs = 1000
+rolling.steps = "turning-points"
+rolling.periods = 100
+load.tangential_ratio = 0.4
+[vary]
+rolling.amplitude_ratio = [0.1, 0.2, 0.3]
+"""
+    )
+    table = tricontact.sweep(study, tmp_path / "out", jobs=1)
+    fit = tricontact.fit(study, tmp_path / "out")
+    points = fit.table("points")
+    assert points.n_rows == len(table["rolling.amplitude_ratio"])
+    assert table.units["settled_shift_m"] == "m"
