@@ -14,7 +14,6 @@ namespace tricontact::app {
 namespace {
 
 using rolling::RollingReport;
-using rolling::RollingRun;
 
 struct RollOptions : CommandOptions {
     int points = 12;  ///< of the creep curve; 0: none
@@ -31,7 +30,7 @@ io::OutputNames roll_outputs(const std::vector<std::string>& models) {
     return names;
 }
 
-RollingRun roll_model(const std::string& model, const Case& c, const RollOptions& options) {
+rolling::RollingRun roll_model(const std::string& model, const Case& c, const RollOptions& options) {
     const std::string folder = options.output + "/" + model;
     io::make_output_folder(folder);
     const io::Provenance provenance{files::version, roll_again};
@@ -51,7 +50,7 @@ RollingRun roll_model(const std::string& model, const Case& c, const RollOptions
         runs.show = [&](double way, const contact::Surface& surface) {
             std::isfinite(way) ? surfaces.add(way, surface) : steady.add(0, surface);
         };
-    RollingRun run = roll(model, c, runs);
+    rolling::RollingRun run = roll(model, c, runs);
     bar.finish("");
     if (runs.show) {
         surfaces.finish();
@@ -80,7 +79,7 @@ std::string table_of(const RollingReport& report) {
     const double mu = report.c.friction_coefficient;
     std::string text = fmt::format("{:<22} {:>12} {:>12} {:>12} {:>8}\n", "", "xi", "F_x/(mu F_N)",
                                    "F_y/(mu F_N)", "stick");
-    for (const RollingRun& run : report.runs) {
+    for (const rolling::RollingRun& run : report.runs) {
         const auto& s = run.history.steady;
         text += fmt::format("{:<22} {:>12.5g} {:>12.5g} {:>12.5g} {:>8.4f}\n", run.model,
                             s.creepage.longitudinal, rolling::force_ratio(s, mu),
