@@ -30,7 +30,8 @@ io::OutputNames roll_outputs(const std::vector<std::string>& models) {
     return names;
 }
 
-rolling::RollingRun roll_model(const std::string& model, const Case& c, const RollOptions& options) {
+rolling::RollingRun roll_model(const std::string& model, const Case& c,
+                               const RollOptions& options) {
     const std::string folder = options.output + "/" + model;
     io::make_output_folder(folder);
     const io::Provenance provenance{files::version, roll_again};

@@ -17,7 +17,7 @@ using contact::History;
 using contact::StepRecord;
 
 constexpr std::size_t most_path_points = 3000;  // of a line: more than the picture has pixels
-constexpr double negligible = 1e-7;        // of the largest value: the solvers' tolerance
+constexpr double negligible = 1e-7;             // of the largest value: the solvers' tolerance
 constexpr std::size_t most_rows = 200, most_open_rows = 12;
 
 /// What a path prescribes or a model answers, of one step.
