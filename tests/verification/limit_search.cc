@@ -36,10 +36,10 @@ void expect_bracketed(const ModelLimit& found, double exact, double resolution) 
 
 TEST(LimitSearch, MdrToOneMillionth) {
     for (const double w : {.24, .51, .8}) {
-        const auto found = search(mdr_test::sphere_rig(w, .3, 4000, 6), "mdr");
+        const auto found = search(mdr_test::sphere_rig(w, .3, 10000, 6), "mdr");
         const double exact = theory::shakedown_limit(w);
         EXPECT_NEAR(found.bracket.centre(), exact, 1e-6) << w;
-        expect_bracketed(found, exact, 1e-7);  // kinks between springs: dx^2/4 at dx = 5e-4 a
+        expect_bracketed(found, exact, 1e-7);  // kinks between springs: dx^2/4 at dx = 2e-4 a
         EXPECT_NEAR(found.by_pressures, exact, 1e-7) << w;
         EXPECT_DOUBLE_EQ(found.exact.value(), exact);
         const auto shift = found.shift_ratio().value();
@@ -53,7 +53,7 @@ TEST(LimitSearch, MdrInTheAmplitude) {
     LimitQuestion question;
     question.variable = LimitVariable::amplitude;
     for (const double f : {.2, .56}) {
-        const auto found = search(mdr_test::sphere_rig(.3, f, 4000, 6), "mdr", question);
+        const auto found = search(mdr_test::sphere_rig(.3, f, 10000, 6), "mdr", question);
         EXPECT_NEAR(found.bracket.centre(), theory::amplitude_limit(f), 1e-6) << f;
         EXPECT_NEAR(found.by_pressures, theory::amplitude_limit(f), 3e-7) << f;
     }
