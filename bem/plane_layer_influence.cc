@@ -52,7 +52,7 @@ constexpr std::array<Place, PlaneInteriorInfluence::n_fields> places = {{{false,
                                                                          {true, 4, 1, true},
                                                                          {true, 3, 1, false}}};
 
-Amplitudes amplitudes(const InteriorWaves& w) {
+Amplitudes plane_amplitudes(const InteriorWaves& w) {
     const auto &p = w.pressed, &t = w.sheared;
     return {t.u_along,      w.across_u, p.u_z, p.u_along,    p.sigma_along,
             p.sigma_across, p.sigma_z,  p.tau, t.u_z,        t.sigma_along,
@@ -71,8 +71,8 @@ std::vector<Amplitudes> differences(const LayerStack& stack, double k, double fa
                plain = theory::interior_waves(continued(stack), k, depths);
     std::vector<Amplitudes> out;
     for (std::size_t d = 0; d < depths.size(); ++d) {
-        Amplitudes& of = out.emplace_back(amplitudes(layers[d]));
-        const Amplitudes less = amplitudes(plain[d]);
+        Amplitudes& of = out.emplace_back(plane_amplitudes(layers[d]));
+        const Amplitudes less = plane_amplitudes(plain[d]);
         for (std::size_t f = 0; f < of.size(); ++f) of[f] = factor * (of[f] - less[f]);
     }
     return out;

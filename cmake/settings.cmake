@@ -26,12 +26,12 @@ target_compile_options(tricontact_settings INTERFACE
 set_target_properties(tricontact_settings PROPERTIES EXPORT_NAME settings)
 install(TARGETS tricontact_settings EXPORT Tricontact)
 
-# tricontact_compile_together(room unit...): units of one room, eight at a time: most of a unit's time goes into
+# tricontact_compile_together(room unit...): units of one room, sixteen at a time: most of a unit's time goes into
 # the headers that it includes. Names in anonymous namespaces are therefore unique within a room.
 function(tricontact_compile_together room)
     set(n 0)
     foreach(unit IN LISTS ARGN)
-        math(EXPR group "${n} / 8")
+        math(EXPR group "${n} / 16")
         string(MAKE_C_IDENTIFIER "${room}_${group}" group)
         set_source_files_properties(${unit} PROPERTIES UNITY_GROUP ${group})
         math(EXPR n "${n} + 1")
@@ -41,9 +41,10 @@ endfunction()
 # tricontact_library(name ROOMS ... DEPENDS ...): target tricontact_<name> of all units in the current folder
 # and these of its subfolders, but for those of EXCEPT; installed with their headers for other projects as
 # Tricontact::<name>; those that need the finite elements' packages with the option FEM. PROGRAM_ONLY: not
-# installed. TEXT: reads, writes and lays out; optimised less, which compiles in two thirds of the time.
+# installed. TEXT: reads, writes and lays out; optimised less, which compiles in two thirds of the time. LOOPS: its
+# time goes into loops over points; optimised more.
 function(tricontact_library name)
-    cmake_parse_arguments(ARG "FEM;PROGRAM_ONLY;TEXT" "" "ROOMS;EXCEPT;DEPENDS;PRIVATE_DEPENDS" ${ARGN})
+    cmake_parse_arguments(ARG "FEM;PROGRAM_ONLY;TEXT;LOOPS" "" "ROOMS;EXCEPT;DEPENDS;PRIVATE_DEPENDS" ${ARGN})
     list(TRANSFORM ARG_EXCEPT PREPEND ${CMAKE_CURRENT_SOURCE_DIR}/)
     add_library(tricontact_${name} STATIC)
     foreach(room IN ITEMS . LISTS ARG_ROOMS)
@@ -58,6 +59,8 @@ function(tricontact_library name)
                                              PRIVATE ${ARG_PRIVATE_DEPENDS})
     if(ARG_TEXT)
         target_compile_options(tricontact_${name} PRIVATE $<$<CONFIG:Release>:-O1>)
+    elseif(ARG_LOOPS)
+        target_compile_options(tricontact_${name} PRIVATE $<$<CONFIG:Release>:-O3>)
     endif()
     if(ARG_PROGRAM_ONLY)
         return()

@@ -16,8 +16,8 @@ namespace {
 using contact::History;
 using contact::StepRecord;
 
-constexpr std::size_t most_points = 3000;  // of a line: more than the picture has pixels
-constexpr double negligible = 1e-7;        // of the largest value: the solvers' tolerance
+constexpr std::size_t most_path_points = 3000;  // of a line: more than the picture has pixels
+constexpr double negligible = 1e-7;             // of the largest value: the solvers' tolerance
 constexpr std::size_t most_rows = 200, most_open_rows = 12;
 
 /// What a path prescribes or a model answers, of one step.
@@ -122,7 +122,7 @@ report::Figure figure_of(const std::string& id, const std::string& title, const 
     for (std::size_t i = 0; i < histories.size(); ++i) {
         const auto& steps = histories[i].steps;
         report::Curve curve = curve_of(histories[i], i);
-        for (const std::size_t k : report::thinned(steps.size(), most_points))
+        for (const std::size_t k : report::thinned(steps.size(), most_path_points))
             curve.add((x ? x->of(steps[k]) : steps[k].phase) / x_unit.factor,
                       y.of(steps[k]) / y_unit.factor);
         figure.curves.push_back(std::move(curve));

@@ -23,19 +23,19 @@ for row in rows:
     assert abs(read / computed - 1) < allowed[row["quantity"]], row
 END
 done <<END
-cylinder_half_space_ratcheting 2
-cylinder_layer 6
-cylinder_layer_pressed 20
+cylinder_half_space_ratcheting 1
+cylinder_layer 4
+cylinder_layer_pressed 10
 cylinder_layer_ratcheting 1
-cylinder_layer_static 10
-sphere_half_space 6
-sphere_half_space_ratcheting 2
-sphere_half_space_static 6
+cylinder_layer_static 5
+sphere_half_space 4
+sphere_half_space_ratcheting 1
+sphere_half_space_static 4
 sphere_layer 6
-sphere_layer_pressed 20
+sphere_layer_pressed 10
 sphere_layer_ratcheting 1
-sphere_layer_static 6
-sphere_springs_ratcheting 10
+sphere_layer_static 3
+sphere_springs_ratcheting 5
 END
 [ "$(printf '%s\n' "${checked[@]}" | sort | tr '\n' ' ')" = \
     "$(basename -s .json "$source_dir"/atlas/data/*.json | sort | tr '\n' ' ')" ] || complain "an atlas is not checked"

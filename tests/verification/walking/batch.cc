@@ -92,53 +92,5 @@ TEST(BatchSums, VelocitiesOfTheSpotsAddUpToTheirWaysOverTenMillionSteps) {
     }
 }
 
-/// Shares [%] of a map of kappa8 and mu.
-struct Shares {
-    double critical = 0, no_effect = 0, reduction = 0, below_half = 0, jumps = 0;
-};
-
-Shares shares_of_map() {
-    constexpr int n = 40;
-    std::vector<Machine> machines;
-    std::vector<Motion> starts;
-    for (int i = 0; i < n * n; ++i) {
-        Kappas kappas = set_b();
-        kappas.kappa5 = 0.1 + 1.9 / (n - 1) * (i % n);
-        kappas.kappa8 = 2. / (n - 1) * (i / n);
-        machines.push_back({.kappas = kappas});
-        starts.push_back(motion_at_start(machines.back()));
-    }
-    Batch batch(machines, starts, step);
-    std::vector<StretchSums> sums(machines.size());
-    batch.advance(2'000'000, {});
-    batch.advance(2'000'000, sums);
-    Shares shares;
-    constexpr double share = 100. / (n * n);
-    for (std::size_t i = 0; i < machines.size(); ++i) {
-        if (batch.tilted(i) || std::max(sums[i].phi_max, -sums[i].phi_min) > 0.01) {
-            shares.critical += share;
-            continue;
-        }
-        const double mu = mu_e(machines[i], sums[i]);
-        shares.no_effect += mu > 0.99 ? share : 0;
-        shares.reduction += mu < 0.95 ? share : 0;
-        shares.below_half += mu < 0.5 ? share : 0;
-        shares.jumps += sums[i].z_min < 0 ? share : 0;
-    }
-    return shares;
-}
-
-// Wetter (2016), table 4.2.1, by an independent program. Cells at the edges of the regions and in
-// chaos fall this way or that.
-TEST(WalkingMap, SharesAreThoseOfTheTable) {
-    const Shares shares = shares_of_map();
-    constexpr double points = 1;
-    EXPECT_NEAR(shares.critical, 46.7, points);
-    EXPECT_NEAR(shares.no_effect, 26.5, points);
-    EXPECT_NEAR(shares.reduction, 25.6, points);
-    EXPECT_NEAR(shares.below_half, 10.0, points);
-    EXPECT_NEAR(shares.jumps, 31.2, points);
-}
-
 }  // namespace
 }  // namespace tricontact::walking::dynamics_batch_test

@@ -1,5 +1,5 @@
 // Studies of the walking machine against the numbers that an independent program found for those of
-// Wetter (2016), section 4.2.2.
+// Wetter (2016), section 4.2.2 and table 4.2.1.
 
 #include <gtest/gtest.h>
 
