@@ -24,12 +24,12 @@ struct ReportFile {
 /// What a report may carry besides the histories.
 struct ReportExtras {
     LoadingStudy study;
-    std::optional<NumericalError> numerical;        ///< of the last model
     std::optional<Refinement> refinement;           ///< of which the histories are the finest level
     RelaxationStudy relaxation;                     ///< of cases with a relaxing substrate
     std::vector<SmallStrains> small_strains;        ///< of cases at finite strains
     std::vector<report::Film> films;                ///< of models that have one
     std::vector<report::DocumentSection> sections;  ///< the caller's own, before the figures
+    std::optional<NumericalError> numerical;        ///< of the last model
 };
 
 /// The report of a run or a refinement. `resolved_case` is the case's TOML text with all defaults.

@@ -50,7 +50,7 @@ void check_loads(const Case& c) {
              "give load.tangential_ratio");
 }
 
-constexpr double mm = 1e3;              // in 1 m
+constexpr double in_mm = 1e3;           // in 1 m
 constexpr double per_square_mm = 1e-6;  // 1 Pa in N/mm^2
 // What a body is high where it ends [mm]: farther than anything is pressed.
 constexpr double out_of_reach = 1e6;
@@ -81,8 +81,8 @@ std::string quadratic_distance(const Vector2& curvature, const Vector2& offset) 
     const auto [a, b] = curvature;
     const auto [x, y] = offset;
     const auto linear = [](double value) { return value == 0 ? 0 : -2 * value; };  // not -0
-    return fmt::format(" 1 1   IBASE, IPLAN\n {} 0 {} {} {} {}   B(I), I = 1, 6\n", a / mm, b / mm,
-                       linear(a * x), linear(b * y), mm * (a * x * x + b * y * y));
+    return fmt::format(" 1 1   IBASE, IPLAN\n {} 0 {} {} {} {}   B(I), I = 1, 6\n", a / in_mm,
+                       b / in_mm, linear(a * x), linear(b * y), in_mm * (a * x * x + b * y * y));
 }
 
 std::string distance_per_cell(const contact::ContactPoints& grid, const contact::Indenter& body,
@@ -95,7 +95,7 @@ std::string distance_per_cell(const contact::ContactPoints& grid, const contact:
             const double h = heights[static_cast<std::size_t>(row) * grid.n_x + i];
             const bool last = i + 1 == grid.n_x || i % per_line == per_line - 1;
             text +=
-                fmt::format(" {}{}", std::isfinite(h) ? mm * h : out_of_reach, last ? "\n" : "");
+                fmt::format(" {}{}", std::isfinite(h) ? in_mm * h : out_of_reach, last ? "\n" : "");
         }
     return text;
 }
@@ -131,9 +131,10 @@ struct SequenceWriter {
         if (!before) {
             text_ += fmt::format(" {0} {0}   FSTAT, FKIN\n", case_.friction_coefficient);
             append_materials();
-            text_ += fmt::format(" 3   IPOTCN\n {} {} {} {} {} {}   MX, MY, XC1, YC1, DX, DY\n",
-                                 grid_.n_x, grid_.n_y, mm * grid_.first[0], mm * grid_.first[1],
-                                 mm * grid_.spacing[0], mm * grid_.spacing[1]);
+            text_ +=
+                fmt::format(" 3   IPOTCN\n {} {} {} {} {} {}   MX, MY, XC1, YC1, DX, DY\n",
+                            grid_.n_x, grid_.n_y, in_mm * grid_.first[0], in_mm * grid_.first[1],
+                            in_mm * grid_.spacing[0], in_mm * grid_.spacing[1]);
         }
         if (moved)
             text_ += curvature_ ? quadratic_distance(*curvature_, step.offset)
