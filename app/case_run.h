@@ -48,7 +48,8 @@ contact::History history_of(const std::string& name, const Case& c, int n_thread
                             comparisons::LoadingStudy* study = nullptr);
 
 /// What run_model writes into the folder of the model, beside the files that the collections name.
-inline const std::vector<std::string> model_results{"history.csv", "surface.pvd", "indenter.pvd", "volume.pvd"};
+inline const std::vector<std::string> model_results{"history.csv", "surface.pvd", "indenter.pvd",
+                                                    "volume.pvd"};
 
 /// The same with progress, with history and ParaView files in a folder of its own. A finite element
 /// run that was killed goes on from its last finished step. `resolved` is the text of the case.

@@ -275,8 +275,7 @@ class Run {
 
     void note(const LoadStep& step, const StepRecord& record, bool quarter) {
         // Slow pressing takes no time that could be told.
-        if (std::isfinite(step.duration))
-            time_ += step.duration;
+        if (std::isfinite(step.duration)) time_ += step.duration;
         history_.steps.push_back(record);
         history_.steps.back().time = time_;
         if (!model_.audit().passed()) throw NotConverged(failed_audit(step));

@@ -167,13 +167,6 @@ void check_mdr(const Case& c, const HalfSpaceScales& s, double steps, const Docu
                "use fewer springs, fewer periods or larger steps");
 }
 
-void check_frames(const Case& c, const Document& document) {
-    if (c.output.vtk != Case::VtkOutput::frames && document.find("output.frames_per_period"))
-        refuse(document, "output.frames_per_period",
-               "has no effect unless output.vtk is \"frames\"",
-               "omit it, or omit output.vtk");
-}
-
 }  // namespace
 
 void check_case(const Case& c, const Document& document) {
@@ -185,7 +178,6 @@ void check_case(const Case& c, const Document& document) {
         told_at(document, load_key(document), [&] { return contact::half_space_scales(c); });
     check_scales(scales, document);
     check_coupling(c, document);
-    check_frames(c, document);
     check_sphere(c, scales, document);
     check_prescribed_path(c, document);
     check_tractive_rolling(c, document);

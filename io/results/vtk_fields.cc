@@ -38,7 +38,7 @@ vtkNew<Array> array_of(const char* name, int n_components, std::size_t n) {
 
 template <std::size_t N>
 vtkNew<vtkFloatArray> array_of(const char* name, std::span<const std::array<double, N>> values,
-                                std::size_t n) {
+                               std::size_t n) {
     check_size(name, values.size(), n);
     auto array = array_of(name, static_cast<int>(N), n);
     float* out = array->GetPointer(0);
@@ -67,7 +67,8 @@ void add_vector(vtkFieldData& data, const char* name,
         if (components[k].empty()) continue;
         check_size(name, components[k].size(), n);
         const double sign = k == 2 ? z_sign : 1;
-        for (std::size_t i = 0; i < n; ++i) out[3 * i + k] = static_cast<float>(sign * components[k][i]);
+        for (std::size_t i = 0; i < n; ++i)
+            out[3 * i + k] = static_cast<float>(sign * components[k][i]);
     }
     data.AddArray(array);
 }

@@ -2,6 +2,8 @@
 // tractions being those of body 1 (Kalker 1990, eq. 1.44 and section 1.6):
 //   A_xx = 1/pi ∫ (1-nu)/r + nu x^2/r^3,  A_nn = 1/pi ∫ (1-nu)/r,  A_xn = -K/pi ∫ x/r^2 = -A_nx.
 
+#include "bem/contact_program_influence.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -13,8 +15,6 @@
 #include <string>
 #include <utility>
 #include <vector>
-
-#include "bem/contact_program_influence.h"
 
 namespace tricontact::bem::contact_program_influence_test {
 namespace {

@@ -174,8 +174,8 @@ Case any_case() {
         c.bem.cells_per_radius = between(2, 50);
     c.bem.tolerance = of_magnitude(-13, -3);
     c.mdr.springs = *rc::gen::inRange(100, 5000);
-    c.output.vtk = one_of({Case::VtkOutput::none, Case::VtkOutput::quarters, Case::VtkOutput::frames,
-                           Case::VtkOutput::all});
+    c.output.vtk = one_of({Case::VtkOutput::none, Case::VtkOutput::quarters,
+                           Case::VtkOutput::frames, Case::VtkOutput::all});
     if (c.output.vtk == Case::VtkOutput::frames)
         c.output.frames_per_period = *rc::gen::inRange(4, 10001);
     c.output.volume =

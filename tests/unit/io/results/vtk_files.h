@@ -53,7 +53,8 @@ inline void expect_scalar(vtkFieldData* data, const char* name, const std::vecto
     ASSERT_EQ(array->GetNumberOfComponents(), 1) << name;
     ASSERT_EQ(array->GetNumberOfTuples(), static_cast<vtkIdType>(values.size())) << name;
     for (std::size_t i = 0; i < values.size(); ++i)
-        ASSERT_EQ(array->GetTuple1(static_cast<vtkIdType>(i)), in_file(values[i])) << name << ' ' << i;
+        ASSERT_EQ(array->GetTuple1(static_cast<vtkIdType>(i)), in_file(values[i]))
+            << name << ' ' << i;
 }
 
 inline void expect_vector(vtkFieldData* data, const char* name, const std::vector<double>& x,
