@@ -44,7 +44,7 @@ small() { /usr/bin/python3 "$root/scripts/small_picture.py" "$1" "$gallery/$2.pn
 figure() {
     local run=$root/results/gallery/$1 kept="#figure_$2, #figure_$2 *, #js-plotly-tester, #js-plotly-tester *"
     sed "s|<details>|<details open>|
-        s|</head>|<style>body :not(:has(#figure_$2)):not($kept), #figure_$2 figcaption { display: none }</style></head>|" \
+        s|</head>|<style>body :not(:has(#figure_$2)):not($kept), #figure_$2 figcaption { display: none } .figures { display: block }</style></head>|" \
         "$run/${3:-report.html}" >"$run/figure.html"
     picture "gallery/$1.png" 900,440 "$run/figure.html"
     small "$gallery/$1.png" "$1"
@@ -80,4 +80,4 @@ computed rig rig examples/rigs/sphere_parallel.toml
 figure rig indentation
 computed thesis sweep examples/studies/cylinder_shakedown.toml
 computed thesis fit examples/studies/cylinder_shakedown.toml
-figure thesis THESISFIGURE fit.html
+figure thesis figure_3_43 fit.html
