@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Makes the pictures of docs/images from a run of the demo, one of stresses inside and a map of
-# walking machines; needs chromium besides.
+# walking machines, and those of docs/gallery.md from its commands; needs chromium besides.
 # usage: images.sh
 set -euo pipefail
 root=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." >/dev/null && pwd)
@@ -27,3 +27,57 @@ picture atlas_half_space.png 1200,1560 "$root/results/predict_half_space/atlas.h
 picture atlas_layer.png 1200,1560 "$root/results/predict_layer/atlas.html"
 picture report.png 1100,920 "$results/report.html"
 picture walking_map.png 1200,940 "$root/results/walking_map_full/map.html"
+
+# The gallery's pictures, docs/images/gallery: small copies of these, figures of runs, figures of reports.
+"$root/scripts/setup.sh" docs report
+gallery=$root/docs/images/gallery
+mkdir -p "$gallery"
+# computed NAME COMMAND...: into results/gallery/NAME.
+computed() {
+    local name=$1
+    shift
+    (cd "$root" && build/release/app/tricontact "$@" --output "results/gallery/$name" </dev/null >/dev/null)
+}
+# small FROM NAME [HEIGHT]
+small() { /usr/bin/python3 "$root/scripts/small_picture.py" "$1" "$gallery/$2.png" ${3:+"$3"}; }
+# figure NAME ID [PAGE]: the figure ID of the report of results/gallery/NAME by itself. What plotly measures text with stays, too.
+figure() {
+    local run=$root/results/gallery/$1 kept="#figure_$2, #figure_$2 *, #js-plotly-tester, #js-plotly-tester *"
+    sed "s|<details>|<details open>|
+        s|</head>|<style>body :not(:has(#figure_$2)):not($kept), #figure_$2 figcaption { display: none } .figures { display: block }</style></head>|" \
+        "$run/${3:-report.html}" >"$run/figure.html"
+    picture "gallery/$1.png" 900,440 "$run/figure.html"
+    small "$gallery/$1.png" "$1"
+}
+small "$root/docs/images/shift.png" sphere_layer
+small "$root/docs/images/von_mises_bem_layer.png" inside
+small "$root/docs/images/atlas_layer.png" atlas 1000
+small "$root/docs/images/walking_map.png" walking_map
+# Name, figure among the plots of the run, arguments of the run.
+while read -r -a words; do
+    computed "${words[0]}" run "${words[@]:2}"
+    small "$root/results/gallery/${words[0]}/plots/${words[1]}.png" "${words[0]}"
+done <<'END'
+cone shift examples/cases/body_cone.toml
+rough_sphere traction_surface_bem examples/cases/rough_sphere.toml
+cylinder traction_x examples/cases/rig_cylinder.toml --models bem,bem-layer
+path path_loop examples/cases/path_forces.toml
+twist path_twist examples/cases/path_twist.toml
+finite_strain shift examples/cases/rig_layer_finite_strain.toml --set fem.size=1.5mm
+relaxation shift examples/cases/rig_sphere_layer_relaxing.toml --models mdr-layer
+END
+computed rolling_on roll examples/cases/rolling_sphere.toml
+figure rolling_on creep
+computed spin roll examples/cases/rolling_spin.toml
+figure spin zones_bem
+computed deviation deviation examples/cases/rig_layer_parallel.toml --no-runs
+figure deviation deviations
+computed walking walk examples/cases/walking_set_b.toml
+figure walking motion
+computed identification identify examples/measurements/rig_indentation.toml
+figure identification fit
+computed rig rig examples/rigs/sphere_parallel.toml
+figure rig indentation
+computed thesis sweep examples/studies/cylinder_shakedown.toml
+computed thesis fit examples/studies/cylinder_shakedown.toml
+figure thesis figure_3_43 fit.html
