@@ -59,7 +59,7 @@ def table(
     is_text = shown[across].dtype.kind not in "fiu"
     factor, unit = (1.0, "") if is_text else scale_of(shown[across], label.unit)
     at = shown[across] if is_text else factor * shown[across]
-    order = slice(None) if is_text else np.argsort(at, kind="stable")
+    order = np.arange(len(at)) if is_text else np.argsort(at, kind="stable")
     up_unit = shown.label(ups[0]).unit
     up_factor, up_shown = scale_of(np.concatenate([shown[up] for up in ups]), up_unit)
     for up in ups:
