@@ -263,6 +263,10 @@ addEventListener("load", async () => {
     for (let i = 0; i < 1000 && controls?.hidden; ++i)
         await a_while();
 
+    // What unfolds is drawn only then.
+    for (const folded of all("details")) folded.open = true;
+    for (let i = 0; i < 100 && all(".chart").some(chart => !chart.querySelector("svg.main-svg")); ++i)
+        await a_while();
     const page = document.documentElement;
     expect(page.scrollWidth <= innerWidth, `page is ${page.scrollWidth} px wide`);
     for (const chart of all(".chart")) {
@@ -280,7 +284,6 @@ addEventListener("load", async () => {
     }
     for (const {name} of performance.getEntriesByType("resource"))
         expect(/^(data|blob):/.test(name), `asks for ${name}`);
-    for (const folded of all("details")) folded.open = true;
     for (const image of all("img")) expect(image.naturalWidth > 0, `picture ${image.alt} is missing`);
 
     const names = new Set();

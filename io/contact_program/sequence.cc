@@ -154,7 +154,7 @@ struct SequenceWriter {
     /// FX is on the indenter, against F_T on the substrate.
     void append_loads(const SequenceStep& step) {
         const bool force = step.normal.kind == NormalControl::Kind::force;
-        text_ += fmt::format(" {} {} 0 0   {}, {}, CPHI\n", step.normal.value * (force ? 1 : mm),
+        text_ += fmt::format(" {} {} 0 0   {}, {}, CPHI\n", step.normal.value * (force ? 1 : in_mm),
                              step.force_ratio == 0 ? 0 : -step.force_ratio, force ? "FN" : "PEN",
                              step.tangential ? "FX, FY" : "CKSI, CETA");
     }
