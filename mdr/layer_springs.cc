@@ -21,11 +21,11 @@ struct WaveRule {
 };
 
 // 30 Gauss points per panel: full precision up to a width of 2 over the thickness of all layers
-// (the poles of the deficit) and up to a phase k s of 48 (see theory/layer/layer_equation.cc).
+// (the poles of the deficit) and up to a phase k s of 48 (see theory/layer/wave_numbers.cc).
 // An elastic ground is seen by wave numbers down to k b of the order of its softness: panels that
 // double from there on.
 WaveRule wave_rule(const theory::LayerStack& stack, double reach) {
-    const auto gauss = theory::gauss_legendre(30);
+    const theory::QuadratureRule& gauss = theory::gauss_legendre(30);
     const double end = end_of_deficit / stack.sheets.front().thickness;
     const double widest = std::min(2 / stack.thickness(), 48 / reach);
     std::vector<double> ends{0};

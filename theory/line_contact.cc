@@ -10,6 +10,7 @@
 
 #include "theory/contact_search.h"
 #include "theory/layer/elastic_layer.h"
+#include "theory/layer/wave_numbers.h"
 
 namespace tricontact::theory {
 
@@ -42,17 +43,16 @@ Eigen::MatrixXd operator_of(const ElasticLayer& layer, const EvenModes& modes, d
     const int n = static_cast<int>(modes.x.size());
     Eigen::VectorXd eigenvalues(n);
     for (int m = 0; m < n; ++m) eigenvalues[m] = m == 0 ? pi * std::numbers::ln2 : pi / (2. * m);
-    const QuadratureRule waves = wave_number_rule(1 / thickness);
-    const int n_waves = static_cast<int>(waves.points.size());
-    Eigen::MatrixXd cosines(n, n_waves);
-    Eigen::VectorXd kernel(n_waves);
-    for (int k = 0; k < n_waves; ++k) {
-        const double x = waves.points[k];
+    const WaveNumbers waves(1 / thickness);
+    Eigen::MatrixXd cosines(waves.size(), n);
+    for (int i = 0; i < n; ++i) cosines.col(i) = waves.cosines(modes.x[i] / thickness);
+    Eigen::VectorXd kernel(waves.size());
+    for (Eigen::Index k = 0; k < waves.size(); ++k) {
+        const double x = waves.points()[k];
         const double deficit = half_space_deficit(layer.material.poisson, layer.base, x).normal;
-        kernel[k] = 2 * waves.weights[k] * (std::exp(-2 * x) - deficit) / x;
-        cosines.col(k) = (modes.x * (x / thickness)).array().cos();
+        kernel[k] = 2 * waves.weights()[k] * (std::exp(-2 * x) - deficit) / x;
     }
-    Eigen::MatrixXd smooth = cosines * kernel.asDiagonal() * cosines.transpose();
+    Eigen::MatrixXd smooth = cosines.transpose() * kernel.asDiagonal() * cosines;
     const double reach = 4 * thickness * thickness;
     for (int i = 0; i < n; ++i)
         for (int j = 0; j < n; ++j) {

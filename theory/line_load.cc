@@ -4,12 +4,16 @@
 #include <boost/math/special_functions/legendre.hpp>
 #include <cmath>
 #include <iterator>
+#include <map>
+#include <mutex>
 #include <numbers>
 #include <utility>
 
 namespace tricontact::theory {
 
-QuadratureRule gauss_legendre(int n) {
+namespace {
+
+QuadratureRule new_rule(int n) {
     QuadratureRule rule;
     auto add = [&](double zero, double slope) {
         rule.points.push_back((1 + zero) / 2);
@@ -20,6 +24,17 @@ QuadratureRule gauss_legendre(int n) {
         if (*zero > 0) add(-*zero, boost::math::legendre_p_prime(n, *zero));
     for (const double zero : zeros) add(zero, boost::math::legendre_p_prime(n, zero));
     return rule;
+}
+
+}  // namespace
+
+const QuadratureRule& gauss_legendre(int n) {
+    static std::mutex mutex;
+    static std::map<int, QuadratureRule> rules;
+    const std::scoped_lock lock(mutex);
+    auto known = rules.find(n);
+    if (known == rules.end()) known = rules.emplace(n, new_rule(n)).first;
+    return known->second;
 }
 
 LineMesh::LineMesh(double radius, const std::vector<double>& breaks, int points_per_piece)

@@ -9,8 +9,9 @@ struct QuadratureRule {
     std::vector<double> points, weights;
 };
 
-/// Gauss and Legendre's rule of n >= 1 points, exact for polynomials of degree 2n - 1.
-QuadratureRule gauss_legendre(int n);
+/// Gauss and Legendre's rule of n >= 1 points, exact for polynomials of degree 2n - 1; kept, for
+/// its zeros cost more than many an integral.
+const QuadratureRule& gauss_legendre(int n);
 
 /// Quadrature over 0 < x < a, split where a function loses its smoothness. Positions on a piece are
 /// x = begin + length s^2, s Gauss points, so that sqrt(x - begin) is smooth too; on the first

@@ -12,6 +12,7 @@
 
 #include "contact/error.h"
 #include "theory/layer/elastic_layer.h"
+#include "theory/layer/wave_numbers.h"
 
 namespace tricontact::theory {
 
@@ -77,9 +78,8 @@ Eigen::MatrixXd energies(const ElasticLayer& layer, double radius,
                          const std::vector<Shape>& shapes) {
     const double nu = layer.material.poisson, ratio = radius / layer.thickness;
     const LayerCompliance half_space{1 - nu, 1 - nu, 1, (1 - 2 * nu) / 2};  // times G k
-    const QuadratureRule waves = wave_number_rule(ratio);
-    const auto n = static_cast<Eigen::Index>(shapes.size()),
-               n_waves = static_cast<Eigen::Index>(waves.points.size());
+    const WaveNumbers waves(ratio);
+    const auto n = static_cast<Eigen::Index>(shapes.size()), n_waves = waves.size();
     const unsigned highest =
         std::max_element(shapes.begin(), shapes.end(), [](const Shape& f, const Shape& g) {
             return f.n < g.n;
@@ -87,9 +87,9 @@ Eigen::MatrixXd energies(const ElasticLayer& layer, double radius,
     Eigen::MatrixXd along(n, n_waves), across(n, n_waves), normal(n, n_waves);
     Eigen::VectorXd by_along(n_waves), by_across(n_waves), by_normal(n_waves), by_both(n_waves);
     for (Eigen::Index w = 0; w < n_waves; ++w) {
-        const double x = waves.points[w], scale = layer.material.shear_modulus() * x;
+        const double x = waves.points()[w], scale = layer.material.shear_modulus() * x;
         const LayerCompliance c = layer_compliance({layer.material, 1, layer.base}, x);
-        const double weight = pi * ratio * waves.weights[w];
+        const double weight = pi * ratio * waves.weights()[w];
         by_along[w] = weight * (c.along * scale - half_space.along);
         by_across[w] = weight * (c.across * scale - half_space.across);
         by_normal[w] = weight * (c.normal * scale - half_space.normal);

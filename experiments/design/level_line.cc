@@ -20,7 +20,7 @@ std::vector<std::pair<LevelPoint, LevelPoint>> zero_line(const LevelGrid& grid) 
                 const double a = grid.values[i + i_0 + (j + j_0) * n],
                              b = grid.values[i + i_1 + (j + j_1) * n];
                 if (std::isnan(a) || std::isnan(b)) is_known = false;
-                if (a > 0 == b > 0) continue;
+                if ((a > 0) == (b > 0)) continue;
                 const double t = a / (a - b);
                 crossings.emplace_back(std::lerp(grid.places[i + i_0], grid.places[i + i_1], t),
                                        std::lerp(grid.places[j + j_0], grid.places[j + j_1], t));

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "contact/substrates/material.h"
-#include "theory/line_load.h"
 
 namespace tricontact::theory {
 
@@ -60,10 +59,5 @@ struct HalfSpaceDeficit {
 /// Deficit at x = k b >= 0. At x = 0 on a frictionless base `along` and `across` are -infinity.
 /// Throws contact::InputError.
 HalfSpaceDeficit half_space_deficit(double poisson, LayerBase base, double x);
-
-/// Quadrature over x = k b in (0, 24), where the deficit of a layer against the half-space lives:
-/// it is below 1e-17 beyond, on either base. Exact to rounding for the deficit times two waves of
-/// the argument k r, r up to `radius_over_thickness` b (cosines or Bessel functions).
-QuadratureRule wave_number_rule(double radius_over_thickness);
 
 }  // namespace tricontact::theory

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "theory/layer/layer_compliance.h"
+#include "theory/layer/wave_numbers.h"
 #include "theory/line_load.h"
 
 namespace tricontact::theory {
@@ -38,11 +39,9 @@ class LayerEquation {
     double centre_shift(const std::vector<double>& q) const;
 
   private:
-    Eigen::VectorXd cosines(double x) const;
-
     ElasticLayer layer_;
     LineMesh mesh_;
-    Eigen::VectorXd wave_, wave_weights_;  // k b and the quadrature over it
+    WaveNumbers waves_;
     Eigen::VectorXd kernel_;               // 2/(pi b) times weight times deficit [1/m]
     Eigen::MatrixXd cosines_;              // cos(k x): wave numbers by positions
     Eigen::LLT<Eigen::MatrixXd> factor_;

@@ -95,8 +95,9 @@ TEST(ContactFilm, BytesAreTheSurface) {
             // The largest pressure of all frames is that of an upright contact, as here.
             EXPECT_NEAR(frame[k] / 255., s.normal_traction[cell] / pressure, .01);
             // Less than a step of the largest traction, which is below that pressure, is zero.
-            if (std::abs(s.tangential_traction_x[cell]) > .01 * pressure)
+            if (std::abs(s.tangential_traction_x[cell]) > .01 * pressure) {
                 EXPECT_EQ(frame[n_cells + k] > 128, s.tangential_traction_x[cell] > 0) << k;
+            }
             ++k;
         }
     EXPECT_GT(n_slip, 0u);

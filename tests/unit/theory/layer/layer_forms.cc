@@ -10,6 +10,7 @@
 #include "contact/special_values.h"
 #include "theory/cattaneo_mindlin.h"
 #include "theory/layer/layer_compliance.h"
+#include "theory/layer/wave_numbers.h"
 #include "theory/rolling/oscillating_rolling.h"
 
 namespace tricontact::layer_forms_test {
@@ -23,10 +24,10 @@ struct Moments {
 };
 
 Moments exact_moments(double nu) {
-    const auto rule = theory::wave_number_rule(1);
+    const theory::WaveNumbers rule(1);
     Moments m;
-    for (std::size_t i = 0; i < rule.points.size(); ++i) {
-        const double x = rule.points[i], weight = 4 / (3 * pi) * rule.weights[i];
+    for (Eigen::Index i = 0; i < rule.size(); ++i) {
+        const double x = rule.points()[i], weight = 4 / (3 * pi) * rule.weights()[i];
         const auto d = theory::half_space_deficit(nu, theory::LayerBase::bonded, x);
         m.lift += weight * d.normal;
         m.tangential_lift += weight * ((1 - nu) * d.along + d.across) / (2 - nu);
