@@ -34,6 +34,12 @@ int good_fft_size(int n) {
     return n;
 }
 
+int good_complex_fft_size(int n) {
+    n = good_fft_size(n);
+    while (n % 9 == 0) n = good_fft_size(n + 1);
+    return n;
+}
+
 GridConvolution::GridConvolution(int n_x, int n_y, int period_x, int period_y, int n_threads)
     : n_x_(n_x),
       n_y_(n_y),
@@ -133,27 +139,8 @@ void GridConvolution::columns_backward(fftw_complex* columns, int first, Field& 
 
 GridConvolution::Symbol GridConvolution::symbol(const std::function<double(int, int)>& coefficient,
                                                 Parity parity) const {
-    const int n_kx = period_x_ / 2 + 1;
-    FftwReal kernel =
-        contact::fftw_zeros<FftwReal>(static_cast<std::size_t>(period_x_) * period_y_);
-    FftwComplex spectrum =
-        contact::fftw_zeros<FftwComplex>(static_cast<std::size_t>(n_kx) * period_y_);
-    for_each_piece(whole_pieces(period_y_), [&](int first) {
-        for (int j = first; j < std::min(first + piece, period_y_); ++j)
-            for (int i = 0; i < period_x_; ++i)
-                kernel[static_cast<std::size_t>(j) * period_x_ + i] =
-                    coefficient(wrapped(i, period_x_), wrapped(j, period_y_));
-    });
-    const FftwPlan plan(
-        fftw_plan_dft_r2c_2d(period_y_, period_x_, kernel.get(), spectrum.get(), FFTW_ESTIMATE));
-    fftw_execute(plan.get());
-
-    const double scale = 1.0 / (static_cast<double>(period_x_) * period_y_);
-    Symbol result(static_cast<std::size_t>(period_y_) * pitch_, 0.0);
-    for (int j = 0; j < period_y_; ++j)
-        for (int i = 0; i < n_kx; ++i)
-            result[static_cast<std::size_t>(i) * period_y_ + j] =
-                scale * spectrum[static_cast<std::size_t>(j) * n_kx + i][parity == Parity::odd];
+    Symbol result = fourier_coefficients(period_x_, period_y_, coefficient, parity, n_threads_);
+    result.resize(static_cast<std::size_t>(period_y_) * pitch_, 0.0);
     return result;
 }
 
@@ -211,6 +198,39 @@ template void Convolution::apply<2, 1, Convolution::Phase::forward>(const Kernel
 template void Convolution::apply<1, 2, Convolution::Phase::backward>(const Kernels<1, 2>&,
                                                                      const ConstantFields<2>&,
                                                                      const Fields<1>&) const;
+
+GridConvolution::Symbol fourier_coefficients(int period_x, int period_y,
+                                             const std::function<double(int, int)>& coefficient,
+                                             GridConvolution::Parity parity, int n_threads) {
+    const int n_kx = period_x / 2 + 1;
+    FftwReal kernel = contact::fftw_zeros<FftwReal>(static_cast<std::size_t>(period_x) * period_y);
+    FftwComplex spectrum =
+        contact::fftw_zeros<FftwComplex>(static_cast<std::size_t>(n_kx) * period_y);
+    auto value = [&](int i, int j) {
+        const int k = wrapped(i, period_x), l = wrapped(j, period_y);
+        const int other_k = 2 * i == period_x ? -k : k, other_l = 2 * j == period_y ? -l : l;
+        if (other_k == k && other_l == l) return coefficient(k, l);
+        return (coefficient(k, l) + coefficient(other_k, l) + coefficient(k, other_l) +
+                coefficient(other_k, other_l)) /
+               4;
+    };
+#pragma omp parallel for num_threads(n_threads) if (n_threads > 1) schedule(static)
+    for (int j = 0; j < period_y; ++j)
+        for (int i = 0; i < period_x; ++i)
+            kernel[static_cast<std::size_t>(j) * period_x + i] = value(i, j);
+    const FftwPlan plan(
+        fftw_plan_dft_r2c_2d(period_y, period_x, kernel.get(), spectrum.get(), FFTW_ESTIMATE));
+    fftw_execute(plan.get());
+
+    const double scale = 1.0 / (static_cast<double>(period_x) * period_y);
+    const int part = parity == GridConvolution::Parity::odd ? 1 : 0;
+    GridConvolution::Symbol result(static_cast<std::size_t>(period_y) * n_kx);
+    for (int j = 0; j < period_y; ++j)
+        for (int i = 0; i < n_kx; ++i)
+            result[static_cast<std::size_t>(i) * period_y + j] =
+                scale * spectrum[static_cast<std::size_t>(j) * n_kx + i][part];
+    return result;
+}
 
 GridConvolution::Symbol2 inverse(GridConvolution::Symbol2 symbol) {
     for (std::size_t k = 0; k < symbol.xx.size(); ++k) {
