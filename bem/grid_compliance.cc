@@ -111,8 +111,11 @@ GridCompliance::GridCompliance(CellInfluence influence, contact::ContactPoints g
 
 const std::vector<Quadrants::Quadrant>& GridCompliance::tangential_quadrants() const {
     using K = InfluenceCoefficients;
-    if (tangential_quadrants_.empty())
-        tangential_quadrants_ = quadrants_.of({&K::xx, &K::xy, &K::yy});
+    if (tangential_quadrants_.empty()) {
+        std::vector<Quadrants::Coefficient> which{&K::xx, &K::xy, &K::yy};
+        if (coupled_) which.insert(which.end(), {&K::xz, &K::yz});
+        tangential_quadrants_ = quadrants_.of(which);
+    }
     return tangential_quadrants_;
 }
 
@@ -139,9 +142,8 @@ std::unique_ptr<const ConvolvedProducts> GridCompliance::make_products(const Siz
         TangentialSymbols made{.tangential = symbol2(convolution),
                                .inverse = inverse(symbol2(bare))};
         if (!coupled_ || is_window) return made;
-        const auto across = quadrants_.of({&K::xz, &K::yz});
-        made.from_normal_x = quadrants_.symbol(convolution, across[0], -1, 1);
-        made.from_normal_y = quadrants_.symbol(convolution, across[1], 1, -1);
+        made.from_normal_x = quadrants_.symbol(convolution, k[3], -1, 1);
+        made.from_normal_y = quadrants_.symbol(convolution, k[4], 1, -1);
         return made;
     };
     return std::make_unique<ProductsBy<Convolution>>(std::move(linear), std::move(periodic),

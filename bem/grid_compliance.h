@@ -77,7 +77,7 @@ class GridCompliance final : public ConvolvedCompliance {
     const int n_threads_;
     const Quadrants quadrants_;
     std::optional<InteriorView> view_;
-    mutable std::vector<Quadrants::Quadrant> tangential_quadrants_;  // xx, xy, yy, when needed
+    mutable std::vector<Quadrants::Quadrant> tangential_quadrants_;  // xx, xy, yy, coupled xz, yz
     mutable std::map<Size, std::shared_ptr<const ConvolvedProducts>> windows_;  // by their size
 };
 

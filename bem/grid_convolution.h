@@ -72,9 +72,12 @@ class GridConvolution {
     Field make_field() const;
     void rows_forward(std::span<const double> in, Field& field) const;
     void rows_backward(Field& field, std::span<double> out) const;
-    void columns_forward(const Field& field, int first, fftw_complex* columns) const;
-    void columns_backward(fftw_complex* columns, int first, Field& field) const;
-    fftw_complex* columns_of_thread(int component) const;
+    struct Columns {  // a piece of them
+        FftwComplex values, spectrum;
+    };
+    void columns_forward(const Field& field, int first, const Columns& to) const;
+    void columns_backward(const Columns& from_spectrum, int first, Field& field) const;
+    const Columns& columns_of_thread(int component) const;
     template <typename Body>
     void for_each_piece(int n, Body body) const;
 
@@ -82,7 +85,7 @@ class GridConvolution {
     const int n_rows_;  // n_y rounded up to whole pieces
     const int pitch_;   // of the spectrum's rows, >= period_x/2 + 1, whole pieces
     mutable Field field_[2];
-    mutable std::vector<FftwComplex> columns_;  // per thread and component: a piece of columns
+    mutable std::vector<Columns> columns_;  // per thread and component
     FftwPlan row_forward_, row_backward_, column_forward_, column_backward_;
 };
 

@@ -35,7 +35,7 @@ contact::Case rolling(bool coupled) {
     return c;
 }
 
-// Different iterations: their tolerance apart, of the shift of full sliding.
+// The same iterations: rounding apart, which coupled contact enlarges. Seen: 6e-12 and 3e-10 of the shift of full sliding.
 TEST(MirroredModel, IsHalfOfTheWholeOne) {
     for (const bool coupled : {false, true}) {
         const contact::Case c = rolling(coupled);
@@ -46,12 +46,12 @@ TEST(MirroredModel, IsHalfOfTheWholeOne) {
         const auto half = bem::make_model(c, 1, body);
         const auto a = contact::run(c, whole), b = contact::run(c, *half);
         ASSERT_EQ(a.steps.size(), b.steps.size());
-        const double shift = 10 * c.bem.tolerance * a.scales.unit_shift;
+        const double shift = (coupled ? 1e-8 : 1e-10) * a.scales.unit_shift;
         for (std::size_t k = 0; k < a.steps.size(); ++k) {
             EXPECT_NEAR(a.steps[k].shift[0], b.steps[k].shift[0], shift) << k;
             EXPECT_NEAR(a.steps[k].normal_force / b.steps[k].normal_force, 1, 1e-9) << k;
             EXPECT_NEAR(a.steps[k].contact_area, b.steps[k].contact_area, 1e-12) << k;
-            EXPECT_NEAR(a.steps[k].stored_energy / b.steps[k].stored_energy, 1, 1e-6) << k;
+            EXPECT_NEAR(a.steps[k].stored_energy / b.steps[k].stored_energy, 1, 1e-8) << k;
         }
         const auto s = whole.surface(), t = half->surface();
         ASSERT_EQ(s.n_x, t.n_x);
@@ -59,11 +59,11 @@ TEST(MirroredModel, IsHalfOfTheWholeOne) {
         EXPECT_NEAR(s.first[1], t.first[1], 1e-15);
         EXPECT_EQ(s.contact_state.size(), half->contact_states().size());
         for (std::size_t i = 0; i < s.size(); ++i) {
-            EXPECT_NEAR(s.normal_traction[i], t.normal_traction[i], 1e-5 * a.scales.peak_pressure);
+            EXPECT_NEAR(s.normal_traction[i], t.normal_traction[i], 1e-7 * a.scales.peak_pressure);
             EXPECT_NEAR(s.tangential_traction_x[i], t.tangential_traction_x[i],
-                        1e-5 * a.scales.peak_pressure);
+                        1e-7 * a.scales.peak_pressure);
             EXPECT_NEAR(s.tangential_traction_y[i], t.tangential_traction_y[i],
-                        1e-5 * a.scales.peak_pressure);
+                        1e-7 * a.scales.peak_pressure);
         }
     }
 }
