@@ -78,12 +78,16 @@ GridConvolution::Field GridConvolution::make_field() const {
 
 template <typename Body>
 void GridConvolution::for_each_piece(int n, Body body) const {
-#pragma omp parallel for num_threads(n_threads_) if (n_threads_ > 1) schedule(static)
-    for (int first = 0; first < n; first += piece) body(first);
+    if (n_threads_ == 1) {
+        for (int first = 0; first < n; first += piece) body(first, 0);
+        return;
+    }
+#pragma omp parallel for num_threads(n_threads_) schedule(static)
+    for (int first = 0; first < n; first += piece) body(first, omp_get_thread_num());
 }
 
 void GridConvolution::rows_forward(std::span<const double> in, Field& field) const {
-    for_each_piece(n_rows_, [&](int first) {
+    for_each_piece(n_rows_, [&](int first, int) {
         for (int j = first; j < std::min(first + piece, n_y_); ++j) {
             double* row = field.rows.get() + static_cast<std::size_t>(j) * period_x_;
             std::copy_n(in.data() + static_cast<std::size_t>(j) * n_x_, n_x_, row);
@@ -98,7 +102,7 @@ void GridConvolution::rows_forward(std::span<const double> in, Field& field) con
 }
 
 void GridConvolution::rows_backward(Field& field, std::span<double> out) const {
-    for_each_piece(n_rows_, [&](int first) {
+    for_each_piece(n_rows_, [&](int first, int) {
         fftw_execute_dft_c2r(row_backward_.get(),
                              field.spectrum.get() + static_cast<std::size_t>(first) * pitch_,
                              field.rows.get() + static_cast<std::size_t>(first) * period_x_);
@@ -108,8 +112,8 @@ void GridConvolution::rows_backward(Field& field, std::span<double> out) const {
     });
 }
 
-const GridConvolution::Columns& GridConvolution::columns_of_thread(int component) const {
-    return columns_[2 * omp_get_thread_num() + component];
+const GridConvolution::Columns& GridConvolution::columns_of(int thread, int component) const {
+    return columns_[2 * thread + component];
 }
 
 // Columns are gathered before they are transformed: on large grids their elements lie pages apart.
@@ -168,11 +172,11 @@ void GridConvolution::apply(const Kernels<n_out, n_in>& kernels, const ConstantF
                             const Fields<n_out>& out) const {
     if (std::max(n_in, n_out) == 2 && !field_[1].rows) field_[1] = make_field();
     for (std::size_t i = 0; i < n_in; ++i) rows_forward(in[i], field_[i]);
-    for_each_piece(pitch_, [&](int first) {
+    for_each_piece(pitch_, [&](int first, int thread) {
         for (std::size_t i = 0; i < n_in; ++i)
-            columns_forward(field_[i], first, columns_of_thread(i));
-        fftw_complex* const columns[2] = {columns_of_thread(0).spectrum.get(),
-                                          columns_of_thread(1).spectrum.get()};
+            columns_forward(field_[i], first, columns_of(thread, i));
+        fftw_complex* const columns[2] = {columns_of(thread, 0).spectrum.get(),
+                                          columns_of(thread, 1).spectrum.get()};
         const std::size_t start = static_cast<std::size_t>(first) * period_y_;
         const double* symbols[n_out][n_in];
         for (std::size_t i = 0; i < n_out; ++i)
@@ -193,7 +197,7 @@ void GridConvolution::apply(const Kernels<n_out, n_in>& kernels, const ConstantF
             }
         }
         for (std::size_t i = 0; i < n_out; ++i)
-            columns_backward(columns_of_thread(i), first, field_[i]);
+            columns_backward(columns_of(thread, i), first, field_[i]);
     });
     for (std::size_t i = 0; i < n_out; ++i) rows_backward(field_[i], out[i]);
 }

@@ -77,8 +77,8 @@ class GridConvolution {
     };
     void columns_forward(const Field& field, int first, const Columns& to) const;
     void columns_backward(const Columns& from_spectrum, int first, Field& field) const;
-    const Columns& columns_of_thread(int component) const;
-    template <typename Body>
+    const Columns& columns_of(int thread, int component) const;
+    template <typename Body>  // (first row or column, number of the thread)
     void for_each_piece(int n, Body body) const;
 
     const int n_x_, n_y_, period_x_, period_y_, n_threads_;

@@ -103,14 +103,14 @@ MirroredConvolution::Symbol MirroredConvolution::symbol(
     return half;
 }
 
-const MirroredConvolution::Workspace& MirroredConvolution::workspace() const {
-    return workspaces_[omp_get_thread_num()];
-}
-
 template <typename Body>
 void MirroredConvolution::for_each_piece(int n, Body body) const {
-#pragma omp parallel for num_threads(n_threads_) if (n_threads_ > 1) schedule(static)
-    for (int first = 0; first < n; first += lines) body(first);
+    if (n_threads_ == 1) {
+        for (int first = 0; first < n; first += lines) body(first, 0);
+        return;
+    }
+#pragma omp parallel for num_threads(n_threads_) schedule(static)
+    for (int first = 0; first < n; first += lines) body(first, omp_get_thread_num());
 }
 
 /// Of the mirrored rows too: f(k_x, -y) = f(-k_x, y)*. What pads the columns stays zero.
@@ -148,8 +148,8 @@ template <std::size_t n_out, std::size_t n_in, Phase phase>
 void MirroredConvolution::apply(const GridConvolution::Kernels<n_out, n_in>& kernels,
                                 const GridConvolution::ConstantFields<n_in>& in,
                                 const GridConvolution::Fields<n_out>& out) const {
-    for_each_piece(n_y_, [&](int first) {
-        fftw_complex* const rows = workspace().row.get();
+    for_each_piece(n_y_, [&](int first, int thread) {
+        fftw_complex* const rows = workspaces_[thread].row.get();
         for (int j = first; j < std::min(first + lines, n_y_); ++j) {
             fftw_complex* const to = rows + static_cast<std::size_t>(j - first) * period_x_;
             const std::size_t start = static_cast<std::size_t>(j) * n_x_;
@@ -160,8 +160,8 @@ void MirroredConvolution::apply(const GridConvolution::Kernels<n_out, n_in>& ker
         }
         fftw_execute_dft(by_rows_.forward.get(), rows, row(first));
     });
-    for_each_piece(n_kx_, [&](int first) {
-        const Workspace& work = workspace();
+    for_each_piece(n_kx_, [&](int first, int thread) {
+        const Workspace& work = workspaces_[thread];
         fftw_complex* const spectra = work.column_spectrum.get();
         const int n = std::min(lines, n_kx_ - first);
         const Plans& plans = n == lines ? by_columns_ : by_last_columns_;
@@ -184,8 +184,8 @@ void MirroredConvolution::apply(const GridConvolution::Kernels<n_out, n_in>& ker
         fftw_execute_dft(plans.backward.get(), spectra, work.column_back.get());
         scatter_columns(work.column_back.get(), first, n);
     });
-    for_each_piece(n_y_, [&](int first) {
-        fftw_complex* const rows = workspace().row_back.get();
+    for_each_piece(n_y_, [&](int first, int thread) {
+        fftw_complex* const rows = workspaces_[thread].row_back.get();
         fftw_execute_dft(by_rows_.backward.get(), row(first), rows);
         for (int j = first; j < std::min(first + lines, n_y_); ++j) {
             const fftw_complex* const from = rows + static_cast<std::size_t>(j - first) * period_x_;

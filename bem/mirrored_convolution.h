@@ -42,19 +42,18 @@ class MirroredConvolution {
     struct Workspace {
         FftwComplex row, row_back, column, column_spectrum, column_back;
     };
-    const Workspace& workspace() const;  ///< of this thread
     fftw_complex* row(int j) const {
         return spectrum_.get() + static_cast<std::size_t>(j) * period_x_;
     }
     void gather_columns(int first, int n, fftw_complex* columns) const;
     void scatter_columns(const fftw_complex* columns, int first, int n) const;
-    template <typename Body>
+    template <typename Body>  // (first row or column, number of the thread)
     void for_each_piece(int n, Body body) const;
 
     const int n_x_, n_y_, period_x_, period_y_, n_threads_;
-    const int n_kx_, n_ky_;  // wave numbers >= 0
-    FftwComplex spectrum_;   // of the rows, whole pieces
-    std::vector<Workspace> workspaces_;
+    const int n_kx_, n_ky_;                         // wave numbers >= 0
+    FftwComplex spectrum_;                          // of the rows, whole pieces
+    std::vector<Workspace> workspaces_;             // per thread
     Plans by_rows_, by_columns_, by_last_columns_;  // of a piece, or what is left of one
 };
 

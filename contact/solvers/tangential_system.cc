@@ -79,20 +79,33 @@ void TangentialSystem::precondition(const TangentialField& r, TangentialField& z
     project(z);
 }
 
-/// Four sums side by side, which need not wait for each other.
-double TangentialSystem::inner(const TangentialField& a, const TangentialField& b) const {
+namespace {
+
+/// Of `term(k)` over k < n: four sums side by side, which need not wait for each other.
+template <class Term>
+double sum_of(std::size_t n, Term term) {
     std::array<double, 4> sums{};
-    const std::size_t n = areas_.size(), whole = n - n % 4;
-    auto term = [&](std::size_t k) { return areas_[k] * (a.x[k] * b.x[k] + a.y[k] * b.y[k]); };
+    const std::size_t whole = n - n % 4;
     for (std::size_t k = 0; k < whole; k += 4)
         for (std::size_t j = 0; j < 4; ++j) sums[j] += term(k + j);
     for (std::size_t k = whole; k < n; ++k) sums[0] += term(k);
     return (sums[0] + sums[1]) + (sums[2] + sums[3]);
 }
 
+}  // namespace
+
+double TangentialSystem::inner(const TangentialField& a, const TangentialField& b) const {
+    return sum_of(areas_.size(),
+                  [&](std::size_t k) { return areas_[k] * (a.x[k] * b.x[k] + a.y[k] * b.y[k]); });
+}
+
 Vector2 TangentialSystem::total(const TangentialField& z) const {
     Vector2 sum{};
-    for (std::size_t k = 0; k < areas_.size(); ++k) sum = sum + areas_[k] * tilt_.apply(k, z.at(k));
+    for (int d = 0; d < 2; ++d)
+        sum[d] = sum_of(areas_.size(), [&](std::size_t k) {
+            return areas_[k] *
+                   (tilt_.is_plane() ? (d == 0 ? z.x[k] : z.y[k]) : tilt_.apply(k, z.at(k))[d]);
+        });
     return sum;
 }
 
