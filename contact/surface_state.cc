@@ -62,7 +62,9 @@ Surface SurfaceModel::surface() const {
     s.slip_path = slip_path_;
     s.friction_work = friction_work_;
     s.contact_state = contact_state_;
-    if (s.layout != Surface::Layout::nodes) return points.mirrored ? mirrored(s) : s;
+    // A line of springs in the plane of symmetry is no grid and has no other side.
+    if (s.layout != Surface::Layout::nodes)
+        return points.mirrored && points.n_x > 0 ? mirrored(s) : s;
 
     s.node_x = points.x;
     s.node_y = points.y;
