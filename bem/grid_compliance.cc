@@ -2,131 +2,216 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 
+#include "bem/mirrored_convolution.h"
 #include "bem/plane_layer_influence.h"
 #include "contact/error.h"
+#include "contact/solvers/active_operator.h"
 
 namespace tricontact::bem {
 
 namespace {
-
-using Symbol2 = GridConvolution::Symbol2;
-using Phase = GridConvolution::Phase;
 
 /// Below this many cells a thread costs more than it brings.
 constexpr std::size_t cells_worth_threads = 100000;
 
 constexpr double negligible_beta = 1e-3;
 
+/// A window on the grid pays where its transforms are this much smaller, and few of them do.
+constexpr double window_worth = .8;
+constexpr std::size_t most_windows = 8;
+
+/// Of the plane: a mirrored grid's, with the other side of y = 0.
+int all_rows(const contact::ContactPoints& grid, int n_y) {
+    return grid.mirrored ? 2 * n_y - 1 : n_y;
+}
+
+int padded(int n) {
+    return good_complex_fft_size(2 * n - 1);
+}
+
 /// Relative positions of i >= 0 cells on a padded grid along one side.
 int positions(int n) {
     return good_fft_size(2 * n - 1) / 2 + 1;
 }
 
+/// Of the products on a grid.
+int row_period(const contact::ContactPoints& grid, int n) {
+    return grid.mirrored ? MirroredConvolution::row_period(n) : GridConvolution::row_period(n);
+}
+
+/// The largest number of cells that this padded size has room for.
+int cells_in(int period) {
+    return (period + 1) / 2;
+}
+
+/// Among the points of a window on a grid.
+class WindowOperator final : public contact::ActiveOperator {
+  public:
+    /// `positions`: of the active points within the window of `n_cells`.
+    WindowOperator(std::shared_ptr<const ConvolvedProducts> products,
+                   std::vector<std::size_t> positions, std::size_t n_cells)
+        : products_(std::move(products)),
+          positions_(std::move(positions)),
+          in_(n_cells),
+          out_(n_cells) {}
+
+    void apply(const contact::TangentialField& t, contact::TangentialField& u) const override {
+        scatter(t);
+        products_->tangential(in_, out_);
+        gather(u);
+    }
+    void precondition(const contact::TangentialField& r,
+                      contact::TangentialField& z) const override {
+        scatter(r);
+        products_->precondition_tangential(in_, out_);
+        gather(z);
+    }
+
+  private:
+    void scatter(const contact::TangentialField& f) const {
+        for (std::size_t k = 0; k < positions_.size(); ++k) in_.set(positions_[k], f.at(k));
+    }
+    void gather(contact::TangentialField& f) const {
+        for (std::size_t k = 0; k < positions_.size(); ++k) f.set(k, out_.at(positions_[k]));
+    }
+
+    std::shared_ptr<const ConvolvedProducts> products_;
+    std::vector<std::size_t> positions_;
+    mutable contact::TangentialField in_, out_;
+};
+
 }  // namespace
-
-const ConvolvedCompliance::Symbols& ConvolvedCompliance::symbols() const {
-    if (!symbols_) symbols_ = make_symbols();
-    return *symbols_;
-}
-
-void ConvolvedCompliance::normal(std::span<const double> p, std::span<double> u_z) const {
-    convolution().apply<1, 1>({{{&normal_}}}, {p}, {u_z});
-}
-
-void ConvolvedCompliance::tangential(const contact::TangentialField& t,
-                                     contact::TangentialField& u) const {
-    const Symbol2& s = symbols().tangential;
-    convolution().apply<2, 2>({{{&s.xx, &s.xy}, {&s.xy, &s.yy}}}, {t.x, t.y}, {u.x, u.y});
-}
 
 void ConvolvedCompliance::tangential_from_normal(std::span<const double> p,
                                                  contact::TangentialField& u) const {
     if (!coupled_) return Compliance::tangential_from_normal(p, u);
-    const Symbols& s = symbols();
-    convolution().apply<2, 1, Phase::forward>({{{&s.from_normal_x}, {&s.from_normal_y}}}, {p},
-                                              {u.x, u.y});
+    products_->tangential_from_normal(p, u);
 }
 
 void ConvolvedCompliance::normal_from_tangential(const contact::TangentialField& t,
                                                  std::span<double> u_z) const {
     if (!coupled_) return Compliance::normal_from_tangential(t, u_z);
-    const Symbols& s = symbols();
-    convolution().apply<1, 2, Phase::backward>({{{&s.from_normal_x, &s.from_normal_y}}}, {t.x, t.y},
-                                               {u_z});
+    products_->normal_from_tangential(t, u_z);
 }
 
-void ConvolvedCompliance::precondition_tangential(const contact::TangentialField& r,
-                                                  contact::TangentialField& z) const {
-    const Symbol2& s = symbols().inverse;
-    preconditioner().apply<2, 2>({{{&s.xx, &s.xy}, {&s.xy, &s.yy}}}, {r.x, r.y}, {z.x, z.y});
-}
-
-GridCompliance::GridCompliance(Influence influence, contact::ContactPoints grid, bool coupled,
+GridCompliance::GridCompliance(CellInfluence influence, contact::ContactPoints grid, bool coupled,
                                int n_threads)
     : ConvolvedCompliance(std::move(grid), coupled),
-      influence_(std::move(influence)),
       n_threads_(grid_.size() < cells_worth_threads ? 1 : n_threads),
-      linear_(grid_.n_x, grid_.n_y, good_fft_size(2 * grid_.n_x - 1),
-              good_fft_size(2 * grid_.n_y - 1), n_threads_),
-      periodic_(grid_.n_x, grid_.n_y, good_fft_size(grid_.n_x), good_fft_size(grid_.n_y),
-                n_threads_),
-      columns_(positions(grid_.n_x)),
-      rows_(positions(grid_.n_y)) {
-    normal_ = symbol(linear_, quadrants({&InfluenceCoefficients::zz})[0], 1, 1);
+      quadrants_(std::move(influence), positions(grid_.n_x), positions(all_rows(grid_, grid_.n_y)),
+                 grid_.spacing, n_threads_) {
+    const Size whole{grid_.n_x, grid_.n_y};
+    products_ = grid_.mirrored ? make_products<MirroredConvolution>(whole, false)
+                               : make_products<GridConvolution>(whole, false);
 }
 
-/// Some coefficients at all relative positions of i, j >= 0 cells, i fastest.
-std::vector<std::vector<double>> GridCompliance::quadrants(
-    const std::vector<Coefficient>& which) const {
-    const std::size_t n = static_cast<std::size_t>(columns_) * rows_;
-    std::vector<std::vector<double>> values(which.size(), std::vector<double>(n));
-#pragma omp parallel for num_threads(n_threads_) if (n_threads_ > 1) schedule(static)
-    for (int j = 0; j < rows_; ++j)
-        for (int i = 0; i < columns_; ++i) {
-            const auto k = influence_(i * grid_.spacing[0], j * grid_.spacing[1]);
-            for (std::size_t c = 0; c < which.size(); ++c)
-                values[c][static_cast<std::size_t>(j) * columns_ + i] = k.*which[c];
-        }
-    return values;
-}
-
-/// `parity_x`, `parity_y`: sign of the coefficient on the other side.
-GridConvolution::Symbol GridCompliance::symbol(const GridConvolution& convolution,
-                                               const std::vector<double>& quadrant, double parity_x,
-                                               double parity_y) const {
-    const auto parity =
-        parity_x * parity_y < 0 ? GridConvolution::Parity::odd : GridConvolution::Parity::even;
-    return convolution.symbol(
-        [&](int i, int j) {
-            const double sign = (i < 0 ? parity_x : 1) * (j < 0 ? parity_y : 1);
-            return sign * quadrant[static_cast<std::size_t>(std::abs(j)) * columns_ + std::abs(i)];
-        },
-        parity);
-}
-
-ConvolvedCompliance::Symbols GridCompliance::make_symbols() const {
+const std::vector<Quadrants::Quadrant>& GridCompliance::tangential_quadrants() const {
     using K = InfluenceCoefficients;
-    const auto k = quadrants({&K::xx, &K::xy, &K::yy, &K::xz, &K::yz});
-    auto symbol2 = [&](const GridConvolution& convolution) {
-        return Symbol2{symbol(convolution, k[0], 1, 1), symbol(convolution, k[1], -1, -1),
-                       symbol(convolution, k[2], 1, 1)};
+    if (tangential_quadrants_.empty()) {
+        std::vector<Quadrants::Coefficient> which{&K::xx, &K::xy, &K::yy};
+        if (coupled_) which.insert(which.end(), {&K::xz, &K::yz});
+        tangential_quadrants_ = quadrants_.of(which);
+    }
+    return tangential_quadrants_;
+}
+
+/// On the grid or a window on it, which has no normal products.
+template <class Convolution>
+std::unique_ptr<const ConvolvedProducts> GridCompliance::make_products(const Size& size,
+                                                                       bool is_window) const {
+    using K = InfluenceCoefficients;
+    const auto [n_x, n_y] = size;
+    const int n_all = all_rows(grid_, n_y);
+    const int n_threads = is_window ? 1 : n_threads_;
+    Convolution linear(n_x, n_y, Convolution::row_period(2 * n_x - 1), padded(n_all), n_threads);
+    Convolution periodic(n_x, n_y, Convolution::row_period(n_x), good_complex_fft_size(n_all),
+                         n_threads);
+    GridConvolution::Symbol normal;
+    if (!is_window) normal = quadrants_.symbol(linear, quadrants_.of({&K::zz})[0], 1, 1);
+    auto rest = [this, is_window](const Convolution& convolution, const Convolution& bare) {
+        const auto& k = tangential_quadrants();
+        auto symbol2 = [&](const Convolution& by) {
+            return GridConvolution::Symbol2{quadrants_.symbol(by, k[0], 1, 1),
+                                            quadrants_.symbol(by, k[1], -1, -1),
+                                            quadrants_.symbol(by, k[2], 1, 1)};
+        };
+        TangentialSymbols made{.tangential = symbol2(convolution),
+                               .inverse = inverse(symbol2(bare))};
+        if (!coupled_ || is_window) return made;
+        made.from_normal_x = quadrants_.symbol(convolution, k[3], -1, 1);
+        made.from_normal_y = quadrants_.symbol(convolution, k[4], 1, -1);
+        return made;
     };
-    Symbols made{.tangential = symbol2(linear_), .inverse = inverse(symbol2(periodic_))};
-    if (!coupled_) return made;
-    made.from_normal_x = symbol(linear_, k[3], -1, 1);
-    made.from_normal_y = symbol(linear_, k[4], 1, -1);
-    return made;
+    return std::make_unique<ProductsBy<Convolution>>(std::move(linear), std::move(periodic),
+                                                     std::move(normal), std::move(rest));
+}
+
+std::shared_ptr<const ConvolvedProducts> GridCompliance::window(const Size& size) const {
+    if (windows_.size() >= most_windows && !windows_.contains(size)) windows_.clear();
+    auto& products = windows_[size];
+    if (!products)
+        products = grid_.mirrored ? make_products<MirroredConvolution>(size, true)
+                                  : make_products<GridConvolution>(size, true);
+    return products;
+}
+
+std::unique_ptr<const contact::ActiveOperator> GridCompliance::among(
+    const std::vector<std::size_t>& active) const {
+    if (active.empty()) return nullptr;
+    int low_x = grid_.n_x, high_x = 0, low_y = grid_.n_y, high_y = 0;
+    for (const std::size_t point : active) {
+        const int i = static_cast<int>(point) % grid_.n_x, j = static_cast<int>(point) / grid_.n_x;
+        low_x = std::min(low_x, i), high_x = std::max(high_x, i);
+        low_y = std::min(low_y, j), high_y = std::max(high_y, j);
+    }
+    if (grid_.mirrored) low_y = 0;
+    const int period_x = row_period(grid_, 2 * (high_x - low_x) + 1);
+    const int period_y = padded(all_rows(grid_, high_y - low_y + 1));
+    const int n_y = cells_in(period_y);
+    const Size size{cells_in(period_x), grid_.mirrored ? (n_y + 1) / 2 : n_y};
+    const double cells = static_cast<double>(period_x) * period_y;
+    const double all_cells = static_cast<double>(row_period(grid_, 2 * grid_.n_x - 1)) *
+                             padded(all_rows(grid_, grid_.n_y));
+    if (cells > window_worth * all_cells) return nullptr;
+    std::vector<std::size_t> positions;
+    for (const std::size_t point : active) {
+        const std::size_t i = point % grid_.n_x - low_x, j = point / grid_.n_x - low_y;
+        positions.push_back(j * size[0] + i);
+    }
+    return std::make_unique<WindowOperator>(window(size), std::move(positions),
+                                            static_cast<std::size_t>(size[0]) * size[1]);
 }
 
 InfluenceTable GridCompliance::influence() const {
-    InfluenceTable table{grid_.spacing[0], columns_, rows_, {}};
-    for (int j = 0; j < rows_; ++j)
-        for (int i = 0; i < columns_; ++i)
-            table.cells.push_back(influence_(i * grid_.spacing[0], j * grid_.spacing[1]));
+    InfluenceTable table{grid_.spacing[0], quadrants_.columns(), quadrants_.rows(), {}};
+    for (int j = 0; j < table.n_y; ++j)
+        for (int i = 0; i < table.n_x; ++i) table.cells.push_back(quadrants_.at(i, j));
     return table;
+}
+
+std::unique_ptr<const contact::Interior> GridCompliance::interior(
+    std::span<const double> p, const contact::TangentialField& t) const {
+    if (!view_) return nullptr;
+    if (!grid_.mirrored)
+        return std::make_unique<contact::Interior>(grid_interior(*view_, grid_, p, t));
+    const int n_x = grid_.n_x, n_y = all_rows(grid_, grid_.n_y);
+    const auto whole = contact::ContactPoints::grid(
+        n_x, n_y, {grid_.first[0], -(grid_.n_y - 1) * grid_.spacing[1]}, grid_.spacing);
+    std::vector<double> pressure(whole.size());
+    contact::TangentialField traction(whole.size());
+    for (int j = 0; j < n_y; ++j)
+        for (int i = 0; i < n_x; ++i) {
+            const int side = j < grid_.n_y - 1 ? -1 : 1, row = std::abs(j - (grid_.n_y - 1));
+            const std::size_t to = static_cast<std::size_t>(j) * n_x + i;
+            const std::size_t from = static_cast<std::size_t>(row) * n_x + i;
+            pressure[to] = p[from];
+            traction.set(to, {t.x[from], side * t.y[from]});
+        }
+    return std::make_unique<contact::Interior>(grid_interior(*view_, whole, pressure, traction));
 }
 
 bool is_coupled(const contact::MaterialPair& materials) {
@@ -145,7 +230,8 @@ std::unique_ptr<GridCompliance> layer_compliance(const theory::LayerStack& layer
                                                  contact::ContactPoints grid, int n_threads) {
     const auto cell = std::make_shared<const LayerInfluence>(
         layers, indenter, grid.spacing[0], grid.spacing[1],
-        std::hypot(positions(grid.n_x) * grid.spacing[0], positions(grid.n_y) * grid.spacing[1]));
+        std::hypot(positions(grid.n_x) * grid.spacing[0],
+                   positions(all_rows(grid, grid.n_y)) * grid.spacing[1]));
     return std::make_unique<GridCompliance>([cell](double x, double y) { return cell->at(x, y); },
                                             std::move(grid), true, n_threads);
 }
@@ -166,7 +252,7 @@ std::unique_ptr<GridCompliance> tabulated_compliance(InfluenceTable table, const
                                                      int n_threads) {
     const double h = grid.spacing[0];
     check_spacing(table, name, h);
-    const int n_x = positions(grid.n_x), n_y = positions(grid.n_y);
+    const int n_x = positions(grid.n_x), n_y = positions(all_rows(grid, grid.n_y));
     if (table.n_x < n_x || table.n_y < n_y)
         throw contact::InputError(
             fmt::format("{}: {} x {} positions, but contact and rolling path need {} x {}; write "

@@ -1,14 +1,17 @@
 #pragma once
 
+#include <array>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <vector>
 
-#include "bem/grid_convolution.h"
+#include "bem/convolved_products.h"
 #include "bem/grid_interior.h"
 #include "bem/influence.h"
 #include "bem/influence_file.h"
+#include "bem/quadrants.h"
 #include "contact/solvers/compliance.h"
 #include "theory/layer/layer_stack.h"
 
@@ -19,78 +22,63 @@ class ConvolvedCompliance : public contact::Compliance {
   public:
     const contact::ContactPoints& points() const override { return grid_; }
     bool is_coupled() const override { return coupled_; }
-    void normal(std::span<const double> p, std::span<double> u_z) const override;
-    void tangential(const contact::TangentialField& t, contact::TangentialField& u) const override;
+    void normal(std::span<const double> p, std::span<double> u_z) const override {
+        products_->normal(p, u_z);
+    }
+    void tangential(const contact::TangentialField& t, contact::TangentialField& u) const override {
+        products_->tangential(t, u);
+    }
     void tangential_from_normal(std::span<const double> p,
                                 contact::TangentialField& u) const override;
     void normal_from_tangential(const contact::TangentialField& t,
                                 std::span<double> u_z) const override;
     void precondition_tangential(const contact::TangentialField& r,
-                                 contact::TangentialField& z) const override;
+                                 contact::TangentialField& z) const override {
+        products_->precondition_tangential(r, z);
+    }
 
   protected:
-    /// All but that of normal displacements by pressures.
-    struct Symbols {
-        GridConvolution::Symbol2 tangential, inverse;
-        GridConvolution::Symbol from_normal_x{}, from_normal_y{};  ///< of coupled bodies
-    };
     ConvolvedCompliance(contact::ContactPoints grid, bool coupled)
         : grid_(std::move(grid)), coupled_(coupled) {}
-    /// Of the symbols; and of the inverse, on the bare grid.
-    virtual const GridConvolution& convolution() const = 0;
-    virtual const GridConvolution& preconditioner() const { return convolution(); }
-    /// Called once, unless `symbols_` has them before.
-    virtual Symbols make_symbols() const { return {}; }
 
     contact::ContactPoints grid_;
     bool coupled_;
-    GridConvolution::Symbol normal_;
-    /// Made when first needed: normal contact alone takes half the memory.
-    mutable std::optional<Symbols> symbols_;
-
-  private:
-    const Symbols& symbols() const;
+    std::unique_ptr<const ConvolvedProducts> products_;
 };
 
 /// Elastic bodies under piecewise constant tractions on a regular grid, displacements at the cells'
 /// centres, from influence coefficients; zero-padded FFT convolution (Ju & Farris 1996; Liu, Wang &
-/// Liu 2000).
+/// Liu 2000). A mirrored grid has its first row at y = 0.
 class GridCompliance final : public ConvolvedCompliance {
   public:
-    /// The coefficients of one cell at a relative position [m].
-    using Influence = std::function<InfluenceCoefficients(double x, double y)>;
-
     /// `influence` is asked for x, y >= 0 only; of isotropic bodies the rest follows by symmetry.
     /// `coupled`: use the coefficients between normal and tangential.
-    GridCompliance(Influence influence, contact::ContactPoints grid, bool coupled, int n_threads);
+    GridCompliance(CellInfluence influence, contact::ContactPoints grid, bool coupled,
+                   int n_threads);
 
-    double local_tangential() const override { return influence_(0, 0).xx; }
+    double local_tangential() const override { return quadrants_.at(0, 0).xx; }
+    /// Products on the smallest box around them, where it is much smaller than the grid.
+    std::unique_ptr<const contact::ActiveOperator> among(
+        const std::vector<std::size_t>& active) const override;
     /// The coefficients of square cells at all relative positions that are asked for.
     InfluenceTable influence() const;
     /// What is below the surface, for `interior`, which knows nothing without.
     void set_view(InteriorView view) { view_ = std::move(view); }
     std::unique_ptr<const contact::Interior> interior(
-        std::span<const double> p, const contact::TangentialField& t) const override {
-        if (!view_) return nullptr;
-        return std::make_unique<contact::Interior>(grid_interior(*view_, grid_, p, t));
-    }
+        std::span<const double> p, const contact::TangentialField& t) const override;
 
   private:
-    using Coefficient = double InfluenceCoefficients::*;
-    std::vector<std::vector<double>> quadrants(const std::vector<Coefficient>& which) const;
-    GridConvolution::Symbol symbol(const GridConvolution& convolution,
-                                   const std::vector<double>& quadrant, double parity_x,
-                                   double parity_y) const;
-    const GridConvolution& convolution() const override { return linear_; }
-    const GridConvolution& preconditioner() const override { return periodic_; }
-    Symbols make_symbols() const override;
+    using Size = std::array<int, 2>;  // columns, rows
+    template <class Convolution>
+    std::unique_ptr<const ConvolvedProducts> make_products(const Size& size, bool is_window) const;
+    std::shared_ptr<const ConvolvedProducts> window(const Size& size) const;
+    const std::vector<Quadrants::Quadrant>& tangential_quadrants() const;
 
-    Influence influence_;
+    const int n_threads_;
+    const Quadrants quadrants_;
     std::optional<InteriorView> view_;
-    int n_threads_;
-    GridConvolution linear_;    // zero-padded
-    GridConvolution periodic_;  // on the bare grid, for the preconditioner
-    int columns_, rows_;        // of a quadrant of relative positions
+    mutable std::vector<Quadrants::Quadrant> tangential_quadrants_;  // xx, xy, yy, coupled xz, yz
+    mutable std::map<Size, std::shared_ptr<const ConvolvedProducts>> windows_;  // by their size
 };
 
 /// Dundurs' beta is above what changes shifts by 1e-3.

@@ -34,6 +34,12 @@ int good_fft_size(int n) {
     return n;
 }
 
+int good_complex_fft_size(int n) {
+    n = good_fft_size(n);
+    while (n % 9 == 0) n = good_fft_size(n + 1);
+    return n;
+}
+
 GridConvolution::GridConvolution(int n_x, int n_y, int period_x, int period_y, int n_threads)
     : n_x_(n_x),
       n_y_(n_y),
@@ -49,13 +55,17 @@ GridConvolution::GridConvolution(int n_x, int n_y, int period_x, int period_y, i
                                               spectrum, nullptr, 1, pitch_, FFTW_ESTIMATE));
     row_backward_.reset(fftw_plan_many_dft_c2r(1, &period_x_, piece, spectrum, nullptr, 1, pitch_,
                                                rows, nullptr, 1, period_x_, FFTW_ESTIMATE));
-    for (int k = 0; k < 2 * n_threads; ++k)
+    for (int k = 0; k < 2 * n_threads; ++k) {
+        const std::size_t n = static_cast<std::size_t>(piece) * period_y;
         columns_.push_back(
-            contact::fftw_zeros<FftwComplex>(static_cast<std::size_t>(piece) * period_y));
-    fftw_complex* columns = columns_.front().get();
+            {contact::fftw_zeros<FftwComplex>(n), contact::fftw_zeros<FftwComplex>(n)});
+    }
+    // Out of place FFTW's estimated plans take two thirds of the time.
+    const Columns& columns = columns_.front();
     auto column_plan = [&](int sign) {
-        return FftwPlan(fftw_plan_many_dft(1, &period_y_, piece, columns, nullptr, 1, period_y_,
-                                           columns, nullptr, 1, period_y_, sign, FFTW_ESTIMATE));
+        return FftwPlan(fftw_plan_many_dft(1, &period_y_, piece, columns.values.get(), nullptr, 1,
+                                           period_y_, columns.spectrum.get(), nullptr, 1, period_y_,
+                                           sign, FFTW_ESTIMATE));
     };
     column_forward_ = column_plan(FFTW_FORWARD);
     column_backward_ = column_plan(FFTW_BACKWARD);
@@ -68,12 +78,16 @@ GridConvolution::Field GridConvolution::make_field() const {
 
 template <typename Body>
 void GridConvolution::for_each_piece(int n, Body body) const {
-#pragma omp parallel for num_threads(n_threads_) if (n_threads_ > 1) schedule(static)
-    for (int first = 0; first < n; first += piece) body(first);
+    if (n_threads_ == 1) {
+        for (int first = 0; first < n; first += piece) body(first, 0);
+        return;
+    }
+#pragma omp parallel for num_threads(n_threads_) schedule(static)
+    for (int first = 0; first < n; first += piece) body(first, omp_get_thread_num());
 }
 
 void GridConvolution::rows_forward(std::span<const double> in, Field& field) const {
-    for_each_piece(n_rows_, [&](int first) {
+    for_each_piece(n_rows_, [&](int first, int) {
         for (int j = first; j < std::min(first + piece, n_y_); ++j) {
             double* row = field.rows.get() + static_cast<std::size_t>(j) * period_x_;
             std::copy_n(in.data() + static_cast<std::size_t>(j) * n_x_, n_x_, row);
@@ -88,7 +102,7 @@ void GridConvolution::rows_forward(std::span<const double> in, Field& field) con
 }
 
 void GridConvolution::rows_backward(Field& field, std::span<double> out) const {
-    for_each_piece(n_rows_, [&](int first) {
+    for_each_piece(n_rows_, [&](int first, int) {
         fftw_execute_dft_c2r(row_backward_.get(),
                              field.spectrum.get() + static_cast<std::size_t>(first) * pitch_,
                              field.rows.get() + static_cast<std::size_t>(first) * period_x_);
@@ -98,12 +112,13 @@ void GridConvolution::rows_backward(Field& field, std::span<double> out) const {
     });
 }
 
-fftw_complex* GridConvolution::columns_of_thread(int component) const {
-    return columns_[2 * omp_get_thread_num() + component].get();
+const GridConvolution::Columns& GridConvolution::columns_of(int thread, int component) const {
+    return columns_[2 * thread + component];
 }
 
 // Columns are gathered before they are transformed: on large grids their elements lie pages apart.
-void GridConvolution::columns_forward(const Field& field, int first, fftw_complex* columns) const {
+void GridConvolution::columns_forward(const Field& field, int first, const Columns& to) const {
+    fftw_complex* const columns = to.values.get();
     for (int j = 0; j < n_y_; ++j) {
         const fftw_complex* row =
             field.spectrum.get() + static_cast<std::size_t>(j) * pitch_ + first;
@@ -116,11 +131,14 @@ void GridConvolution::columns_forward(const Field& field, int first, fftw_comple
     for (int i = 0; i < piece; ++i)
         std::memset(columns + static_cast<std::size_t>(i) * period_y_ + n_y_, 0,
                     (period_y_ - n_y_) * sizeof(fftw_complex));
-    fftw_execute_dft(column_forward_.get(), columns, columns);
+    fftw_execute_dft(column_forward_.get(), columns, to.spectrum.get());
 }
 
-void GridConvolution::columns_backward(fftw_complex* columns, int first, Field& field) const {
-    fftw_execute_dft(column_backward_.get(), columns, columns);
+void GridConvolution::columns_backward(const Columns& from_spectrum, int first,
+                                       Field& field) const {
+    const fftw_complex* const columns = from_spectrum.values.get();
+    fftw_execute_dft(column_backward_.get(), from_spectrum.spectrum.get(),
+                     from_spectrum.values.get());
     for (int j = 0; j < n_y_; ++j) {
         fftw_complex* row = field.spectrum.get() + static_cast<std::size_t>(j) * pitch_ + first;
         for (int i = 0; i < piece; ++i) {
@@ -133,27 +151,8 @@ void GridConvolution::columns_backward(fftw_complex* columns, int first, Field& 
 
 GridConvolution::Symbol GridConvolution::symbol(const std::function<double(int, int)>& coefficient,
                                                 Parity parity) const {
-    const int n_kx = period_x_ / 2 + 1;
-    FftwReal kernel =
-        contact::fftw_zeros<FftwReal>(static_cast<std::size_t>(period_x_) * period_y_);
-    FftwComplex spectrum =
-        contact::fftw_zeros<FftwComplex>(static_cast<std::size_t>(n_kx) * period_y_);
-    for_each_piece(whole_pieces(period_y_), [&](int first) {
-        for (int j = first; j < std::min(first + piece, period_y_); ++j)
-            for (int i = 0; i < period_x_; ++i)
-                kernel[static_cast<std::size_t>(j) * period_x_ + i] =
-                    coefficient(wrapped(i, period_x_), wrapped(j, period_y_));
-    });
-    const FftwPlan plan(
-        fftw_plan_dft_r2c_2d(period_y_, period_x_, kernel.get(), spectrum.get(), FFTW_ESTIMATE));
-    fftw_execute(plan.get());
-
-    const double scale = 1.0 / (static_cast<double>(period_x_) * period_y_);
-    Symbol result(static_cast<std::size_t>(period_y_) * pitch_, 0.0);
-    for (int j = 0; j < period_y_; ++j)
-        for (int i = 0; i < n_kx; ++i)
-            result[static_cast<std::size_t>(i) * period_y_ + j] =
-                scale * spectrum[static_cast<std::size_t>(j) * n_kx + i][parity == Parity::odd];
+    Symbol result = fourier_coefficients(period_x_, period_y_, coefficient, parity, n_threads_);
+    result.resize(static_cast<std::size_t>(period_y_) * pitch_, 0.0);
     return result;
 }
 
@@ -173,9 +172,11 @@ void GridConvolution::apply(const Kernels<n_out, n_in>& kernels, const ConstantF
                             const Fields<n_out>& out) const {
     if (std::max(n_in, n_out) == 2 && !field_[1].rows) field_[1] = make_field();
     for (std::size_t i = 0; i < n_in; ++i) rows_forward(in[i], field_[i]);
-    for_each_piece(pitch_, [&](int first) {
-        fftw_complex* const columns[2] = {columns_of_thread(0), columns_of_thread(1)};
-        for (std::size_t i = 0; i < n_in; ++i) columns_forward(field_[i], first, columns[i]);
+    for_each_piece(pitch_, [&](int first, int thread) {
+        for (std::size_t i = 0; i < n_in; ++i)
+            columns_forward(field_[i], first, columns_of(thread, i));
+        fftw_complex* const columns[2] = {columns_of(thread, 0).spectrum.get(),
+                                          columns_of(thread, 1).spectrum.get()};
         const std::size_t start = static_cast<std::size_t>(first) * period_y_;
         const double* symbols[n_out][n_in];
         for (std::size_t i = 0; i < n_out; ++i)
@@ -195,7 +196,8 @@ void GridConvolution::apply(const Kernels<n_out, n_in>& kernels, const ConstantF
                 to[1] = phase == Phase::none ? im : phase == Phase::forward ? re : -re;
             }
         }
-        for (std::size_t i = 0; i < n_out; ++i) columns_backward(columns[i], first, field_[i]);
+        for (std::size_t i = 0; i < n_out; ++i)
+            columns_backward(columns_of(thread, i), first, field_[i]);
     });
     for (std::size_t i = 0; i < n_out; ++i) rows_backward(field_[i], out[i]);
 }
@@ -211,6 +213,39 @@ template void Convolution::apply<2, 1, Convolution::Phase::forward>(const Kernel
 template void Convolution::apply<1, 2, Convolution::Phase::backward>(const Kernels<1, 2>&,
                                                                      const ConstantFields<2>&,
                                                                      const Fields<1>&) const;
+
+GridConvolution::Symbol fourier_coefficients(int period_x, int period_y,
+                                             const std::function<double(int, int)>& coefficient,
+                                             GridConvolution::Parity parity, int n_threads) {
+    const int n_kx = period_x / 2 + 1;
+    FftwReal kernel = contact::fftw_zeros<FftwReal>(static_cast<std::size_t>(period_x) * period_y);
+    FftwComplex spectrum =
+        contact::fftw_zeros<FftwComplex>(static_cast<std::size_t>(n_kx) * period_y);
+    auto value = [&](int i, int j) {
+        const int k = wrapped(i, period_x), l = wrapped(j, period_y);
+        const int other_k = 2 * i == period_x ? -k : k, other_l = 2 * j == period_y ? -l : l;
+        if (other_k == k && other_l == l) return coefficient(k, l);
+        return (coefficient(k, l) + coefficient(other_k, l) + coefficient(k, other_l) +
+                coefficient(other_k, other_l)) /
+               4;
+    };
+#pragma omp parallel for num_threads(n_threads) if (n_threads > 1) schedule(static)
+    for (int j = 0; j < period_y; ++j)
+        for (int i = 0; i < period_x; ++i)
+            kernel[static_cast<std::size_t>(j) * period_x + i] = value(i, j);
+    const FftwPlan plan(
+        fftw_plan_dft_r2c_2d(period_y, period_x, kernel.get(), spectrum.get(), FFTW_ESTIMATE));
+    fftw_execute(plan.get());
+
+    const double scale = 1.0 / (static_cast<double>(period_x) * period_y);
+    const int part = parity == GridConvolution::Parity::odd ? 1 : 0;
+    GridConvolution::Symbol result(static_cast<std::size_t>(period_y) * n_kx);
+    for (int j = 0; j < period_y; ++j)
+        for (int i = 0; i < n_kx; ++i)
+            result[static_cast<std::size_t>(i) * period_y + j] =
+                scale * spectrum[static_cast<std::size_t>(j) * n_kx + i][part];
+    return result;
+}
 
 GridConvolution::Symbol2 inverse(GridConvolution::Symbol2 symbol) {
     for (std::size_t k = 0; k < symbol.xx.size(); ++k) {

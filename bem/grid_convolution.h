@@ -11,6 +11,9 @@ namespace tricontact::bem {
 
 /// Smallest even number >= n whose only prime factors are 2, 3, 5, 7: lengths FFTW is fast at.
 int good_fft_size(int n);
+/// The same without 9 as a factor: of complex transforms, FFTW's estimated plans take 1.6 times as
+/// long per number where it is one.
+int good_complex_fft_size(int n);
 
 using contact::FftwComplex, contact::FftwPlan, contact::FftwReal;
 
@@ -31,6 +34,10 @@ class GridConvolution {
     struct Symbol2 {
         Symbol xx, xy, yy;
     };
+    /// Period of rows, at least n, that suits its real transforms along x; those along y are
+    /// complex.
+    static int row_period(int n) { return good_fft_size(n); }
+
     GridConvolution(int n_x, int n_y, int period_x, int period_y, int n_threads);
 
     /// Symbol of the kernel with values coefficient(i, j) at the relative position of i, j cells
@@ -65,19 +72,28 @@ class GridConvolution {
     Field make_field() const;
     void rows_forward(std::span<const double> in, Field& field) const;
     void rows_backward(Field& field, std::span<double> out) const;
-    void columns_forward(const Field& field, int first, fftw_complex* columns) const;
-    void columns_backward(fftw_complex* columns, int first, Field& field) const;
-    fftw_complex* columns_of_thread(int component) const;
-    template <typename Body>
+    struct Columns {  // a piece of them
+        FftwComplex values, spectrum;
+    };
+    void columns_forward(const Field& field, int first, const Columns& to) const;
+    void columns_backward(const Columns& from_spectrum, int first, Field& field) const;
+    const Columns& columns_of(int thread, int component) const;
+    template <typename Body>  // (first row or column, number of the thread)
     void for_each_piece(int n, Body body) const;
 
     const int n_x_, n_y_, period_x_, period_y_, n_threads_;
     const int n_rows_;  // n_y rounded up to whole pieces
     const int pitch_;   // of the spectrum's rows, >= period_x/2 + 1, whole pieces
     mutable Field field_[2];
-    mutable std::vector<FftwComplex> columns_;  // per thread and component: a piece of columns
+    mutable std::vector<Columns> columns_;  // per thread and component
     FftwPlan row_forward_, row_backward_, column_forward_, column_backward_;
 };
+
+/// The symbol of a kernel, see GridConvolution, at k_x >= 0 and all k_y, without what a
+/// GridConvolution pads it with. An element half a period away stands for both sides.
+GridConvolution::Symbol fourier_coefficients(int period_x, int period_y,
+                                             const std::function<double(int, int)>& coefficient,
+                                             GridConvolution::Parity parity, int n_threads);
 
 /// Inverse matrix per wave vector; where a truncated kernel is not positive definite, its diagonal.
 GridConvolution::Symbol2 inverse(GridConvolution::Symbol2 symbol);

@@ -93,14 +93,17 @@ constexpr double number_bytes = sizeof(double);
 // Numbers of all that a GridCompliance makes, at the making of its last symbol: rows and spectra of
 // two fields each on the padded and on the plain grid, symbols over half of the wave numbers,
 // influence coefficients at a quarter of the padded positions, the kernel transformed and its
-// spectrum. On a period the padded grid is the plain one.
+// spectrum. On a period the padded grid is the plain one. A mirrored grid transforms two fields as
+// one and keeps half of the symbols.
 double compliance_numbers(const contact::ContactPoints& grid, bool padded, bool coupled) {
-    constexpr double two_fields = 4, tangential = 3, both_ways = 2, quadrants = 5, kernel = 2;
+    constexpr double tangential = 3, both_ways = 2, quadrants = 5, kernel = 2;
+    const double two_fields = grid.mirrored ? 2 : 4, half = grid.mirrored ? .25 : .5;
+    const int n_y = grid.mirrored ? 2 * grid.n_y - 1 : grid.n_y;
     const double cells = static_cast<double>(grid.n_x) * grid.n_y;
     const double p_x = padded ? good_fft_size(2 * grid.n_x - 1) : grid.n_x;
-    const double p_y = padded ? good_fft_size(2 * grid.n_y - 1) : grid.n_y;
+    const double p_y = padded ? good_fft_size(2 * n_y - 1) : n_y;
     const double symbols = 1 + tangential + (coupled ? both_ways : 0);
-    return two_fields * (p_x * grid.n_y + cells) + symbols * p_x * p_y / 2 +
+    return two_fields * (p_x * grid.n_y + cells) + symbols * half * p_x * p_y +
            tangential * cells / 2 + (quadrants / 4 + kernel) * p_x * p_y;
 }
 

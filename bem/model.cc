@@ -39,11 +39,16 @@ void check_size(double n_x, double n_y) {
                         n_x, n_y, max_cells));
 }
 
-/// Grid with a cell's centre at the origin that covers `half_x` and `half_y` on either side.
-contact::ContactPoints make_grid(double half_x, double half_y, double spacing) {
+/// Grid with a cell's centre at the origin that covers `half_x` and `half_y` on either side, of
+/// what y = 0 mirrors on one.
+contact::ContactPoints make_grid(double half_x, double half_y, double spacing, bool mirrored) {
     const double beside_x = std::ceil(half_x / spacing), beside_y = std::ceil(half_y / spacing);
     const double n_x = 2 * beside_x + 1, n_y = 2 * beside_y + 1;
     check_size(n_x, n_y);
+    if (mirrored)
+        return contact::ContactPoints::mirrored_grid(static_cast<int>(n_x),
+                                                     static_cast<int>(beside_y) + 1,
+                                                     -beside_x * spacing, {spacing, spacing});
     return contact::ContactPoints::grid(static_cast<int>(n_x), static_cast<int>(n_y),
                                         {-beside_x * spacing, -beside_y * spacing},
                                         {spacing, spacing});
@@ -138,7 +143,8 @@ using MakeCompliance = std::function<std::unique_ptr<GridCompliance>(contact::Co
 
 /// On a grid that is enlarged until it covers the contact.
 std::unique_ptr<GridCompliance> fitting(const contact::Case& c, double spacing,
-                                        const MakeCompliance& make, double aside) {
+                                        const MakeCompliance& make, double aside,
+                                        bool mirrored = false) {
     const contact::HalfSpaceScales hertz = half_space_scales(c);
     // a grows with F_N^(1/3) or d^(1/2) of Hertz' contact: the root covers both controls.
     const double growth = std::sqrt(contact::crest_factor(c));
@@ -153,7 +159,7 @@ std::unique_ptr<GridCompliance> fitting(const contact::Case& c, double spacing,
         auto compliance =
             make(c.is_cylindrical()
                      ? make_long_grid(half_x, spacing, c.indenter.length, c.is_line_contact())
-                     : make_grid(half_x, half_y, spacing));
+                     : make_grid(half_x, half_y, spacing, mirrored));
         if (covers(*compliance, c, indenter, extent, margin < widest_by_friction))
             return compliance;
     }
@@ -164,8 +170,8 @@ std::unique_ptr<GridCompliance> under_map(const contact::Case& c, double spacing
                                           const MakeCompliance& make, double aside) {
     const auto side = c.indenter.height_map->period();
     const auto extent = path_extent(c, half_space_scales(c).contact_radius, aside);
-    return make(
-        make_grid(side[0] / 2 + extent[0] + spacing, side[1] / 2 + extent[1] + spacing, spacing));
+    return make(make_grid(side[0] / 2 + extent[0] + spacing, side[1] / 2 + extent[1] + spacing,
+                          spacing, false));
 }
 
 MakeCompliance single_cells(const contact::Case& c, int n_threads, Body body) {
@@ -233,11 +239,21 @@ std::unique_ptr<contact::Compliance> case_compliance_on(const contact::Case& c,
 
 }  // namespace
 
+bool is_mirrored(const contact::Case& c) {
+    using Shape = contact::Case::Shape;
+    const Shape shape = c.indenter.shape;
+    const bool is_smooth_ball = shape != Shape::flat && shape != Shape::height_map &&
+                                !c.is_cylindrical() && !c.indenter.roughness;
+    return is_smooth_ball && !c.bem.period && !c.tractive_rolling &&
+           contact::is_mirror_symmetric(c);
+}
+
 std::unique_ptr<contact::Compliance> case_compliance(const contact::Case& c, int n_threads,
-                                                     Body body, double aside) {
+                                                     Body body, double aside, bool mirrored) {
     const double spacing = spacing_of(c, half_space_scales(c).contact_radius);
     if (contact::is_nominally_flat(c)) return nominally_flat(c, spacing, n_threads, body, aside);
-    if (!c.bem.period) return fitting(c, spacing, single_cells(c, n_threads, body), aside);
+    if (!c.bem.period)
+        return fitting(c, spacing, single_cells(c, n_threads, body), aside, mirrored);
     if (body == Body::half_space)
         throw contact::InputError(
             "bem: under a periodic load the half-space gives way without bound, its compliance at "
@@ -278,8 +294,8 @@ void check_influence_file(const contact::Case& c) {
 }
 
 std::unique_ptr<contact::Substrate> make_substrate(const contact::Case& c, int n_threads, Body body,
-                                                   double aside) {
-    auto relaxed = case_compliance(c, n_threads, body, aside);
+                                                   double aside, bool mirrored) {
+    auto relaxed = case_compliance(c, n_threads, body, aside, mirrored);
     const contact::ContactPoints grid = relaxed->points();
     return contact::make_substrate(body == Body::layer ? c : contact::without_layer(c),
                                    std::move(relaxed), [&](const contact::Case& elastic) {
@@ -289,11 +305,12 @@ std::unique_ptr<contact::Substrate> make_substrate(const contact::Case& c, int n
 
 std::unique_ptr<contact::Model> make_model(const contact::Case& c, int n_threads, Body body) {
     auto model = std::make_unique<contact::SurfaceModel>(
-        body == Body::layer ? "bem-layer" : "bem", *make_substrate(c, n_threads, body),
-        c.make_indenter(), c.friction_coefficient, c.bem.tolerance, c.contact);
+        body == Body::layer ? "bem-layer" : "bem",
+        *make_substrate(c, n_threads, body, 0, is_mirrored(c)), c.make_indenter(),
+        c.friction_coefficient, c.bem.tolerance, c.contact);
     model->set_larger_grid([=, aside = 0.](const contact::ContactAtEdge& reached) mutable {
         aside = more_room(aside, reached);
-        return make_substrate(c, n_threads, body, aside);
+        return make_substrate(c, n_threads, body, aside, is_mirrored(c));
     });
     return model;
 }

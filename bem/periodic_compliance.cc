@@ -202,24 +202,26 @@ PeriodicCompliance::PeriodicCompliance(const contact::MaterialPair& half_spaces,
 
 PeriodicCompliance::PeriodicCompliance(const PeriodicInfluence& influence,
                                        contact::ContactPoints grid, bool coupled, int n_threads)
-    : ConvolvedCompliance(std::move(grid), coupled),
-      convolution_(grid_.n_x, grid_.n_y, grid_.n_x, grid_.n_y, n_threads) {
+    : ConvolvedCompliance(std::move(grid), coupled) {
     grid_.periodic = true;
+    GridConvolution convolution(grid_.n_x, grid_.n_y, grid_.n_x, grid_.n_y, n_threads);
     const auto symbol = [&](double InfluenceCoefficients::*which) {
-        return convolution_.symbol_of_coefficients(
+        return convolution.symbol_of_coefficients(
             [&](int m_x, int m_y) { return influence.at(m_x, m_y).*which; });
     };
     using K = InfluenceCoefficients;
-    normal_ = symbol(&K::zz);
-    symbols_.emplace();
-    symbols_->tangential = {symbol(&K::xx), symbol(&K::xy), symbol(&K::yy)};
+    TangentialSymbols symbols{.tangential = {symbol(&K::xx), symbol(&K::xy), symbol(&K::yy)},
+                              .inverse = {}};
     if (coupled_) {
-        symbols_->from_normal_x = symbol(&K::xz);
-        symbols_->from_normal_y = symbol(&K::yz);
+        symbols.from_normal_x = symbol(&K::xz);
+        symbols.from_normal_y = symbol(&K::yz);
     }
-    auto& stiff = symbols_->inverse = inverse(symbols_->tangential);
+    auto& stiff = symbols.inverse = inverse(symbols.tangential);
     if (stiff.xx[0] == 0)  // of half-spaces the mean's: any positive one will do
         stiff.xx[0] = stiff.yy[0] = std::min(stiff.xx[1], stiff.yy[1]);
+    auto normal = symbol(&K::zz);
+    products_ = std::make_unique<ProductsBy<GridConvolution>>(
+        std::move(convolution), std::nullopt, std::move(normal), std::move(symbols));
 
     contact::TangentialField one(grid_.size()), u(grid_.size());
     one.x[0] = 1;

@@ -63,9 +63,6 @@ class PeriodicCompliance final : public ConvolvedCompliance {
     PeriodicCompliance(const PeriodicInfluence& influence, contact::ContactPoints grid,
                        bool coupled, int n_threads);
 
-    const GridConvolution& convolution() const override { return convolution_; }
-
-    GridConvolution convolution_;
     double local_tangential_ = 0;
 };
 

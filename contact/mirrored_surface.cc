@@ -11,25 +11,26 @@ struct Image {
     std::vector<int> image_of;  // point of the whole that mirrors a point of the half
 };
 
-/// Rows from -y to y on a regular grid; else the half's points, then the images of those off y = 0.
-Image image_of(const Surface& half) {
+/// Rows from -y to y on a regular grid of n_x columns; else (n_x = 0) the half's points, which are
+/// at `y`, then the images of those off y = 0.
+Image image_of(int n, int n_x, const std::vector<double>& y) {
     Image image;
-    const int n = static_cast<int>(half.size());
     image.image_of.resize(n);
+    auto in_plane = [&](int k) { return n_x > 0 ? k < n_x : y[k] == 0; };
     auto add = [&](int source, int sign) {
-        if (sign < 0 || half.node_y[source] == 0)
+        if (sign < 0 || in_plane(source))
             image.image_of[source] = static_cast<int>(image.source.size());
         image.source.push_back(source);
         image.sign.push_back(sign);
     };
-    if (half.n_x > 0) {
-        for (int row = half.n_y - 1; row > 0; --row)
-            for (int i = 0; i < half.n_x; ++i) add(row * half.n_x + i, -1);
+    if (n_x > 0) {
+        for (int row = n / n_x - 1; row > 0; --row)
+            for (int i = 0; i < n_x; ++i) add(row * n_x + i, -1);
         for (int k = 0; k < n; ++k) add(k, 1);
     } else {
         for (int k = 0; k < n; ++k) add(k, 1);
         for (int k = 0; k < n; ++k)
-            if (half.node_y[k] != 0) add(k, -1);
+            if (!in_plane(k)) add(k, -1);
     }
     return image;
 }
@@ -37,7 +38,7 @@ Image image_of(const Surface& half) {
 }  // namespace
 
 Surface mirrored(const Surface& half) {
-    const Image image = image_of(half);
+    const Image image = image_of(static_cast<int>(half.size()), half.n_x, half.node_y);
     const std::size_t n = image.source.size();
     Surface whole = half;
     auto reflect = [&](std::vector<double>& values, bool odd) {
@@ -77,6 +78,14 @@ Surface mirrored(const Surface& half) {
         whole.n_y = 2 * half.n_y - 1;
         whole.first[1] = -(half.n_y - 1) * half.spacing[1];
     }
+    return whole;
+}
+
+std::vector<ContactState> mirrored(const std::vector<ContactState>& half,
+                                   const ContactPoints& points) {
+    std::vector<ContactState> whole;
+    for (const int source : image_of(static_cast<int>(half.size()), points.n_x, points.y).source)
+        whole.push_back(half[source]);
     return whole;
 }
 

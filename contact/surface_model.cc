@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 #include "contact/error.h"
 #include "contact/solvers/contact_region.h"
@@ -68,6 +69,8 @@ StepRecord SurfaceModel::roll(const LoadStep& step, double rotation) {
 }
 
 StepRecord SurfaceModel::take(const LoadStep& step, const StepStart& before) {
+    if (points().mirrored && (step.tangential[1].value != 0 || step.rotation != 0))
+        throw std::logic_error(name_ + ": half of a contact takes no load across its symmetry");
     phase_ = step.recurs ? step.phase : 0;
     rotation_ += before.rotation;
     solver_->solve(step, before);

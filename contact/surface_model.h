@@ -51,7 +51,7 @@ class SurfaceModel final : public Model {
     }
     Scales scales() const override;
     Surface surface() const override;
-    std::vector<ContactState> contact_states() const override { return contact_state_; }
+    std::vector<ContactState> contact_states() const override;
     double limit_tangential_ratio() const override;
     void start_limit() override {
         least_pressure_ = now().normal->pressure;

@@ -62,7 +62,9 @@ Surface SurfaceModel::surface() const {
     s.slip_path = slip_path_;
     s.friction_work = friction_work_;
     s.contact_state = contact_state_;
-    if (s.layout != Surface::Layout::nodes) return s;
+    // A line of springs in the plane of symmetry is no grid and has no other side.
+    if (s.layout != Surface::Layout::nodes)
+        return points.mirrored && points.n_x > 0 ? mirrored(s) : s;
 
     s.node_x = points.x;
     s.node_y = points.y;
@@ -76,18 +78,23 @@ Surface SurfaceModel::surface() const {
     return points.mirrored ? mirrored(s) : s;
 }
 
+std::vector<ContactState> SurfaceModel::contact_states() const {
+    return points().mirrored ? mirrored(contact_state_, points()) : contact_state_;
+}
+
 namespace {
 
 /// Writes or reads all that is kept of a solution.
 template <class Archive, class Solution, class Normal>
 void transfer_solution(Archive& archive, Solution& s, Normal& normal) {
-    archive(s.offset, s.shift, s.tangential.shift_increment, normal.pressure, normal.displacement,
-            s.bound);
+    archive(s.offset, s.control.kind, s.control.value, s.shift, s.tangential.shift_increment,
+            normal.pressure, normal.displacement, s.bound);
     for (auto* field :
          {&s.tangential.traction, &s.tangential.displacement, &s.displacement.in_surface})
         archive(field->x, field->y);
     archive(s.displacement.down, normal.indentation, normal.length, normal.force, normal.residual,
-            s.tangential.residual, s.tangential.force_residual, s.gap_residual, s.shift_factor);
+            normal.rounding, s.tangential.residual, s.tangential.force_residual, s.gap_residual,
+            s.shift_factor);
 }
 
 }  // namespace

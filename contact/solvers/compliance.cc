@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "contact/solvers/active_operator.h"
+
 namespace tricontact::contact {
 
 namespace {
@@ -28,6 +30,17 @@ ContactPoints ContactPoints::grid(int n_x, int n_y, Vector2 first, Vector2 spaci
         }
     points.area.assign(n, spacing[0] * spacing[1]);
     return points;
+}
+
+ContactPoints ContactPoints::mirrored_grid(int n_x, int n_y, double first_x, Vector2 spacing) {
+    ContactPoints points = grid(n_x, n_y, {first_x, 0}, spacing);
+    points.mirrored = true;
+    for (std::size_t i = n_x; i < points.size(); ++i) points.area[i] *= 2;
+    return points;
+}
+
+std::unique_ptr<const ActiveOperator> Compliance::among(const std::vector<std::size_t>&) const {
+    return nullptr;
 }
 
 CombinedCompliance::CombinedCompliance(Parts parts, bool coupled)

@@ -33,7 +33,8 @@ struct ContactPoints {
     int n_x = 0, n_y = 0;        ///< > 0 on a regular grid
     Vector2 first{}, spacing{};  ///< of a regular grid [m]
     /// Points with y >= 0 that stand for their mirror images at -y as well: areas count both
-    /// sides, x and normal components are even in y, y components odd (zero at y = 0).
+    /// sides, x and normal components are even in y, y components odd (zero at y = 0). Of a grid
+    /// the first row is that at y = 0.
     bool mirrored = false;
     /// A grid of one period of a surface that has no edge.
     bool periodic = false;
@@ -47,7 +48,11 @@ struct ContactPoints {
     std::size_t size() const { return x.size(); }
     /// Regular grid of n_x * n_y cells; `first` is the centre of the first one.
     static ContactPoints grid(int n_x, int n_y, Vector2 first, Vector2 spacing);
+    /// The same on y >= 0, the first row at y = 0, mirrored.
+    static ContactPoints mirrored_grid(int n_x, int n_y, double first_x, Vector2 spacing);
 };
+
+class ActiveOperator;
 
 /// The linear elasticity of both bodies as seen from the contact surface: tractions [Pa] on the
 /// contact points give displacements [m] of the substrate relative to the indenter. Self-adjoint
@@ -77,6 +82,9 @@ class Compliance {
     /// A symmetric positive definite approximation of the inverse of `tangential`; its scale is
     /// free.
     virtual void precondition_tangential(const TangentialField& r, TangentialField& z) const = 0;
+    /// Products among these points alone, where they cost less than those among all; else null.
+    virtual std::unique_ptr<const ActiveOperator> among(
+        const std::vector<std::size_t>& active) const;
     /// The whole matrix, displacement [m] over force (traction times area) [N]: 3n x 3n by columns,
     /// symmetric, component c of point i at c n + i (x, y, into the substrate); null where only
     /// products are known.

@@ -69,6 +69,7 @@ SurfaceField StaggeredSolver::tractions() const {
 void StaggeredSolver::solve(const LoadStep& step, const StepStart& before) {
     now_.normal_iterations = now_.tangential_iterations = 0;
     now_.offset = step.offset;
+    now_.control = step.normal;
     coupling_.place(step.offset);
     if (substrate_.begin(step.duration, before.traction, before.displacement)) make_solvers();
     if (coupling_.is_decoupled())
@@ -90,19 +91,22 @@ std::vector<double> StaggeredSolver::update_height() {
 }
 
 void StaggeredSolver::solve_uncoupled(const LoadStep& step, const StepStart& before) {
-    const Key key{step.offset, step.normal.kind, step.normal.value};
-    const auto kept = normal_cache_.find(key);
+    const auto kept = normal_cache_.find(key());
     if (kept != normal_cache_.end()) {
         now_.normal = kept->second;
     } else {
         solve_normal(step.normal, update_height());
-        const std::size_t bytes = 2 * sizeof(double) * now_.bound.size();
-        // Of a relaxing substrate the same position is not the same problem.
-        if (!substrate_.relaxes() && (normal_cache_.size() + 1) * bytes <= most_kept_bytes)
-            normal_cache_[key] = now_.normal;
+        keep_normal();
     }
     now_.tangential.shift_increment = {};
     solve_friction(step, before);
+}
+
+/// Of a relaxing substrate the same position is not the same problem.
+void StaggeredSolver::keep_normal() {
+    const std::size_t bytes = 2 * sizeof(double) * now_.bound.size();
+    if (!substrate_.relaxes() && (normal_cache_.size() + 1) * bytes <= most_kept_bytes)
+        normal_cache_.try_emplace(key(), now_.normal);
 }
 
 /// The staggered iteration begins where the same phase ended one period ago, if there was one.
@@ -126,6 +130,8 @@ void StaggeredSolver::keep_start(double phase) {
 
 void StaggeredSolver::resume(ContactSolution solution, double phase) {
     now_ = std::move(solution);
+    // What a run that was not interrupted would know, so that it goes on by the same numbers.
+    if (coupling_.is_decoupled()) keep_normal();
     keep_start(phase);
     coupling_.place(now_.offset);
 }

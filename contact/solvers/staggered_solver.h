@@ -23,8 +23,9 @@ struct StepStart {
 
 /// Normal and tangential contact at the end of a step.
 struct ContactSolution {
-    Vector2 offset{};  ///< of the indenter [m]
-    Vector2 shift{};   ///< U [m]
+    Vector2 offset{};         ///< of the indenter [m]
+    NormalControl control{};  ///< what is prescribed normal to the surface
+    Vector2 shift{};          ///< U [m]
     std::shared_ptr<const NormalSolution> normal;
     std::vector<double> bound;  ///< mu p [Pa]
     TangentialSolution tangential;
@@ -73,12 +74,14 @@ class StaggeredSolver {
         Vector2 shift_increment{};  // [m]
     };
     using Key = std::tuple<Vector2, NormalControl::Kind, double>;  // offset and normal control
+    Key key() const { return {now_.offset, now_.control.kind, now_.control.value}; }
 
     const ContactPoints& points() const { return substrate_.compliance().points(); }
     void make_solvers();
     std::vector<double> update_height();
     void recall_start(double phase);
     void solve_uncoupled(const LoadStep& step, const StepStart& before);
+    void keep_normal();
     void solve_coupled(const LoadStep& step, const StepStart& before);
     void solve_normal(NormalControl control, const std::vector<double>& height);
     void solve_friction(const LoadStep& step, const StepStart& before);
@@ -96,7 +99,7 @@ class StaggeredSolver {
     std::optional<NormalSolver> normal_solver_;
     std::optional<TangentialSolver> tangential_solver_;
     ContactSolution now_;
-    std::map<Key, std::shared_ptr<const NormalSolution>> normal_cache_;
+    std::map<Key, std::shared_ptr<const NormalSolution>> normal_cache_;  // of uncoupled contact
     std::map<long, PeriodStart> starts_;  // of coupled contact, by the phase
 };
 

@@ -29,16 +29,25 @@ class Newton {
         : compliance_(compliance),
           active_(active),
           products_(products),
-          area_(compliance.points().area),
           problem_(problem),
+          tilt_(problem.tilt.among(active)),
           tolerance_(tolerance),
           alpha_(problem.contact_compliance),
-          solution_(solution) {
+          solution_(solution),
+          traction_(active.size()),
+          previous_(active.size()),
+          displacement_(active.size()),
+          slip_(active.size()) {
+        for (std::size_t k = 0; k < active_.size(); ++k) {
+            area_.push_back(compliance.points().area[active_[k]]);
+            bound_.push_back(problem.bound[active_[k]]);
+            previous_.set(k, problem.previous_displacement.at(active_[k]));
+        }
         for (int d = 0; d < 2; ++d)
             force_controlled_[d] = problem.control[d].kind == TangentialControl::Kind::force;
         sum_bounds();
         check_force_is_carried();
-        system_.emplace(compliance_, active_, products_, force_controlled_, problem_.tilt);
+        system_.emplace(compliance_, active_, products_, force_controlled_, tilt_);
     }
 
     void run() {
@@ -46,12 +55,14 @@ class Newton {
         start();
         double best = infinity;
         for (int step = 0; step < max_newton_steps; ++step) {
-            update_slip();
+            if (step > 0 && seems_converged())
+                update_slip_and_all();
+            else
+                update_slip();
             update_residual();
             // A start taken as it is would bring its error back in each period: a drift.
             if (converged() && !(step == 0 && shift_is_given_)) {
-                if (!products_.displaces_all())
-                    compliance_.tangential(traction(), solution_.displacement);
+                if (!displaces_all_) update_slip_and_all();
                 return;
             }
             without_progress_ = solution_.residual < 0.9 * best ? 0 : without_progress_ + 1;
@@ -72,12 +83,10 @@ class Newton {
     }
 
   private:
-    TangentialField& traction() { return solution_.traction; }
-
     void sum_bounds() {
-        for (const std::size_t i : active_) {
-            total_bound_ += area_[i] * problem_.bound[i];
-            active_area_ += area_[i];
+        for (std::size_t k = 0; k < active_.size(); ++k) {
+            total_bound_ += area_[k] * bound_[k];
+            active_area_ += area_[k];
         }
         mean_bound_ = total_bound_ / active_area_;
     }
@@ -96,21 +105,15 @@ class Newton {
     /// Starts from the given traction; points that it loads to the bound slip at first. A given
     /// shift increment tells better which do.
     void start() {
-        const std::size_t n = area_.size();
-        if (traction().size() != n) traction() = TangentialField(n);
+        const std::size_t n = compliance_.points().size();
+        if (solution_.traction.size() != n) solution_.traction = TangentialField(n);
         solution_.displacement.x.resize(n);
         solution_.displacement.y.resize(n);
+        take_over();
         slipping_.assign(active_.size(), 0);
-        slip_.assign(active_.size(), Vector2{});
-        std::size_t next = 0;
-        for (std::size_t i = 0; i < n; ++i) {
-            if (next == active_.size() || active_[next] != i) {
-                traction().set(i, {0, 0});
-                continue;
-            }
-            const Vector2 t = traction().at(i);
-            slipping_[next++] = norm(t) >= problem_.bound[i] * (1 - 1e-12);
-            traction().set(i, project_on_disc(t, problem_.bound[i]));
+        for (std::size_t k = 0; k < active_.size(); ++k) {
+            slipping_[k] = norm(traction_.at(k)) >= bound_[k] * (1 - 1e-12);
+            traction_.set(k, project_on_disc(traction_.at(k), bound_[k]));
         }
         for (int d = 0; d < 2; ++d)
             if (force_controlled_[d])
@@ -122,35 +125,55 @@ class Newton {
         classify();
     }
 
+    void take_over() {
+        for (std::size_t k = 0; k < active_.size(); ++k)
+            traction_.set(k, solution_.traction.at(active_[k]));
+    }
+
+    void hand_over() {
+        for (auto* component : {&solution_.traction.x, &solution_.traction.y})
+            std::ranges::fill(*component, 0.0);
+        for (std::size_t k = 0; k < active_.size(); ++k)
+            solution_.traction.set(active_[k], traction_.at(k));
+    }
+
     void update_slip() {
-        products_.apply(traction(), solution_.displacement);
+        products_.apply(traction_, displacement_);
         ++solution_.iterations;
-        const auto& before = problem_.previous_displacement;
-        const auto& now = solution_.displacement;
-        for (std::size_t k = 0; k < active_.size(); ++k) {
-            const std::size_t i = active_[k];
-            slip_[k] = problem_.tilt.apply(i, solution_.shift_increment) + before.at(i) - now.at(i);
-        }
+        displaces_all_ = false;
+        slip_by_displacement();
+    }
+
+    /// By the displacements of all points, which a solution needs too.
+    void update_slip_and_all() {
+        hand_over();
+        compliance_.tangential(solution_.traction, solution_.displacement);
+        ++solution_.iterations;
+        displaces_all_ = true;
+        for (std::size_t k = 0; k < active_.size(); ++k)
+            displacement_.set(k, solution_.displacement.at(active_[k]));
+        slip_by_displacement();
+    }
+
+    void slip_by_displacement() {
+        for (std::size_t k = 0; k < active_.size(); ++k)
+            slip_.set(k, tilt_.apply(k, solution_.shift_increment) +
+                             (previous_.at(k) - displacement_.at(k)));
     }
 
     /// t + s/alpha: inside the friction disc where the point sticks.
-    Vector2 trial(std::size_t k) const {
-        return solution_.traction.at(active_[k]) + slip_[k] / alpha_;
-    }
+    Vector2 trial(std::size_t k) const { return traction_.at(k) + slip_.at(k) / alpha_; }
 
     void update_residual() {
         double worst = 0;
         Vector2 force{};
         on_bound_ = true;
         for (std::size_t k = 0; k < active_.size(); ++k) {
-            const std::size_t i = active_[k];
-            const Vector2 t = traction().at(i);
-            const Vector2 p = project_on_disc(trial(k), problem_.bound[i]);
-            worst = larger(worst, norm(t - p));
+            const Vector2 t = traction_.at(k), y = trial(k);
+            worst = larger(worst, norm(t - project_on_disc(y, bound_[k])));
             // A start from other bounds may be close and yet slip below the bound: not accepted.
-            on_bound_ = on_bound_ && (norm(trial(k)) <= problem_.bound[i] ||
-                                      norm(t) >= problem_.bound[i] * (1 - 1e-11));
-            force = force + area_[i] * problem_.tilt.apply(i, t);
+            on_bound_ = on_bound_ && (norm(y) <= bound_[k] || norm(t) >= bound_[k] * (1 - 1e-11));
+            force = force + area_[k] * tilt_.apply(k, t);
         }
         solution_.residual = worst / mean_bound_;
         solution_.force_residual = 0;
@@ -159,6 +182,14 @@ class Newton {
             solution_.force_residual =
                 larger(solution_.force_residual, std::abs(missing_force_[d]) / total_bound_);
         }
+    }
+
+    /// As far as the slip that the last step left tells. A dense matrix of all points is not worth
+    /// a guess.
+    bool seems_converged() {
+        if (compliance_.dense()) return false;
+        update_residual();
+        return converged();
     }
 
     bool converged() const {
@@ -170,15 +201,12 @@ class Newton {
     bool solve_linear_system() {
         std::vector<Vector2> tangent(active_.size());
         std::vector<double> curvature(active_.size(), 0.0);
-        TangentialField right_hand_side(area_.size());
         for (std::size_t k = 0; k < active_.size(); ++k) {
-            const std::size_t i = active_[k];
-            right_hand_side.set(i, slip_[k]);
             if (!slipping_[k]) continue;
-            const Vector2 t = traction().at(i);
-            const double bound = problem_.bound[i];
+            const Vector2 t = traction_.at(k);
+            const double bound = bound_[k];
             tangent[k] = {-t[1] / bound, t[0] / bound};
-            curvature[k] = std::max(0.0, dot(slip_[k], t) / bound) / bound;
+            curvature[k] = std::max(0.0, dot(slip_.at(k), t) / bound) / bound;
         }
         if (!system_->set_zones(slipping_, std::move(tangent), std::move(curvature))) return false;
         const double scale = alpha_ * mean_bound_;
@@ -190,7 +218,7 @@ class Newton {
         const double fine = std::min(tolerance_, 0.01 * std::sqrt(force_tolerance)) *
                             std::pow(0.1, without_progress_);
         const auto& result = system_->solve(
-            right_hand_side, missing_force_,
+            slip_, missing_force_,
             {.relative = forcing, .absolute = 0.1 * fine * scale, .iterations = cg_iterations});
         solution_.iterations += result.iterations;
         // Where all slip in the direction of the force, hardly any rotation carries more of it.
@@ -203,24 +231,21 @@ class Newton {
     void move(const TangentialSystem::Result& result) {
         solution_.shift_increment = solution_.shift_increment + result.shift_increment;
         for (std::size_t k = 0; k < active_.size(); ++k) {
-            const std::size_t i = active_[k];
-            Vector2 t = traction().at(i) + result.z.at(i);
-            if (slipping_[k]) t = onto_edge(t, problem_.bound[i]);
-            traction().set(i, t);
-            slip_[k] =
-                slip_[k] + (problem_.tilt.apply(i, result.shift_increment) - result.a_z.at(i));
+            Vector2 t = traction_.at(k) + result.z.at(k);
+            if (slipping_[k]) t = onto_edge(t, bound_[k]);
+            traction_.set(k, t);
+            slip_.set(k, slip_.at(k) + (tilt_.apply(k, result.shift_increment) - result.a_z.at(k)));
         }
     }
 
     /// New zones from traction and slip; slipping points are put on their friction disc.
     void classify() {
         for (std::size_t k = 0; k < active_.size(); ++k) {
-            const std::size_t i = active_[k];
-            const double bound = problem_.bound[i];
+            const double bound = bound_[k];
             const Vector2 y = trial(k);
             slipping_[k] = norm(y) > bound;
-            traction().set(
-                i, slipping_[k] ? onto_edge(y, bound) : project_on_disc(traction().at(i), bound));
+            traction_.set(
+                k, slipping_[k] ? onto_edge(y, bound) : project_on_disc(traction_.at(k), bound));
         }
     }
 
@@ -228,33 +253,40 @@ class Newton {
     /// alone descend without end.
     void take_gradient_steps() {
         if (gradient_iterations_ > gradient_iterations) {
-            traction() = descended_.traction;
+            solution_.traction = descended_.traction;
             solution_.shift_increment = descended_.shift_increment;
+        } else {
+            hand_over();
         }
         projected_gradient(compliance_, active_, problem_, gradient_iterations_, solution_);
         gradient_iterations_ = std::min(2 * gradient_iterations_, most_gradient_iterations);
-        descended_.traction = traction();
+        descended_.traction = solution_.traction;
         descended_.shift_increment = solution_.shift_increment;
+        take_over();
         update_slip();
     }
 
     const Compliance& compliance_;
     const std::vector<std::size_t>& active_;
     const ActiveOperator& products_;
-    const std::vector<double>& area_;
     const TangentialProblem& problem_;
+    const Tilt tilt_;
     const double tolerance_;
     const double alpha_;  // contact compliance [m/Pa]
     TangentialSolution& solution_;
     std::array<bool, 2> force_controlled_{};
-    std::vector<std::uint8_t> slipping_;  // per active point
-    std::vector<Vector2> slip_;           // s [m] per active point
+    // Per active point: areas [m^2], bounds and tractions [Pa]; displacements before and now [m].
+    std::vector<double> area_, bound_;
+    TangentialField traction_, previous_, displacement_;
+    TangentialField slip_;  // s [m]
+    std::vector<std::uint8_t> slipping_;
     std::optional<TangentialSystem> system_;
     Vector2 missing_force_{};
     int without_progress_ = 0;  // Newton steps
     int gradient_iterations_ = gradient_iterations;
     TangentialSolution descended_;  // by gradients
     bool on_bound_ = false;         // all that slip are
+    bool displaces_all_ = false;    // the last product was with all points
     bool shift_is_given_ = false;
     double total_bound_ = 0, active_area_ = 0, mean_bound_ = 0;
 };

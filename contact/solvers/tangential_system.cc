@@ -1,112 +1,11 @@
 #include "contact/solvers/tangential_system.h"
 
-#include <Eigen/Dense>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
-#include "contact/error.h"
-
 namespace tricontact::contact {
-
-namespace {
-
-class ProductOperator final : public ActiveOperator {
-  public:
-    explicit ProductOperator(const Compliance& compliance) : compliance_(compliance) {}
-    void apply(const TangentialField& t, TangentialField& u) const override {
-        compliance_.tangential(t, u);
-    }
-    bool displaces_all() const override { return true; }
-    void precondition(const TangentialField& r, TangentialField& z) const override {
-        compliance_.precondition_tangential(r, z);
-    }
-
-  private:
-    const Compliance& compliance_;
-};
-
-/// The matrix of the active points by itself: a fraction of all, and small enough to factorise.
-/// Its Cholesky factor is the exact inverse as long as all points stick.
-class DenseOperator final : public ActiveOperator {
-  public:
-    DenseOperator(const Compliance& compliance, const std::vector<std::size_t>& active)
-        : active_(active),
-          area_(compliance.points().area),
-          matrix_(2 * active.size(), 2 * active.size()),
-          in_(2 * active.size()),
-          out_(2 * active.size()) {
-        const std::size_t n = area_.size(), m = active_.size();
-        const double* const all = compliance.dense();
-        for (std::size_t l = 0; l < 2 * m; ++l) {
-            const double* const column = all + 3 * n * (l / m * n + active_[l % m]);
-            for (std::size_t k = 0; k < 2 * m; ++k)
-                matrix_(k, l) = column[k / m * n + active_[k % m]];
-        }
-        factorise();
-    }
-
-    void apply(const TangentialField& t, TangentialField& u) const override {
-        gather(t, true);
-        out_.noalias() = matrix_.selfadjointView<Eigen::Lower>() * in_;
-        scatter(u);
-    }
-
-    bool displaces_all() const override { return false; }
-
-    void precondition(const TangentialField& r, TangentialField& z) const override {
-        gather(r, false);
-        out_ = factor_.solve(in_);
-        const std::size_t m = active_.size();
-        for (std::size_t k = 0; k < m; ++k)
-            for (std::size_t c = 0; c < 2; ++c) out_[c * m + k] /= area_[active_[k]];
-        scatter(z);
-    }
-
-  private:
-    /// Held components have zero rows: any number on their diagonal keeps them at zero.
-    void factorise() {
-        Eigen::MatrixXd regular = matrix_;
-        const double typical = regular.diagonal().mean();
-        for (Eigen::Index k = 0; k < regular.rows(); ++k)
-            if (regular(k, k) == 0) regular(k, k) = typical;
-        factor_.compute(regular);
-        if (factor_.info() != Eigen::Success)
-            throw NotConverged("tangential contact: the compliance is not positive definite");
-    }
-
-    void gather(const TangentialField& f, bool times_area) const {
-        const std::size_t m = active_.size();
-        for (std::size_t k = 0; k < m; ++k) {
-            const std::size_t i = active_[k];
-            const double factor = times_area ? area_[i] : 1;
-            in_[k] = factor * f.x[i];
-            in_[m + k] = factor * f.y[i];
-        }
-    }
-
-    void scatter(TangentialField& f) const {
-        const std::size_t m = active_.size();
-        for (std::size_t k = 0; k < m; ++k) {
-            f.x[active_[k]] = out_[k];
-            f.y[active_[k]] = out_[m + k];
-        }
-    }
-
-    const std::vector<std::size_t> active_;
-    const std::vector<double>& area_;
-    Eigen::MatrixXd matrix_;  // displacement over force
-    Eigen::LLT<Eigen::MatrixXd> factor_;
-    mutable Eigen::VectorXd in_, out_;
-};
-
-}  // namespace
-
-std::unique_ptr<const ActiveOperator> make_active_operator(const Compliance& compliance,
-                                                           const std::vector<std::size_t>& active) {
-    if (compliance.dense()) return std::make_unique<DenseOperator>(compliance, active);
-    return std::make_unique<ProductOperator>(compliance);
-}
 
 /// E follows from turning (0, 0, 1) to the normal (-slope, 1)/n: D = 1 - slope slope'/(n (n + 1)).
 Tilt::Tilt(const TangentialField& slope) : parts_(slope.size()) {
@@ -117,22 +16,28 @@ Tilt::Tilt(const TangentialField& slope) : parts_(slope.size()) {
     }
 }
 
+Tilt Tilt::among(const std::vector<std::size_t>& points) const {
+    Tilt some;
+    if (parts_.empty()) return some;
+    for (const std::size_t i : points) some.parts_.push_back(parts_[i]);
+    return some;
+}
+
 TangentialSystem::TangentialSystem(const Compliance& compliance,
                                    const std::vector<std::size_t>& active,
                                    const ActiveOperator& products,
                                    std::array<bool, 2> force_controlled, Tilt tilt)
-    : compliance_(compliance),
-      active_(active),
+    : local_(compliance.local_tangential()),
       products_(products),
       force_controlled_(force_controlled),
       tilt_(std::move(tilt)),
       scaling_(active.size()) {
-    const std::size_t n = compliance.points().size();
-    for (const std::size_t i : active_) area_ += compliance.points().area[i];
-    for (auto* field : {&constraint_[0], &constraint_[1], &preconditioned_[0], &preconditioned_[1],
-                        &result_.z, &result_.a_z, &residual_, &direction_, &a_direction_,
-                        &h_direction_, &z_, &scaled_, &full_})
-        *field = TangentialField(n);
+    for (const std::size_t i : active) areas_.push_back(compliance.points().area[i]);
+    for (const double area : areas_) area_ += area;
+    for (auto* field :
+         {&constraint_[0], &constraint_[1], &preconditioned_[0], &preconditioned_[1], &result_.z,
+          &result_.a_z, &residual_, &direction_, &a_direction_, &h_direction_, &z_, &scaled_})
+        *field = TangentialField(active.size());
 }
 
 bool TangentialSystem::set_zones(const std::vector<std::uint8_t>& slipping,
@@ -141,14 +46,13 @@ bool TangentialSystem::set_zones(const std::vector<std::uint8_t>& slipping,
     tangent_ = std::move(tangent);
     curvature_ = std::move(curvature);
     // Points held by a large curvature hardly move: the scaling tells the preconditioner so.
-    const double local = compliance_.local_tangential();
-    for (std::size_t k = 0; k < active_.size(); ++k)
-        scaling_[k] = slipping_[k] ? std::sqrt(local / (local + curvature_[k])) : 1;
+    for (std::size_t k = 0; k < areas_.size(); ++k)
+        scaling_[k] = slipping_[k] ? std::sqrt(local_ / (local_ + curvature_[k])) : 1;
 
     for (int d = 0; d < 2; ++d) {
         if (!force_controlled_[d]) continue;
-        for (const std::size_t i : active_)
-            constraint_[d].set(i, tilt_.apply(i, {d == 0 ? 1. : 0., d == 1 ? 1. : 0.}));
+        for (std::size_t k = 0; k < areas_.size(); ++k)
+            constraint_[d].set(k, tilt_.apply(k, {d == 0 ? 1. : 0., d == 1 ? 1. : 0.}));
         project(constraint_[d]);
         precondition(constraint_[d], preconditioned_[d]);
     }
@@ -164,33 +68,44 @@ bool TangentialSystem::set_zones(const std::vector<std::uint8_t>& slipping,
 }
 
 void TangentialSystem::project(TangentialField& f) const {
-    for (std::size_t k = 0; k < active_.size(); ++k) {
-        if (!slipping_[k]) continue;
-        const std::size_t i = active_[k];
-        f.set(i, dot(tangent_[k], f.at(i)) * tangent_[k]);
-    }
+    for (std::size_t k = 0; k < areas_.size(); ++k)
+        if (slipping_[k]) f.set(k, dot(tangent_[k], f.at(k)) * tangent_[k]);
 }
 
 void TangentialSystem::precondition(const TangentialField& r, TangentialField& z) {
-    for (std::size_t k = 0; k < active_.size(); ++k)
-        scaled_.set(active_[k], scaling_[k] * r.at(active_[k]));
-    products_.precondition(scaled_, full_);
-    for (std::size_t k = 0; k < active_.size(); ++k)
-        z.set(active_[k], scaling_[k] * full_.at(active_[k]));
+    for (std::size_t k = 0; k < areas_.size(); ++k) scaled_.set(k, scaling_[k] * r.at(k));
+    products_.precondition(scaled_, z);
+    for (std::size_t k = 0; k < areas_.size(); ++k) z.set(k, scaling_[k] * z.at(k));
     project(z);
 }
 
+namespace {
+
+/// Of `term(k)` over k < n: four sums side by side, which need not wait for each other.
+template <class Term>
+double sum_of(std::size_t n, Term term) {
+    std::array<double, 4> sums{};
+    const std::size_t whole = n - n % 4;
+    for (std::size_t k = 0; k < whole; k += 4)
+        for (std::size_t j = 0; j < 4; ++j) sums[j] += term(k + j);
+    for (std::size_t k = whole; k < n; ++k) sums[0] += term(k);
+    return (sums[0] + sums[1]) + (sums[2] + sums[3]);
+}
+
+}  // namespace
+
 double TangentialSystem::inner(const TangentialField& a, const TangentialField& b) const {
-    const auto& area = compliance_.points().area;
-    double sum = 0;
-    for (const std::size_t i : active_) sum += area[i] * dot(a.at(i), b.at(i));
-    return sum;
+    return sum_of(areas_.size(),
+                  [&](std::size_t k) { return areas_[k] * (a.x[k] * b.x[k] + a.y[k] * b.y[k]); });
 }
 
 Vector2 TangentialSystem::total(const TangentialField& z) const {
-    const auto& area = compliance_.points().area;
     Vector2 sum{};
-    for (const std::size_t i : active_) sum = sum + area[i] * tilt_.apply(i, z.at(i));
+    for (int d = 0; d < 2; ++d)
+        sum[d] = sum_of(areas_.size(), [&](std::size_t k) {
+            return areas_[k] *
+                   (tilt_.is_plane() ? (d == 0 ? z.x[k] : z.y[k]) : tilt_.apply(k, z.at(k))[d]);
+        });
     return sum;
 }
 
@@ -224,14 +139,41 @@ const TangentialSystem::Result& TangentialSystem::solve(const TangentialField& r
     return result_;
 }
 
+namespace {
+
+void add_scaled(std::vector<double>& to, double factor, const std::vector<double>& from) {
+    for (std::size_t k = 0; k < to.size(); ++k) to[k] += factor * from[k];
+}
+
+void add_scaled(TangentialField& to, double factor, const TangentialField& from) {
+    add_scaled(to.x, factor, from.x);
+    add_scaled(to.y, factor, from.y);
+}
+
+void clear(TangentialField& f) {
+    std::ranges::fill(f.x, 0.0);
+    std::ranges::fill(f.y, 0.0);
+}
+
+}  // namespace
+
 void TangentialSystem::start(const TangentialField& r) {
     result_.iterations = 0;
     result_.shift_increment = {};
-    for (const std::size_t i : active_) {
-        residual_.set(i, r.at(i));
-        for (auto* field : {&result_.z, &result_.a_z, &direction_}) field->set(i, {0, 0});
-    }
+    residual_ = r;
+    for (auto* field : {&result_.z, &result_.a_z, &direction_}) clear(*field);
     project(residual_);
+}
+
+void TangentialSystem::move(double step) {
+    add_scaled(result_.z, step, direction_);
+    add_scaled(result_.a_z, step, a_direction_);
+    add_scaled(residual_, -step, h_direction_);
+}
+
+void TangentialSystem::turn(double beta) {
+    for (std::size_t k = 0; k < areas_.size(); ++k)
+        direction_.set(k, z_.at(k) + beta * direction_.at(k));
 }
 
 /// A particular solution that carries the force `c`; all that follows leaves the force as it is.
@@ -239,7 +181,7 @@ void TangentialSystem::carry(const Vector2& c) {
     const Vector2 lambda = constraint_multiplier(c);
     if (lambda[0] == 0 && lambda[1] == 0) return;
     for (int d = 0; d < 2; ++d)
-        if (force_controlled_[d]) add(direction_, lambda[d], preconditioned_[d]);
+        if (force_controlled_[d]) add_scaled(direction_, lambda[d], preconditioned_[d]);
     apply();
     move(1);
 }
@@ -248,12 +190,10 @@ void TangentialSystem::carry(const Vector2& c) {
 void TangentialSystem::apply() {
     products_.apply(direction_, a_direction_);
     ++result_.iterations;
-    for (const std::size_t i : active_) h_direction_.set(i, a_direction_.at(i));
+    h_direction_ = a_direction_;
     project(h_direction_);
-    for (std::size_t k = 0; k < active_.size(); ++k) {
-        const std::size_t i = active_[k];
-        h_direction_.set(i, h_direction_.at(i) + curvature_[k] * direction_.at(i));
-    }
+    for (std::size_t k = 0; k < areas_.size(); ++k)
+        h_direction_.set(k, h_direction_.at(k) + curvature_[k] * direction_.at(k));
 }
 
 /// Gives the rigid shift the part of the residual that it can cancel, so that z is balanced.
@@ -262,8 +202,8 @@ void TangentialSystem::precondition_balanced() {
     const Vector2 lambda = constraint_multiplier(total(z_));
     for (int d = 0; d < 2; ++d) {
         if (!force_controlled_[d]) continue;
-        add(residual_, -lambda[d], constraint_[d]);
-        add(z_, -lambda[d], preconditioned_[d]);
+        add_scaled(residual_, -lambda[d], constraint_[d]);
+        add_scaled(z_, -lambda[d], preconditioned_[d]);
         result_.shift_increment[d] -= lambda[d];
     }
 }

@@ -5,6 +5,7 @@
 #include <memory>
 #include <vector>
 
+#include "contact/solvers/active_operator.h"
 #include "contact/solvers/compliance.h"
 #include "contact/vector2.h"
 
@@ -20,6 +21,9 @@ class Tilt {
     /// `slope` [-]: of the surface, per point.
     explicit Tilt(const TangentialField& slope);
 
+    bool is_plane() const { return parts_.empty(); }
+    Tilt among(const std::vector<std::size_t>& points) const;
+
     Vector2 apply(std::size_t i, const Vector2& v) const {
         if (parts_.empty()) return v;
         const auto& [xx, xy, yy] = parts_[i];
@@ -30,27 +34,9 @@ class Tilt {
     std::vector<std::array<double, 3>> parts_;
 };
 
-/// The tangential compliance among the points in contact, for many products with tractions that
-/// vanish elsewhere. Fields have an entry for each point of the compliance; only those of active
-/// points are read.
-class ActiveOperator {
-  public:
-    virtual ~ActiveOperator() = default;
-
-    /// u = A t on the active points at least; on all points if `displaces_all`.
-    virtual void apply(const TangentialField& t, TangentialField& u) const = 0;
-    virtual bool displaces_all() const = 0;
-    /// A symmetric positive definite approximation of the inverse of `apply`, up to a factor.
-    virtual void precondition(const TangentialField& r, TangentialField& z) const = 0;
-};
-
-/// Gathered and factorised where the compliance exposes its matrix, else the compliance's products.
-std::unique_ptr<const ActiveOperator> make_active_operator(const Compliance& compliance,
-                                                           const std::vector<std::size_t>& active);
-
 /// The Newton system of frictional contact for given stick and slip zones, on tangential fields
-/// that vanish outside the contact. Sticking points have two unknowns; slipping ones move along the
-/// tangent of their friction disc only:
+/// among the points in contact, which have an entry for each of these. Sticking points have two
+/// unknowns; slipping ones move along the tangent of their friction disc only:
 ///   P A z + D z - C dU = r,   C' z = c,
 /// P the projection onto the admissible directions, D = (s.e)/bound on slipping points (the
 /// curvature of the disc), C the total forces in the force-controlled directions.
@@ -65,7 +51,7 @@ class TangentialSystem {
 
     struct Result {
         TangentialField z;          ///< [Pa]
-        TangentialField a_z;        ///< A z [m] on the active points, not projected
+        TangentialField a_z;        ///< A z [m], not projected
         Vector2 shift_increment{};  ///< dU [m], zero in shift-controlled directions
         int iterations = 0;         ///< applications of the compliance
     };
@@ -86,9 +72,6 @@ class TangentialSystem {
   private:
     void project(TangentialField& f) const;
     void precondition(const TangentialField& r, TangentialField& z);
-    void add(TangentialField& to, double factor, const TangentialField& from) const {
-        for (const std::size_t i : active_) to.set(i, to.at(i) + factor * from.at(i));
-    }
     double inner(const TangentialField& a, const TangentialField& b) const;
     Vector2 total(const TangentialField& z) const;
     Vector2 constraint_multiplier(const Vector2& total_force) const;
@@ -96,32 +79,26 @@ class TangentialSystem {
     void start(const TangentialField& r);
     void carry(const Vector2& c);
     void apply();
-    void move(double step) {
-        add(result_.z, step, direction_);
-        add(result_.a_z, step, a_direction_);
-        add(residual_, -step, h_direction_);
-    }
-    void turn(double beta) {
-        for (const std::size_t i : active_) direction_.set(i, z_.at(i) + beta * direction_.at(i));
-    }
+    void move(double step);
+    void turn(double beta);
     void precondition_balanced();
     double rms_residual() const { return std::sqrt(inner(residual_, residual_) / area_); }
 
-    const Compliance& compliance_;
-    const std::vector<std::size_t>& active_;
+    const double local_;  // see Compliance::local_tangential [m/Pa]
     const ActiveOperator& products_;
     std::array<bool, 2> force_controlled_;
     Tilt tilt_;
-    double area_ = 0;  // of the active points [m^2]
+    std::vector<double> areas_;  // of the active points [m^2]
+    double area_ = 0;            // their sum
     std::vector<std::uint8_t> slipping_;
     std::vector<Vector2> tangent_;
     std::vector<double> curvature_, scaling_;
     std::array<TangentialField, 2> constraint_;      // C
     std::array<TangentialField, 2> preconditioned_;  // M^-1 C
     std::array<std::array<double, 2>, 2> schur_inverse_{};
-    // Work space of the iteration; large fields are allocated once.
+    // Work space of the iteration.
     Result result_;
-    TangentialField residual_, direction_, a_direction_, h_direction_, z_, scaled_, full_;
+    TangentialField residual_, direction_, a_direction_, h_direction_, z_, scaled_;
 };
 
 }  // namespace tricontact::contact

@@ -67,6 +67,11 @@ TEST(GoodFftSize, SmallestEvenProductOfSmallPrimes) {
     for (const auto& [n, size] : expected) EXPECT_EQ(bem::good_fft_size(n), size) << n;
 }
 
+TEST(GoodFftSize, WithoutNineForComplexTransforms) {
+    const int expected[][2] = {{1, 2}, {17, 20}, {23, 24}, {89, 96}, {101, 112}, {125, 128}};
+    for (const auto& [n, size] : expected) EXPECT_EQ(bem::good_complex_fft_size(n), size) << n;
+}
+
 TEST(GridConvolution, EqualsTheDirectSum) {
     for (const auto& [n_x, n_y] : sizes)
         for (const bool tight : {true, false}) {

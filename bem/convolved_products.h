@@ -1,0 +1,97 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <span>
+
+#include "bem/grid_convolution.h"
+#include "contact/solvers/compliance.h"
+
+namespace tricontact::bem {
+
+/// What the cells of a grid do to each other, as convolutions; see contact::Compliance.
+class ConvolvedProducts {
+  public:
+    virtual ~ConvolvedProducts() = default;
+
+    virtual void normal(std::span<const double> p, std::span<double> u_z) const = 0;
+    virtual void tangential(const contact::TangentialField& t,
+                            contact::TangentialField& u) const = 0;
+    virtual void tangential_from_normal(std::span<const double> p,
+                                        contact::TangentialField& u) const = 0;
+    virtual void normal_from_tangential(const contact::TangentialField& t,
+                                        std::span<double> u_z) const = 0;
+    virtual void precondition_tangential(const contact::TangentialField& r,
+                                         contact::TangentialField& z) const = 0;
+};
+
+/// All symbols but that of normal displacements by pressures.
+struct TangentialSymbols {
+    GridConvolution::Symbol2 tangential, inverse;
+    GridConvolution::Symbol from_normal_x{}, from_normal_y{};  ///< of coupled bodies
+};
+
+/// By a GridConvolution or a MirroredConvolution.
+template <class Convolution>
+class ProductsBy final : public ConvolvedProducts {
+  public:
+    using Symbol = GridConvolution::Symbol;
+    using MakeSymbols =
+        std::function<TangentialSymbols(const Convolution& convolution, const Convolution& bare)>;
+
+    /// `bare`: of the inverse, on the grid without padding; empty: the same. `rest`: called when
+    /// first needed, for normal contact alone takes half the memory.
+    ProductsBy(Convolution convolution, std::optional<Convolution> bare, Symbol normal,
+               MakeSymbols rest)
+        : convolution_(std::move(convolution)),
+          bare_(std::move(bare)),
+          normal_(std::move(normal)),
+          make_rest_(std::move(rest)) {}
+    ProductsBy(Convolution convolution, std::optional<Convolution> bare, Symbol normal,
+               TangentialSymbols rest)
+        : convolution_(std::move(convolution)),
+          bare_(std::move(bare)),
+          normal_(std::move(normal)),
+          rest_(std::move(rest)) {}
+
+    void normal(std::span<const double> p, std::span<double> u_z) const override {
+        convolution_.template apply<1, 1>({{{&normal_}}}, {p}, {u_z});
+    }
+    void tangential(const contact::TangentialField& t, contact::TangentialField& u) const override {
+        const auto& s = rest().tangential;
+        convolution_.template apply<2, 2>({{{&s.xx, &s.xy}, {&s.xy, &s.yy}}}, {t.x, t.y},
+                                          {u.x, u.y});
+    }
+    void tangential_from_normal(std::span<const double> p,
+                                contact::TangentialField& u) const override {
+        const auto& s = rest();
+        convolution_.template apply<2, 1, GridConvolution::Phase::forward>(
+            {{{&s.from_normal_x}, {&s.from_normal_y}}}, {p}, {u.x, u.y});
+    }
+    void normal_from_tangential(const contact::TangentialField& t,
+                                std::span<double> u_z) const override {
+        const auto& s = rest();
+        convolution_.template apply<1, 2, GridConvolution::Phase::backward>(
+            {{{&s.from_normal_x, &s.from_normal_y}}}, {t.x, t.y}, {u_z});
+    }
+    void precondition_tangential(const contact::TangentialField& r,
+                                 contact::TangentialField& z) const override {
+        const auto& s = rest().inverse;
+        bare().template apply<2, 2>({{{&s.xx, &s.xy}, {&s.xy, &s.yy}}}, {r.x, r.y}, {z.x, z.y});
+    }
+
+  private:
+    const Convolution& bare() const { return bare_ ? *bare_ : convolution_; }
+    const TangentialSymbols& rest() const {
+        if (!rest_) rest_ = make_rest_(convolution_, bare());
+        return *rest_;
+    }
+
+    Convolution convolution_;
+    std::optional<Convolution> bare_;
+    Symbol normal_;
+    MakeSymbols make_rest_;
+    mutable std::optional<TangentialSymbols> rest_;
+};
+
+}  // namespace tricontact::bem

@@ -1,0 +1,28 @@
+#include "bem/quadrants.h"
+
+#include <utility>
+
+namespace tricontact::bem {
+
+Quadrants::Quadrants(CellInfluence influence, int columns, int rows, contact::Vector2 spacing,
+                     int n_threads)
+    : influence_(std::move(influence)),
+      columns_(columns),
+      rows_(rows),
+      spacing_(spacing),
+      n_threads_(n_threads) {}
+
+std::vector<Quadrants::Quadrant> Quadrants::of(const std::vector<Coefficient>& which) const {
+    const std::size_t n = static_cast<std::size_t>(columns_) * rows_;
+    std::vector<Quadrant> values(which.size(), Quadrant(n));
+#pragma omp parallel for num_threads(n_threads_) if (n_threads_ > 1) schedule(static)
+    for (int j = 0; j < rows_; ++j)
+        for (int i = 0; i < columns_; ++i) {
+            const auto k = at(i, j);
+            for (std::size_t c = 0; c < which.size(); ++c)
+                values[c][static_cast<std::size_t>(j) * columns_ + i] = k.*which[c];
+        }
+    return values;
+}
+
+}  // namespace tricontact::bem

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "contact/solvers/compliance.h"
+
+namespace tricontact::contact {
+
+/// The tangential compliance among the points in contact, for many products with tractions that
+/// vanish elsewhere. Fields have an entry for each of these points, in their order.
+class ActiveOperator {
+  public:
+    virtual ~ActiveOperator() = default;
+
+    /// u = A t.
+    virtual void apply(const TangentialField& t, TangentialField& u) const = 0;
+    /// A symmetric positive definite approximation of the inverse of `apply`, up to a factor.
+    virtual void precondition(const TangentialField& r, TangentialField& z) const = 0;
+};
+
+/// Gathered and factorised where the compliance exposes its matrix, else the compliance's products.
+std::unique_ptr<const ActiveOperator> make_active_operator(const Compliance& compliance,
+                                                           const std::vector<std::size_t>& active);
+
+}  // namespace tricontact::contact
