@@ -91,9 +91,8 @@ RollingRun roll_on_grid(const std::string& model, const Case& c, const RollRuns&
     rolling::TransientRolling rolling(*substrate, problem);
     roll_on(c, rolling, recorder);
     require_sound(rolling.audit(), model);
-    const auto crept = substrate->relaxes()
-                           ? bem::steady_compliance(c, runs.threads, body, aside)
-                           : nullptr;
+    const auto crept =
+        substrate->relaxes() ? bem::steady_compliance(c, runs.threads, body, aside) : nullptr;
     const auto steady_at = [&] {
         return crept ? rolling::steady_rolling(*crept, problem)
                      : rolling::steady_rolling(*substrate, problem);

@@ -84,7 +84,8 @@ SteadyGridCompliance::Table SteadyGridCompliance::crept(const std::vector<Influe
                     for (std::size_t q = 0; q < n_ahead; ++q)
                         ahead[q] += weight * far[b][q].*coefficient;
                 }
-                creep.add(m, cells, ahead, std::span(table.values[c]).subspan(table.row(j), length));
+                creep.add(m, cells, ahead,
+                          std::span(table.values[c]).subspan(table.row(j), length));
             }
         }
     }

@@ -16,7 +16,8 @@ namespace {
 
 using Influence = SteadyGridCompliance::Influence;
 
-/// A rolled contact on a relaxing body lies ahead of its lowest point, by a part of its half length.
+/// A rolled contact on a relaxing body lies ahead of its lowest point, by a part of its half
+/// length.
 constexpr double usual_lead = .25;
 
 /// How far ahead layers are known [thicknesses]; where they glide they are held just there.
@@ -48,8 +49,8 @@ Influence layer_influence(const contact::Case& c, const contact::ContactPoints& 
     const double known = std::max(side_x, known_layers * layers.thickness());
     const Influence seen_from_afar = bodies_beyond(layers, indenter, grid.spacing);
     if (c.is_line_contact()) {
-        const auto strip = std::make_shared<const PlaneLayerInfluence>(layers, indenter, width_x,
-                                                                       width_y, known);
+        const auto strip =
+            std::make_shared<const PlaneLayerInfluence>(layers, indenter, width_x, width_y, known);
         return [=](double x, double y) {
             if (y > 0) return InfluenceCoefficients{};  // beside the only row there is nothing
             return x > known ? seen_from_afar(x, y) : strip->at(x);
@@ -60,7 +61,8 @@ Influence layer_influence(const contact::Case& c, const contact::ContactPoints& 
     return [=](double x, double y) { return x > known ? seen_from_afar(x, y) : cell->at(x, y); };
 }
 
-Influence influence_of(const contact::Case& elastic, Body body, const contact::ContactPoints& grid) {
+Influence influence_of(const contact::Case& elastic, Body body,
+                       const contact::ContactPoints& grid) {
     if (body == Body::layer) return layer_influence(elastic, grid);
     const RectangleInfluence cell(elastic.materials(), grid.spacing[0], grid.spacing[1]);
     return [cell](double x, double y) { return cell.at(x, y); };

@@ -50,9 +50,7 @@ class NormalNewton {
     }
 
   private:
-    bool force_controlled() const {
-        return control_.kind == contact::NormalControl::Kind::force;
-    }
+    bool force_controlled() const { return control_.kind == contact::NormalControl::Kind::force; }
 
     /// On all points: that of the force, or one that displaces a cell as far as is prescribed.
     double first_pressure() const {
@@ -91,8 +89,7 @@ class NormalNewton {
             work += cell_ * p[i] * u[i];
             ++n;
         }
-        solution_.indentation =
-            force_controlled() ? mean / static_cast<double>(n) : control_.value;
+        solution_.indentation = force_controlled() ? mean / static_cast<double>(n) : control_.value;
         solution_.length = contact::larger(solution_.indentation, work / sum);
         double worst = 0;
         for (std::size_t i = 0; i < p.size(); ++i) {

@@ -10,9 +10,9 @@ namespace tricontact::rolling {
 
 /// Frictionless normal contact on a body that rolls on steadily: as contact::NormalSolver, whose
 /// conjugate gradients need a self-adjoint compliance. Active set as in Kalker (1990),
-/// Three-Dimensional Elastic Bodies in Rolling Contact, ch. 4, NORM: the gap of the present points is
-/// closed, those that pull are taken out until none does, then those that penetrate are added. Of a
-/// compliance whose symmetric part is positive definite the solution is the only one.
+/// Three-Dimensional Elastic Bodies in Rolling Contact, ch. 4, NORM: the gap of the present points
+/// is closed, those that pull are taken out until none does, then those that penetrate are added.
+/// Of a compliance whose symmetric part is positive definite the solution is the only one.
 class SteadyNormalSolver {
   public:
     /// `tolerance`: on contact::NormalSolution::residual. The points form a grid.

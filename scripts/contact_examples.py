@@ -43,7 +43,8 @@ STEADY = {
     "visc_cylindr": dict(sign=1, speed=1000, cell=160, cases={
         1: dict(CREEPX=1.378e-2, APPROACH=2.508, PMAX=60.32, POWER=-1438, NCON=80, NADH=51),
         2: dict(CREEPX=1.365e-2, APPROACH=2.367, PMAX=78.74, POWER=-913.7, NCON=62, NADH=37),
-        3: dict(CREEPX=1.152e-2, APPROACH=2.063, PMAX=84.72, POWER=-952.0, NCON=57, NADH=36)}),
+        3: dict(CREEPX=1.152e-2, APPROACH=2.063, PMAX=84.72, POWER=-952.0, NCON=57, NADH=36),
+        4: dict(CREEPX=9.932e-3, APPROACH=1.455, PMAX=85.31, POWER=-1010, NCON=56, NADH=35)}),
 }
 # After the last case of a sequence: APPROACH [mm], ELAST.EN. [J], the sum of the shifts [mm].
 SHIFTS = {

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bem/grid_compliance.h"
 #include "bem/model.h"
 #include "bem/steady_model.h"
 #include "contact/substrates/substrate.h"
@@ -26,7 +27,7 @@ constexpr double radius = .07, half_length = 4e-3, relaxation_time = .3;
 Case relaxing(double way) {
     Case c;
     c.substrate = {3e6, .3};
-    c.relaxation = {{{2, relaxation_time}, {.7, .1 * relaxation_time}},
+    c.relaxation = {{{1, relaxation_time}, {.3, .1 * relaxation_time}},
                     contact::Relaxation::Bulk::elastic};
     c.indenter.radius = radius;
     c.friction_coefficient = .35;
@@ -111,46 +112,103 @@ double difference(const SurfaceField& one, const ContactPoints& on_one, const Su
     return worst / largest;
 }
 
-/// The grid that rolls on reaches `ahead` further half lengths ahead.
-double difference_from_rolling_on(const Case& c, bem::Body body, double ahead, int n_cells) {
-    const auto rolled = bem::make_substrate(c, 1, body, ahead);
+/// The grid that rolls on sees 16 half lengths ahead, and rolls over 30.
+double difference_from_rolling_on(const Case& c, bem::Body body) {
+    const auto rolled = bem::make_substrate(c, 1, body, 8);
     const ContactPoints on_rolled = rolled->relaxed().points();
+    const int n_cells = static_cast<int>(30 * *c.bem.cells_per_radius);
     const SurfaceField u = settled(*rolled, c.tractive_rolling->speed, n_cells);
     const auto steady = bem::steady_compliance(c, 1, body);
     return difference(u, on_rolled, displaced(*steady, load_on(steady->points())),
                       steady->points());
 }
 
+// Where a part relaxes both take tractions for linear along the way: what is left is what the grid
+// that rolls on does not see ahead, and what 20 ways have not yet forgotten.
+constexpr double not_forgotten = 1e-4;
+
 TEST(SteadyCompliance, IsWhereRollingOnEnds) {
-    for (const double way : {.01, .3, 1.}) {
-        std::printf("half %g %g\n", way, difference_from_rolling_on(relaxing(way), bem::Body::half_space, 20, 120));
-        std::printf("half %g %g\n", way, difference_from_rolling_on(cylinder(way), bem::Body::half_space, 20, 120));
+    for (const double way : {.01, .5}) {
+        EXPECT_LT(difference_from_rolling_on(relaxing(way), bem::Body::half_space), not_forgotten);
+        EXPECT_LT(difference_from_rolling_on(cylinder(way), bem::Body::half_space), not_forgotten);
     }
-        std::printf("half line %g %g\n", 20., difference_from_rolling_on(cylinder(20), bem::Body::half_space, 200, 1200));
-        std::printf("half line %g %g\n", 20., difference_from_rolling_on(cylinder(20), bem::Body::half_space, 400, 2400));
-    Case layer = relaxing(1);
+}
+
+TEST(SteadyCompliance, IsWhereRollingOnALayerEnds) {
+    Case layer = relaxing(.5);
     layer.layer.thickness = 1.3 * half_length;
-    std::printf("layer %g\n", difference_from_rolling_on(layer, bem::Body::layer, 20, 120));
-    layer.layer.base = Case::Base::frictionless;
-    std::printf("glides %g\n", difference_from_rolling_on(layer, bem::Body::layer, 20, 120));
     layer.layer.base = Case::Base::half_space;
     layer.layer.ground = {9e6, .2};
-    std::printf("ground %g\n", difference_from_rolling_on(layer, bem::Body::layer, 20, 120));
-    std::printf("ground %g\n", difference_from_rolling_on(layer, bem::Body::layer, 40, 120));
     layer.indenter.material = {5e6, .4};
-    std::printf("ground, indenter %g\n", difference_from_rolling_on(layer, bem::Body::layer, 20, 120));
-    layer = cylinder(1);
-    layer.layer.thickness = 1.3 * half_length;
-    std::printf("layer line %g\n", difference_from_rolling_on(layer, bem::Body::layer, 20, 120));
-    layer.indenter.material = {5e6, .4};
-    std::printf("layer line indenter %g\n", difference_from_rolling_on(layer, bem::Body::layer, 20, 120));
-    layer = relaxing(1);
-    layer.relaxation->bulk = contact::Relaxation::Bulk::proportional;
-    std::printf("as one %g\n", difference_from_rolling_on(layer, bem::Body::half_space, 20, 120));
-    layer.bem.cells_per_radius = 6;
-    std::printf("as one %g\n", difference_from_rolling_on(layer, bem::Body::half_space, 20, 240));
-    layer.bem.cells_per_radius = 12;
-    std::printf("as one %g\n", difference_from_rolling_on(layer, bem::Body::half_space, 20, 480));
+    EXPECT_LT(difference_from_rolling_on(layer, bem::Body::layer), not_forgotten);
+    Case line = cylinder(.5);
+    line.layer.thickness = 1.3 * half_length;
+    for (const auto base : {Case::Base::bonded, Case::Base::frictionless}) {
+        line.layer.base = base;
+        EXPECT_LT(difference_from_rolling_on(line, bem::Body::layer), not_forgotten);
+    }
+}
+
+// Where all relaxes as one its substrate takes displacements for linear: second order in the cell.
+TEST(SteadyCompliance, OfOneRelaxationIsWhereRollingOnEndsToTheSecondOrder) {
+    std::vector<double> error;
+    for (const double cells : {3., 7., 12.}) {
+        Case c = cylinder(.5);
+        c.relaxation->bulk = contact::Relaxation::Bulk::proportional;
+        c.bem.cells_per_radius = cells;
+        error.push_back(difference_from_rolling_on(c, bem::Body::half_space));
+    }
+    EXPECT_LT(error[2], 5e-4);
+    EXPECT_NEAR(std::log(error[0] / error[2]) / std::log(12. / 3), 2, .4);
+    EXPECT_LT(error[1], error[0]);
+}
+
+// Slow: relaxed; fast: as stiff as at once, but for one part in the way over the contact, and its
+// inverse.
+TEST(SteadyCompliance, SlowOrFastItIsElastic) {
+    Case c = relaxing(1);
+    c.relaxation = {{{2, relaxation_time}}};
+    const auto at = [&](double way) {
+        c.tractive_rolling->speed = way * half_length / relaxation_time;
+        return bem::steady_compliance(c, 1, bem::Body::half_space);
+    };
+    const auto middle = at(1);
+    const SurfaceField t = load_on(middle->points());
+    const auto elastic = bem::half_space_compliance({{}, c.substrate}, middle->points(), 1);
+    SurfaceField u = displaced(*elastic, t);
+    EXPECT_LT(difference(u, middle->points(), displaced(*at(1e-5), t), middle->points()), 1e-4);
+    for (auto* field : components(u))
+        for (double& value : *field) value /= 3;
+    EXPECT_LT(difference(u, middle->points(), displaced(*at(1e6), t), middle->points()), 1e-4);
+    EXPECT_GT(difference(u, middle->points(), displaced(*middle, t), middle->points()), .1);
+}
+
+// t' du/dx <= 0: no load takes energy out of what flows below it.
+TEST(SteadyCompliance, NoTractionsTakeEnergyOutOfTheMaterial) {
+    const auto steady = bem::steady_compliance(relaxing(.5), 1, bem::Body::half_space);
+    const ContactPoints& points = steady->points();
+    for (int sample = 0; sample < 20; ++sample) {
+        SurfaceField t = load_on(points);
+        for (auto* field : components(t))
+            for (std::size_t i = 0; i < points.size(); ++i)
+                (*field)[i] *= std::sin(1.7 * (sample + 1) * static_cast<double>(i));
+        const SurfaceField u = displaced(*steady, t);
+        double work = 0;
+        for (int d = 0; d < 3; ++d)
+            for (std::size_t i = 1; i + 1 < points.size(); ++i)
+                work += (*components(t)[d])[i] *
+                        ((*components(u)[d])[i - 1] - (*components(u)[d])[i + 1]);
+        EXPECT_GT(work, 0) << sample;
+    }
+}
+
+TEST(SteadyCompliance, OfAFileOrAPeriodIsNotKnown) {
+    Case c = relaxing(1);
+    c.bem.influence = "coefficients.dat";
+    EXPECT_EQ(bem::steady_compliance(c, 1, bem::Body::half_space), nullptr);
+    c.bem.influence.reset();
+    c.bem.period = 1;
+    EXPECT_EQ(bem::steady_compliance(c, 1, bem::Body::layer), nullptr);
 }
 
 }  // namespace
