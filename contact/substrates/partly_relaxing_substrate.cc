@@ -251,8 +251,8 @@ Substrate::Energies PartlyRelaxingSubstrate::advance(Mode& mode, int d, int begi
     Energies sum;
     for (int i = begin; i < end; ++i) {
         sum.work -= area[i] * (t1[i] - t0[i]) * mode.creep.relaxed * (x_t0[i] + x_t1[i]) / 2;
-        sum.magnitude += area[i] * (std::abs(t0[i]) + std::abs(t1[i])) *
-                         (std::abs(x_t0[i]) + std::abs(x_t1[i]));
+        sum.magnitude +=
+            area[i] * (std::abs(t0[i]) + std::abs(t1[i])) * (std::abs(x_t0[i]) + std::abs(x_t1[i]));
     }
     for (std::size_t b = 0; b < mode.branches.size(); ++b) {
         const auto [compliance, time] = mode.creep.branches[b];
