@@ -4,7 +4,7 @@
 
 #include "app/case_run.h"
 #include "app/roll_models.h"
-#include "bem/model.h"
+#include "bem/steady_model.h"
 #include "io/keys/toml_document.h"
 #include "rolling/creep_theory.h"
 #include "rolling/rolling_document.h"
@@ -84,16 +84,23 @@ double sliding_creepage(const Case& c) {
 /// `aside`: see bem::case_compliance.
 RollingRun roll_on_grid(const std::string& model, const Case& c, const RollRuns& runs,
                         double aside) {
-    const auto substrate = bem::make_substrate(
-        c, runs.threads, model == "bem" ? bem::Body::half_space : bem::Body::layer, aside);
+    const bem::Body body = model == "bem" ? bem::Body::half_space : bem::Body::layer;
+    const auto substrate = bem::make_substrate(c, runs.threads, body, aside);
     RollingProblem problem = problem_of(c, *substrate);
     RollRecorder recorder{{model, {}, {}, {}}, runs, c.friction_coefficient};
     rolling::TransientRolling rolling(*substrate, problem);
     roll_on(c, rolling, recorder);
     require_sound(rolling.audit(), model);
+    const auto crept =
+        substrate->relaxes() ? bem::steady_compliance(c, runs.threads, body, aside) : nullptr;
+    const auto steady_at = [&] {
+        return crept ? rolling::steady_rolling(*crept, problem)
+                     : rolling::steady_rolling(*substrate, problem);
+    };
     rolling::SteadyRolling steady =
-        substrate->relaxes() ? rolling::roll_until_steady(rolling, recorder.run.history.transient)
-                             : rolling::steady_rolling(substrate->compliance(), problem);
+        crept || !substrate->relaxes()
+            ? steady_at()
+            : rolling::roll_until_steady(rolling, recorder.run.history.transient);
     require_sound(steady.audit, model);
     recorder.note_steady(steady.state, std::move(steady.surface));
     // Who rolls freely has a curve about the creepage that it has by itself.
@@ -102,7 +109,7 @@ RollingRun roll_on_grid(const std::string& model, const Case& c, const RollRuns&
     recorder.add_curve(free ? recorder.run.history.steady.creepage.longitudinal : 0,
                        drive_sign(c) * sliding_creepage(c), [&](double creepage) {
                            problem.drive.creepage[0] = creepage;
-                           const auto point = rolling::steady_rolling(*substrate, problem);
+                           const auto point = steady_at();
                            require_sound(point.audit, model);
                            return point.state;
                        });

@@ -207,6 +207,16 @@ template void Convolution::apply<1, 1>(const Kernels<1, 1>&, const ConstantField
                                        const Fields<1>&) const;
 template void Convolution::apply<2, 2>(const Kernels<2, 2>&, const ConstantFields<2>&,
                                        const Fields<2>&) const;
+template void Convolution::apply<1, 1, Convolution::Phase::forward>(const Kernels<1, 1>&,
+                                                                    const ConstantFields<1>&,
+                                                                    const Fields<1>&) const;
+template void Convolution::apply<2, 2, Convolution::Phase::forward>(const Kernels<2, 2>&,
+                                                                    const ConstantFields<2>&,
+                                                                    const Fields<2>&) const;
+template void Convolution::apply<2, 1>(const Kernels<2, 1>&, const ConstantFields<1>&,
+                                       const Fields<2>&) const;
+template void Convolution::apply<1, 2>(const Kernels<1, 2>&, const ConstantFields<2>&,
+                                       const Fields<1>&) const;
 template void Convolution::apply<2, 1, Convolution::Phase::forward>(const Kernels<2, 1>&,
                                                                     const ConstantFields<1>&,
                                                                     const Fields<2>&) const;

@@ -9,6 +9,7 @@
 #include "bem/grid_compliance.h"
 #include "bem/grid_limits.h"
 #include "bem/periodic_compliance.h"
+#include "bem/summed_compliance.h"
 #include "contact/bodies/half_space_scales.h"
 #include "contact/load_path.h"
 #include "contact/substrates/relaxing_case.h"
@@ -297,10 +298,12 @@ std::unique_ptr<contact::Substrate> make_substrate(const contact::Case& c, int n
                                                    double aside, bool mirrored) {
     auto relaxed = case_compliance(c, n_threads, body, aside, mirrored);
     const contact::ContactPoints grid = relaxed->points();
-    return contact::make_substrate(body == Body::layer ? c : contact::without_layer(c),
-                                   std::move(relaxed), [&](const contact::Case& elastic) {
-                                       return case_compliance_on(elastic, grid, n_threads, body);
-                                   });
+    return contact::make_substrate(
+        body == Body::layer ? c : contact::without_layer(c), std::move(relaxed),
+        [&](const contact::Case& elastic) {
+            return case_compliance_on(elastic, grid, n_threads, body);
+        },
+        [&](const auto& parts) { return sum_of(parts, n_threads); });
 }
 
 std::unique_ptr<contact::Model> make_model(const contact::Case& c, int n_threads, Body body) {

@@ -14,7 +14,7 @@ using contact::operator*;
 using contact::TangentialField;
 using contact::Vector2;
 
-constexpr double tolerance = 1e-8;  // of the linear system, far below what the cells cost
+constexpr double creep_tolerance = 1e-8;  // of the linear system, far below what the cells cost
 
 }  // namespace
 
@@ -36,12 +36,12 @@ LinearCreep linear_creep(const contact::Compliance& compliance,
             const Vector2 by_unit[] = {{1, 0}, {0, 1}, {-points.y[i], points.x[i] + ahead}};
             slip.set(i, by_unit[c]);
         }
-        const SteadySystem::Result result = system.solve(slip, {}, tolerance);
-        if (!(result.residual <= tolerance))
+        const SteadySystem::Result result = system.solve(slip, {}, creep_tolerance);
+        if (!(result.residual <= creep_tolerance))
             throw contact::NotConverged(
                 fmt::format("linear creep: residual {:.2e} (tolerance {:.1e}) after {} iterations; "
                             "{} points in contact",
-                            result.residual, tolerance, result.iterations, active.size()));
+                            result.residual, creep_tolerance, result.iterations, active.size()));
         for (const std::size_t i : active) {
             const auto [f_x, f_y] = points.area[i] * result.z.at(i);
             creep[0][c] += f_x;

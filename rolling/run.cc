@@ -15,7 +15,7 @@ namespace {
 // Of the friction limit, the creepage of full sliding and the contact's size: far below what the
 // grid costs in accuracy.
 constexpr double steady_change = 1e-5;
-constexpr double farthest = 1000;  // half lengths of the contact
+constexpr double farthest_rolled = 1000;  // half lengths of the contact
 
 /// Largest change between two states [-].
 double change(const RollingState& from, const RollingState& to, double friction_coefficient) {
@@ -118,10 +118,10 @@ contact::Surface TransientRolling::surface() const {
 SteadyRolling roll_until_steady(TransientRolling& rolling, std::vector<RollingState> states) {
     const double friction_coefficient = rolling.problem().friction_coefficient;
     while (!is_steady(states, rolling.cell(), friction_coefficient)) {
-        if (states.back().distance > farthest * states.back().half_length)
+        if (states.back().distance > farthest_rolled * states.back().half_length)
             throw contact::NotConverged(fmt::format(
                 "rolling: not steady after {:.4g} m, {:.0f} half lengths of the contact",
-                states.back().distance, farthest));
+                states.back().distance, farthest_rolled));
         states.push_back(rolling.roll());
     }
     SteadyRolling steady{states.back(), rolling.surface(), rolling.audit()};

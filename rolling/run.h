@@ -4,6 +4,7 @@
 
 #include "contact/history.h"
 #include "contact/solvers/compliance.h"
+#include "contact/solvers/steady_compliance.h"
 #include "contact/substrates/substrate.h"
 #include "contact/surface_model.h"
 #include "rolling/rolling_contact.h"
@@ -47,8 +48,8 @@ struct SteadyRolling {
     contact::Audit audit;
 };
 
-/// Rolls on over a relaxing substrate until nothing changes any more: the steady state that has no
-/// equation of its own. `states` are those from rest on. Throws contact::NotConverged.
+/// Rolls on over a relaxing substrate until nothing changes any more, where its steady compliance
+/// is not known. `states` are those from rest on. Throws contact::NotConverged.
 SteadyRolling roll_until_steady(TransientRolling& rolling, std::vector<RollingState> states);
 
 /// The steady state of elastic bodies, solved directly; coupled normal and tangential contact by
@@ -56,6 +57,10 @@ SteadyRolling roll_until_steady(TransientRolling& rolling, std::vector<RollingSt
 /// contact::InputError for points that form no grid or a force above the friction limit,
 /// contact::ContactAtEdge of the grid, contact::NotConverged.
 SteadyRolling steady_rolling(const contact::Compliance& compliance, const RollingProblem& problem);
+
+/// The same of a relaxing substrate, whose compliance is that of the problem's speed.
+SteadyRolling steady_rolling(const contact::SteadyCompliance& compliance,
+                             const RollingProblem& problem);
 
 /// The steady state: of elastic bodies directly, over a relaxing substrate by rolling from rest.
 SteadyRolling steady_rolling(const contact::Substrate& substrate, const RollingProblem& problem);

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <functional>
 
 #include "contact/error.h"
 #include "contact/solvers/contact_region.h"
@@ -11,6 +12,7 @@
 #include "contact/surface.h"
 #include "contact/surface_audit.h"
 #include "rolling/run.h"
+#include "rolling/steady_normal.h"
 #include "rolling/steady_solver.h"
 
 namespace tricontact::rolling {
@@ -19,15 +21,20 @@ namespace {
 
 using contact::TangentialField;
 
+/// Presses against heights [m], from the pressures of a similar problem.
+using SolveNormal = std::function<contact::NormalSolution(
+    const std::vector<double>& height, const contact::NormalControl&, const std::vector<double>&)>;
+
 class StaggeredIteration {
   public:
-    StaggeredIteration(const contact::Compliance& compliance, const RollingProblem& problem)
+    StaggeredIteration(const contact::Compliance& compliance, const RollingProblem& problem,
+                       SolveNormal normal_solver)
         : compliance_(compliance),
           points_(compliance.points()),
           problem_(problem),
           drive_(problem.drive),
           coupling_(compliance, *problem.indenter, {.coupling = problem.coupling}),
-          normal_solver_(compliance, 0.1 * problem.tolerance) {
+          normal_solver_(std::move(normal_solver)) {
         steady_.traction = TangentialField(points_.size());
         coupling_.place({});
     }
@@ -118,7 +125,7 @@ class StaggeredIteration {
     }
 
     void solve_normal(const std::vector<double>& height) {
-        normal_ = normal_solver_.solve(height, problem_.normal, normal_.pressure);
+        normal_ = normal_solver_(height, problem_.normal, normal_.pressure);
         iterations_ += normal_.iterations;
         if (contact::reaches_edge(points_, normal_.pressure))
             throw contact::ContactAtEdge(
@@ -167,7 +174,7 @@ class StaggeredIteration {
     const RollingProblem& problem_;
     Drive drive_;  // its forces are those of the present F_N
     contact::Coupling coupling_;
-    contact::NormalSolver normal_solver_;
+    SolveNormal normal_solver_;
     contact::NormalSolution normal_;
     std::vector<double> bound_;
     SteadySolution steady_;
@@ -175,16 +182,48 @@ class StaggeredIteration {
     int iterations_ = 0;
 };
 
-}  // namespace
-
-SteadyRolling steady_rolling(const contact::Compliance& compliance, const RollingProblem& problem) {
+SteadyRolling solved(const contact::Compliance& compliance, const RollingProblem& problem,
+                     SolveNormal normal_solver) {
     contact::check_rolls_on("steady rolling", compliance.points());
-    StaggeredIteration iteration(compliance, problem);
+    StaggeredIteration iteration(compliance, problem, std::move(normal_solver));
     iteration.run();
     SteadyRolling result;
     result.surface = iteration.surface();
     result.state = iteration.state(result.surface);
     result.audit = iteration.audit(result);
+    return result;
+}
+
+/// Work of the tractions on what flows through the contact, per rolled way [J/m]: what the material
+/// does not give back. The mean of differences ahead and back is exactly zero of elastic bodies.
+double work_on_material(const contact::Surface& s) {
+    const auto n = static_cast<std::ptrdiff_t>(s.size());
+    double sum = 0;
+    for (const auto& [t, u] : {std::pair{&s.tangential_traction_x, &s.displacement_x},
+                               std::pair{&s.tangential_traction_y, &s.displacement_y},
+                               std::pair{&s.normal_traction, &s.displacement_z}})
+        for (std::ptrdiff_t i = 1; i + 1 < n; ++i) sum += (*t)[i] * ((*u)[i - 1] - (*u)[i + 1]) / 2;
+    return sum * s.spacing[1];
+}
+
+}  // namespace
+
+SteadyRolling steady_rolling(const contact::Compliance& compliance, const RollingProblem& problem) {
+    const contact::NormalSolver solver(compliance, 0.1 * problem.tolerance);
+    return solved(compliance, problem,
+                  [&](const auto& height, const auto& control, const auto& start) {
+                      return solver.solve(height, control, start);
+                  });
+}
+
+SteadyRolling steady_rolling(const contact::SteadyCompliance& compliance,
+                             const RollingProblem& problem) {
+    const SteadyNormalSolver solver(compliance, 0.1 * problem.tolerance);
+    SteadyRolling result = solved(compliance, problem,
+                                  [&](const auto& height, const auto& control, const auto& start) {
+                                      return solver.solve(height, control, start);
+                                  });
+    result.state.material_dissipation = work_on_material(result.surface);
     return result;
 }
 

@@ -38,9 +38,9 @@ report::Figure way_figure(const RollingReport& report) {
         .id = "way",
         .title =
             forces ? "Force while the contact rolls on" : "Creepage while the contact rolls on",
-        .caption = fmt::format(
-            "From rest{}. Lines: step by step. Points at the end: the steady state, {}.",
-            at_rest(report), report.c.relaxation ? "where rolling on ends" : "solved by itself"),
+        .caption =
+            fmt::format("From rest{}. Lines: step by step. Points at the end: the steady state.",
+                        at_rest(report)),
         .x = {way_label},
         .y = {forces ? "F_x/(μ F_N) [-]"
                      : fmt::format("creepage ξ over {} [-]", report::significant(unit, 4))}};

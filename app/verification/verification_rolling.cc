@@ -132,7 +132,6 @@ void verify_hunter(bool brief, const Say& say, Verification& all) {
     c.load.tangential_ratio = 0;
     c.relaxation = contact::Relaxation{{{2, relaxation_time}}, {}};
     c.tractive_rolling->speed = .5 * contact::half_space_scales(c).contact_radius / relaxation_time;
-    c.tractive_rolling->distance = 6;
     double exact = 0;
     for (const auto& theory : rolling::resistance_theories(c))
         if (theory.key == "hunter") exact = 1e3 * theory.value;

@@ -5,6 +5,7 @@
 #include <boost/math/special_functions/jacobi_elliptic.hpp>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
 #include "contact/compensated_sum.h"
 
@@ -44,9 +45,11 @@ double error_of(const std::vector<double>& points) {
 constexpr double interpolation_error = 1e-8;
 
 void add(SurfaceField& sum, double factor, const SurfaceField& field) {
-    for (int d = 0; d < 3; ++d)
-        for (std::size_t i = 0; i < field.down.size(); ++i)
-            (*components(sum)[d])[i] += factor * (*components(field)[d])[i];
+    for (int d = 0; d < 3; ++d) {
+        double* const to = components(sum)[d]->data();
+        const double* const from = components(field)[d]->data();
+        for (std::size_t i = 0; i < field.down.size(); ++i) to[i] += factor * from[i];
+    }
 }
 
 SurfaceField displaced(const Compliance& compliance, const SurfaceField& t, bool coupled) {
@@ -100,17 +103,26 @@ StieltjesInterpolation interpolation_of(const Relaxation& relaxation) {
 }
 
 PartlyRelaxingSubstrate::PartlyRelaxingSubstrate(Parts parts, StieltjesInterpolation interpolation,
-                                                 Relaxation relaxation, bool coupled)
+                                                 Relaxation relaxation, bool coupled, Sum sum)
     : parts_(std::move(parts)),
       interpolation_(std::move(interpolation)),
       relaxation_(std::move(relaxation)),
+      coupled_(coupled),
+      sum_(std::move(sum)),
       n_(parts_.front()->points().size()),
       step_(parts_, coupled),
       relaxed_(parts_, coupled) {
-    relaxed_.set_weights(interpolation_.shares(1));
+    set_weights(relaxed_, interpolation_.shares(1));
     for (const double pole : interpolation_.poles)
         modes_.push_back({Retardation(relaxation_, pole), {}, {}});
     forget();
+}
+
+/// Of the parts, or of their sum alone.
+void PartlyRelaxingSubstrate::set_weights(CombinedCompliance& compliance,
+                                          const std::vector<double>& weights) const {
+    if (sum_) compliance = CombinedCompliance({sum_(weights)}, coupled_);
+    compliance.set_weights(sum_ ? std::vector<double>{1} : weights);
 }
 
 void PartlyRelaxingSubstrate::forget() {
@@ -140,8 +152,9 @@ bool PartlyRelaxingSubstrate::begin(double duration, const SurfaceField& t, cons
         for (std::size_t j = 0; j < parts_.size(); ++j)
             weights[j] += interpolation_.weight(m, j) * of_step;
     }
-    if (weights == step_.weights()) return false;
-    step_.set_weights(std::move(weights));
+    if (weights == weights_) return false;
+    set_weights(step_, weights);
+    weights_ = std::move(weights);
     return true;
 }
 
@@ -175,11 +188,13 @@ std::vector<SurfaceField> PartlyRelaxingSubstrate::modal_displacements(const Sur
 double PartlyRelaxingSubstrate::largest_energy(const SurfaceField& u, const SurfaceField& t) const {
     const auto& area = step_.points().area;
     double sum = 0;
-    for (int d = 0; d < 3; ++d)
+    for (int d = 0; d < 3; ++d) {
+        const double *const t0 = components(traction_)[d]->data(),
+                            *const t1 = components(t)[d]->data(),
+                            *const by_u = components(u)[d]->data();
         for (std::size_t i = 0; i < n_; ++i)
-            sum += area[i] *
-                   (std::abs((*components(traction_)[d])[i]) + std::abs((*components(t)[d])[i])) *
-                   std::abs((*components(u)[d])[i]);
+            sum += area[i] * (std::abs(t0[i]) + std::abs(t1[i])) * std::abs(by_u[i]);
+    }
     return sum;
 }
 
@@ -208,44 +223,55 @@ Substrate::Energies PartlyRelaxingSubstrate::end(const SurfaceField& t, const Su
 
 void PartlyRelaxingSubstrate::advance(Mode& mode, const SurfaceField& now, const SurfaceField& t,
                                       Energies& energies) {
-    const auto& area = step_.points().area;
-    CompensatedSum all_stored, all_dissipated, all_work;
-    std::vector<StepIntegrals> integrals;
-    std::vector<double> decay;
-    for (const auto& [compliance, time] : mode.creep.branches) {
-        integrals.emplace_back(duration_ / time);
-        decay.push_back(std::exp(-duration_ / time));
-    }
+    CompensatedSum all_stored, all_dissipated, all_work, all_magnitude;
     for (int d = 0; d < 3; ++d)
-        for (std::size_t i = 0; i < n_; ++i) {
-            const double t0 = (*components(traction_)[d])[i], t1 = (*components(t)[d])[i];
-            auto& x_t = (*components(mode.displacement)[d])[i];
-            const double x_t1 = (*components(now)[d])[i];
-            const double w = t1 - t0, x_w = x_t1 - x_t;
-            double mean_displacement = mode.creep.relaxed * (x_t + x_t1) / 2;
-            double stored = 0, dissipated = 0, way = std::abs(x_t) + std::abs(x_t1);
-            for (std::size_t b = 0; b < mode.branches.size(); ++b) {
-                const double compliance = mode.creep.branches[b].compliance;
-                const StepIntegrals& s = integrals[b];
-                auto& e = (*components(mode.branches[b].traction)[d])[i];
-                auto& x_e = (*components(mode.branches[b].displacement)[d])[i];
-                dissipated +=
-                    compliance * (e * x_e * s.ee + (e * x_w + w * x_e) * s.ew + w * x_w * s.ww);
-                mean_displacement -= compliance * (x_e * s.mean + x_w * s.drift);
-                e = decay[b] * e + s.mean * w;
-                x_e = decay[b] * x_e + s.mean * x_w;
-                stored -= compliance * (t1 - e) * x_e;
-                way += compliance * std::abs(x_e);
-            }
-            x_t = x_t1;
-            all_stored.add(area[i] / 2 * stored);
-            all_dissipated.add(area[i] * dissipated);
-            all_work.add(-area[i] * w * mean_displacement);
-            energies.magnitude += area[i] * (std::abs(t0) + std::abs(t1)) * way;
-        }
+        for_each_block(0, static_cast<int>(n_), [&](int begin, int end) {
+            const Energies of_block = advance(mode, d, begin, end, now, t);
+            all_stored.add(of_block.stored);
+            all_dissipated.add(of_block.dissipated);
+            all_work.add(of_block.work);
+            all_magnitude.add(of_block.magnitude);
+        });
+    mode.displacement = now;
     energies.stored += all_stored.value();
     energies.dissipated += all_dissipated.value();
     energies.work += all_work.value();
+    energies.magnitude += all_magnitude.value();
+}
+
+/// The branches of a component d on the points [begin, end), whose energies are what is returned.
+Substrate::Energies PartlyRelaxingSubstrate::advance(Mode& mode, int d, int begin, int end,
+                                                     const SurfaceField& now,
+                                                     const SurfaceField& t) const {
+    const double *const area = step_.points().area.data(),
+                        *const t0 = components(traction_)[d]->data(),
+                        *const t1 = components(t)[d]->data(),
+                        *const x_t0 = components(std::as_const(mode.displacement))[d]->data(),
+                        *const x_t1 = components(now)[d]->data();
+    Energies sum;
+    for (int i = begin; i < end; ++i) {
+        sum.work -= area[i] * (t1[i] - t0[i]) * mode.creep.relaxed * (x_t0[i] + x_t1[i]) / 2;
+        sum.magnitude +=
+            area[i] * (std::abs(t0[i]) + std::abs(t1[i])) * (std::abs(x_t0[i]) + std::abs(x_t1[i]));
+    }
+    for (std::size_t b = 0; b < mode.branches.size(); ++b) {
+        const auto [compliance, time] = mode.creep.branches[b];
+        const StepIntegrals s(duration_ / time);
+        const double decay = std::exp(-duration_ / time);
+        double* const e = components(mode.branches[b].traction)[d]->data();
+        double* const x_e = components(mode.branches[b].displacement)[d]->data();
+        for (int i = begin; i < end; ++i) {
+            const double w = t1[i] - t0[i], x_w = x_t1[i] - x_t0[i], force = area[i] * compliance;
+            sum.dissipated +=
+                force * (e[i] * x_e[i] * s.ee + (e[i] * x_w + w * x_e[i]) * s.ew + w * x_w * s.ww);
+            sum.work += force * w * (x_e[i] * s.mean + x_w * s.drift);
+            e[i] = decay * e[i] + s.mean * w;
+            x_e[i] = decay * x_e[i] + s.mean * x_w;
+            sum.stored -= force / 2 * (t1[i] - e[i]) * x_e[i];
+            sum.magnitude += force * (std::abs(t0[i]) + std::abs(t1[i])) * std::abs(x_e[i]);
+        }
+    }
+    return sum;
 }
 
 }  // namespace tricontact::contact

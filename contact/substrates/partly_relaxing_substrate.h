@@ -1,5 +1,7 @@
 #pragma once
 
+#include <functional>
+#include <memory>
 #include <vector>
 
 #include "contact/solvers/compliance.h"
@@ -49,15 +51,17 @@ struct StieltjesInterpolation {
 class PartlyRelaxingSubstrate final : public Substrate {
   public:
     using Parts = CombinedCompliance::Parts;
+    /// The weighted sum of the parts as one compliance, whose products cost as much as one part's.
+    using Sum = std::function<std::shared_ptr<const Compliance>(const std::vector<double>& weights)>;
 
     /// `parts`: elastic compliances with the relaxing part's moduli times interpolation.nodes.
-    /// Not `coupled`: normal tractions displace normally alone.
+    /// Not `coupled`: normal tractions displace normally alone. `sum` empty: products are summed.
     PartlyRelaxingSubstrate(Parts parts, StieltjesInterpolation interpolation,
-                            Relaxation relaxation, bool coupled = true);
+                            Relaxation relaxation, bool coupled = true, Sum sum = {});
 
     std::unique_ptr<Substrate> fresh(bool coupled) const override {
         return std::make_unique<PartlyRelaxingSubstrate>(parts_, interpolation_, relaxation_,
-                                                         coupled);
+                                                         coupled, sum_);
     }
     void forget() override;
     bool begin(double duration, const SurfaceField& t, const SurfaceField& u) override;
@@ -82,14 +86,20 @@ class PartlyRelaxingSubstrate final : public Substrate {
         SurfaceField displacement;  // X t of the last step [m]
     };
 
+    void set_weights(CombinedCompliance& compliance, const std::vector<double>& weights) const;
     std::vector<SurfaceField> modal_displacements(const SurfaceField& t, double& magnitude) const;
     double largest_energy(const SurfaceField& u, const SurfaceField& t) const;
     void advance(Mode& mode, const SurfaceField& now, const SurfaceField& t, Energies& energies);
+    Energies advance(Mode& mode, int d, int begin, int end, const SurfaceField& now,
+                     const SurfaceField& t) const;
 
     Parts parts_;
     StieltjesInterpolation interpolation_;
     Relaxation relaxation_;
+    bool coupled_;
+    Sum sum_;
     std::size_t n_;
+    std::vector<double> weights_;  // of step_
     CombinedCompliance step_, relaxed_;
     std::vector<Mode> modes_;
     double duration_ = 0;

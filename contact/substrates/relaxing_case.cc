@@ -7,7 +7,6 @@
 
 #include "contact/compensated_sum.h"
 #include "contact/error.h"
-#include "contact/substrates/partly_relaxing_substrate.h"
 
 namespace tricontact::contact {
 
@@ -183,7 +182,7 @@ Case with_relaxing_ratio(const Case& c, double ratio) {
 }
 
 std::unique_ptr<Substrate> make_substrate(const Case& c, std::shared_ptr<const Compliance> relaxed,
-                                          const ComplianceOf& compliance_of) {
+                                          const ComplianceOf& compliance_of, const SumOf& sum_of) {
     if (!c.relaxation) return std::make_unique<ElasticSubstrate>(std::move(relaxed));
     if (relaxes_as_one(c))
         return std::make_unique<RelaxingSubstrate>(std::move(relaxed), *c.relaxation);
@@ -191,8 +190,9 @@ std::unique_ptr<Substrate> make_substrate(const Case& c, std::shared_ptr<const C
     CombinedCompliance::Parts parts;
     for (const double ratio : interpolation.nodes)
         parts.push_back(compliance_of(with_relaxing_ratio(c, ratio)));
-    return std::make_unique<PartlyRelaxingSubstrate>(std::move(parts), interpolation,
-                                                     *c.relaxation);
+    const auto sum = sum_of ? sum_of(parts) : PartlyRelaxingSubstrate::Sum{};
+    return std::make_unique<PartlyRelaxingSubstrate>(std::move(parts), interpolation, *c.relaxation,
+                                                     true, sum);
 }
 
 }  // namespace tricontact::contact

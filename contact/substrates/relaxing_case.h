@@ -5,6 +5,7 @@
 #include <string>
 
 #include "contact/case.h"
+#include "contact/substrates/partly_relaxing_substrate.h"
 #include "contact/substrates/relaxation.h"
 #include "contact/substrates/substrate.h"
 
@@ -79,9 +80,12 @@ std::optional<Relaxation> common_relaxation(const std::string& model, const Case
 Case with_relaxing_ratio(const Case& c, double ratio);
 
 /// The substrate of a case. `compliance_of`: an elastic case's, on the same points always;
-/// `relaxed`: that of the relaxed case; not needed unless relaxes_as_one().
+/// `relaxed`: that of the relaxed case; not needed unless relaxes_as_one(). `sum_of`: sums of these
+/// parts, see PartlyRelaxingSubstrate::Sum, for models that know how.
 using ComplianceOf = std::function<std::shared_ptr<const Compliance>(const Case&)>;
+using SumOf = std::function<PartlyRelaxingSubstrate::Sum(const CombinedCompliance::Parts&)>;
 std::unique_ptr<Substrate> make_substrate(const Case& c, std::shared_ptr<const Compliance> relaxed,
-                                          const ComplianceOf& compliance_of);
+                                          const ComplianceOf& compliance_of,
+                                          const SumOf& sum_of = {});
 
 }  // namespace tricontact::contact

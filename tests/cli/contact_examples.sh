@@ -27,11 +27,12 @@ done
 
 # Cheap ones beside CONTACT: 0.5 % or a few cells; forces, creepages, pressures and energies agree closer.
 $python "$source_dir/scripts/contact_examples.py" "$program" "$examples" carter2d \
-    cattaneo bentall conformal fastsim >table.md ||
+    cattaneo bentall conformal fastsim visc_cylindr >table.md ||
     complain "the comparison"
 [ "$(grep -c '%' table.md)" -ge 20 ] || complain "rows: $(grep -c '%' table.md)"
-# Of bentall's third case, where all sticks to singular edges, the creepage is off by the order of a cell.
-awk -F'|' '/%/ { d = $7 + 0; cells = $3 ~ /NCON|NADH/; wide = $2 ~ /bentall/ && $3 ~ /CREEPX/
+# Of bentall's third case, where all sticks to singular edges, the creepage is off by the order of a cell; likewise of
+# visc_cylindr's, whose cells meet at 0 there.
+awk -F'|' '/%/ { d = $7 + 0; cells = $3 ~ /NCON|NADH/; wide = $2 ~ /bentall|visc/ && $3 ~ /CREEPX|POWER/
     if (d < 0) d = -d
     if (d > (cells ? 2.1 : wide ? 2 : 0.5)) { print; bad = 1 } } END { exit bad }' table.md ||
     complain "more than 0.5 % off"

@@ -1,5 +1,6 @@
 // Rolling on beside numbers of the program CONTACT (github.com/eve70a/CONTACT): those that its
-// example catt_to_cart prints, and its forces of a rolling sphere that spins (version of 2025).
+// examples catt_to_cart and visc_cylindr print (examples/*.ref_out of 2023), and its forces of a
+// rolling sphere that spins (version of 2025).
 
 #include <gtest/gtest.h>
 
@@ -7,6 +8,8 @@
 #include <cmath>
 
 #include "bem/model.h"
+#include "bem/steady_compliance.h"
+#include "contact/bodies/cylinder.h"
 #include "contact/substrates/substrate.h"
 #include "io/case/case_reader.h"
 #include "rolling/run.h"
@@ -75,6 +78,45 @@ TEST(RollingContactProgram, SpinningSphere) {
     EXPECT_NEAR(spinning_force(10) / 4.654, 1, 5e-3);
     EXPECT_NEAR(spinning_force(20) / 4.654, 1, 2e-3);
     EXPECT_NEAR(spinning_force(40) / 4.654, 1, 1e-3);
+}
+
+/// What CONTACT prints of visc_cylindr: way of a relaxation [mm], depth [mm], creepage, largest
+/// pressure [MPa], power of friction [W], cells in contact and in adhesion.
+struct ViscousCylinder {
+    double way, depth, creepage, pressure, power;
+    int n_contact, n_adhesion;
+};
+
+// visc_cylindr, cases 2 to 4: two cylinders of 100 mm, of rubber that relaxes to half of its
+// stiffness, on a row of cells of which two meet at 0. Both bodies are one of half the stiffness;
+// relaxed it goes on as a standard solid of g = 1 with half of their time.
+TEST(RollingContactProgram, RelaxingCylinders) {
+    constexpr double mm = 1e-3, cell = .16 * mm, length = 1, radius = 50 * mm, force = 6e5;
+    const contact::Material relaxed{2.8 * 1143e6 / 4, .4};
+    for (const auto& prints : {ViscousCylinder{9, 2.367, 1.365e-2, 78.74, 913.7, 62, 37},
+                               ViscousCylinder{45, 2.063, 1.152e-2, 84.72, 952.0, 57, 36},
+                               ViscousCylinder{2000, 1.455, 9.932e-3, 85.31, 1010, 56, 35}}) {
+        auto grid = contact::ContactPoints::grid(100, 1, {-49.5 * cell, 0}, {cell, length});
+        grid.line_length = length;
+        const bem::RectangleInfluence influence({{}, relaxed}, cell, length);
+        const bem::SteadyGridCompliance compliance(
+            {[influence](double x, double y) { return influence.at(x, y); }},
+            {{}, {contact::Retardation({{{1, prints.way * mm / 2}}}, 0)}, {1}}, 1, std::move(grid),
+            false);
+        rolling::RollingProblem problem;
+        problem.indenter = std::make_shared<contact::Cylinder>(radius, length);
+        problem.friction_coefficient = .3;
+        problem.normal.value = force;
+        problem.drive.force[0] = .6 * .3 * force;
+        const auto state = rolling::steady_rolling(compliance, problem).state;
+        constexpr double printed = 4e-4;  // half of the last of four digits
+        EXPECT_NEAR(state.indentation / mm / prints.depth, 1, printed);
+        EXPECT_NEAR(state.creepage.longitudinal / prints.creepage, 1, printed);
+        EXPECT_NEAR(state.peak_pressure * 1e-6 / prints.pressure, 1, printed);
+        EXPECT_NEAR(state.dissipation / prints.power, 1, printed);
+        EXPECT_EQ(std::lround(state.contact_area / (cell * length)), prints.n_contact);
+        EXPECT_EQ(std::lround(state.stick_area / (cell * length)), prints.n_adhesion);
+    }
 }
 
 }  // namespace
