@@ -2,7 +2,8 @@
 // the page still has its texts, tables and data.
 
 (() => {
-const content = JSON.parse(document.getElementById("figures").textContent);
+const colours = document.getElementById("content").dataset.colours.split(" ");
+const ids = [...document.querySelectorAll(".chart")].map(chart => chart.id.replace("chart_", ""));
 // In the order of plot_style.h.
 const markers = ["circle", "square", "triangle-up", "diamond", "triangle-down",
                  "circle-open", "square-open", "diamond-open"];
@@ -13,7 +14,7 @@ const on_screen = {width: undefined, height: 400};
 const drawing = {width: 720, height: 450};
 
 function colour_of(style, theme) {
-    return style === null ? theme.soft : content.colours[style % content.colours.length];
+    return style === null ? theme.soft : colours[style % colours.length];
 }
 
 function error_bars(errors) {
@@ -187,18 +188,45 @@ function layout_of(figure, theme) {
     return layout;
 }
 
+// Read when it is drawn first.
+const read = new Map();
+function figure_of(id) {
+    if (!read.has(id)) read.set(id, JSON.parse(document.getElementById("data_" + id).textContent));
+    return read.get(id);
+}
+
+// The library runs when it is needed first: it takes longer than all the rest of the page.
+function need_library() {
+    if (window.Plotly) return;
+    const library = document.createElement("script");
+    library.textContent = document.getElementById("chart_library").textContent;
+    document.head.append(library);
+}
+
+function draw(id, theme, size) {
+    need_library();
+    const figure = figure_of(id);
+    // Not react: after another size it leaves the legend where that had it.
+    Plotly.newPlot("chart_" + id, traces_of(figure, theme), {...layout_of(figure, theme), ...size},
+                   {displayModeBar: false, responsive: true});
+}
+
 // What is folded has no width; it is drawn when it unfolds.
-function is_folded(figure) {
-    return document.getElementById("chart_" + figure.id).closest("details:not([open])") !== null;
+const chart_of = id => document.getElementById("chart_" + id);
+const is_shown = id => !chart_of(id).closest("details:not([open])");
+
+// One after the other, each when what is there is on the screen: a page that draws can be read.
+const shown = () => new Promise(resolve => requestAnimationFrame(() => setTimeout(resolve)));
+async function draw_on_screen(wanted) {
+    for (const id of wanted) {
+        await shown();
+        if (is_shown(id) && !printing) draw(id, charts.screen(), on_screen);
+    }
 }
 
-function draw(theme, size, wanted = () => true) {
-    for (const figure of content.figures.filter(figure => !is_folded(figure) && wanted(figure)))
-        Plotly.react("chart_" + figure.id, traces_of(figure, theme),
-                     {...layout_of(figure, theme), ...size}, {displayModeBar: false, responsive: true});
-}
-
-function save_drawing(figure) {
+function save_drawing(id) {
+    need_library();
+    const figure = figure_of(id);
     const layout = {...layout_of(figure, charts.paper), title: {text: figure.title},
                     margin: {l: 60, r: 16, t: 90, b: 48}};
     return charts.save(traces_of(figure, charts.paper), layout, drawing, figure.id,
@@ -258,16 +286,19 @@ function make_unfold_button() {
 }
 
 // On paper: what the reader has unfolded, and what a lab book needs.
-function print_with(draw_all) {
+let printing = false;
+function print_folded() {
     let unfolded = [];
     addEventListener("beforeprint", () => {
-        unfolded = foldings.filter(details => !details.open && "printed" in details.dataset);
+        printing = true;
+        unfolded = [...document.querySelectorAll("details[data-printed]:not([open])")];
         for (const details of unfolded) details.open = true;
-        draw_all(charts.paper, on_paper);
+        for (const id of ids.filter(is_shown)) draw(id, charts.paper, on_paper);
     });
     addEventListener("afterprint", () => {
+        printing = false;
         for (const details of unfolded) details.open = false;
-        draw_all(charts.screen(), on_screen);
+        draw_on_screen(ids);
     });
 }
 
@@ -275,21 +306,18 @@ document.querySelectorAll(".data thead th").forEach(make_sortable);
 addEventListener("hashchange", unfold_target);
 unfold_target();
 make_unfold_button();
-print_with(content.figures.length ? draw : () => {});
-if (content.figures.length) {
-    draw(charts.screen(), on_screen);
-    matchMedia("(prefers-color-scheme: dark)")
-        .addEventListener("change", () => draw(charts.screen(), on_screen));
-    for (const details of foldings)
-        details.addEventListener("toggle", () => {
-            const inside = figure => details.contains(document.getElementById("chart_" + figure.id));
-            if (details.open) draw(charts.screen(), on_screen, inside);
-        });
-    for (const figure of content.figures) {
-        const button = document.querySelector("#figure_" + figure.id + " button");
-        if (!button) continue;  // its drawing is a file
-        button.hidden = false;
-        button.addEventListener("click", () => save_drawing(figure));
-    }
+print_folded();
+// The figures' data stand behind this script.
+addEventListener("DOMContentLoaded", () => draw_on_screen(ids));
+matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => draw_on_screen(ids));
+for (const details of foldings)
+    details.addEventListener("toggle", () => {
+        if (details.open) draw_on_screen(ids.filter(id => details.contains(chart_of(id))));
+    });
+for (const id of ids) {
+    const button = document.querySelector(`#figure_${id} button`);
+    if (!button) continue;  // its drawing is a file
+    button.hidden = false;
+    button.addEventListener("click", () => save_drawing(id));
 }
 })();
