@@ -9,7 +9,7 @@ const markers = ["circle", "square", "triangle-up", "diamond", "triangle-down",
                  "circle-open", "square-open", "diamond-open"];
 const dashes = ["solid", "dash", "dot", "dashdot", "longdash", "longdashdot"];
 const most_grounds = 30;
-const on_paper = {width: 640, height: 340};  // three to a page in portrait
+const on_paper = {width: 640, height: 340};  // two to a page in portrait, with their captions
 const on_screen = {width: undefined, height: 400};
 const drawing = {width: 720, height: 450};
 
@@ -120,9 +120,21 @@ function strip_traces(figure, theme) {
     });
 }
 
-function panel_traces(figure, theme) {
+// Panels of a figure of that width [px]: in as few rows as leave each of them wide enough.
+const least_panel = 150, between_rows = 60;
+function rows_of_panels(figure, width) {
+    const n = figure.panels.length, n_rows = Math.ceil(n * least_panel / width);
+    const n_columns = Math.ceil(n / n_rows), span = values => values.at(-1) - values[0];
+    const ratio = Math.max(...figure.panels.map(({x, y}) => span(y) / span(x)));
+    const height = figure.equal_scales ? ratio * (width - 76) / n_columns : 220;
+    return {n_rows, n_columns, height: n_rows * (height + between_rows) + 36,
+            gap: between_rows / (n_rows * (height + between_rows) - between_rows)};
+}
+
+function panel_traces(figure, theme, width) {
+    const {n_columns} = rows_of_panels(figure, width), axis = k => k ? k + 1 : "";
     return figure.panels.flatMap((panel, i) => {
-        const place = {xaxis: "x" + (i ? i + 1 : ""), yaxis: "y"};
+        const place = {xaxis: "x" + axis(i), yaxis: "y" + axis(Math.floor(i / n_columns))};
         const of_kinds = get => panel.rows.map(row => row.map(kind => kind < 0 ? null : get(figure.kinds[kind])));
         return [{
             ...place, type: "heatmap", x: panel.x, y: panel.y, zmin: 0, zmax: 1,
@@ -132,27 +144,33 @@ function panel_traces(figure, theme) {
     });
 }
 
-function traces_of(figure, theme) {
+function traces_of(figure, theme, width) {
     return [...(figure.map ? map_traces(figure.map, theme) : []), ...strip_traces(figure, theme),
             ...figure.bands.flatMap(band => band_traces(band, theme, figure.curves)),
-            ...figure.curves.map(curve => curve_trace(curve, theme)), ...panel_traces(figure, theme)];
+            ...figure.curves.map(curve => curve_trace(curve, theme)), ...panel_traces(figure, theme, width)];
 }
 
 // The axes of panels side by side and of strips beneath the curves.
-function further_axes(figure, theme) {
-    const [n_panels, n_strips] = [figure.panels.length, figure.strips.length];
-    const axes = {};
-    const share = 1 / n_panels, gap = 0.02;
+function further_axes(figure, theme, width) {
+    const n_strips = figure.strips.length, axes = {};
+    const {n_rows, n_columns, gap} = rows_of_panels(figure, width);
+    const name = k => k ? k + 1 : "", height = (1 - (n_rows - 1) * gap) / n_rows;
     figure.panels.forEach((panel, i) => {
-        axes["xaxis" + (i ? i + 1 : "")] = {
+        const column = i % n_columns, row = Math.floor(i / n_columns), top = 1 - row * (height + gap);
+        axes["xaxis" + name(i)] = {
             ...charts.axis(figure.x, theme, "height"), ...(i ? {matches: "x"} : {}), constrain: "domain",
-            domain: [i * share, (i + 1) * share - (i + 1 < n_panels ? gap : 0)],
+            anchor: "y" + name(row),
+            domain: [column / n_columns, (column + 1) / n_columns - (column + 1 < n_columns ? 0.02 : 0)],
+        };
+        axes["yaxis" + name(row)] = {
+            ...charts.axis(figure.y, theme, "width"), ...(row ? {matches: "y"} : {}), constrain: "domain",
+            domain: [top - height, top],
         };
     });
     if (n_strips) {
         const height = 0.075 * n_strips;
         axes.yaxis2 = {domain: [0, height], autorange: "reversed", type: "category", fixedrange: true,
-                       showgrid: false, ticks: ""};
+                       dtick: 1, tickfont: {size: 11}, showgrid: false, ticks: ""};
         axes.yaxis = {...charts.axis(figure.y, theme, "width"), domain: [height + 0.03, 1]};
         axes.xaxis = {...charts.axis(figure.x, theme, "height"), anchor: "y2"};
         axes.barmode = "overlay";
@@ -161,27 +179,29 @@ function further_axes(figure, theme) {
     return axes;
 }
 
-function layout_of(figure, theme) {
+function layout_of(figure, theme, width) {
     const empty = !figure.map && !figure.panels.length && !figure.bands.length &&
                   figure.curves.every(curve => !curve.x.length);
+    const panels = rows_of_panels(figure, width);
     const layout = {
         ...charts.layout(theme),
         xaxis: charts.axis(figure.x, theme, "height"), yaxis: charts.axis(figure.y, theme, "width"),
-        ...further_axes(figure, theme),
+        ...further_axes(figure, theme, width),
         margin: {l: 60, r: 16, t: 16, b: 48},
         showlegend: !figure.panels.length, legend: {orientation: "h", y: 1.02, yanchor: "bottom", x: 0},
         hovermode: "closest",
         // A finger scrolls the page, a mouse zooms.
         dragmode: matchMedia("(pointer: coarse)").matches ? false : "zoom",
         annotations: empty ? [charts.note("no data")] : figure.panels.map((panel, i) => ({
-            text: panel.title, showarrow: false, x: (i + 0.49) / figure.panels.length, xref: "paper",
-            y: 1, yref: "paper", yanchor: "bottom",
+            text: panel.title, showarrow: false, x: (i % panels.n_columns + 0.49) / panels.n_columns, xref: "paper",
+            y: 1 - Math.floor(i / panels.n_columns) * (1 + panels.gap) / panels.n_rows, yref: "paper", yanchor: "bottom",
         })),
+        uniformtext: {mode: "hide", minsize: 9},  // what does not fit into a strip
     };
     // Equal scales move the axis, which would ask for another margin, which moves the axis.
     if (figure.equal_scales)
         Object.assign(layout.yaxis, {scaleanchor: "x", constrain: "domain", automargin: false});
-    if (figure.panels.length) layout.margin.t = 32;
+    if (figure.panels.length) [layout.margin.t, layout.height] = [32, panels.height];
     // Room for the names of strips, some 8 px a letter.
     for (const {name} of figure.strips)
         layout.margin.l = Math.max(layout.margin.l, 16 + 8 * name.length);
@@ -203,16 +223,17 @@ function need_library() {
     document.head.append(library);
 }
 
+const chart_of = id => document.getElementById("chart_" + id);
 function draw(id, theme, size) {
     need_library();
     const figure = figure_of(id);
+    const width = size.width ?? chart_of(id).clientWidth;
     // Not react: after another size it leaves the legend where that had it.
-    Plotly.newPlot("chart_" + id, traces_of(figure, theme), {...layout_of(figure, theme), ...size},
+    Plotly.newPlot("chart_" + id, traces_of(figure, theme, width), {...size, ...layout_of(figure, theme, width)},
                    {displayModeBar: false, responsive: true});
 }
 
 // What is folded has no width; it is drawn when it unfolds.
-const chart_of = id => document.getElementById("chart_" + id);
 const is_shown = id => !chart_of(id).closest("details:not([open])");
 
 // One after the other, each when what is there is on the screen: a page that draws can be read.
@@ -227,9 +248,9 @@ async function draw_on_screen(wanted) {
 function save_drawing(id) {
     need_library();
     const figure = figure_of(id);
-    const layout = {...layout_of(figure, charts.paper), title: {text: figure.title},
+    const layout = {...layout_of(figure, charts.paper, drawing.width), title: {text: figure.title},
                     margin: {l: 60, r: 16, t: 90, b: 48}};
-    return charts.save(traces_of(figure, charts.paper), layout, drawing, figure.id,
+    return charts.save(traces_of(figure, charts.paper, drawing.width), layout, drawing, figure.id,
                        figure.description);
 }
 

@@ -130,7 +130,8 @@ std::string typeset(const std::string& sentence) {
     replace_all(html, "&gt;=", "≥");
     replace_all(html, "&lt;=", "≤");
     replace_all(html, " - ", " − ");
-    replace_all(html, " = ", "\u00a0=\u00a0");
+    for (const std::string sign : {"=", "±"})
+        replace_all(html, " " + sign + " ", "\u00a0" + sign + "\u00a0");
     for (const std::string unit : {"%", "m", "mm", "µm", "nm"})
         for (const char* end : {" ", ")", ",", ".", ":"})
             replace_all(html, " " + unit + end, "\u00a0" + unit + end);

@@ -8,6 +8,7 @@
 #include "comparisons/run/sweep_document.h"
 #include "contact/special_values.h"
 #include "report/csv.h"
+#include "report/format.h"
 
 namespace tricontact::comparisons {
 
@@ -19,9 +20,7 @@ double value_of(const Sweep::Point& point, const Quantity& quantity) {
 
 /// "Settled shift u_sd".
 std::string title_of(const Quantity& quantity) {
-    std::string title = label_of(quantity);
-    title.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(title.front())));
-    return title;
+    return report::capitalised(label_of(quantity));
 }
 
 SweepScale scale_of(const Sweep& sweep, std::size_t axis) {

@@ -217,6 +217,15 @@ TEST(DocumentHtml, TextsCannotEndTheScript) {
     EXPECT_FALSE(contains(page, "<!--"));
 }
 
+// CSS Syntax 3, 4.3.7: a backslash, the number of the character in base 16, one blank that ends it.
+TEST(DocumentHtml, TitlesCannotEndTheStyle) {
+    Document hostile = document();
+    hostile.title = "a \"b\" \\ </style>\nκ";
+    const std::string page = without_library(document_html(hostile));
+    EXPECT_TRUE(contains(page, "content: \"a \\22 b\\22  \\5c  \\3c /style>\\a κ\""));
+    EXPECT_EQ(count(page, "</style"), 1u);
+}
+
 TEST(DocumentHtml, ElementsAreClosed) {
     const std::string page = without_library(document_html(document()));
     for (const std::string element :
