@@ -3,6 +3,7 @@
 #include <stdexcept>
 
 #include "app/case_run.h"
+#include "contact/own_limit.h"
 
 namespace tricontact::app {
 

@@ -236,11 +236,10 @@ function draw(id, theme, size) {
 // What is folded has no width; it is drawn when it unfolds.
 const is_shown = id => !chart_of(id).closest("details:not([open])");
 
-// One after the other, each when what is there is on the screen: a page that draws can be read.
-const shown = () => new Promise(resolve => requestAnimationFrame(() => setTimeout(resolve)));
+// One after the other: between them the page answers its reader.
 async function draw_on_screen(wanted) {
     for (const id of wanted) {
-        await shown();
+        await new Promise(resolve => setTimeout(resolve));
         if (is_shown(id) && !printing) draw(id, charts.screen(), on_screen);
     }
 }
@@ -328,8 +327,8 @@ addEventListener("hashchange", unfold_target);
 unfold_target();
 make_unfold_button();
 print_folded();
-// The figures' data stand behind this script.
-addEventListener("DOMContentLoaded", () => draw_on_screen(ids));
+// The figures' data stand behind this script; the page is painted before them.
+addEventListener("DOMContentLoaded", () => requestAnimationFrame(() => draw_on_screen(ids)));
 matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => draw_on_screen(ids));
 for (const details of foldings)
     details.addEventListener("toggle", () => {

@@ -143,7 +143,7 @@ data figure_data(const Figure& content, const std::string& plots) {
                    {"title", typeset(content.title)},
                    {"title_text", content.title},
                    {"caption", typeset(content.caption)},
-                   {"caption_text", content.caption},
+                   {"content", content_of(content)},
                    {"wide", content.panels.size() > 2},
                    {"files", plots.empty() ? "" : plots + "/" + content.id},
                    {"has_files", !plots.empty()},

@@ -361,6 +361,7 @@ part("open_scene")?.addEventListener("click", async () => {
     part("open_scene").setAttribute("aria-expanded", !part("scene").hidden);
 });
 
+if (matchMedia("(prefers-reduced-motion: reduce)").matches) part("speed").value = part("speed").options[0].value;
 part("scrub").max = leader.frames.length - 1;
 part("scrub").addEventListener("input", event => { pause(); show(Number(event.target.value)); });
 part("play").addEventListener("click", play);
