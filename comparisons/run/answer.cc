@@ -170,11 +170,10 @@ std::string length_text(double value, std::optional<double> error) {
 
 std::string error_note(const std::optional<NumericalError>& error, const Quantity& q) {
     if (!error) return " Its numerical error was not asked for (--no-studies).";
-    if (error->of(q)) return " ± is what mesh and steps leave, from the same on coarser ones.";
+    if (error->of(q)) return " ± is the error of mesh and steps, estimated with coarser ones.";
     return error->why_none.empty()
-               ? " What mesh and steps leave is not known: on coarser ones it comes to no such "
-                 "number."
-               : " What mesh and steps leave is not known: " + error->why_none + ".";
+               ? " The error of mesh and steps is not known: coarser ones give no such number."
+               : " The error of mesh and steps is not known: " + error->why_none + ".";
 }
 
 }  // namespace
