@@ -117,9 +117,8 @@ std::vector<report::Figure> figures_of(const Sweep& sweep, const std::vector<Swe
         figure.id = fmt::format("{}_{}", quantity.key, axis + 1);
         figure.title = fmt::format("{} over {}", title_of(quantity), key);
         figure.x = {scale.heading, sweep.axes[axis].logarithmic};
-        figure.y.label = unit.symbol.empty()
-                             ? heading_of(quantity)
-                             : fmt::format("{} [{}]", quantity.symbol, unit.symbol);
+        figure.y.label = unit.symbol.empty() ? heading_of(quantity)
+                                             : fmt::format("{} [{}]", quantity.symbol, unit.symbol);
         figure.curves = curves_over(sweep, axis, scale, quantity, unit.factor);
         figure.caption = caption_of(sweep, quantity, figure.curves);
     }

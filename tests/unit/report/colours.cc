@@ -63,9 +63,10 @@ Triple lab_of(const Triple& light) {
 /// CIEDE2000 after Sharma, Wu and Dalal (2005), equations 2 to 22.
 double difference(const Triple& p, const Triple& q) {
     constexpr double degree = std::numbers::pi / 180, seven = 6103515625.;  // 25^7
-    const auto weight = [](double c) { return std::sqrt(std::pow(c, 7) / (std::pow(c, 7) + seven)); };
-    const double g =
-        .5 * (1 - weight((std::hypot(p[1], p[2]) + std::hypot(q[1], q[2])) / 2));
+    const auto weight = [](double c) {
+        return std::sqrt(std::pow(c, 7) / (std::pow(c, 7) + seven));
+    };
+    const double g = .5 * (1 - weight((std::hypot(p[1], p[2]) + std::hypot(q[1], q[2])) / 2));
     const double a1 = (1 + g) * p[1], a2 = (1 + g) * q[1];
     const double c1 = std::hypot(a1, p[2]), c2 = std::hypot(a2, q[2]);
     const auto hue = [](double b, double a) {
@@ -76,8 +77,8 @@ double difference(const Triple& p, const Triple& q) {
     const bool is_grey = c1 * c2 == 0, is_far = std::abs(h1 - h2) > 180;
     const double turn = is_grey || !is_far ? 0 : h2 > h1 ? -360 : 360;
     const double dh = is_grey ? 0 : h2 - h1 + turn;
-    const double h = is_grey ? h1 + h2
-                             : (h1 + h2 + (is_far ? (h1 + h2 < 360 ? 360 : -360) : 0)) / 2;
+    const double h =
+        is_grey ? h1 + h2 : (h1 + h2 + (is_far ? (h1 + h2 < 360 ? 360 : -360) : 0)) / 2;
     const double l = (p[0] + q[0]) / 2, c = (c1 + c2) / 2;
     const double big_h = 2 * std::sqrt(c1 * c2) * std::sin(dh / 2 * degree);
     const double t = 1 - .17 * std::cos((h - 30) * degree) + .24 * std::cos(2 * h * degree) +
@@ -94,9 +95,13 @@ double difference(const Triple& p, const Triple& q) {
 /// the cones for long, middle and short waves, and those who have all.
 const std::vector<Matrix>& eyes() {
     static const std::vector<Matrix> list{
-        {{{.152286, 1.052583, -.204868}, {.114503, .786281, .099216}, {-.003882, -.048116, 1.051998}}},
+        {{{.152286, 1.052583, -.204868},
+          {.114503, .786281, .099216},
+          {-.003882, -.048116, 1.051998}}},
         {{{.367322, .860646, -.227968}, {.280085, .672501, .047413}, {-.011820, .042940, .968881}}},
-        {{{1.255528, -.076749, -.178779}, {-.078411, .930809, .147602}, {.004733, .691367, .303900}}},
+        {{{1.255528, -.076749, -.178779},
+          {-.078411, .930809, .147602},
+          {.004733, .691367, .303900}}},
         {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}};
     return list;
 }
@@ -112,7 +117,8 @@ double least_difference(const std::vector<std::string>& colours) {
             seen.push_back(lab_of(light));
         }
         for (std::size_t i = 0; i < seen.size(); ++i)
-            for (std::size_t j = 0; j < i; ++j) least = std::min(least, difference(seen[i], seen[j]));
+            for (std::size_t j = 0; j < i; ++j)
+                least = std::min(least, difference(seen[i], seen[j]));
     }
     return least;
 }
@@ -132,7 +138,8 @@ TEST(Colours, FormulasAreThoseOfTheirSources) {
     EXPECT_NEAR(difference({50, 2.6772, -79.7751}, {50, 0, -82.7485}), 2.0425, 5e-5);
     EXPECT_NEAR(difference({50, 2.49, -.001}, {50, -2.49, .0011}), 7.2195, 5e-5);
     EXPECT_NEAR(difference({50, 2.5, 0}, {58, 24, 15}), 19.4535, 5e-5);
-    EXPECT_NEAR(difference({60.2574, -34.0099, 36.2677}, {60.4626, -34.1751, 39.4387}), 1.2644, 5e-5);
+    EXPECT_NEAR(difference({60.2574, -34.0099, 36.2677}, {60.4626, -34.1751, 39.4387}), 1.2644,
+                5e-5);
     EXPECT_NEAR(difference({2.0776, .0795, -1.135}, {.9033, -.0636, -.5514}), .9082, 5e-5);
     for (const Matrix& eye : eyes())  // who sees fewer colours sees white as white
         for (const double part : product(eye, {1, 1, 1})) EXPECT_NEAR(part, 1, 2e-6);

@@ -116,8 +116,9 @@ TEST(ChartJson, GapsAreNull) {
 
 // What a reader hears who cannot see the drawing.
 TEST(Figure, ContentNamesAxesAndRanges) {
-    EXPECT_EQ(content_of(curves()), "u [1] over f_T [1]. MDR: 0.500. BEM, fine: 0.400 to 0.600. limit: 1.00. "
-                                    "95 %: 0.900 to 1.10.");
+    EXPECT_EQ(content_of(curves()),
+              "u [1] over f_T [1]. MDR: 0.500. BEM, fine: 0.400 to 0.600. limit: 1.00. "
+              "95 %: 0.900 to 1.10.");
     EXPECT_EQ(content_of(contour_map()), "ν [1] over b [mm]. Δa [%]: 1.00 to 6.00.");
 }
 
