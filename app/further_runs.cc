@@ -161,8 +161,6 @@ double frictionless_stiffness(const Case& c, const contact::Model& model) {
 using comparisons::SpeedLimit;
 using comparisons::TwinComparison;
 
-constexpr double no_load = 1e-9;  // of F_T over mu F_N: rounding
-
 RunValues run_once(const Case& c, const std::string& model, int n_threads) {
     return run_values(contact::run(c, *make_model(model, c, n_threads, silent)));
 }
@@ -220,7 +218,7 @@ void study_relaxation(const Case& c, const contact::History& history, const RunO
     comparison.run = run_values(history);
     if (!options.studies)
         comparison.why_none = "skipped (--no-studies)";
-    else if (std::abs(comparisons::tangential_ratio(history)) < no_load)
+    else if (!comparisons::is_loaded(comparisons::tangential_ratio(history)))
         comparison.why_none = "without F_T there is no shift to be compared";
     else if (history.model == "fem")
         comparison.why_none = "too costly with fem; add bem-layer to get one";

@@ -3,6 +3,7 @@
 #include <stdexcept>
 
 #include "app/case_run.h"
+#include "contact/own_limit.h"
 
 namespace tricontact::app {
 
@@ -28,6 +29,12 @@ std::optional<Case> with_longer_steps(Case c) {
     return {};
 }
 
+ResolvedRun resolved(const Case& c, contact::Model& model) {
+    const contact::History history = contact::run(c, model);
+    require_sound(history.audit, history.model);
+    return {c, history};
+}
+
 }  // namespace
 
 std::optional<NumericalError> numerical_error(const Case& c, const contact::History& history,
@@ -35,24 +42,29 @@ std::optional<NumericalError> numerical_error(const Case& c, const contact::Hist
     if (!options.studies) return {};
     const std::string& name = history.model;
     NumericalError error{.model = name, .run = ResolvedRun(c, history)};
-    const auto run = [&](const Case& other) {
-        return ResolvedRun(other, history_of(name, other, options.threads, silent));
-    };
     if (name == "fem" && c.fem.mesh) {
         error.why_none = "the mesh is a file's; run another one beside it";
         return error;
     }
     const Case coarser = with_coarser_mesh(contact::loaded_as(c, history));
     say(fmt::format("{}: once more on coarser meshes and with longer steps", name));
+    std::unique_ptr<contact::Model> model;
     try {
-        error.coarser = run(coarser);
+        model = make_model(name, coarser, options.threads, silent);
+        error.coarser = resolved(coarser, *model);
     } catch (const std::exception& e) {  // the run itself is none the worse for it
         error.why_none = e.what();
         return error;
     }
     try {
-        if (const auto longer = with_longer_steps(coarser)) error.long_steps = run(*longer);
-        error.coarsest = run(with_coarser_mesh(coarser));
+        if (const auto longer = with_longer_steps(coarser)) {
+            // On the same elasticity, where the model can share it.
+            auto sibling = model->sibling(coarser.contact);
+            if (!sibling) sibling = make_model(name, coarser, options.threads, silent);
+            error.long_steps = resolved(*longer, *sibling);
+        }
+        const Case coarsest = with_coarser_mesh(coarser);
+        error.coarsest = resolved(coarsest, *make_model(name, coarsest, options.threads, silent));
     } catch (const std::exception&) {  // then two meshes have to do
     }
     return error;

@@ -12,6 +12,7 @@
 #include "io/case/case_keys.h"
 #include "io/case/case_reader.h"
 #include "io/keys/input_file.h"
+#include "report/json_number.h"
 
 namespace tricontact::atlas {
 
@@ -45,7 +46,7 @@ Study::Scale scale_of(const std::string& word) {
 
 /// Nine digits: far below any error bar, and half the bytes.
 double nine_digits(double value) {
-    return std::stod(fmt::format("{:.9g}", value));
+    return report::to_digits(value, 9);
 }
 
 Json json_of(const SparsePolynomial& p) {

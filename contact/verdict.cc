@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "contact/number_text.h"
 #include "contact/special_values.h"
 
 namespace tricontact::contact {
@@ -184,9 +185,9 @@ std::string Judge::missing() const {
             return "the shift grows although points seem to stick throughout: they slip by less "
                    "than ten times the solver's tolerance in a step; lower it";
         return fmt::format(
-            "the shift still grows by {:.2g} U_max per period, held back by points "
+            "the shift still grows by {} U_max per period, held back by points "
             "that stick throughout{}",
-            step, more);
+            significant(step, 2), more);
     }
     if (step <= judged_.negligible_shift)
         return "no point sticks throughout a period, so that increments below the solver's "

@@ -112,10 +112,8 @@ std::string chart_label(const std::string& text) {
     return html;
 }
 
-json chart_json(const std::vector<Figure>& figures) {
-    json result{{"colours", json::array()}, {"figures", figures}};
-    for (std::size_t i = 0; i < n_model_colours; ++i) result["colours"].push_back(model_colour(i));
-    return result;
+json figure_json(const Figure& figure) {
+    return figure;
 }
 
 std::string script_json(const json& content) {

@@ -11,9 +11,9 @@ namespace tricontact::report {
 /// Typeset for plotly.js, which knows tags, but of the escaped characters not the quotes.
 std::string chart_label(const std::string& text);
 
-/// What document.js draws: {"colours": [...], "figures": [...]} with the figures' own data, NaN as
-/// null, and the numbers of their styles (see FigureStyles), null for grey.
-nlohmann::ordered_json chart_json(const std::vector<Figure>& figures);
+/// What document.js draws: the figure's own data, NaN as null, and the numbers of its styles (see
+/// FigureStyles), null for grey.
+nlohmann::ordered_json figure_json(const Figure& figure);
 
 /// JSON as it may stand inside an HTML script element, which an angle bracket could end. Bytes that
 /// are no UTF-8 are replaced.

@@ -2,206 +2,53 @@
 // the page still has its texts, tables and data.
 
 (() => {
-const content = JSON.parse(document.getElementById("figures").textContent);
-// In the order of plot_style.h.
-const markers = ["circle", "square", "triangle-up", "diamond", "triangle-down",
-                 "circle-open", "square-open", "diamond-open"];
-const dashes = ["solid", "dash", "dot", "dashdot", "longdash", "longdashdot"];
-const most_grounds = 30;
-const on_paper = {width: 640, height: 340};  // three to a page in portrait
+const ids = [...document.querySelectorAll(".chart")].map(chart => chart.id.replace("chart_", ""));
+const on_paper = {width: 640, height: 340};  // two to a page in portrait, with their captions
 const on_screen = {width: undefined, height: 400};
 const drawing = {width: 720, height: 450};
 
-function colour_of(style, theme) {
-    return style === null ? theme.soft : content.colours[style % content.colours.length];
+// Read when it is drawn first.
+const read = new Map();
+function figure_of(id) {
+    if (!read.has(id)) read.set(id, JSON.parse(document.getElementById("data_" + id).textContent));
+    return read.get(id);
 }
 
-function error_bars(errors) {
-    return errors.length ? {type: "data", array: errors, thickness: 1.2, width: 3} : undefined;
+// The library runs when it is needed first: it takes longer than all the rest of the page.
+function need_library() {
+    if (window.Plotly) return;
+    const library = document.createElement("script");
+    library.textContent = document.getElementById("chart_library").textContent;
+    document.head.append(library);
 }
 
-function curve_trace(curve, theme, place = {}) {
-    const style = curve.style ?? 0;
-    const points = curve.kind !== "line", lines = curve.kind !== "points";
-    return {
-        ...place, type: "scatter", name: curve.name, x: curve.x, y: curve.y,
-        mode: lines ? (points ? "lines+markers" : "lines") : "markers",
-        legendgroup: "curve " + curve.name, showlegend: curve.named && !place.xaxis,
-        error_x: error_bars(curve.x_error), error_y: error_bars(curve.y_error),
-        line: {
-            color: colour_of(curve.style, theme), width: 1.8,
-            dash: dashes[curve.dash % dashes.length],
-        },
-        marker: {color: colour_of(curve.style, theme), size: 7, symbol: markers[style % markers.length]},
-        connectgaps: false,
-    };
-}
-
-// One closed outline per stretch without gaps. A curve of the same name speaks for it in the legend.
-function band_traces(band, theme, curves) {
-    const stretches = [[]];
-    band.x.forEach((x, i) => {
-        if (x === null || band.low[i] === null || band.high[i] === null) stretches.push([]);
-        else stretches.at(-1).push([x, band.low[i], band.high[i]]);
-    });
-    const alone = band.name !== "" && curves.every(curve => curve.name !== band.name);
-    return stretches.filter(stretch => stretch.length > 1).map((stretch, i) => {
-        const back = [...stretch].reverse();
-        return {
-            type: "scatter", mode: "lines", name: band.name, fill: "toself", hoverinfo: "skip",
-            x: stretch.map(p => p[0]).concat(back.map(p => p[0])),
-            y: stretch.map(p => p[1]).concat(back.map(p => p[2])),
-            line: {width: 0}, opacity: 0.25, fillcolor: colour_of(band.style, theme),
-            legendgroup: (alone ? "band " : "curve ") + band.name, showlegend: alone && i === 0,
-        };
-    });
-}
-
-// 1, 2 or 5 times a power of ten, not below the given one: so are the tics beside the map.
-function round_step(least) {
-    if (!(least > 0)) return 1;
-    const power = 10 ** Math.floor(Math.log10(least));
-    return power * [1, 2, 5, 10].find(factor => factor * power >= least);
-}
-
-// A ground of many even steps; the lines at any levels lie over it.
-function map_traces(map, theme) {
-    const values = map.rows.flat().filter(value => value !== null);
-    if (!values.length) return [];
-    const low = values.reduce((a, b) => Math.min(a, b));
-    const high = values.reduce((a, b) => Math.max(a, b));
-    const step = round_step((high - low) / most_grounds);
-    const grid = {type: "contour", x: map.x, y: map.y, z: map.rows, connectgaps: false};
-    const line = {color: "#1a1a1a", width: 1};
-    const label = {size: 11, color: "#000000"};
-    const traces = [{
-        ...grid, colorscale: charts.ground, zmin: low, zmax: high, line: {width: 0},
-        contours: {coloring: "fill", size: step, end: high,
-                   start: Math.ceil(low / step) * step},
-        colorbar: {title: {text: map.label, side: "right"}, thickness: 14, outlinewidth: 0,
-                   tickfont: {color: theme.text}},
-        hovertemplate: "%{x:.4g}, %{y:.4g}: %{z:.4g}<extra></extra>",
-    }];
-    const levels = map.levels.filter(level => level > low && level < high);
-    for (const value of levels)
-        traces.push({
-            ...grid, line, showlegend: false, hoverinfo: "skip",
-            contours: {type: "constraint", operation: "=", value, showlabels: true, labelfont: label},
-        });
-    if (!map.levels.length)
-        traces.push({
-            ...grid, line, colorscale: [[0, line.color], [1, line.color]], showscale: false,
-            hoverinfo: "skip", ncontours: 8,
-            contours: {coloring: "lines", showlabels: true, labelfont: label},
-        });
-    return traces;
-}
-
-// A shade from that of the background, 0, to that of the letters, 1.
-function shaded(shade, theme) {
-    const parts = colour => [1, 3, 5].map(at => parseInt(colour.slice(at, at + 2), 16));
-    const [from, to] = [parts(theme.panel), parts(theme.text)];
-    return `rgb(${from.map((part, i) => Math.round(part + shade * (to[i] - part)))})`;
-}
-
-// A row of boxes per strip, with the kind's name where it fits.
-function strip_traces(figure, theme) {
-    return figure.strips.map(strip => {
-        const kinds = strip.stretches.map(([kind]) => figure.kinds[kind]);
-        return {
-            type: "bar", orientation: "h", yaxis: "y2", showlegend: false, hoverinfo: "text",
-            y: strip.stretches.map(() => strip.name), base: strip.stretches.map(([, begin]) => begin),
-            x: strip.stretches.map(([, begin, end]) => end - begin), text: kinds.map(kind => kind.name),
-            textposition: "inside", insidetextanchor: "middle", textangle: 0, constraintext: "inside",
-            marker: {color: kinds.map(kind => shaded(kind.shade, theme)),
-                     line: {color: theme.panel, width: 1}},
-        };
-    });
-}
-
-function panel_traces(figure, theme) {
-    return figure.panels.flatMap((panel, i) => {
-        const place = {xaxis: "x" + (i ? i + 1 : ""), yaxis: "y"};
-        const of_kinds = get => panel.rows.map(row => row.map(kind => kind < 0 ? null : get(figure.kinds[kind])));
-        return [{
-            ...place, type: "heatmap", x: panel.x, y: panel.y, zmin: 0, zmax: 1,
-            colorscale: [[0, theme.panel], [1, theme.text]], z: of_kinds(kind => kind.shade), text: of_kinds(kind => kind.name), showscale: false,
-            hovertemplate: "%{x:.3g}, %{y:.3g}: %{text}<extra></extra>",
-        }, ...panel.curves.map(curve => curve_trace(curve, theme, place))];
-    });
-}
-
-function traces_of(figure, theme) {
-    return [...(figure.map ? map_traces(figure.map, theme) : []), ...strip_traces(figure, theme),
-            ...figure.bands.flatMap(band => band_traces(band, theme, figure.curves)),
-            ...figure.curves.map(curve => curve_trace(curve, theme)), ...panel_traces(figure, theme)];
-}
-
-// The axes of panels side by side and of strips beneath the curves.
-function further_axes(figure, theme) {
-    const [n_panels, n_strips] = [figure.panels.length, figure.strips.length];
-    const axes = {};
-    const share = 1 / n_panels, gap = 0.02;
-    figure.panels.forEach((panel, i) => {
-        axes["xaxis" + (i ? i + 1 : "")] = {
-            ...charts.axis(figure.x, theme, "height"), ...(i ? {matches: "x"} : {}), constrain: "domain",
-            domain: [i * share, (i + 1) * share - (i + 1 < n_panels ? gap : 0)],
-        };
-    });
-    if (n_strips) {
-        const height = 0.075 * n_strips;
-        axes.yaxis2 = {domain: [0, height], autorange: "reversed", type: "category", fixedrange: true,
-                       showgrid: false, ticks: ""};
-        axes.yaxis = {...charts.axis(figure.y, theme, "width"), domain: [height + 0.03, 1]};
-        axes.xaxis = {...charts.axis(figure.x, theme, "height"), anchor: "y2"};
-        axes.barmode = "overlay";
-        axes.bargap = 0.15;
-    }
-    return axes;
-}
-
-function layout_of(figure, theme) {
-    const empty = !figure.map && !figure.panels.length && !figure.bands.length &&
-                  figure.curves.every(curve => !curve.x.length);
-    const layout = {
-        ...charts.layout(theme),
-        xaxis: charts.axis(figure.x, theme, "height"), yaxis: charts.axis(figure.y, theme, "width"),
-        ...further_axes(figure, theme),
-        margin: {l: 60, r: 16, t: 16, b: 48},
-        showlegend: !figure.panels.length, legend: {orientation: "h", y: 1.02, yanchor: "bottom", x: 0},
-        hovermode: "closest",
-        // A finger scrolls the page, a mouse zooms.
-        dragmode: matchMedia("(pointer: coarse)").matches ? false : "zoom",
-        annotations: empty ? [charts.note("no data")] : figure.panels.map((panel, i) => ({
-            text: panel.title, showarrow: false, x: (i + 0.49) / figure.panels.length, xref: "paper",
-            y: 1, yref: "paper", yanchor: "bottom",
-        })),
-    };
-    // Equal scales move the axis, which would ask for another margin, which moves the axis.
-    if (figure.equal_scales)
-        Object.assign(layout.yaxis, {scaleanchor: "x", constrain: "domain", automargin: false});
-    if (figure.panels.length) layout.margin.t = 32;
-    // Room for the names of strips, some 8 px a letter.
-    for (const {name} of figure.strips)
-        layout.margin.l = Math.max(layout.margin.l, 16 + 8 * name.length);
-    return layout;
+const chart_of = id => document.getElementById("chart_" + id);
+function draw(id, theme, size) {
+    need_library();
+    const figure = figure_of(id);
+    const width = size.width ?? chart_of(id).clientWidth;
+    // Not react: after another size it leaves the legend where that had it.
+    Plotly.newPlot("chart_" + id, figures.traces_of(figure, theme, width), {...size, ...figures.layout_of(figure, theme, width)},
+                   {displayModeBar: false, responsive: true});
 }
 
 // What is folded has no width; it is drawn when it unfolds.
-function is_folded(figure) {
-    return document.getElementById("chart_" + figure.id).closest("details:not([open])") !== null;
+const is_shown = id => !chart_of(id).closest("details:not([open])");
+
+// One after the other: between them the page answers its reader.
+async function draw_on_screen(wanted) {
+    for (const id of wanted) {
+        await new Promise(resolve => setTimeout(resolve));
+        if (is_shown(id) && !printing) draw(id, charts.screen(), on_screen);
+    }
 }
 
-function draw(theme, size, wanted = () => true) {
-    for (const figure of content.figures.filter(figure => !is_folded(figure) && wanted(figure)))
-        Plotly.react("chart_" + figure.id, traces_of(figure, theme),
-                     {...layout_of(figure, theme), ...size}, {displayModeBar: false, responsive: true});
-}
-
-function save_drawing(figure) {
-    const layout = {...layout_of(figure, charts.paper), title: {text: figure.title},
+function save_drawing(id) {
+    need_library();
+    const figure = figure_of(id);
+    const layout = {...figures.layout_of(figure, charts.paper, drawing.width), title: {text: figure.title},
                     margin: {l: 60, r: 16, t: 90, b: 48}};
-    return charts.save(traces_of(figure, charts.paper), layout, drawing, figure.id,
+    return charts.save(figures.traces_of(figure, charts.paper, drawing.width), layout, drawing, figure.id,
                        figure.description);
 }
 
@@ -258,16 +105,19 @@ function make_unfold_button() {
 }
 
 // On paper: what the reader has unfolded, and what a lab book needs.
-function print_with(draw_all) {
+let printing = false;
+function print_folded() {
     let unfolded = [];
     addEventListener("beforeprint", () => {
-        unfolded = foldings.filter(details => !details.open && "printed" in details.dataset);
+        printing = true;
+        unfolded = [...document.querySelectorAll("details[data-printed]:not([open])")];
         for (const details of unfolded) details.open = true;
-        draw_all(charts.paper, on_paper);
+        for (const id of ids.filter(is_shown)) draw(id, charts.paper, on_paper);
     });
     addEventListener("afterprint", () => {
+        printing = false;
         for (const details of unfolded) details.open = false;
-        draw_all(charts.screen(), on_screen);
+        draw_on_screen(ids);
     });
 }
 
@@ -275,21 +125,18 @@ document.querySelectorAll(".data thead th").forEach(make_sortable);
 addEventListener("hashchange", unfold_target);
 unfold_target();
 make_unfold_button();
-print_with(content.figures.length ? draw : () => {});
-if (content.figures.length) {
-    draw(charts.screen(), on_screen);
-    matchMedia("(prefers-color-scheme: dark)")
-        .addEventListener("change", () => draw(charts.screen(), on_screen));
-    for (const details of foldings)
-        details.addEventListener("toggle", () => {
-            const inside = figure => details.contains(document.getElementById("chart_" + figure.id));
-            if (details.open) draw(charts.screen(), on_screen, inside);
-        });
-    for (const figure of content.figures) {
-        const button = document.querySelector("#figure_" + figure.id + " button");
-        if (!button) continue;  // its drawing is a file
-        button.hidden = false;
-        button.addEventListener("click", () => save_drawing(figure));
-    }
+print_folded();
+// The figures' data stand behind this script; the page is painted before them.
+addEventListener("DOMContentLoaded", () => requestAnimationFrame(() => draw_on_screen(ids)));
+matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => draw_on_screen(ids));
+for (const details of foldings)
+    details.addEventListener("toggle", () => {
+        if (details.open) draw_on_screen(ids.filter(id => details.contains(chart_of(id))));
+    });
+for (const id of ids) {
+    const button = document.querySelector(`#figure_${id} button`);
+    if (!button) continue;  // its drawing is a file
+    button.hidden = false;
+    button.addEventListener("click", () => save_drawing(id));
 }
 })();

@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <cmath>
 #include <initializer_list>
 #include <kainjow/mustache.hpp>
@@ -49,6 +51,16 @@ struct ColumnStyle {
 
 bool is_text(const Cell& content) {
     return std::holds_alternative<std::string>(content) || std::holds_alternative<Link>(content);
+}
+
+/// Between the quotes of a string in CSS, in a page's style.
+std::string css_text(const std::string& text) {
+    std::string result;
+    for (const char c : text)
+        result += c == '"' || c == '\\' || c == '<' || static_cast<unsigned char>(c) < ' '
+                      ? fmt::format("\\{:x} ", c)
+                      : std::string(1, c);
+    return result;
 }
 
 std::string escaped(const std::string& text) {
@@ -131,7 +143,7 @@ data figure_data(const Figure& content, const std::string& plots) {
                    {"title", typeset(content.title)},
                    {"title_text", content.title},
                    {"caption", typeset(content.caption)},
-                   {"caption_text", content.caption},
+                   {"content", content_of(content)},
                    {"wide", content.panels.size() > 2},
                    {"files", plots.empty() ? "" : plots + "/" + content.id},
                    {"has_files", !plots.empty()},
@@ -186,24 +198,27 @@ Document with_figure(Document document) {
 
 /// The figures' data and the scripts that draw them.
 void set_scripts(const Document& document, data& page) {
+    data list{data::type::list};
+    std::string colours;
+    for (int i = 0; i < n_model_colours; ++i)
+        colours += (i > 0 ? " " : "") + model_colour(static_cast<std::size_t>(i));
     const std::vector<Figure> figures = figures_of(document);
+    for (const Figure& each : figures)
+        list << object({{"id", each.id}, {"json", script_json(figure_json(each))}});
+    page.set("colours", colours);
     page.set("has_figures", !figures.empty());
-    page.set("figures", script_json(chart_json(figures)));
+    page.set("figure_data", list);
     page.set("library", std::string(figures.empty() ? "" : chart_library()));
-    page.set("script", std::string(charts_script) + document_script);
+    page.set("script", std::string(charts_script) + figures_script + document_script);
 }
 
 void set_player(const std::optional<Player>& player, data& page) {
     page.set("has_player", player.has_value());
     if (!player) return;
     data films{data::type::list};
-    std::string colours;
-    for (int i = 0; i < n_model_colours; ++i)
-        colours += (i > 0 ? " " : "") + model_colour(static_cast<std::size_t>(i));
     for (std::size_t i = 0; i < player->films.size(); ++i)
         films << object({{"name", player->films[i].name}, {"index", std::to_string(i)}});
     page.set("films", films);
-    page.set("player_colours", colours);
     page.set("player_axis", player->axis);
     page.set("player_caption", player->caption);
     page.set("films_json", script_json(player_json(*player)));
@@ -255,6 +270,7 @@ std::string document_html(const Document& given) {
                         {"kind", document.kind},
                         {"title", document.title},
                         {"title_html", typeset(document.title)},
+                        {"title_css", css_text(document.title)},
                         {"has_lead", !document.lead.empty()},
                         {"lead", typeset(document.lead)},
                         {"has_sections", !document.sections.empty()},

@@ -1,9 +1,13 @@
 #include "report/figure.h"
 
 #include <algorithm>
+#include <cmath>
+#include <iterator>
 #include <map>
 #include <set>
+#include <utility>
 
+#include "report/format.h"
 #include "report/plot_style.h"
 
 namespace tricontact::report {
@@ -47,6 +51,32 @@ FigureStyles styles_of(const Figure& figure) {
     for (const Band& band : figure.bands)
         result.bands.push_back(band.colour ? band.colour : known_style(styles, band.name));
     return result;
+}
+
+std::string content_of(const Figure& figure) {
+    std::vector<std::pair<std::string, std::vector<double>>> drawn;
+    const auto add = [&](const std::string& name, const std::vector<double>& values) {
+        auto found = std::ranges::find(drawn, name, &decltype(drawn)::value_type::first);
+        if (found == drawn.end()) found = drawn.insert(drawn.end(), {name, {}});
+        std::ranges::copy_if(values, std::back_inserter(found->second),
+                             [](double value) { return std::isfinite(value); });
+    };
+    for (const Curve& curve : figure.curves)
+        if (!curve.name.empty()) add(curve.name, curve.y);
+    for (const Band& band : figure.bands)
+        if (!band.name.empty()) add(band.name, band.low), add(band.name, band.high);
+    if (figure.map) add(figure.map->label, figure.map->values);
+    std::string text = figure.y.label + " over " + figure.x.label + '.';
+    for (const auto& [name, values] : drawn) {
+        if (values.empty()) continue;
+        const auto [low, high] = std::ranges::minmax(values);
+        text += ' ' + name + ": " + significant(low, 3);
+        if (high > low) text += " to " + significant(high, 3);
+        text += '.';
+    }
+    for (const Strip& strip : figure.strips) text += " Strip " + strip.name + '.';
+    for (const Panel& panel : figure.panels) text += " Panel " + panel.title + '.';
+    return text;
 }
 
 std::string description_of(const Figure& figure) {

@@ -114,6 +114,10 @@ struct FigureStyles {
 };
 FigureStyles styles_of(const Figure& figure);
 
+/// What is drawn, for readers who cannot see it: axes, and from where to where each curve, band and
+/// map goes.
+std::string content_of(const Figure& figure);
+
 /// Caption and provenance: the words of a drawing that has left its page.
 std::string description_of(const Figure& figure);
 

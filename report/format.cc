@@ -20,6 +20,15 @@ std::string as_given(double value) {
     return text.erase(end, power - end);
 }
 
+static char capital(char letter) {
+    return static_cast<char>(std::toupper(static_cast<unsigned char>(letter)));
+}
+
+std::string capitalised(std::string text) {
+    if (!text.empty()) text.front() = capital(text.front());
+    return text;
+}
+
 std::string percent(std::optional<double> ratio) {
     if (!ratio || !std::isfinite(*ratio)) return significant({});
     const double value = 100 * (*ratio - 1);
@@ -60,7 +69,7 @@ std::string given_quantity(double value, const std::string& base) {
 std::string display_name(const std::string& model) {
     std::string name = model;
     for (std::size_t i = 0; i < std::min(model.find('-'), model.size()); ++i)
-        name[i] = static_cast<char>(std::toupper(static_cast<unsigned char>(name[i])));
+        name[i] = capital(name[i]);
     std::ranges::replace(name, '-', ' ');
     return name;
 }

@@ -20,6 +20,9 @@ std::string as_given(double value);
 /// line break around "=" or before a unit.
 std::string typeset(const std::string& sentence);
 
+/// The same with a capital as its first letter, where that is a letter of ASCII.
+std::string capitalised(std::string text);
+
 /// A ratio minus one in percent with its sign ("+16.5 %"); an en dash where undefined.
 std::string percent(std::optional<double> ratio);
 

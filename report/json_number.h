@@ -23,6 +23,9 @@ inline nlohmann::ordered_json number(std::optional<double> value) {
     return *value;
 }
 
+/// Rounded to that many significant digits: fewer bytes of text.
+double to_digits(double value, int digits);
+
 /// A list of what `json_of` makes of each value.
 template <class Values, class JsonOf>
 nlohmann::ordered_json list_of(const Values& values, const JsonOf& json_of) {

@@ -18,6 +18,7 @@ extern const char* const table_template;
 extern const char* const figure_template;
 extern const char* const verdicts_template;
 extern const char* const document_style;
+extern const char* const figures_script;
 extern const char* const document_script;
 
 /// Plays the contact of a document that has a player.

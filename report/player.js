@@ -8,7 +8,8 @@ const n_fields = 5;  // of film_json(): pressure, tau_x, tau_y, gap, state
 
 // What packed() made, as a buffer of bytes.
 async function unpacked(text) {
-    const bytes = Uint8Array.from(atob(text), letter => letter.charCodeAt(0));
+    const letters = atob(text), bytes = new Uint8Array(letters.length);
+    for (let i = 0; i < letters.length; ++i) bytes[i] = letters.charCodeAt(i);
     return new Response(new Blob([bytes]).stream().pipeThrough(new DecompressionStream("deflate"))).arrayBuffer();
 }
 const bytes_of = async text => new Uint8Array(await unpacked(text));
@@ -40,11 +41,13 @@ function picture(label) {
     return canvas;
 }
 
-// A film with its bytes, its canvases and the pictures of single pixels that these enlarge.
+// A film with its bytes, its canvases and the pictures of single pixels that these enlarge. Sections and reliefs are
+// unpacked when they are asked for.
 async function film_of(film) {
-    const mask = await bytes_of(film.mask), [n_x, n_y] = film.cells.n, cells = [];
+    const [mask, bytes] = await Promise.all([bytes_of(film.mask), bytes_of(film.bytes)]);
+    const [n_x, n_y] = film.cells.n, cells = [];
     for (let k = 0; k < n_x * n_y; ++k) if (mask[k >> 3] >> (k & 7) & 1) cells.push(k);
-    const made = {...film, ...film.cells, cells, bytes: await bytes_of(film.bytes),
+    const made = {...film, ...film.cells, cells, bytes,
                   canvas: root.querySelector(`canvas[data-film="${film.name}"]`),
                   image: element("canvas", {width: n_x, height: n_y}), pixels: new ImageData(n_x, n_y)};
     if (film.line)
@@ -55,10 +58,8 @@ async function film_of(film) {
         canvas.hidden = true;
         canvas.className = "section";
         made.canvas.after(canvas);
-        made.section = {...film.section, canvas, bytes: await bytes_of(film.section.bytes),
-                        image: element("canvas", {width: n, height: m}), pixels: new ImageData(n, m)};
+        made.section = {...film.section, packed: film.section.bytes, bytes: null, canvas, image: element("canvas", {width: n, height: m}), pixels: new ImageData(n, m)};
     }
-    if (film.relief) made.relief = {...film.relief, heights: await words_of(film.relief.heights)};
     return made;
 }
 
@@ -79,10 +80,11 @@ for (const film of films) {
     });
 }
 
-const colour = name => getComputedStyle(document.documentElement).getPropertyValue("--" + name).trim();
+let theme = charts.screen();
+const colour = name => theme[name];
 const minus = text => text.replace("-", "−");
-const palette = root.dataset.colours.split(" ");
-let now = 0, timer = 0, scene = null;
+const palette = document.getElementById("content").dataset.colours.split(" ");
+let now = 0, timer = 0, scene = null, opening = null;
 
 // The five fields of a frame, on the film's cells.
 function fields_of(film, frame) {
@@ -186,7 +188,7 @@ function paint_line(film, frame) {
 // Von Mises' stress below the surface, to the scale and under the cells of the surface above it.
 function paint_section(film, frame) {
     const {section} = film, [n_x, n_y] = section.n, place = film.frames[frame].section;
-    section.canvas.hidden = !part("section")?.checked;
+    section.canvas.hidden = !section.bytes || !part("section").checked;
     if (section.canvas.hidden) return;
     const pen = pen_on(section.canvas, n_y * section.spacing[1] / (n_x * section.spacing[0]));
     const {width, height} = section.canvas;
@@ -259,8 +261,11 @@ function chart(canvas) {
     pen.strokeRect(inset, 0.5 * inset, canvas.width - 1.3 * inset, canvas.height - 1.5 * inset);
     // Rounding beside a range is zero.
     const number = (value, range) => (Math.abs(value) < 1e-6 * range ? "0" : minus(Number(value.toPrecision(3)).toString()));
+    for (const [x, side] of [[left, "left"], [right, "right"]]) {
+        pen.textAlign = side;
+        pen.fillText(number(x, right - left), x_of(x), canvas.height - 0.6 * inset);
+    }
     pen.textAlign = "center";
-    for (const x of [left, right]) pen.fillText(number(x, right - left), x_of(x), canvas.height - 0.6 * inset);
     pen.fillText(canvas.dataset.label, canvas.width / 2, canvas.height - 0.2 * inset);
     pen.textAlign = "right";
     for (const y of [low, high]) pen.fillText(number(y, high - low), 0.95 * inset, y_of(y) + 4 * ratio);
@@ -319,8 +324,9 @@ const with_section = leader.frames.map((_, k) => k)
     .filter(k => films.some(film => film.section && film.frames[film.follows[k]].section !== undefined));
 if (with_section.length) {
     const box = element("input", {type: "checkbox", id: "player_section"});
-    box.addEventListener("change", () => {
+    box.addEventListener("change", async () => {
         pause();
+        for (const {section} of films) if (section) section.bytes ??= await bytes_of(section.packed);
         // The nearest instant that has one.
         const nearest = with_section.reduce((a, b) => (Math.abs(b - now) < Math.abs(a - now) ? b : a));
         show(box.checked ? nearest : now);
@@ -334,7 +340,9 @@ async function open_scene() {
     const script = element("script", {textContent: new TextDecoder().decode(
         await unpacked(document.getElementById("scene_library").textContent))});
     document.head.append(script);
-    return contact_scene({place: part("scene"), films: films.filter(film => film.relief),
+    const with_relief = films.filter(film => film.relief);
+    for (const {relief} of with_relief) relief.heights = await words_of(relief.heights);
+    return contact_scene({place: part("scene"), films: with_relief,
                           body: {...content.body, heights: await words_of(content.body.heights)},
                           colour, element, redraw: () => show(now)});
 }
@@ -344,7 +352,7 @@ part("open_scene")?.addEventListener("click", async () => {
     } else {
         part("scene").hidden = false;
         try {
-            scene ??= await open_scene();
+            scene = await (opening ??= open_scene());
         } catch (error) {
             part("scene").textContent = `This browser draws nothing in three dimensions: ${error.message}`;
         }
@@ -353,6 +361,7 @@ part("open_scene")?.addEventListener("click", async () => {
     part("open_scene").setAttribute("aria-expanded", !part("scene").hidden);
 });
 
+if (matchMedia("(prefers-reduced-motion: reduce)").matches) part("speed").value = part("speed").options[0].value;
 part("scrub").max = leader.frames.length - 1;
 part("scrub").addEventListener("input", event => { pause(); show(Number(event.target.value)); });
 part("play").addEventListener("click", play);
@@ -366,8 +375,13 @@ root.addEventListener("keydown", event => {
     }
 });
 addEventListener("resize", () => show(now));
-matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => show(now));
-addEventListener("beforeprint", pause);
+function show_in(colours) {
+    theme = colours;
+    show(now);
+}
+matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => show_in(charts.screen()));
+addEventListener("beforeprint", () => { pause(); show_in(charts.paper); });
+addEventListener("afterprint", () => show_in(charts.screen()));
 part("controls").hidden = false;
 // The last instant of the first period says more than an unloaded contact.
 show(Math.min(leader.frames.length - 1, 2 + Math.floor((leader.frames.length - 2) / 2)));

@@ -1,11 +1,10 @@
 #include "report/player_json.h"
 
-#include <fmt/format.h>
-
 #include <cmath>
 #include <string>
 #include <vector>
 
+#include "report/json_number.h"
 #include "report/packed.h"
 
 namespace tricontact::report {
@@ -36,9 +35,9 @@ std::string packed_words(const std::vector<std::uint16_t>& words) {
     return packed(bytes);
 }
 
-/// To seven digits: more than a picture has.
+/// More than a picture has; what is no number stays where the picture begins.
 double rounded(double value) {
-    return std::isfinite(value) ? std::stod(fmt::format("{:.7g}", value)) : 0;
+    return std::isfinite(value) ? to_digits(value, 7) : 0;
 }
 
 json grid_json(const FilmGrid& grid) {

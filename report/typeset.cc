@@ -32,8 +32,8 @@ bool is_letter(char c) {
 /// "mu" -> μ where it is a word of its own, and no part of a key's name ("a.mu").
 std::string with_greek(const std::string& text) {
     constexpr std::pair<std::string_view, std::string_view> letters[] = {
-        {"chi", "χ"}, {"eta", "η"}, {"theta", "θ"}, {"kappa", "κ"}, {"mu", "μ"},
-        {"nu", "ν"},  {"rho", "ρ"}, {"tau", "τ"},   {"omega", "ω"}};
+        {"beta", "β"}, {"chi", "χ"}, {"eta", "η"}, {"theta", "θ"}, {"kappa", "κ"}, {"mu", "μ"},
+        {"nu", "ν"},   {"pi", "π"},  {"rho", "ρ"}, {"tau", "τ"},   {"omega", "ω"}};
     std::string result;
     for (std::size_t begin = 0; begin < text.size();) {
         std::size_t end = begin;
@@ -130,10 +130,13 @@ std::string typeset(const std::string& sentence) {
     replace_all(html, "&gt;=", "≥");
     replace_all(html, "&lt;=", "≤");
     replace_all(html, " - ", " − ");
-    replace_all(html, " = ", "\u00a0=\u00a0");
-    for (const std::string unit : {"%", "m", "mm", "µm", "nm"})
-        for (const char* end : {" ", ")", ",", ".", ":"})
+    for (const std::string sign : {"=", "±"})
+        replace_all(html, " " + sign + " ", "\u00a0" + sign + "\u00a0");
+    for (const char* end : {" ", ")", ",", ".", ":", ";"}) {
+        replace_all(html, std::string(" um") + end, std::string(" µm") + end);
+        for (const std::string unit : {"%", "m", "mm", "µm", "nm"})
             replace_all(html, " " + unit + end, "\u00a0" + unit + end);
+    }
     return html;
 }
 

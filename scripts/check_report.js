@@ -96,20 +96,33 @@ async function check_scene(expect, settle) {
     expect(part("scene").hidden, "the view cannot be closed");
 }
 
-// How long an instant takes, in real time: told on the console, for check_report.sh.
+// When the first figure stands in the page.
+const first_figure = new Promise(resolve => {
+    new MutationObserver((_, observer) => {
+        if (!document.querySelector("svg.main-svg")) return;
+        observer.disconnect();
+        resolve(performance.now());
+    }).observe(document.documentElement, {childList: true, subtree: true});
+});
+
+// How soon the page is there and how long an instant takes, in real time: told on the console, for check_report.sh.
 async function measure_player() {
     const part = id => document.getElementById("player_" + id);
-    while (part("controls").hidden) await new Promise(resolve => setTimeout(resolve, 20));
-    const ready = performance.now(), n = Number(part("scrub").max) + 1, n_drawn = 3 * n;
+    while (part("controls").hidden) await new Promise(resolve => setTimeout(resolve, 5));
+    const ready = performance.now(), drawn = document.querySelector(".chart") ? await first_figure : Infinity;
+    const painted = performance.getEntriesByName("first-contentful-paint")[0].startTime;
+    const begin = performance.now(), n = Number(part("scrub").max) + 1, n_drawn = 3 * n;
     for (let k = 0; k < n_drawn; ++k) {
         part("scrub").value = k % n;
         part("scrub").dispatchEvent(new Event("input"));
         // What the canvas was told is done by the time that a pixel is asked for.
         document.querySelector("#player canvas").getContext("2d").getImageData(0, 0, 1, 1);
     }
-    const each = (performance.now() - ready) / n_drawn;
+    const each = (performance.now() - begin) / n_drawn;
     console.log(`player: ready after ${ready.toFixed(0)} ms, ${each.toFixed(2)} ms per instant of ` +
-                `${document.querySelectorAll("#player canvas[data-film]").length} models`);
+                `${document.querySelectorAll("#player canvas[data-film]").length} models; ` +
+                `page: painted after ${painted.toFixed(0)} ms, first figure after ${drawn.toFixed(0)} ms` +
+                (drawn < painted ? "; DRAWN BEFORE THE PAGE IS PAINTED" : ""));
 }
 
 // A page that plays a contact: each instant is painted, the slider, the space bar and the button move
@@ -266,7 +279,7 @@ addEventListener("load", async () => {
     // What unfolds is drawn only then.
     for (const folded of all("details")) folded.open = true;
     for (let i = 0; i < 100 && all(".chart").some(chart => !chart.querySelector("svg.main-svg")); ++i)
-        await a_while();
+        await new Promise(resolve => setTimeout(resolve, 50));
     const page = document.documentElement;
     expect(page.scrollWidth <= innerWidth, `page is ${page.scrollWidth} px wide`);
     for (const chart of all(".chart")) {
@@ -297,12 +310,15 @@ addEventListener("load", async () => {
         expect(next <= level + 1, `heading "${heading.textContent}" skips a level`);
         level = next;
     }
-    for (const element of all("a[href], button, summary")) {
-        const name = element.getAttribute("aria-label") ?? element.textContent.trim();
+    for (const element of all("a[href], button, summary, input, select, [tabindex]")) {
+        if (element.closest("[hidden]")) continue;
+        const name = element.getAttribute("aria-label") ?? (element.labels?.[0] ?? element).textContent.trim();
         expect(name, `${element.outerHTML.slice(0, 80)} has no name`);
         element.focus();
         expect(document.activeElement === element && element.tabIndex >= 0,
                `"${name}" cannot be reached by keyboard`);
+        const {outlineStyle, outlineWidth} = getComputedStyle(element);
+        expect(outlineStyle !== "none" && parseFloat(outlineWidth) >= 1, `nobody sees that "${name}" has the focus`);
         const target = element.getAttribute("href") ?? "";
         if (target.startsWith("#")) expect(names.has(target.slice(1)), `no ${target} to go to`);
     }
@@ -323,6 +339,10 @@ addEventListener("load", async () => {
         }
         expect(table.tBodies[0].rows.length === n_rows, "sorting loses rows");
     }
+
+    // Rules for readers who see, hear or move otherwise; the letters of drawings have those of the page.
+    const {violations} = await axe.run({exclude: ["svg"]}, {resultTypes: ["violations"]});
+    for (const {id, help, nodes} of violations) expect(false, `${id}: ${help}: ${nodes[0].html.slice(0, 120)}`);
 
     await check_marker(expect, settle);
     await check_atlas(expect, settle);

@@ -1,13 +1,16 @@
 #!/usr/bin/env bash
 # Reads reports in chromium, wide and on a phone, by day and by night: no message on the console, no
-# request to the network, every chart drawn in the page's colours, no sideways scrolling, every link
-# and button within reach of the keyboard, tables that sort, drawings that can be saved.
+# request to the network, every chart drawn in the page's colours, no sideways scrolling, whatever can be chosen
+# within reach of the keyboard and seen when it is, axe-core's rules of accessible pages, tables that sort, drawings
+# that can be saved.
 # usage: check_report.sh REPORT.html...
 # Exit codes: 0 nothing to complain about, 1 complaints, 2 wrong call, or no chromium and not root.
 set -euo pipefail
 scripts=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")" >/dev/null && pwd)
 [ $# -gt 0 ] || { sed -n '/^# usage/s/^# //p' "${BASH_SOURCE[0]}" >&2; exit 2; }
 "$scripts/setup.sh" report
+cmake -DFOLDER="$scripts/../build/axe" -P "$scripts/../cmake/fetch_axe.cmake"
+axe=$scripts/../build/axe/package/axe.min.js
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
@@ -44,7 +47,7 @@ look() {
 }
 
 # measure REPORT: has the player of a report draw in real time, which stands still for the readers above; at most 33 ms per
-# instant make 30 a second.
+# instant make 30 a second. The page is painted before its first figure is drawn.
 measure() {
     grep -q 'id="player"' "$1" || return 0
     chromium --headless --no-sandbox --disable-gpu --window-size=1300,1700 --user-data-dir="$work/measured" \
@@ -58,6 +61,7 @@ measure() {
     kill "$browser" 2>/dev/null || true
     wait "$browser" 2>/dev/null || true
     printf '%s\n' "$said" >&2
+    ! grep 'DRAWN BEFORE' <<<"$said" || true
     awk '{ exit !($0 ~ /player/ && $6 < 33) }' <<<"$said" || echo "more than 33 ms per instant: ${said:-nothing is drawn}"
 }
 
@@ -68,8 +72,10 @@ for report in "$@"; do
     for preference in dark:0 light:1; do
         n=$((n + 1))
         mkdir "$work/$n"
-        { cat "$report" && echo "<script>" && cat "$scripts/check_report.js" && echo "</script>"; } \
-            >"$work/$n/report.html"
+        {
+            cat "$report"
+            printf '<script>\n%s\n</script>\n<script>\n%s\n</script>\n' "$(cat "$axe")" "$(cat "$scripts/check_report.js")"
+        } >"$work/$n/report.html"
         [ "$(jobs -rp | wc -l)" -lt "$(nproc)" ] || wait -n
         look "$work/$n" "${preference#*:}" | sed "s|^|FAILED: $report, ${preference%:*}: |" >"$work/$n.said" &
     done

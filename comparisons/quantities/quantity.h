@@ -50,6 +50,7 @@ struct Quantity {
     Part part = Part::nowhere;
     bool is_column = true;    ///< of results.csv: one value, and the same whenever it is computed
     bool is_refined = false;  ///< `refine` follows it over its levels
+    bool is_place = false;    ///< counted from an origin: two of them have no ratio
     bool is_plotted = false;  ///< a sweep draws it over its axes
     /// The only state in which refine and plots use it: after shakedown an increment is what is
     /// left of nothing.

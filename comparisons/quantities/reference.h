@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <optional>
 #include <string>
 
@@ -18,6 +19,10 @@ bool in_unit_range(double ratio);
 double tangential_ratio(const contact::History& history);
 /// The same of a case's load, pressed by F_N [N]; NaN of a fraction of a limit.
 double tangential_ratio(const contact::Case& c, double normal_force);
+/// Whether that is more than what rounding leaves of no force.
+inline bool is_loaded(double tangential_ratio) {
+    return std::abs(tangential_ratio) >= 1e-9;
+}
 /// w = W/a over the model's own contact radius.
 double amplitude_ratio(const contact::History& history);
 

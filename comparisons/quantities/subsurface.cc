@@ -66,7 +66,8 @@ constinit const Quantity peak_x_ratio{
     .defined = written,
     .of = of_inside<[](Inside i, Scales s) { return i.peak_position[0] / s.contact_radius; }>,
     .place = "/subsurface/peak_x_ratio",
-    .part = Part::inside};
+    .part = Part::inside,
+    .is_place = true};
 
 constinit const Quantity peak_z_ratio{
     .key = "peak_z_ratio",
@@ -77,7 +78,8 @@ constinit const Quantity peak_z_ratio{
     .defined = written,
     .of = of_inside<[](Inside i, Scales s) { return i.peak_position[2] / s.contact_radius; }>,
     .place = "/subsurface/peak_z_ratio",
-    .part = Part::inside};
+    .part = Part::inside,
+    .is_place = true};
 
 }  // namespace
 

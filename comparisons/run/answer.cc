@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <bit>
-#include <cctype>
 #include <cmath>
 #include <limits>
 
@@ -20,7 +19,6 @@ using contact::State;
 using report::Verdict;
 
 constexpr double tolerance = .05;  // from which on an assumption fails
-constexpr double no_force = 1e-9;  // of f_T: rounding
 
 /// What a model takes for granted, in the order in which sentences name it.
 enum Trait : unsigned { springs = 1, half_space = 2, uncoupled = 4, small_strains = 8 };
@@ -73,19 +71,23 @@ const Results* next_of(const Case& c, const Results& s, const std::vector<Result
     return next;
 }
 
+/// Whether both know their state, and it is another.
+bool differ(const Results& a, const Results& b) {
+    const auto decided = [](const Results& s) {
+        return s.state() && *s.state() != State::undecided;
+    };
+    return decided(a) && decided(b) && a.state() != b.state();
+}
+
 Verdict::Standing standing_of(double change) {
     return std::abs(change) < tolerance ? Verdict::Standing::holds : Verdict::Standing::fails;
 }
 
-std::string capital(std::string text) {
-    if (!text.empty()) text.front() = static_cast<char>(std::toupper(text.front()));
-    return text;
-}
-
 Verdict effect(const std::string& assumption, const char* words, double change,
                const std::string& between) {
-    return {standing_of(change), fmt::format("{}: {} of the {} ({}).", capital(assumption),
-                                             report::percent(1 + change), words, between)};
+    return {standing_of(change),
+            fmt::format("{}: {} of the {} ({}).", report::capitalised(assumption),
+                        report::percent(1 + change), words, between)};
 }
 
 /// Models side by side.
@@ -101,16 +103,30 @@ void add_model_verdicts(const Case& c, const std::vector<Results>& results,
         told.push_back(removed);
         const std::string pair =
             report::display_name(s.model) + " beside " + report::display_name(other->model);
-        if (const auto ratio = ratio_of(s, *other))
-            verdicts.push_back(effect(names_of(removed), headline_of(s).words, *ratio - 1, pair));
-        else if (s.state() && other->state() && s.state() != other->state() &&
-                 s.state() != State::undecided && other->state() != State::undecided)
+        if (differ(s, *other))
             verdicts.push_back(
                 {Verdict::Standing::fails,
-                 fmt::format("{}: {} instead of {} ({}).", capital(names_of(removed)),
+                 fmt::format("{}: {} instead of {} ({}).", report::capitalised(names_of(removed)),
                              contact::name_of(*s.state()), contact::name_of(*other->state()),
                              pair)});
+        else if (const auto ratio = ratio_of(s, *other))
+            verdicts.push_back(effect(names_of(removed), headline_of(s).words, *ratio - 1, pair));
     }
+}
+
+/// Who takes the same for granted as the reference ought to come to the same.
+void add_disagreements(const Case& c, const std::vector<Results>& results,
+                       std::vector<Verdict>& verdicts) {
+    const Results& reference = results.back();
+    for (const Results& s : results)
+        if (traits_of(c, s.model) == traits_of(c, reference.model) && differ(s, reference))
+            verdicts.push_back(
+                {Verdict::Standing::cannot_tell,
+                 fmt::format("{} and {} take the same for granted and do not agree on the verdict "
+                             "({} against {}): compare their distance to the limit, the periods "
+                             "run and the resolution.",
+                             report::display_name(s.model), report::display_name(reference.model),
+                             contact::name_of(*s.state()), contact::name_of(*reference.state()))});
 }
 
 void add_variant_verdicts(const std::vector<Results>& results,
@@ -154,11 +170,10 @@ std::string length_text(double value, std::optional<double> error) {
 
 std::string error_note(const std::optional<NumericalError>& error, const Quantity& q) {
     if (!error) return " Its numerical error was not asked for (--no-studies).";
-    if (error->of(q)) return " ± is what mesh and steps leave, from the same on coarser ones.";
+    if (error->of(q)) return " ± is the error of mesh and steps, estimated with coarser ones.";
     return error->why_none.empty()
-               ? " What mesh and steps leave is not known: on coarser ones it comes to no such "
-                 "number."
-               : " What mesh and steps leave is not known: " + error->why_none + ".";
+               ? " The error of mesh and steps is not known: coarser ones give no such number."
+               : " The error of mesh and steps is not known: " + error->why_none + ".";
 }
 
 }  // namespace
@@ -180,7 +195,7 @@ Verdict answer_of(const Case& c, const Results& s, const std::optional<Numerical
     const auto length = [&](const Quantity& q) {
         return length_text(s.number(q).value_or(0), error ? error->of(q) : std::nullopt);
     };
-    if (!s.state() && std::abs(s.number(quantities::tangential_ratio).value_or(1)) < no_force)
+    if (!s.state() && !is_loaded(s.number(quantities::tangential_ratio).value_or(1)))
         return {
             Verdict::Standing::finding,
             fmt::format("The indenter is pressed in by {}; the {} is {}{}{}", length(indentation),
@@ -264,18 +279,19 @@ report::DocumentTable models_table(const Case& c, const std::vector<Results>& re
 }
 
 std::vector<Verdict> assumption_verdicts(const Case& c, const std::vector<Results>& results,
-                                         const AssumptionStudies& studies) {
+                                         const ReportExtras& extras) {
     std::vector<Verdict> verdicts;
     add_model_verdicts(c, results, verdicts);
-    add_variant_verdicts(results, studies.variants, verdicts);
-    for (const SmallStrains& study : studies.small_strains) {
+    add_disagreements(c, results, verdicts);
+    add_variant_verdicts(results, extras.study.variants, verdicts);
+    for (const SmallStrains& study : extras.small_strains) {
         const auto ratio = study.linear ? ratio_of(*study.linear, study.finite) : std::nullopt;
         if (ratio)
             verdicts.push_back(
                 effect("small strains", headline_of(study.finite).words, *ratio - 1,
                        report::display_name(study.model) + " with a linear material"));
     }
-    for (const RunComparison& twin : studies.relaxation.twins) {
+    for (const RunComparison& twin : extras.relaxation.twins) {
         const auto change = twin.other ? twin_error(*twin.other, twin.run) : std::nullopt;
         if (change && twin.model == results.back().model)
             verdicts.push_back(effect("an elastic substrate of the relaxed modulus",

@@ -6,8 +6,7 @@
 
 #include "comparisons/quantities/results.h"
 #include "comparisons/resolution/numerical_error.h"
-#include "comparisons/run/loading_study.h"
-#include "comparisons/run/small_strains.h"
+#include "comparisons/run/report.h"
 #include "contact/case.h"
 #include "report/document.h"
 
@@ -30,16 +29,10 @@ report::Verdict answer_of(const contact::Case& c, const Results& reference,
 report::DocumentTable models_table(const contact::Case& c, const std::vector<Results>& results,
                                    const std::optional<NumericalError>& error);
 
-/// What else a run knows of assumptions.
-struct AssumptionStudies {
-    const std::vector<LoadingVariant>& variants;
-    const std::vector<SmallStrains>& small_strains;
-    const RelaxationStudy& relaxation;
-};
-/// What assumptions change in the headline's number, each with who was held against whom: they fail
-/// from 5 % on. The last one names those that nothing in this run tests.
+/// What assumptions change in the verdict or in the headline's number, each with who was held
+/// against whom: they fail from 5 % on. The last one names those that nothing in this run tests.
 std::vector<report::Verdict> assumption_verdicts(const contact::Case& c,
                                                  const std::vector<Results>& results,
-                                                 const AssumptionStudies& studies);
+                                                 const ReportExtras& extras);
 
 }  // namespace tricontact::comparisons

@@ -90,7 +90,7 @@ Figures shift_figures(const contact::Case& c, const Histories& histories,
     if (error && error->coarser) {
         report::Band band = error->shift_band(unit.factor);
         band.name = report::display_name(error->model);
-        metres.caption += " Band: what mesh and steps leave in " + band.name + ".";
+        metres.caption += " Band: error of mesh and steps in " + band.name + ".";
         metres.bands.push_back(std::move(band));
     }
     return {std::move(metres),

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <functional>
 
@@ -154,11 +153,9 @@ report::DocumentSection path_section(const contact::Case& c, const Histories& hi
         if (y.largest(histories) == 0 || (x && x->largest(histories) == 0)) return;
         section.figures.push_back(figure_of(id, title, y, x, histories));
     };
-    for (const Magnitude* magnitude : answers(path)) {
-        std::string title = magnitude->name + " along the path";
-        title.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(title.front())));
-        add(magnitude->id, title, *magnitude, nullptr);
-    }
+    for (const Magnitude* magnitude : answers(path))
+        add(magnitude->id, report::capitalised(magnitude->name) + " along the path", *magnitude,
+            nullptr);
     add("path_loop", "Force F_x over shift U_x", force_x, &shift_x);
     if (!path.is_along_x()) add("path_loop_y", "Force F_y over shift U_y", force_y, &shift_y);
     if (path.twists()) add("path_twist", "Torque over rotation", torque, &rotation);

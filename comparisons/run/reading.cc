@@ -103,18 +103,6 @@ std::string by_limit_sentence(const Summaries& summaries) {
         of_models(models, summaries));
 }
 
-/// Where verdicts differ the models' numbers cannot be compared.
-std::string disagreement_sentence(const Results& s, const Results& base) {
-    const auto state = s.state(), base_state = base.state();
-    const bool decided = state != State::undecided && base_state != State::undecided;
-    if (!state || !base_state || !decided || state == base_state) return {};
-    return fmt::format(
-        "{} and {} do not agree on the verdict ({} against {}): compare their distance to the "
-        "limit, the periods run and the resolution.",
-        report::display_name(s.model), report::display_name(base.model), contact::name_of(*state),
-        contact::name_of(*base_state));
-}
-
 /// Closed form and models side by side. Where a substrate still relaxes, its shift is one of a
 /// stiffer body, and no closed form's.
 std::string static_sentence(const contact::Case& c, const Summaries& summaries,
@@ -166,8 +154,6 @@ std::vector<std::string> reading(const contact::Case& c, const Summaries& summar
     std::vector<std::string> findings;
     for (const Results& s : summaries) findings.push_back(verdict_sentence(c, s, r));
     findings.push_back(by_limit_sentence(summaries));
-    for (std::size_t i = 0; i + 1 < summaries.size(); ++i)
-        findings.push_back(disagreement_sentence(summaries[i], summaries.back()));
     findings.push_back(limit_sentence(c, summaries, r));
     findings.push_back(static_sentence(c, summaries, r));
     for (const std::string& text : limitations(c, summaries)) findings.push_back(text);

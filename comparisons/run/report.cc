@@ -106,8 +106,7 @@ report::Document run_document(const contact::Case& c, const std::string& resolve
     document.answer = answer_of(c, results.back(), extras.numerical);
     if (results.size() > 1) document.comparison = models_table(c, results, extras.numerical);
     document.verdicts_heading = "Assumptions";
-    document.verdicts = assumption_verdicts(
-        c, results, {extras.study.variants, extras.small_strains, extras.relaxation});
+    document.verdicts = assumption_verdicts(c, results, extras);
     document.player = player_of(c, extras.films);
     document.sections = {{"reading", "Reading", reading(c, results)}, results_section(c, results)};
     if (c.prescribed_path) document.sections.push_back(path_section(c, histories));

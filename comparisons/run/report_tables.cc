@@ -60,6 +60,20 @@ std::string rolling_note(const contact::Case& c) {
     return text;
 }
 
+/// Columns in which no row has anything to say.
+void drop_empty_columns(DocumentTable& table) {
+    const auto is_empty = [](const Cell& cell) {
+        const auto* words = std::get_if<std::string>(&cell);
+        return words && words->empty();
+    };
+    for (std::size_t i = table.columns.size(); i-- > 0;) {
+        if (!std::ranges::all_of(table.rows, [&](const auto& row) { return is_empty(row[i]); }))
+            continue;
+        table.columns.erase(table.columns.begin() + static_cast<std::ptrdiff_t>(i));
+        for (auto& row : table.rows) row.erase(row.begin() + static_cast<std::ptrdiff_t>(i));
+    }
+}
+
 /// Rows over the same models, with the same columns of theory and differences.
 class RowMaker {
   public:
@@ -80,6 +94,7 @@ class RowMaker {
         const bool always = !case_.prescribed_path && part != Part::ends && part != Part::inside;
         for (const Quantity* q : all_quantities())
             if (q->part == part && (always || is_known(*q))) table.rows.push_back(row(*q));
+        drop_empty_columns(table);
         return table;
     }
 
@@ -134,7 +149,7 @@ class RowMaker {
             results_, [&](const Results& r) { return number_of(r[q]).has_value(); });
         const Value other = compares_with_theory() ? theory : results_.back().told(q);
         for (std::size_t i = 0; i < n_compared(); ++i)
-            row.push_back(has_numbers && q.part != Part::cost
+            row.push_back(has_numbers && q.part != Part::cost && !q.is_place
                               ? change_cell(results_[i].told(q), other)
                               : Cell(""));
         return row;

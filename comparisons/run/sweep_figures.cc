@@ -8,6 +8,7 @@
 #include "comparisons/run/sweep_document.h"
 #include "contact/special_values.h"
 #include "report/csv.h"
+#include "report/format.h"
 
 namespace tricontact::comparisons {
 
@@ -19,9 +20,7 @@ double value_of(const Sweep::Point& point, const Quantity& quantity) {
 
 /// "Settled shift u_sd".
 std::string title_of(const Quantity& quantity) {
-    std::string title = label_of(quantity);
-    title.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(title.front())));
-    return title;
+    return report::capitalised(label_of(quantity));
 }
 
 SweepScale scale_of(const Sweep& sweep, std::size_t axis) {
@@ -56,16 +55,26 @@ std::string rest_of(const Sweep::Point& point, std::size_t axis) {
     return rest;
 }
 
+/// In which the values of a quantity with a unit are drawn.
+report::Unit unit_over(const Sweep& sweep, const Quantity& quantity) {
+    if (std::string(quantity.unit).empty()) return {};
+    double largest = 0;
+    for (const Sweep::Point& point : sweep.points)
+        largest = std::max(largest, std::abs(point.results.told(quantity).value_or(0)));
+    return report::fitting_unit(largest, quantity.unit);
+}
+
 /// One curve per model and level, its lines apart by gaps.
 std::vector<report::Curve> curves_over(const Sweep& sweep, std::size_t axis,
-                                       const SweepScale& scale, const Quantity& quantity) {
+                                       const SweepScale& scale, const Quantity& quantity,
+                                       double unit) {
     std::vector<std::string> names;
     std::map<std::string, std::map<std::string, std::map<double, double>>> lines;
     for (const Sweep::Point& point : sweep.points) {
         const std::string name = name_of(point, sweep);
         if (!lines.contains(name)) names.push_back(name);
         const double x = std::get<double>(point.values[axis]) / scale.unit.factor;
-        lines[name][rest_of(point, axis)][x] = value_of(point, quantity);
+        lines[name][rest_of(point, axis)][x] = value_of(point, quantity) / unit;
     }
     std::vector<report::Curve> curves;
     for (const std::string& name : names) {
@@ -97,6 +106,7 @@ std::vector<report::Figure> figures_of(const Sweep& sweep, const std::vector<Swe
     const bool defined = std::ranges::any_of(sweep.points, [&](const Sweep::Point& point) {
         return std::isfinite(value_of(point, quantity));
     });
+    const report::Unit unit = unit_over(sweep, quantity);
     std::vector<report::Figure> figures;
     if (!defined || sweep.points.size() > most_drawn) return figures;
     for (std::size_t axis = 0; axis < sweep.axes.size(); ++axis) {
@@ -107,8 +117,9 @@ std::vector<report::Figure> figures_of(const Sweep& sweep, const std::vector<Swe
         figure.id = fmt::format("{}_{}", quantity.key, axis + 1);
         figure.title = fmt::format("{} over {}", title_of(quantity), key);
         figure.x = {scale.heading, sweep.axes[axis].logarithmic};
-        figure.y.label = heading_of(quantity);
-        figure.curves = curves_over(sweep, axis, scale, quantity);
+        figure.y.label = unit.symbol.empty() ? heading_of(quantity)
+                                             : fmt::format("{} [{}]", quantity.symbol, unit.symbol);
+        figure.curves = curves_over(sweep, axis, scale, quantity, unit.factor);
         figure.caption = caption_of(sweep, quantity, figure.curves);
     }
     return figures;

@@ -118,7 +118,7 @@ constexpr std::pair<const char*, std::vector<float> MotionSamples::*> lists_of_s
 };
 
 double five_digits(float value) {
-    return std::stod(fmt::format("{:.5g}", value));
+    return report::to_digits(value, 5);
 }
 
 json samples_json(const MotionSamples& samples) {

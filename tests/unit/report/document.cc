@@ -103,15 +103,23 @@ TEST(DocumentCsv, TablesWithAllDigits) {
 }
 
 TEST(ChartJson, GapsAreNull) {
-    const auto json = chart_json({curves(), contour_map()});
-    EXPECT_EQ(json["figures"][0]["curves"][0]["y"].dump(), "[0.5,null]");
-    EXPECT_EQ(json["figures"][1]["map"]["rows"].dump(), "[[1.0,2.0],[3.0,null],[5.0,6.0]]");
-    EXPECT_TRUE(json["figures"][0]["map"].is_null());
-    EXPECT_TRUE(json["figures"][1]["x"]["logarithmic"]);
+    const auto of_curves = figure_json(curves()), of_map = figure_json(contour_map());
+    EXPECT_EQ(of_curves["curves"][0]["y"].dump(), "[0.5,null]");
+    EXPECT_EQ(of_map["map"]["rows"].dump(), "[[1.0,2.0],[3.0,null],[5.0,6.0]]");
+    EXPECT_TRUE(of_curves["map"].is_null());
+    EXPECT_TRUE(of_map["x"]["logarithmic"]);
     Figure quoted = curves();
     quoted.x.label = "Poisson's \"ν\" < 1";
-    EXPECT_EQ(chart_json({quoted})["figures"][0]["x"]["label"], "Poisson's \"ν\" &lt; 1");
-    EXPECT_EQ(json["figures"][0]["x"]["label"], "<i>f</i><sub>T</sub> [1]");
+    EXPECT_EQ(figure_json(quoted)["x"]["label"], "Poisson's \"ν\" &lt; 1");
+    EXPECT_EQ(of_curves["x"]["label"], "<i>f</i><sub>T</sub> [1]");
+}
+
+// What a reader hears who cannot see the drawing.
+TEST(Figure, ContentNamesAxesAndRanges) {
+    EXPECT_EQ(content_of(curves()),
+              "u [1] over f_T [1]. MDR: 0.500. BEM, fine: 0.400 to 0.600. limit: 1.00. "
+              "95 %: 0.900 to 1.10.");
+    EXPECT_EQ(content_of(contour_map()), "ν [1] over b [mm]. Δa [%]: 1.00 to 6.00.");
 }
 
 TEST(ChartJson, StylesFollowNamesAndColours) {
@@ -123,16 +131,16 @@ TEST(ChartJson, StylesFollowNamesAndColours) {
                      {.name = "BEM", .x = {}, .y = {}},
                      {.name = "exact", .x = {}, .y = {}, .theory = true, .colour = 1}};
     std::string styles;
-    const auto json = chart_json({figure});
-    for (const auto& curve : json["figures"][0]["curves"]) styles += curve["style"].dump() + " ";
+    const auto json = figure_json(figure);
+    for (const auto& curve : json["curves"]) styles += curve["style"].dump() + " ";
     EXPECT_EQ(styles, "2 0 null 3 2 1 ");  // 0 and 1 are taken
     figure.bands = {{.name = "FEM", .x = {}, .low = {}, .high = {}},
                     {.name = "95 %", .x = {}, .low = {}, .high = {}},
                     {.name = "FEM", .x = {}, .low = {}, .high = {}, .colour = 4}};
-    const auto with_bands = chart_json({figure});
-    EXPECT_EQ(with_bands["figures"][0]["bands"][0]["style"], 3);
-    EXPECT_TRUE(with_bands["figures"][0]["bands"][1]["style"].is_null());
-    EXPECT_EQ(with_bands["figures"][0]["bands"][2]["style"], 4);
+    const auto with_bands = figure_json(figure);
+    EXPECT_EQ(with_bands["bands"][0]["style"], 3);
+    EXPECT_TRUE(with_bands["bands"][1]["style"].is_null());
+    EXPECT_EQ(with_bands["bands"][2]["style"], 4);
 }
 
 TEST(ChartLibrary, CanStandInAPageAndNamesItsLicence) {
@@ -212,9 +220,18 @@ TEST(DocumentHtml, TextsCannotEndTheScript) {
     hostile.sections[0].figures[0].title = "</script><script>alert(1)</script>";
     hostile.sections[0].figures[0].curves[0].name = "</script>\n<!-- \xff";
     const std::string page = without_library(document_html(hostile));
-    EXPECT_EQ(count(page, "<script"), 3u);  // data, library, drawing
-    EXPECT_EQ(count(page, "</script"), 3u);
+    EXPECT_EQ(count(page, "<script"), 4u);  // data of two figures, library, drawing
+    EXPECT_EQ(count(page, "</script"), 4u);
     EXPECT_FALSE(contains(page, "<!--"));
+}
+
+// CSS Syntax 3, 4.3.7: a backslash, the number of the character in base 16, one blank that ends it.
+TEST(DocumentHtml, TitlesCannotEndTheStyle) {
+    Document hostile = document();
+    hostile.title = "a \"b\" \\ </style>\nκ";
+    const std::string page = without_library(document_html(hostile));
+    EXPECT_TRUE(contains(page, "content: \"a \\22 b\\22  \\5c  \\3c /style>\\a κ\""));
+    EXPECT_EQ(count(page, "</style"), 1u);
 }
 
 TEST(DocumentHtml, ElementsAreClosed) {

@@ -9,6 +9,12 @@
 namespace tricontact::report::format_test {
 namespace {
 
+TEST(Format, Capitals) {
+    EXPECT_EQ(capitalised("shift U_x"), "Shift U_x");
+    EXPECT_EQ(capitalised("κ"), "κ");
+    EXPECT_EQ(capitalised(""), "");
+}
+
 TEST(Format, SignificantDigitsKeepTheirZeros) {
     EXPECT_EQ(significant(0.65, 4), "0.6500");
     EXPECT_EQ(significant(1234.4, 4), "1234");

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <regex>
 
+#include "comparisons/run/answer.h"
 #include "comparisons/run/reading.h"
 #include "comparisons/run/report_tables.h"
 #include "report/format.h"
@@ -242,17 +243,41 @@ TEST_F(Reading, WhereTheLimitLies) {
     EXPECT_FALSE(contains(reading_text(c_, {bem_}), "MDR's springs"));
 }
 
-TEST_F(Reading, DisagreementIsSaid) {
-    mdr_.set(quantities::state, contact::State::ratcheting);
-    EXPECT_TRUE(contains(reading_text(c_, {mdr_, bem_}),
-                         "do not agree on the verdict (ratcheting against shakedown)"));
+/// What the assumptions of two models of a layer come to, of which the first has another state.
+std::string assumptions_text(const Results& other, const Results& reference) {
+    contact::Case c = synthetic::unit_case();
+    c.layer.thickness = 1;
+    std::string text;
+    for (const report::Verdict& verdict : assumption_verdicts(c, {other, reference}, {}))
+        text += verdict.sentence + "\n";
+    return text;
+}
+
+// Whatever separates two models fails where they come to different verdicts; nothing separates
+// those that take the same for granted.
+TEST_F(Reading, DisagreementIsSaidOnce) {
+    Results layer = bem_, fem = bem_;
+    layer.model = "bem-layer", fem.model = "fem";
+    EXPECT_FALSE(contains(assumptions_text(layer, fem), "agree"));
+    layer.set(quantities::state, contact::State::ratcheting);
+    const std::string same = assumptions_text(layer, fem);
+    EXPECT_EQ(count(same, "ratcheting"), 1u) << same;
+    EXPECT_TRUE(contains(same,
+                         "BEM layer and FEM take the same for granted and do not agree on "
+                         "the verdict (ratcheting against shakedown)"));
+    bem_.set(quantities::state, contact::State::ratcheting);
+    const std::string text = assumptions_text(bem_, fem);
+    EXPECT_TRUE(contains(text, "ratcheting instead of shakedown (BEM beside FEM)")) << text;
+    EXPECT_FALSE(contains(text, "agree")) << text;
+    EXPECT_FALSE(contains(reading_text(c_, {bem_, fem}), "ratcheting against")) << text;
 }
 
 TEST_F(Reading, WhoIsUndecidedDoesNotDisagree) {
-    bem_.set(quantities::state, contact::State::undecided);
-    bem_.set(quantities::settled_shift, {});
-    const std::string text = reading_text(c_, {mdr_, bem_});
-    EXPECT_FALSE(contains(text, "do not agree")) << text;
+    Results layer = bem_, fem = bem_;
+    layer.model = "bem-layer", fem.model = "fem";
+    layer.set(quantities::state, contact::State::undecided);
+    layer.set(quantities::settled_shift, {});
+    EXPECT_FALSE(contains(assumptions_text(layer, fem), "agree"));
 }
 
 TEST_F(Reading, OnlyHalfSpacesIgnoreTheLayer) {
