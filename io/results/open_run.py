@@ -20,11 +20,13 @@ TIMES = {"time_s": "t = {time:.4g} s", "time_periods": "n = {time:.3f} periods",
 PLOTS = [  # of the first that a table has the columns of: table, across, upwards, title
     ("history.csv", "time_s", {"shift_x_m": "along x", "shift_y_m": "along y"}, "Rigid shift U [m]"),
     ("history.csv", "phase", {"shift_x_m": "along x", "shift_y_m": "along y"}, "Rigid shift U [m]"),
+    # Not the rows before it rolls and of the steady state.
     ("history.csv", "distance_m", {"longitudinal_creepage": "along x"}, "Creepage [-]"),
     ("../motion.csv", "time", {"x": "body", "base": "base of the spring"}, "Position"),
 ]
 TITLES = {"time_s": "time [s]", "phase": "periods of rolling, or rows of the path",
           "distance_m": "rolled way [m]", "time": "time"}
+STEADY = []  # the sources that are steady states
 WRITTEN_TO = @folder@  # looked into where ParaView does not say where this script lies
 
 
@@ -77,15 +79,31 @@ def open_series(path, time=None):
     return source
 
 
-def new_view(layout, kind="RenderView"):
+def new_view(kind="RenderView"):
     view = CreateView(kind)
-    AssignViewToLayout(view=view, layout=layout, hint=0)
     if kind == "RenderView":
         view.UseColorPaletteForBackground = 0
         view.Background = [1.0, 1.0, 1.0]
         view.OrientationAxesLabelColor = [0.0, 0.0, 0.0]
         view.CameraParallelProjection = 1
     return view
+
+
+def parts(place, n, split):
+    """The places of n equal parts of a place."""
+    if n == 1:
+        return [place]
+    first = split(place, 1.0 / n)
+    return [first, *parts(first + 1, n - 1, split)]
+
+
+def lay_out(name, views):
+    """The views in up to two rows, in a layout of this name."""
+    layout = CreateLayout(name)
+    rows = [views] if len(views) < 3 else [views[:(len(views) + 1) // 2], views[(len(views) + 1) // 2:]]
+    for row, place in zip(rows, parts(0, len(rows), layout.SplitVertical)):
+        for view, part in zip(row, parts(place, len(row), layout.SplitHorizontal)):
+            layout.AssignView(part, view)
 
 
 def cross(a, b):
@@ -108,14 +126,19 @@ def look(view, direction, up, bounds):
     view.CameraParallelScale = 1.25 * max(upwards, across / 1.25)
 
 
+def write_in(view, text, corner, size):
+    """A text in black."""
+    display = Show(text, view)
+    display.Color, display.FontSize, display.WindowLocation = [0.0, 0.0, 0.0], size, corner
+
+
 def say_time(source, view):
-    """A line with the time of the state, and what the view shows."""
+    """A line with the time of the state."""
+    if source in STEADY:
+        return write_in(view, Text(Text="steady state"), "Upper Left Corner", 14)
     formats = [text for name, text in TIMES.items() if name in fields_of(source)]
-    if not formats:
-        return
-    told = AnnotateTimeFilter(Input=source, Format=formats[0])
-    display = Show(told, view)
-    display.Color, display.FontSize, display.WindowLocation = [0.0, 0.0, 0.0], 14, "Upper Left Corner"
+    if formats:
+        write_in(view, AnnotateTimeFilter(Input=source, Format=formats[0]), "Upper Left Corner", 14)
 
 
 def colour(display, view, association, name, title, corner="Lower Right Corner"):
@@ -134,6 +157,7 @@ def colour(display, view, association, name, title, corner="Lower Right Corner")
     bar = GetScalarBar(table, view)
     bar.Title, bar.ComponentTitle = title, ""
     bar.TitleColor = bar.LabelColor = [0.0, 0.0, 0.0]
+    bar.DrawBackground, bar.BackgroundColor, bar.BackgroundPadding = 1, [1.0, 1.0, 1.0, 0.8], 4.0
     bar.TitleFontSize = bar.LabelFontSize = 13
     bar.WindowLocation = corner
 
@@ -144,10 +168,21 @@ def surface_cells(source):
 
 
 def show_stick_slip(source, view):
+    """Each cell in the colour of its state; each node of finite elements as a disc over their outline, since only
+    nodes have a state of their own."""
     display = Show(source, view)
-    display.SetRepresentationType("Surface")
     display.Ambient, display.Diffuse = 1.0, 0.0  # the colours of the scale
-    colour(display, view, surface_cells(source), "contact_state", "contact")
+    nodes = source.PointData["contact_state"] and source.CellData["contact_state"]
+    if nodes:
+        outline = Show(Outline(Input=source), view)
+        outline.AmbientColor = outline.DiffuseColor = [0.0, 0.0, 0.0]
+        bounds, n = source.GetDataInformation().GetBounds(), source.GetDataInformation().GetNumberOfPoints()
+        display.SetRepresentationType("Point Gaussian")
+        display.ShaderPreset = "Plain circle"
+        display.GaussianRadius = 0.5 * ((bounds[1] - bounds[0]) * (bounds[3] - bounds[2]) / n) ** 0.5
+    else:
+        display.SetRepresentationType("Surface")
+    colour(display, view, "POINTS" if nodes else surface_cells(source), "contact_state", "contact")
     display.PointSize = 6
     say_time(source, view)
 
@@ -177,7 +212,9 @@ def show_tractions(source, view, size, lift):
         arrows.GlyphMode = "All Points"
         RenameSource("tangential tractions", arrows)
         shown = Show(arrows, view)
+        shown.ColorArrayName = ["POINTS", ""]
         shown.AmbientColor = shown.DiffuseColor = [1.0, 1.0, 1.0]
+        shown.Ambient, shown.Diffuse = 1.0, 0.0
         shown.Position = [0.0, 0.0, lift]
     say_time(source, view)
 
@@ -189,11 +226,16 @@ def warp_scale(source, size):
 
 
 def warped(source, scale):
+    """Deformed as it is, or magnified along z alone, as the indenter is."""
     if not source.PointData["displacement_m"]:
         source = CellDatatoPointData(Input=source)
-        source.ProcessAllArrays = 1
+        source.ProcessAllArrays, source.PassCellData = 1, 1
         source.UpdatePipeline(GetAnimationScene().AnimationTime)
-    return WarpByVector(Input=source, Vectors=["POINTS", "displacement_m"], ScaleFactor=scale)
+    name = "displacement_m"
+    if scale != 1:
+        name = "normal_displacement_m"
+        source = Calculator(Input=source, Function="displacement_m_Z*kHat", ResultArrayName=name)
+    return WarpByVector(Input=source, Vectors=["POINTS", name], ScaleFactor=scale)
 
 
 def back_half(source, bounds):
@@ -216,8 +258,18 @@ def whole(volume):
     return both
 
 
-def show_section(folder, surface, volume, view, size, lift):
-    """Volume, surface and indenter, cut at y = 0 and deformed by one scale."""
+def near(volume, bounds, depth):
+    """What lies below the surface of these bounds, and a little beside it, down to the depth."""
+    beside = 0.15 * (bounds[1] - bounds[0])
+    clip = Clip(Input=volume, ClipType="Box")
+    clip.ClipType.Position = [bounds[0] - beside, bounds[2] - beside, -depth]
+    clip.ClipType.Length = [bounds[1] - bounds[0] + 2 * beside, bounds[3] - bounds[2] + 2 * beside, 2 * depth]
+    Hide3DWidgets(proxy=clip.ClipType)
+    return clip
+
+
+def show_section(folder, surface, volume, view, size, depth, lift):
+    """Volume, surface and indenter, cut at y = 0."""
     bounds = surface.GetDataInformation().GetBounds()
     scale = warp_scale(surface, size)
     time = GetAnimationScene().AnimationTime
@@ -226,7 +278,7 @@ def show_section(folder, surface, volume, view, size, lift):
     display.Position = [0.0, 0.0, lift]
     if volume:
         colour(display, view, surface_cells(surface), "contact_state", "contact", "Upper Right Corner")
-        body = whole(volume)
+        body = near(whole(volume), bounds, depth)
         body.UpdatePipeline(time)
         inside = back_half(warped(body, scale), body.GetDataInformation().GetBounds())
         shown = Show(inside, view)
@@ -244,9 +296,8 @@ def show_section(folder, surface, volume, view, size, lift):
         shown.Opacity = 0.45
         Hide(indenter, view)
     say_time(surface, view)
-    note = Text(Text="deformation as it is" if scale == 1 else "deformation and indenter's height x %.3g" % scale)
-    shown = Show(note, view)
-    shown.Color, shown.FontSize, shown.WindowLocation = [0.0, 0.0, 0.0], 12, "Lower Left Corner"
+    note = Text(Text="deformation as it is" if scale == 1 else "normal deformation and indenter's height x %.3g" % scale)
+    write_in(view, note, "Lower Left Corner", 12)
 
 
 def plot_of(folder):
@@ -264,15 +315,21 @@ def plot_of(folder):
     return None
 
 
-def show_plot(layout, path, across, upwards, title):
+def show_plot(path, across, upwards, title):
     table = CSVReader(FileName=[path])
     RenameSource(os.path.basename(os.path.dirname(path)) + " " + os.path.basename(path), table)
-    view = new_view(layout, "XYChartView")
+    if across == "distance_m":
+        table = ThresholdTable(Input=table, Column=["ROWS", across], Mode="Between", MinValue=1e-300, MaxValue=1e300)
+    view = new_view("XYChartView")
+    SetActiveSource(None)  # the window's panel of an active source would set its own series and empty the chart
     display = Show(table, view, "XYChartRepresentation")
+    SetActiveSource(None)
     display.UseIndexForXAxis = 0
     display.XArrayName = across
     display.SeriesVisibility = list(upwards)
     display.SeriesLabel = [text for pair in upwards.items() for text in pair]
+    colours = [["0.18", "0.36", "0.55"], ["0.88", "0.54", "0.18"]]
+    display.SeriesColor = [text for name, rgb in zip(upwards, colours) for text in (name, *rgb)]
     display.SeriesLineThickness = [text for name in upwards for text in (name, "2")]
     view.LeftAxisTitle, view.BottomAxisTitle = title, TITLES[across]
     return view
@@ -280,13 +337,14 @@ def show_plot(layout, path, across, upwards, title):
 
 def show_model(folder, series):
     """The views of a model, by name."""
-    layout = CreateLayout(os.path.basename(folder))
     views = {}
     kinds = [kind for kind in ("surface", "steady") if os.path.join(folder, kind + ".pvd") in series]
     volume = os.path.join(folder, "volume.pvd")
     for kind in kinds:
         prefix = "" if kind == "surface" else kind + "_"
         source = open_series(os.path.join(folder, kind + ".pvd"))
+        if kind == "steady":
+            STEADY.append(source)
         bounds = source.GetDataInformation().GetBounds()
         size = max(bounds[1] - bounds[0], bounds[3] - bounds[2])
         lift = 2e-3 * size
@@ -294,27 +352,27 @@ def show_model(folder, series):
         if not bounds[3] > bounds[2]:  # a line, seen from the front
             bounds = (*bounds[:2], -0.1 * size, 0.1 * size, -0.1 * size, 0.1 * size)
         for name, show in (("stick_slip", show_stick_slip), ("tractions", show_tractions)):
-            view = views[prefix + name] = new_view(layout)
+            view = views[prefix + name] = new_view()
             show(source, view) if name == "stick_slip" else show(source, view, size, lift)
             look(view, *above, bounds)
         if kind == "surface":
             inside = open_series(volume) if volume in series else None
-            view = views["section"] = new_view(layout)
-            show_section(folder, source, inside, view, size, lift)
+            view = views["section"] = new_view()
             depth = 0.5 * size if inside else 0.12 * size
-            shown = (bounds[0], bounds[1], 0.0, max(bounds[3], 0.0), -depth, 0.1 * size)
+            show_section(folder, source, inside, view, size, depth, lift)
+            beside = 0.15 * (bounds[1] - bounds[0]) if inside else 0.0
+            shown = (bounds[0] - beside, bounds[1] + beside, 0.0, max(bounds[3], 0.0) + beside, -depth, 0.1 * size)
             look(view, [-0.35, -1.0, 0.5], [0.0, 0.0, 1.0], shown)
     plot = plot_of(folder)
     if plot:
-        views["shift" if "shift_x_m" in plot[2] else "plot"] = show_plot(layout, *plot)
+        views["shift" if "shift_x_m" in plot[2] else "plot"] = show_plot(*plot)
     return views
 
 
 def show_machine(folder):
     """A walking machine in motion, its displacements magnified, and its way."""
     source = open_series(os.path.join(folder, "machine.pvd"))
-    layout = CreateLayout(os.path.basename(folder))
-    view = new_view(layout)
+    view = new_view()
     name = next(a for a in ("displacement_m", "displacement") if source.PointData[a])
     field = servermanager.Fetch(source).GetFieldData().GetArray("magnification")
     moved = WarpByVector(Input=source, Vectors=["POINTS", name], ScaleFactor=field.GetTuple1(0) if field else 1.0)
@@ -328,21 +386,30 @@ def show_machine(folder):
     views = {"machine": view}
     plot = plot_of(folder)
     if plot:
-        views["motion"] = show_plot(layout, *plot)
+        views["motion"] = show_plot(*plot)
     return views
 
 
 def main():
     series = all_series()
     pictures = sys.argv[1] if len(sys.argv) > 1 else None
+    empty = [] if GetSources() else list(GetLayouts().values())  # of a window that has just opened
+    first = None
     for model in sorted(set(os.path.dirname(path) for path in series)):
         is_machine = os.path.join(model, "machine.pvd") in series
         views = show_machine(model) if is_machine else show_model(model, series)
+        lay_out(os.path.basename(model), list(views.values()))
+        first = first or next(iter(views.values()))
         for name, view in views.items():
+            if pictures:
+                view.ViewSize = [1000, 800]  # charts are laid out for it
             Render(view)
             if pictures:
                 SaveScreenshot(os.path.join(pictures, os.path.basename(model) + "_" + name + ".png"), view,
                                ImageResolution=[1000, 800], FontScaling="Do not scale fonts")
+    for layout in empty:
+        RemoveLayout(layout)
+    SetActiveView(first)
 
 
 main()
