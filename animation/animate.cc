@@ -74,19 +74,16 @@ std::string_view beginning_of(const std::string& format) {
     return format == "gif" ? "GIF8"sv : format == "mp4" ? "\0"sv : "\x89PNG"sv;
 }
 
+/// Frames a second, as ffmpeg reads it.
+std::string rate_of(std::size_t n_frames, const Request& request) {
+    if (request.frames_per_second > 0) return std::to_string(request.frames_per_second);
+    return n_frames < 16 ? fmt::format("{}/2", n_frames) : "8";
+}
+
 /// The frames as a file by ffmpeg, which reads PNG after PNG.
-std::string movie(const std::string& frames, const Request& request) {
-    std::vector<std::string> words{"ffmpeg",
-                                   "-loglevel",
-                                   "error",
-                                   "-f",
-                                   "image2pipe",
-                                   "-framerate",
-                                   std::to_string(request.frames_per_second),
-                                   "-c:v",
-                                   "png",
-                                   "-i",
-                                   "/dev/stdin"};
+std::string movie(const std::string& frames, const std::string& rate, const Request& request) {
+    std::vector<std::string> words{"ffmpeg", "-loglevel", "error", "-f", "image2pipe", "-framerate",
+                                   rate,     "-c:v",      "png",   "-i", "/dev/stdin"};
     const auto add = [&](std::initializer_list<const char*> more) {
         words.insert(words.end(), more.begin(), more.end());
     };
@@ -131,7 +128,7 @@ std::vector<std::string> animate(const Request& request) {
     if (request.format != "png") {
         std::string frames;
         for (const std::string& picture : pictures) frames += picture;
-        pictures = {movie(frames, request)};
+        pictures = {movie(frames, rate_of(pictures.size(), request), request)};
     }
     for (std::size_t n = 0; n < names.size(); ++n) io::write_file(names[n], pictures[n]);
     return names;

@@ -12,7 +12,7 @@ struct Request {
     std::string format = "gif";  ///< "png", "gif" or "mp4"
     std::string output;  ///< file; of png what the names of files begin with, "a.png": a_000.png
                          ///< ...; empty: <model>_<field>.<format> in the run's folder
-    int frames_per_second = 8;
+    int frames_per_second = 0;  ///< 0: 8, of fewer than 16 such that they take 2 s
 };
 
 inline const std::vector<std::string> formats{"gif", "mp4", "png"};

@@ -20,7 +20,7 @@ struct RollRuns {
     std::function<void(double way, const rolling::RollingState&, const contact::Surface&)> show =
         {};
     double frames = 0;
-    static constexpr double every_step = 1e9;  ///< frames; of springs, which are many, 40
+    static constexpr double every_step = 1e9;  ///< frames
     /// Called before the contact rolls again from rest, on a larger grid than has proved too small:
     /// what was shown before is void.
     std::function<void()> begin_again = {};

@@ -157,9 +157,7 @@ RollingRun roll_springs(const Case& c, const RollRuns& runs) {
     const Case::TractiveRolling& given = *c.tractive_rolling;
     const double a = contact::half_space_scales(c).contact_radius;
     RollingBed bed(c, given.distance * a);
-    RollRuns shown = runs;
-    if (shown.frames == RollRuns::every_step) shown.frames = 40;
-    RollRecorder recorder{{"mdr", {}, {}, {}}, shown, c.friction_coefficient};
+    RollRecorder recorder{{"mdr", {}, {}, {}}, runs, c.friction_coefficient};
     const auto note = [&](const RollingState& state, int step) {
         recorder.note(state, step / static_cast<double>(bed.steps_per_radius()),
                       [&] { return bed.model().surface(); });

@@ -1,10 +1,9 @@
 #include "app/run_states.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
+#include "app/shown_states.h"
 #include "contact/load_path.h"
 
 namespace tricontact::app {
@@ -17,6 +16,11 @@ using enum Case::VtkOutput;
 bool has_time(const Case& c) {
     if (c.prescribed_path) return c.prescribed_path->is_timed();
     return c.relaxation || (c.rolling && c.rolling->speed > 0);
+}
+
+bool rolls_by_turning_points(const Case& c, double contact_radius) {
+    return c.rolling &&
+           contact::steps_in_quarter(*c.rolling, contact::path_amplitude(c, contact_radius)) == 1;
 }
 
 /// Surfaces of a run of so many steps.
@@ -45,8 +49,7 @@ RunStates::RunStates(const Case& c, const std::string& folder, const Say& say)
       provenance_{files::version, std::string("tricontact run ") + resolved_case_name},
       surfaces_(folder, "surface", provenance_,
                 has_time_ ? io::time_in_seconds : io::time_in_periods),
-      indenters_(folder, "indenter", provenance_,
-                 has_time_ ? io::time_in_seconds : io::time_in_periods),
+      indenters_(folder, provenance_),
       volumes_(folder, "volume", provenance_,
                has_time_ ? io::time_in_seconds : io::time_in_periods) {}
 
@@ -81,15 +84,7 @@ bool RunStates::is_wanted(double phase, bool quarter) {
 
 void RunStates::add_surface(const contact::StepRecord& record, contact::Model& model) {
     const contact::Surface surface = model.surface();
-    if (!indenter_) {
-        constexpr double shown = 1.5;  // contact radii
-        double half_length = case_.is_cylindrical() ? case_.indenter.length / 2 : 0;
-        if (case_.is_line_contact() && surface.spacing[1] > 0)
-            half_length = surface.n_y * surface.spacing[1] / 2;
-        indenter_.emplace(
-            *case_.make_indenter(),
-            io::IndenterShape::Extent{shown * model.scales().contact_radius, half_length});
-    }
+    if (!indenter_) indenter_ = shown_indenter(case_, surface);
     const double time = time_of(record);
     surfaces_.add(time, surface);
     indenters_.add(time, *indenter_, {record.offset, record.indentation, record.rotation});
@@ -98,13 +93,12 @@ void RunStates::add_surface(const contact::StepRecord& record, contact::Model& m
 void RunStates::say_size(const contact::Model& model, int steps_at_most) {
     if (size_is_said_) return;
     size_is_said_ = true;
-    constexpr double megabyte = 1e6;
-    const double n = frames_at_most(case_, model.scales().contact_radius, steps_at_most);
-    const double size = static_cast<double>(surfaces_.last_size() + indenters_.last_size());
-    say_(
-        fmt::format("{}: up to {:.0f} states for ParaView, {:.2g} MB (output.vtk, "
-                    "output.frames_per_period)",
-                    model.name(), n, n * size / megabyte));
+    const double radius = model.scales().contact_radius;
+    std::string line = size_of_states(model.name(), frames_at_most(case_, radius, steps_at_most),
+                                      surfaces_.last_size());
+    if (case_.output.vtk == frames && rolls_by_turning_points(case_, radius))
+        line += "; a period has four, its turning points are all that is computed";
+    say_(line);
 }
 
 const contact::Subsurface* RunStates::add_last(const contact::StepRecord& record,

@@ -41,7 +41,9 @@ class RunStates {
     const Say& say_;
     bool has_time_;
     io::Provenance provenance_;
-    io::VtkSeries surfaces_, indenters_, volumes_;
+    io::VtkSeries surfaces_;
+    io::IndenterSeries indenters_;
+    io::VtkSeries volumes_;
     std::optional<io::IndenterShape> indenter_;
     std::optional<contact::Subsurface> subsurface_;
     double last_phase_ = 0;

@@ -8,7 +8,7 @@ namespace {
 
 struct AnimateOptions : CommandOptions {
     std::string model, field = "traction", format = "gif";
-    int frames_per_second = 8;
+    int frames_per_second = 0;
 };
 
 void animate_run(const AnimateOptions& options) {
@@ -36,7 +36,8 @@ Command animate_command() {
         .word("--format", &AnimateOptions::format,
               "GIF and MP4 by ffmpeg, or a PNG of each instant (gif)", animation::formats)
         .option("--output", &AnimateOptions::output, "File (RUN/<model>_<field>.<format>)", "FILE")
-        .number("--rate", &AnimateOptions::frames_per_second, "Instants per second (8)", 1, 60)
+        .number("--rate", &AnimateOptions::frames_per_second,
+                "Instants per second (8, of fewer than 16 such that they take 2 s)", 1, 60)
         .quiet("No closing line");
 }
 

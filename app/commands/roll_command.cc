@@ -1,12 +1,14 @@
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <utility>
 
 #include "app/commands/command.h"
 #include "app/roll_models.h"
+#include "app/shown_states.h"
 #include "bem/model.h"
 #include "io/results/progress.h"
 #include "io/results/vtk_files.h"
-#include "io/results/vtk_indenter.h"
 #include "report/format.h"
 #include "rolling/creep_theory.h"
 #include "rolling/rolling_document.h"
@@ -32,17 +34,21 @@ io::OutputNames roll_outputs(const std::vector<std::string>& models) {
     return names;
 }
 
-double frames_of(const Case::Output& output) {
-    if (output.vtk == Case::VtkOutput::all) return RollRuns::every_step;
+/// States in each half length a of the way; of springs, which are many, the default.
+double frames_of(const Case::Output& output, const std::string& model) {
+    if (output.vtk == Case::VtkOutput::all)
+        return model == "mdr" ? Case::Output{}.frames_per_period : RollRuns::every_step;
     return output.vtk == Case::VtkOutput::frames ? output.frames_per_period : 0;
 }
 
-io::IndenterShape indenter_shape(const Case& c) {
-    constexpr double shown = 1.5;  // half lengths of the contact
-    const contact::HalfSpaceScales scales = contact::half_space_scales(c);
-    return {*c.make_indenter(),
-            {shown * std::max(scales.half_widths[0], scales.half_widths[1]),
-             c.is_cylindrical() ? c.indenter.length / 2 : 0}};
+/// States from rest of so many `frames`, or of the report's lines; `spacing` [m] is a step.
+double states_at_most(const Case& c, double frames, double spacing) {
+    const double a = contact::half_space_scales(c).contact_radius;
+    const double distance = c.tractive_rolling->distance;
+    const auto n_lines =
+        std::ranges::count_if(rolling::line_distances, [=](double way) { return way <= distance; });
+    return std::max(static_cast<double>(n_lines),
+                    1 + std::round(distance * std::min(frames, a / spacing)));
 }
 
 rolling::RollingRun roll_model(const std::string& model, const Case& c,
@@ -53,20 +59,22 @@ rolling::RollingRun roll_model(const std::string& model, const Case& c,
     const double speed = c.tractive_rolling->speed;
     const char* time = speed > 0 ? io::time_in_seconds : io::time_in_half_lengths;
     io::VtkSeries surfaces(folder, "surface", provenance, time);
-    io::VtkSeries indenters(folder, "indenter", provenance, time);
     io::VtkSeries steady(folder, "steady", provenance, time);
-    const io::IndenterShape indenter = indenter_shape(c);
+    io::IndenterSeries indenters(folder, provenance);
+    std::optional<io::IndenterShape> indenter;
+    bool size_is_said = false;
     io::ProgressBar bar(std::cerr, io::ProgressBar::style_of_stderr(options.quiet), model);
     RollRuns runs{.points = options.points,
                   .threads = options.threads,
                   .progress = [&](int step, int steps) { bar.update(step, steps); },
                   .show = {},
-                  .frames = frames_of(c.output),
+                  .frames = frames_of(c.output, model),
                   .begin_again =
                       [&] {
                           surfaces.clear();
                           indenters.clear();
                           steady.clear();
+                          indenter.reset();
                       }};
     if (c.output.vtk != Case::VtkOutput::none)
         runs.show = [&](double way, const rolling::RollingState& state,
@@ -74,8 +82,13 @@ rolling::RollingRun roll_model(const std::string& model, const Case& c,
             if (!std::isfinite(way)) return steady.add(0, surface);
             const double at = speed > 0 ? state.distance / speed : way;
             surfaces.add(at, surface);
-            indenters.add(at, indenter,
+            if (!indenter) indenter = shown_indenter(c, surface);
+            indenters.add(at, *indenter,
                           {.offset = surface.offset, .indentation = state.indentation});
+            if (way > 0 && !std::exchange(size_is_said, true))
+                options.say(size_of_states(model,
+                                           states_at_most(c, runs.frames, surface.spacing[0]),
+                                           surfaces.last_size()));
         };
     rolling::RollingRun run = roll(model, c, runs);
     bar.finish("");

@@ -1,9 +1,11 @@
 #!/usr/bin/env python3
 """Draws the contact surface of a run with PyVista: pressure, or zones, and the friction's arrows.
 
-    python3 examples/scripts/pyvista_surface.py results/rig_sphere_parallel/bem picture.png [--phase 2.25] [--zones]
+    python3 examples/scripts/pyvista_surface.py results/rig_sphere_parallel/bem picture.png [--time 2.25] [--zones]
 
-The folder is that of one model; PyVista comes by `pip install pyvista`.
+The folder is that of one model, of `tricontact run` or `roll`; PyVista comes by `pip install pyvista`. Times are those of
+surface.pvd: seconds where the case has a speed or times of its own, else periods of rolling, rows of a prescribed path, or
+the way rolled on over the contact's half length. Pressing comes before 0.
 """
 
 import argparse
@@ -15,16 +17,17 @@ ZONES = "contact_state"  # 0 open, 1 stick, 2 slip
 POSITION = "indenter_position_m"
 
 
-def surface_at(series, phase):
-    """The surface of surface.pvd at the last phase that is not beyond the given one."""
+def surface_at(series, time):
+    """The last surface of surface.pvd that is not after the time, and when it is."""
     import pyvista
 
     reader = pyvista.get_reader(str(series))
-    phases = [value for value in reader.time_values if phase is None or value <= phase + 1e-9]
-    if not phases:
-        raise SystemExit(f"{series}: begins at phase {reader.time_values[0]}")
-    reader.set_active_time_value(phases[-1])
-    return reader.read()[0], phases[-1]
+    rounding = 1e-9 * max(map(abs, reader.time_values))
+    times = [value for value in reader.time_values if time is None or value <= time + rounding]
+    if not times:
+        raise SystemExit(f"{series}: begins at {reader.time_values[0]}")
+    reader.set_active_time_value(times[-1])
+    return reader.read()[0], times[-1]
 
 
 def arrows(surface):
@@ -36,7 +39,13 @@ def arrows(surface):
     return centres.glyph(orient=FRICTION, scale=FRICTION, factor=factor)
 
 
-def draw(surface, phase, zones, picture):
+def time_text(surface, time):
+    """What the time of a state is, its field tells."""
+    texts = {"time_s": "t = {:g} s", "time_periods": "n = {:g}", "time_half_lengths": "rolled {:g} a"}
+    return next(text for name, text in texts.items() if name in surface.field_data).format(time)
+
+
+def draw(surface, time, zones, picture):
     import pyvista
 
     plotter = pyvista.Plotter(off_screen=True)
@@ -44,7 +53,7 @@ def draw(surface, phase, zones, picture):
                      cmap="Greys" if zones else "viridis")
     plotter.add_mesh(arrows(surface), color="firebrick")
     x, y = surface.field_data[POSITION].ravel()[:2]
-    plotter.add_text(f"phase {phase:g}, indenter at ({1e3 * x:.3g}, {1e3 * y:.3g}) mm", font_size=10)
+    plotter.add_text(f"{time_text(surface, time)}, indenter at ({1e3 * x:.3g}, {1e3 * y:.3g}) mm", font_size=10)
     plotter.view_xy()
     plotter.screenshot(picture)
 
@@ -53,11 +62,11 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("model", type=pathlib.Path, help="folder of one model's results")
     parser.add_argument("picture", help="file to be written (PNG)")
-    parser.add_argument("--phase", type=float, help="rolling periods since the start (the last)")
+    parser.add_argument("--time", type=float, help="of surface.pvd; the last state until then (the last of all)")
     parser.add_argument("--zones", action="store_true", help="stick and slip instead of pressure")
     given = parser.parse_args()
-    surface, phase = surface_at(given.model / "surface.pvd", given.phase)
-    draw(surface, phase, given.zones, given.picture)
+    surface, time = surface_at(given.model / "surface.pvd", given.time)
+    draw(surface, time, given.zones, given.picture)
 
 
 if __name__ == "__main__":

@@ -88,8 +88,9 @@ std::vector<CaseKey> model_keys() {
                     {.default_value = R"("frames")"}),
          at<&Case::output, &Output::vtk>},
         {integer_key("output.frames_per_period", {4, 10000}, "40",
-                     "at most, of the steps that are computed; of a prescribed path: from row to "
-                     "row; of rolling on: in each half length a of the way",
+                     "at most, of the steps that are computed: by turning points four; of a "
+                     "prescribed path: from row to row; of rolling on: in each half length a of "
+                     "the way",
                      {.default_value = "40"}),
          [](Case& c) {
              return c.output.vtk == Vtk::frames ? Field(&c.output.frames_per_period) : Field();

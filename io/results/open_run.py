@@ -20,11 +20,13 @@ TIMES = {"time_s": "t = {time:.4g} s", "time_periods": "n = {time:.3f} periods",
 PLOTS = [  # of the first that a table has the columns of: table, across, upwards, title
     ("history.csv", "time_s", {"shift_x_m": "along x", "shift_y_m": "along y"}, "Rigid shift U [m]"),
     ("history.csv", "phase", {"shift_x_m": "along x", "shift_y_m": "along y"}, "Rigid shift U [m]"),
+    # Not the rows before it rolls and of the steady state.
     ("history.csv", "distance_m", {"longitudinal_creepage": "along x"}, "Creepage [-]"),
     ("../motion.csv", "time", {"x": "body", "base": "base of the spring"}, "Position"),
 ]
 TITLES = {"time_s": "time [s]", "phase": "periods of rolling, or rows of the path",
           "distance_m": "rolled way [m]", "time": "time"}
+STEADY = []  # the sources that are steady states
 WRITTEN_TO = @folder@  # looked into where ParaView does not say where this script lies
 
 
@@ -77,15 +79,31 @@ def open_series(path, time=None):
     return source
 
 
-def new_view(layout, kind="RenderView"):
+def new_view(kind="RenderView"):
     view = CreateView(kind)
-    AssignViewToLayout(view=view, layout=layout, hint=0)
     if kind == "RenderView":
         view.UseColorPaletteForBackground = 0
         view.Background = [1.0, 1.0, 1.0]
         view.OrientationAxesLabelColor = [0.0, 0.0, 0.0]
         view.CameraParallelProjection = 1
     return view
+
+
+def parts(place, n, split):
+    """The places of n equal parts of a place."""
+    if n == 1:
+        return [place]
+    first = split(place, 1.0 / n)
+    return [first, *parts(first + 1, n - 1, split)]
+
+
+def lay_out(name, views):
+    """The views in up to two rows, in a layout of this name."""
+    layout = CreateLayout(name)
+    rows = [views] if len(views) < 3 else [views[:(len(views) + 1) // 2], views[(len(views) + 1) // 2:]]
+    for row, place in zip(rows, parts(0, len(rows), layout.SplitVertical)):
+        for view, part in zip(row, parts(place, len(row), layout.SplitHorizontal)):
+            layout.AssignView(part, view)
 
 
 def cross(a, b):
@@ -108,14 +126,19 @@ def look(view, direction, up, bounds):
     view.CameraParallelScale = 1.25 * max(upwards, across / 1.25)
 
 
+def write_in(view, text, corner, size):
+    """A text in black."""
+    display = Show(text, view)
+    display.Color, display.FontSize, display.WindowLocation = [0.0, 0.0, 0.0], size, corner
+
+
 def say_time(source, view):
-    """A line with the time of the state, and what the view shows."""
+    """A line with the time of the state."""
+    if source in STEADY:
+        return write_in(view, Text(Text="steady state"), "Upper Left Corner", 14)
     formats = [text for name, text in TIMES.items() if name in fields_of(source)]
-    if not formats:
-        return
-    told = AnnotateTimeFilter(Input=source, Format=formats[0])
-    display = Show(told, view)
-    display.Color, display.FontSize, display.WindowLocation = [0.0, 0.0, 0.0], 14, "Upper Left Corner"
+    if formats:
+        write_in(view, AnnotateTimeFilter(Input=source, Format=formats[0]), "Upper Left Corner", 14)
 
 
 def colour(display, view, association, name, title, corner="Lower Right Corner"):
@@ -134,215 +157,8 @@ def colour(display, view, association, name, title, corner="Lower Right Corner")
     bar = GetScalarBar(table, view)
     bar.Title, bar.ComponentTitle = title, ""
     bar.TitleColor = bar.LabelColor = [0.0, 0.0, 0.0]
+    bar.DrawBackground, bar.BackgroundColor, bar.BackgroundPadding = 1, [1.0, 1.0, 1.0, 0.8], 4.0
     bar.TitleFontSize = bar.LabelFontSize = 13
     bar.WindowLocation = corner
 
 
-def surface_cells(source):
-    """Where the state of a surface is: in its cells, or the points of a line of springs."""
-    return "CELLS" if source.CellData["contact_state"] else "POINTS"
-
-
-def show_stick_slip(source, view):
-    display = Show(source, view)
-    display.SetRepresentationType("Surface")
-    display.Ambient, display.Diffuse = 1.0, 0.0  # the colours of the scale
-    colour(display, view, surface_cells(source), "contact_state", "contact")
-    display.PointSize = 6
-    say_time(source, view)
-
-
-def thinned(source):
-    """The points of a surface at which arrows are drawn, on a coarse grid where it is a grid."""
-    extent = source.GetDataInformation().GetExtent()
-    if source.GetDataInformation().GetDataSetTypeAsString() == "vtkImageData":
-        every = [max(1, (extent[2 * i + 1] - extent[2 * i]) // 24) for i in range(2)]
-        source = ExtractSubset(Input=source, VOI=extent, SampleRateI=every[0], SampleRateJ=every[1])
-    return CellCenters(Input=source) if len(source.CellData) > 1 else source
-
-
-def show_tractions(source, view, size, lift):
-    display = Show(source, view)
-    display.SetRepresentationType("Surface")
-    display.Ambient, display.Diffuse = 1.0, 0.0  # the colours of the scale
-    colour(display, view, "CELLS" if source.CellData["normal_traction_Pa"] else "POINTS", "normal_traction_Pa",
-           "normal traction [Pa]")
-    display.PointSize = 6
-    strongest = largest(source, "tangential_traction_Pa")
-    if strongest > 0:
-        arrows = Glyph(Input=thinned(source), GlyphType="Arrow")
-        arrows.OrientationArray = ["POINTS", "tangential_traction_Pa"]
-        arrows.ScaleArray = ["POINTS", "tangential_traction_Pa"]
-        arrows.ScaleFactor = 0.06 * size / strongest
-        arrows.GlyphMode = "All Points"
-        RenameSource("tangential tractions", arrows)
-        shown = Show(arrows, view)
-        shown.AmbientColor = shown.DiffuseColor = [1.0, 1.0, 1.0]
-        shown.Position = [0.0, 0.0, lift]
-    say_time(source, view)
-
-
-def warp_scale(source, size):
-    """1 if the deformation can be seen as it is, else such that it is a tenth of the size."""
-    most = largest(source, "displacement_m")
-    return 1.0 if most > 0.02 * size or most == 0 else 0.1 * size / most
-
-
-def warped(source, scale):
-    if not source.PointData["displacement_m"]:
-        source = CellDatatoPointData(Input=source)
-        source.ProcessAllArrays = 1
-        source.UpdatePipeline(GetAnimationScene().AnimationTime)
-    return WarpByVector(Input=source, Vectors=["POINTS", "displacement_m"], ScaleFactor=scale)
-
-
-def back_half(source, bounds):
-    """What lies behind the plane y = 0; all of a line."""
-    if not bounds[2] < 0 < bounds[3]:
-        return source
-    clip = Clip(Input=source, ClipType="Plane")
-    clip.ClipType.Origin = [0.0, 0.0, 0.0]
-    clip.ClipType.Normal = [0.0, -1.0, 0.0]
-    return clip
-
-
-def whole(volume):
-    """A half model mirrored at y = 0."""
-    bounds = volume.GetDataInformation().GetBounds()
-    if bounds[2] < -1e-6 * (bounds[3] - bounds[2]):
-        return volume
-    both = Reflect(Input=volume, Plane="Y Min", FlipAllInputArrays=1)
-    RenameSource("mirrored", both)
-    return both
-
-
-def show_section(folder, surface, volume, view, size, lift):
-    """Volume, surface and indenter, cut at y = 0 and deformed by one scale."""
-    bounds = surface.GetDataInformation().GetBounds()
-    scale = warp_scale(surface, size)
-    time = GetAnimationScene().AnimationTime
-    skin = back_half(warped(surface, scale), bounds)
-    display = Show(skin, view)
-    display.Position = [0.0, 0.0, lift]
-    if volume:
-        colour(display, view, surface_cells(surface), "contact_state", "contact", "Upper Right Corner")
-        body = whole(volume)
-        body.UpdatePipeline(time)
-        inside = back_half(warped(body, scale), body.GetDataInformation().GetBounds())
-        shown = Show(inside, view)
-        colour(shown, view, "POINTS", "von_mises_Pa", "von Mises stress [Pa]")
-    else:
-        colour(display, view, "POINTS", "normal_traction_Pa", "normal traction [Pa]")
-    path = os.path.join(folder, "indenter.pvd")
-    if os.path.exists(path):
-        indenter = open_series(path)
-        body = back_half(Transform(Input=indenter, Transform="Transform"), indenter.GetDataInformation().GetBounds())
-        shaped = body.Input if body.Input != indenter else body
-        shaped.Transform.Scale = [1.0, 1.0, scale]
-        shown = Show(body, view)
-        shown.AmbientColor = shown.DiffuseColor = [0.75, 0.75, 0.75]
-        shown.Opacity = 0.45
-        Hide(indenter, view)
-    say_time(surface, view)
-    note = Text(Text="deformation as it is" if scale == 1 else "deformation and indenter's height x %.3g" % scale)
-    shown = Show(note, view)
-    shown.Color, shown.FontSize, shown.WindowLocation = [0.0, 0.0, 0.0], 12, "Lower Left Corner"
-
-
-def plot_of(folder):
-    """Table, columns and title of what is plotted over the run; none if there is no such table."""
-    for name, across, upwards, title in PLOTS:
-        path = os.path.normpath(os.path.join(folder, name))
-        if not os.path.exists(path):
-            continue
-        with open(path, encoding="utf-8", newline="") as file:
-            rows = list(csv.DictReader(file))
-        numbers = {c: [float(row[c] or 0) for row in rows] for c in [across, *upwards] if rows and c in rows[0]}
-        moving = [c for c in upwards if any(numbers.get(c, []))]
-        if any(numbers.get(across, [])) and moving:
-            return path, across, {c: upwards[c] for c in moving}, title
-    return None
-
-
-def show_plot(layout, path, across, upwards, title):
-    table = CSVReader(FileName=[path])
-    RenameSource(os.path.basename(os.path.dirname(path)) + " " + os.path.basename(path), table)
-    view = new_view(layout, "XYChartView")
-    display = Show(table, view, "XYChartRepresentation")
-    display.UseIndexForXAxis = 0
-    display.XArrayName = across
-    display.SeriesVisibility = list(upwards)
-    display.SeriesLabel = [text for pair in upwards.items() for text in pair]
-    display.SeriesLineThickness = [text for name in upwards for text in (name, "2")]
-    view.LeftAxisTitle, view.BottomAxisTitle = title, TITLES[across]
-    return view
-
-
-def show_model(folder, series):
-    """The views of a model, by name."""
-    layout = CreateLayout(os.path.basename(folder))
-    views = {}
-    kinds = [kind for kind in ("surface", "steady") if os.path.join(folder, kind + ".pvd") in series]
-    volume = os.path.join(folder, "volume.pvd")
-    for kind in kinds:
-        prefix = "" if kind == "surface" else kind + "_"
-        source = open_series(os.path.join(folder, kind + ".pvd"))
-        bounds = source.GetDataInformation().GetBounds()
-        size = max(bounds[1] - bounds[0], bounds[3] - bounds[2])
-        lift = 2e-3 * size
-        above = ([0.0, 0.0, 1.0], [0.0, 1.0, 0.0])
-        if not bounds[3] > bounds[2]:  # a line, seen from the front
-            bounds = (*bounds[:2], -0.1 * size, 0.1 * size, -0.1 * size, 0.1 * size)
-        for name, show in (("stick_slip", show_stick_slip), ("tractions", show_tractions)):
-            view = views[prefix + name] = new_view(layout)
-            show(source, view) if name == "stick_slip" else show(source, view, size, lift)
-            look(view, *above, bounds)
-        if kind == "surface":
-            inside = open_series(volume) if volume in series else None
-            view = views["section"] = new_view(layout)
-            show_section(folder, source, inside, view, size, lift)
-            depth = 0.5 * size if inside else 0.12 * size
-            shown = (bounds[0], bounds[1], 0.0, max(bounds[3], 0.0), -depth, 0.1 * size)
-            look(view, [-0.35, -1.0, 0.5], [0.0, 0.0, 1.0], shown)
-    plot = plot_of(folder)
-    if plot:
-        views["shift" if "shift_x_m" in plot[2] else "plot"] = show_plot(layout, *plot)
-    return views
-
-
-def show_machine(folder):
-    """A walking machine in motion, its displacements magnified, and its way."""
-    source = open_series(os.path.join(folder, "machine.pvd"))
-    layout = CreateLayout(os.path.basename(folder))
-    view = new_view(layout)
-    name = next(a for a in ("displacement_m", "displacement") if source.PointData[a])
-    field = servermanager.Fetch(source).GetFieldData().GetArray("magnification")
-    moved = WarpByVector(Input=source, Vectors=["POINTS", name], ScaleFactor=field.GetTuple1(0) if field else 1.0)
-    display = Show(moved, view)
-    display.PointSize = 10
-    display.RenderPointsAsSpheres = 1
-    display.LineWidth = 3
-    colour(display, view, "CELLS", "part", "part")
-    say_time(source, view)
-    look(view, [-0.3, -1.0, 0.35], [0.0, 0.0, 1.0], source.GetDataInformation().GetBounds())
-    views = {"machine": view}
-    plot = plot_of(folder)
-    if plot:
-        views["motion"] = show_plot(layout, *plot)
-    return views
-
-
-def main():
-    series = all_series()
-    pictures = sys.argv[1] if len(sys.argv) > 1 else None
-    for model in sorted(set(os.path.dirname(path) for path in series)):
-        is_machine = os.path.join(model, "machine.pvd") in series
-        views = show_machine(model) if is_machine else show_model(model, series)
-        for name, view in views.items():
-            Render(view)
-            if pictures:
-                SaveScreenshot(os.path.join(pictures, os.path.basename(model) + "_" + name + ".png"), view,
-                               ImageResolution=[1000, 800], FontScaling="Do not scale fonts")
-
-
-main()

@@ -13,6 +13,7 @@
 #include <vtkUnstructuredGrid.h>
 
 #include <algorithm>
+#include <concepts>
 #include <filesystem>
 
 #include "io/keys/messages.h"
@@ -26,6 +27,14 @@ namespace {
 using contact::Interior;
 using contact::Surface;
 
+/// 0 where the surface touches: what solvers leave there is their residual.
+std::vector<double> told_gap(const Surface& s) {
+    std::vector<double> gap = s.gap;
+    for (std::size_t i = 0; i < std::min(gap.size(), s.contact_state.size()); ++i)
+        if (s.contact_state[i] != contact::ContactState::open) gap[i] = 0;
+    return gap;
+}
+
 void add_fields(vtkFieldData& data, const Surface& s) {
     const std::size_t n = s.size();
     add_scalar(data, "normal_traction_Pa", s.normal_traction, n);
@@ -35,7 +44,7 @@ void add_fields(vtkFieldData& data, const Surface& s) {
     // z is out of the substrate.
     add_vector(data, "displacement_m", {s.displacement_x, s.displacement_y, s.displacement_z}, n,
                -1);
-    add_scalar(data, "gap_m", s.gap, n);
+    add_scalar(data, "gap_m", told_gap(s), n);
     add_vector(data, "slip_m", {s.slip_x, s.slip_y, {}}, n);
     add_scalar(data, "dissipation_J_per_m2", s.dissipation, n);
     add_scalar(data, "slip_path_m", s.slip_path, n);
@@ -173,7 +182,8 @@ VtkFile file_of(const Instant& instant, const Fields& fields, const Provenance& 
     add_numbers(circumstances, instant.name, {instant.time});
     add_circumstances(circumstances, fields);
     add_provenance(circumstances, provenance);
-    return xml_of(*data);
+    constexpr bool is_surface = std::same_as<Fields, Surface>;  // of which there are many
+    return xml_of(*data, is_surface ? Compression::quick : Compression::small);
 }
 
 std::string xml_attribute(std::string_view text) {
@@ -241,9 +251,16 @@ void VtkSeries::add(double time, const VtkFile& file) {
     const std::string name = fmt::format("{}_{:06}{}", name_, files_.size(), file.extension);
     write_unsynced(path_of(name), file.bytes);
     last_size_ = file.bytes.size();
-    times_.push_back(time);
     files_.push_back(name);
+    add_again(time, files_.size() - 1);
+}
+
+void VtkSeries::add_again(double time, std::size_t file) {
+    states_.push_back({time, file});
+    const auto now = std::chrono::steady_clock::now();
+    if (now < next_collection_) return;
     write_unsynced(path_of(name_ + ".pvd"), collection());
+    next_collection_ = now + std::chrono::seconds(1);
 }
 
 void VtkSeries::finish() const {
@@ -256,14 +273,17 @@ std::string VtkSeries::path_of(const std::string& name) const {
 }
 
 std::string VtkSeries::collection() const {
-    const std::vector<double> times = times_apart(times_);
+    std::vector<double> times;
+    for (const State& state : states_) times.push_back(state.time);
+    times = times_apart(times);
     std::string out =
         "<?xml version=\"1.0\"?>\n"
         "<VTKFile type=\"Collection\" version=\"1.0\" byte_order=\"LittleEndian\">\n"
         "  <Collection>\n";
-    for (std::size_t i = 0; i < files_.size(); ++i)
+    for (std::size_t i = 0; i < states_.size(); ++i)
         out += "    <DataSet timestep=\"" + shortest(times[i]) +
-               "\" group=\"\" part=\"0\" file=\"" + xml_attribute(files_[i]) + "\"/>\n";
+               "\" group=\"\" part=\"0\" file=\"" + xml_attribute(files_.at(states_[i].file)) +
+               "\"/>\n";
     return out + "  </Collection>\n</VTKFile>\n";
 }
 

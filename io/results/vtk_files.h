@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <chrono>
 #include <cstdint>
 #include <span>
 #include <string>
@@ -47,9 +48,9 @@ VtkFile vtk_file(const Instant& instant, const contact::Interior& interior,
                  const Provenance& provenance);
 
 /// States over time for ParaView: files `folder/name_000000.vti` (.vtp, .vtu; see vtk_file) and the
-/// collection `folder/name.pvd`, whose times grow (`times_apart`) and which lists at any moment the
-/// files that are there. Vectors have three components, z out of the substrate. The same states
-/// give the same bytes.
+/// collection `folder/name.pvd`, whose times grow (`times_apart`) and which lists, but for those of
+/// the last second, the files that are there. Vectors have three components, z out of the
+/// substrate. The same states give the same bytes.
 class VtkSeries {
   public:
     /// The folder must exist (see make_output_folder).
@@ -63,7 +64,8 @@ class VtkSeries {
     /// Begins again: the first file comes next.
     void clear() {
         files_.clear();
-        times_.clear();
+        states_.clear();
+        next_collection_ = {};
     }
     std::size_t last_size() const { return last_size_; }  ///< bytes of the last file
     /// Writes the next file of the series. Throws contact::InputError if that fails.
@@ -71,26 +73,28 @@ class VtkSeries {
     void add(double time, const Fields& fields) {
         add(time, vtk_file({time_name_, time}, fields, provenance_));
     }
-    /// The same of something that knows its file, at a place.
-    template <class Shape>
-    void add(double time, const Shape& shape, const typename Shape::Place& place) {
-        add(time, shape.file({time_name_, time}, place, provenance_));
-    }
     /// The same for a file that is made already, of a time that is not before that of the last.
     void add(double time, const VtkFile& file);
+    /// What the n-th file of the series, from 0, shows is so again.
+    void add_again(double time, std::size_t file);
     /// Sees that all files are on the disk. Throws contact::InputError if that fails.
     void finish() const;
 
   private:
+    struct State {
+        double time;
+        std::size_t file;  // in files_
+    };
     std::string path_of(const std::string& name) const;
     std::string collection() const;
 
     std::string folder_, name_;
     Provenance provenance_;
     const char* time_name_;
-    std::vector<double> times_;
+    std::vector<State> states_;
     std::vector<std::string> files_;
     std::size_t last_size_ = 0;
+    std::chrono::steady_clock::time_point next_collection_{};
 };
 
 /// Times that do not decrease, set apart, since ParaView shows one state at a time: of states at

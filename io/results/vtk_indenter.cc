@@ -54,8 +54,7 @@ IndenterShape::IndenterShape(const contact::Indenter& indenter, const Extent& ex
     }
 }
 
-VtkFile IndenterShape::file(const Instant& instant, const Place& place,
-                            const Provenance& provenance) const {
+VtkFile IndenterShape::file(const Place& place, const Provenance& provenance) const {
     const double cos = std::cos(place.rotation), sin = std::sin(place.rotation);
     vtkNew<vtkPoints> points;
     points->SetDataTypeToFloat();
@@ -67,10 +66,8 @@ VtkFile IndenterShape::file(const Instant& instant, const Place& place,
     vtkNew<vtkStructuredGrid> grid;
     grid->SetDimensions(n_along_, static_cast<int>(points_.size()) / n_along_, 1);
     grid->SetPoints(points);
-    vtkFieldData& circumstances = *grid->GetFieldData();
-    add_numbers(circumstances, instant.name, {instant.time});
-    add_provenance(circumstances, provenance);
-    return xml_of(*grid);
+    add_provenance(*grid->GetFieldData(), provenance);
+    return xml_of(*grid, Compression::quick);
 }
 
 }  // namespace tricontact::io

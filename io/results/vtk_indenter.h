@@ -1,5 +1,8 @@
 #pragma once
 
+#include <map>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "contact/bodies/indenter.h"
@@ -24,13 +27,40 @@ class IndenterShape {
         contact::Vector2 offset{};  ///< [m]
         double indentation = 0;     ///< d [m]
         double rotation = 0;        ///< from x towards y [rad]
+        auto operator<=>(const Place&) const = default;
     };
     /// `.vts`, points in place, z out of the substrate: h(x, y) - d over the undeformed surface.
-    VtkFile file(const Instant& instant, const Place& place, const Provenance& provenance) const;
+    VtkFile file(const Place& place, const Provenance& provenance) const;
 
   private:
     int n_along_;                                // points of a radius or of the strip's width
     std::vector<std::array<double, 3>> points_;  // x, y, h
+};
+
+/// The indenter over the states of a surface: rolling comes back to the same places, so that there
+/// is a file for each place and not for each state.
+class IndenterSeries {
+  public:
+    IndenterSeries(std::string folder, Provenance provenance)
+        : series_(std::move(folder), "indenter", provenance), provenance_(std::move(provenance)) {}
+
+    void clear() {
+        series_.clear();
+        files_.clear();
+    }
+    void add(double time, const IndenterShape& shape, const IndenterShape::Place& place) {
+        const auto [file, is_new] = files_.try_emplace(place, files_.size());
+        if (is_new)
+            series_.add(time, shape.file(place, provenance_));
+        else
+            series_.add_again(time, file->second);
+    }
+    void finish() const { series_.finish(); }
+
+  private:
+    VtkSeries series_;
+    Provenance provenance_;
+    std::map<IndenterShape::Place, std::size_t> files_;
 };
 
 }  // namespace tricontact::io

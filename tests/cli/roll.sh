@@ -27,6 +27,12 @@ awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) if ($i == "tangential_force_x_N") k
 # A step per cell from rest on, and the steady state.
 [ "$(wc -l <once/bem/history.csv)" -eq 43 ] || complain "rows: $(wc -l <once/bem/history.csv)"
 
+# It says beforehand how many states there may be: one at rest and one per cell, eight of which are a.
+"$program" roll "$sphere" --models bem --set bem.cells_per_radius=8 --set tractive_rolling.distance=2 --points 0 \
+    --no-report --output told >/dev/null 2>told.txt || complain "$(cat told.txt)"
+grep -q 'bem: up to 17 states for ParaView, [0-9.]* MB' told.txt || complain "it does not say its size: $(cat told.txt)"
+[ "$(grep -c '<DataSet ' told/bem/surface.pvd)" -eq 17 ] || complain "not 17 states: $(cat told/bem/surface.pvd)"
+
 # Run again from the resolved case: the same bytes.
 "$program" roll once/case.toml --points 3 --threads 1 --quiet --output twice >/dev/null
 for file in summary.json creep.csv report.html bem/history.csv mdr/history.csv bem/steady_000000.vti; do

@@ -99,7 +99,7 @@ TEST_F(VtkElements, AnElementSurfaceReadsBackExactlyAsPointDataOfQuadrilaterals)
                   s.tangential_traction_y_consistent, {}, 1);
     expect_scalar(data, "friction_bound_Pa", s.friction_bound);
     expect_vector(data, "displacement_m", s.displacement_x, s.displacement_y, s.displacement_z, -1);
-    expect_scalar(data, "gap_m", s.gap);
+    expect_gap(data, s);
     expect_vector(data, "slip_m", s.slip_x, s.slip_y, {}, 1);
     expect_scalar(data, "dissipation_J_per_m2", s.dissipation);
     expect_scalar(data, "slip_path_m", s.slip_path);

@@ -57,6 +57,14 @@ inline void expect_scalar(vtkFieldData* data, const char* name, const std::vecto
             << name << ' ' << i;
 }
 
+/// Where a surface touches its gap is told as 0.
+inline void expect_gap(vtkFieldData* data, const contact::Surface& s) {
+    std::vector<double> gap = s.gap;
+    for (std::size_t i = 0; i < gap.size(); ++i)
+        if (s.contact_state[i] != contact::ContactState::open) gap[i] = 0;
+    expect_scalar(data, "gap_m", gap);
+}
+
 inline void expect_vector(vtkFieldData* data, const char* name, const std::vector<double>& x,
                           const std::vector<double>& y, const std::vector<double>& z,
                           double z_sign) {

@@ -16,8 +16,10 @@
 #include <filesystem>
 #include <limits>
 
+#include "contact/bodies/indenter.h"
 #include "contact/error.h"
 #include "io/results/vtk_files.h"
+#include "io/results/vtk_indenter.h"
 #include "tests/unit/io/results/vtk_files.h"
 
 namespace tricontact::io::vtk_series_test {
@@ -63,7 +65,7 @@ void expect_fields(vtkFieldData* data, const Surface& s) {
                   {}, 1);
     expect_scalar(data, "friction_bound_Pa", s.friction_bound);
     expect_vector(data, "displacement_m", s.displacement_x, s.displacement_y, s.displacement_z, -1);
-    expect_scalar(data, "gap_m", s.gap);
+    expect_gap(data, s);
     expect_vector(data, "slip_m", s.slip_x, s.slip_y, {}, 1);
     expect_scalar(data, "dissipation_J_per_m2", s.dissipation);
     expect_scalar(data, "slip_path_m", s.slip_path);
@@ -142,13 +144,13 @@ TEST_F(Vtk, FieldsThatAModelLacksAreLeftOutOrZero) {
 
 TEST_F(Vtk, InfiniteGapsOutsideTheIndenterSurvive) {
     Surface s = surface_of(Surface::Layout::grid, 4, 4);
-    s.gap[5] = std::numeric_limits<double>::infinity();
+    s.gap[6] = std::numeric_limits<double>::infinity();
     VtkSeries out = series("surface");
     out.add(0, s);
     vtkNew<vtkXMLImageDataReader> reader;
     reader->SetFileName(at("surface_000000.vti").c_str());
     reader->Update();
-    expect_scalar(reader->GetOutput()->GetCellData(), "gap_m", s.gap);
+    expect_gap(reader->GetOutput()->GetCellData(), s);
 }
 
 TEST_F(Vtk, TheSameSurfaceGivesTheSameBytes) {
@@ -179,12 +181,53 @@ TEST_F(Vtk, TheCollectionListsFilesByPhase) {
               "</VTKFile>\n");
 }
 
+// A body that comes back to a place, in any period, is in the file of that place.
+TEST_F(Vtk, TheIndenterHasAFileForEachPlace) {
+    const IndenterShape shape(contact::Paraboloid(0.04), {.radius = 0.005});
+    IndenterSeries out(folder_.string(), provenance_);
+    for (int n = 0; n < 3; ++n) {
+        out.add(n, shape, {.offset = {0.001, 0}, .indentation = 1e-4});
+        out.add(n + 0.5, shape, {.offset = {-0.001, 0}, .indentation = 1e-4});
+    }
+    out.finish();
+    EXPECT_FALSE(fs::exists(at("indenter_000002.vts")));
+    EXPECT_NE(content("indenter_000000.vts"), content("indenter_000001.vts"));
+    const std::string text = content("indenter.pvd");
+    const std::vector<std::string> times{"0", "0.5", "1", "1.5", "2", "2.5"};
+    for (std::size_t i = 0; i < times.size(); ++i)
+        EXPECT_NE(
+            text.find("timestep=\"" + times[i] + "\" group=\"\" part=\"0\" file=\"indenter_00000" +
+                      std::to_string(i % 2) + ".vts\""),
+            std::string::npos)
+            << text;
+}
+
 // States of one time come before it as far apart as the following ones; later ones share the gap.
 TEST_F(Vtk, StatesOfOneTimeAreSetApart) {
     EXPECT_EQ(times_apart({0, 0, 0, 0.25, 0.5}), (std::vector{-0.5, -0.25, 0., 0.25, 0.5}));
     EXPECT_EQ(times_apart({0, 1, 1, 2}), (std::vector{0., 0.5, 1., 2.}));
     EXPECT_EQ(times_apart({3, 3}), (std::vector{2., 3.}));
     EXPECT_TRUE(times_apart({}).empty());
+}
+
+// Ranges are told to VTK instead of found by it: of vectors that of their lengths, by hand.
+TEST_F(Vtk, RangesInTheHeaderAreThoseOfTheFields) {
+    Surface s = surface_of(Surface::Layout::grid, 3, 2);
+    s.normal_traction = {0, 2, 1.5, 0, 8, 0.25};
+    s.tangential_traction_x = {0, 3, 0, 0, -4, 0};
+    s.tangential_traction_y = {0, 4, 0, 0, 0, 1};
+    VtkSeries out = series("surface");
+    out.add(0, s);
+    const std::string text = content("surface_000000.vti");
+    const auto range_of = [&](const std::string& name) {
+        const auto at = text.find("Name=\"" + name + '"');
+        const auto begin = text.find("RangeMin", at), end = text.find("offset", begin);
+        std::string found = text.substr(begin, end - begin);
+        std::erase(found, ' ');
+        return found;
+    };
+    EXPECT_EQ(range_of("normal_traction_Pa"), "RangeMin=\"0\"RangeMax=\"8\"");
+    EXPECT_EQ(range_of("tangential_traction_Pa"), "RangeMin=\"0\"RangeMax=\"5\"");
 }
 
 TEST_F(Vtk, FieldsOfAWrongSizeAreRefused) {

@@ -1,0 +1,252 @@
+def surface_cells(source):
+    """Where the state of a surface is: in its cells, or the points of a line of springs."""
+    return "CELLS" if source.CellData["contact_state"] else "POINTS"
+
+
+def show_stick_slip(source, view):
+    """Each cell in the colour of its state; each node of finite elements as a disc over their outline, since only
+    nodes have a state of their own."""
+    display = Show(source, view)
+    display.Ambient, display.Diffuse = 1.0, 0.0  # the colours of the scale
+    nodes = source.PointData["contact_state"] and source.CellData["contact_state"]
+    if nodes:
+        outline = Show(Outline(Input=source), view)
+        outline.AmbientColor = outline.DiffuseColor = [0.0, 0.0, 0.0]
+        bounds, n = source.GetDataInformation().GetBounds(), source.GetDataInformation().GetNumberOfPoints()
+        display.SetRepresentationType("Point Gaussian")
+        display.ShaderPreset = "Plain circle"
+        display.GaussianRadius = 0.5 * ((bounds[1] - bounds[0]) * (bounds[3] - bounds[2]) / n) ** 0.5
+    else:
+        display.SetRepresentationType("Surface")
+    colour(display, view, "POINTS" if nodes else surface_cells(source), "contact_state", "contact")
+    display.PointSize = 6
+    say_time(source, view)
+
+
+def thinned(source):
+    """The points of a surface at which arrows are drawn, on a coarse grid where it is a grid."""
+    extent = source.GetDataInformation().GetExtent()
+    if source.GetDataInformation().GetDataSetTypeAsString() == "vtkImageData":
+        every = [max(1, (extent[2 * i + 1] - extent[2 * i]) // 24) for i in range(2)]
+        source = ExtractSubset(Input=source, VOI=extent, SampleRateI=every[0], SampleRateJ=every[1])
+    return CellCenters(Input=source) if len(source.CellData) > 1 else source
+
+
+def show_tractions(source, view, size, lift):
+    display = Show(source, view)
+    display.SetRepresentationType("Surface")
+    display.Ambient, display.Diffuse = 1.0, 0.0  # the colours of the scale
+    colour(display, view, "CELLS" if source.CellData["normal_traction_Pa"] else "POINTS", "normal_traction_Pa",
+           "normal traction [Pa]")
+    display.PointSize = 6
+    strongest = largest(source, "tangential_traction_Pa")
+    if strongest > 0:
+        arrows = Glyph(Input=thinned(source), GlyphType="Arrow")
+        arrows.OrientationArray = ["POINTS", "tangential_traction_Pa"]
+        arrows.ScaleArray = ["POINTS", "tangential_traction_Pa"]
+        arrows.ScaleFactor = 0.06 * size / strongest
+        arrows.GlyphMode = "All Points"
+        RenameSource("tangential tractions", arrows)
+        shown = Show(arrows, view)
+        shown.ColorArrayName = ["POINTS", ""]
+        shown.AmbientColor = shown.DiffuseColor = [1.0, 1.0, 1.0]
+        shown.Ambient, shown.Diffuse = 1.0, 0.0
+        shown.Position = [0.0, 0.0, lift]
+    say_time(source, view)
+
+
+def warp_scale(source, size):
+    """1 if the deformation can be seen as it is, else such that it is a tenth of the size."""
+    most = largest(source, "displacement_m")
+    return 1.0 if most > 0.02 * size or most == 0 else 0.1 * size / most
+
+
+def warped(source, scale):
+    """Deformed as it is, or magnified along z alone, as the indenter is."""
+    if not source.PointData["displacement_m"]:
+        source = CellDatatoPointData(Input=source)
+        source.ProcessAllArrays, source.PassCellData = 1, 1
+        source.UpdatePipeline(GetAnimationScene().AnimationTime)
+    name = "displacement_m"
+    if scale != 1:
+        name = "normal_displacement_m"
+        source = Calculator(Input=source, Function="displacement_m_Z*kHat", ResultArrayName=name)
+    return WarpByVector(Input=source, Vectors=["POINTS", name], ScaleFactor=scale)
+
+
+def back_half(source, bounds):
+    """What lies behind the plane y = 0; all of a line."""
+    if not bounds[2] < 0 < bounds[3]:
+        return source
+    clip = Clip(Input=source, ClipType="Plane")
+    clip.ClipType.Origin = [0.0, 0.0, 0.0]
+    clip.ClipType.Normal = [0.0, -1.0, 0.0]
+    return clip
+
+
+def whole(volume):
+    """A half model mirrored at y = 0."""
+    bounds = volume.GetDataInformation().GetBounds()
+    if bounds[2] < -1e-6 * (bounds[3] - bounds[2]):
+        return volume
+    both = Reflect(Input=volume, Plane="Y Min", FlipAllInputArrays=1)
+    RenameSource("mirrored", both)
+    return both
+
+
+def near(volume, bounds, depth):
+    """What lies below the surface of these bounds, and a little beside it, down to the depth."""
+    beside = 0.15 * (bounds[1] - bounds[0])
+    clip = Clip(Input=volume, ClipType="Box")
+    clip.ClipType.Position = [bounds[0] - beside, bounds[2] - beside, -depth]
+    clip.ClipType.Length = [bounds[1] - bounds[0] + 2 * beside, bounds[3] - bounds[2] + 2 * beside, 2 * depth]
+    Hide3DWidgets(proxy=clip.ClipType)
+    return clip
+
+
+def show_section(folder, surface, volume, view, size, depth, lift):
+    """Volume, surface and indenter, cut at y = 0."""
+    bounds = surface.GetDataInformation().GetBounds()
+    scale = warp_scale(surface, size)
+    time = GetAnimationScene().AnimationTime
+    skin = back_half(warped(surface, scale), bounds)
+    display = Show(skin, view)
+    display.Position = [0.0, 0.0, lift]
+    if volume:
+        colour(display, view, surface_cells(surface), "contact_state", "contact", "Upper Right Corner")
+        body = near(whole(volume), bounds, depth)
+        body.UpdatePipeline(time)
+        inside = back_half(warped(body, scale), body.GetDataInformation().GetBounds())
+        shown = Show(inside, view)
+        colour(shown, view, "POINTS", "von_mises_Pa", "von Mises stress [Pa]")
+    else:
+        colour(display, view, "POINTS", "normal_traction_Pa", "normal traction [Pa]")
+    path = os.path.join(folder, "indenter.pvd")
+    if os.path.exists(path):
+        indenter = open_series(path)
+        body = back_half(Transform(Input=indenter, Transform="Transform"), indenter.GetDataInformation().GetBounds())
+        shaped = body.Input if body.Input != indenter else body
+        shaped.Transform.Scale = [1.0, 1.0, scale]
+        shown = Show(body, view)
+        shown.AmbientColor = shown.DiffuseColor = [0.75, 0.75, 0.75]
+        shown.Opacity = 0.45
+        Hide(indenter, view)
+    say_time(surface, view)
+    note = Text(Text="deformation as it is" if scale == 1 else "normal deformation and indenter's height x %.3g" % scale)
+    write_in(view, note, "Lower Left Corner", 12)
+
+
+def plot_of(folder):
+    """Table, columns and title of what is plotted over the run; none if there is no such table."""
+    for name, across, upwards, title in PLOTS:
+        path = os.path.normpath(os.path.join(folder, name))
+        if not os.path.exists(path):
+            continue
+        with open(path, encoding="utf-8", newline="") as file:
+            rows = list(csv.DictReader(file))
+        numbers = {c: [float(row[c] or 0) for row in rows] for c in [across, *upwards] if rows and c in rows[0]}
+        most = {c: max(map(abs, numbers.get(c, [0.0]))) for c in upwards}
+        moving = [c for c in upwards if most[c] > 1e-3 * max(most.values())]  # others: what solvers leave
+        if any(numbers.get(across, [])) and moving:
+            return path, across, {c: upwards[c] for c in moving}, title
+    return None
+
+
+def show_plot(path, across, upwards, title):
+    table = CSVReader(FileName=[path])
+    RenameSource(os.path.basename(os.path.dirname(path)) + " " + os.path.basename(path), table)
+    if across == "distance_m":
+        table = ThresholdTable(Input=table, Column=["ROWS", across], Mode="Between", MinValue=1e-300, MaxValue=1e300)
+    view = new_view("XYChartView")
+    SetActiveSource(None)  # the window's panel of an active source would set its own series and empty the chart
+    display = Show(table, view, "XYChartRepresentation")
+    SetActiveSource(None)
+    display.UseIndexForXAxis = 0
+    display.XArrayName = across
+    display.SeriesVisibility = list(upwards)
+    display.SeriesLabel = [text for pair in upwards.items() for text in pair]
+    colours = [["0.18", "0.36", "0.55"], ["0.88", "0.54", "0.18"]]
+    display.SeriesColor = [text for name, rgb in zip(upwards, colours) for text in (name, *rgb)]
+    display.SeriesLineThickness = [text for name in upwards for text in (name, "2")]
+    view.LeftAxisTitle, view.BottomAxisTitle = title, TITLES[across]
+    return view
+
+
+def show_model(folder, series):
+    """The views of a model, by name."""
+    views = {}
+    kinds = [kind for kind in ("surface", "steady") if os.path.join(folder, kind + ".pvd") in series]
+    volume = os.path.join(folder, "volume.pvd")
+    for kind in kinds:
+        prefix = "" if kind == "surface" else kind + "_"
+        source = open_series(os.path.join(folder, kind + ".pvd"))
+        if kind == "steady":
+            STEADY.append(source)
+        bounds = source.GetDataInformation().GetBounds()
+        size = max(bounds[1] - bounds[0], bounds[3] - bounds[2])
+        lift = 2e-3 * size
+        above = ([0.0, 0.0, 1.0], [0.0, 1.0, 0.0])
+        if not bounds[3] > bounds[2]:  # a line, seen from the front
+            bounds = (*bounds[:2], -0.1 * size, 0.1 * size, -0.1 * size, 0.1 * size)
+        for name, show in (("stick_slip", show_stick_slip), ("tractions", show_tractions)):
+            view = views[prefix + name] = new_view()
+            show(source, view) if name == "stick_slip" else show(source, view, size, lift)
+            look(view, *above, bounds)
+        if kind == "surface":
+            inside = open_series(volume) if volume in series else None
+            view = views["section"] = new_view()
+            depth = 0.5 * size if inside else 0.12 * size
+            show_section(folder, source, inside, view, size, depth, lift)
+            beside = 0.15 * (bounds[1] - bounds[0]) if inside else 0.0
+            shown = (bounds[0] - beside, bounds[1] + beside, 0.0, max(bounds[3], 0.0) + beside, -depth, 0.1 * size)
+            look(view, [-0.35, -1.0, 0.5], [0.0, 0.0, 1.0], shown)
+    plot = plot_of(folder)
+    if plot:
+        views["shift" if "shift_x_m" in plot[2] else "plot"] = show_plot(*plot)
+    return views
+
+
+def show_machine(folder):
+    """A walking machine in motion, its displacements magnified, and its way."""
+    source = open_series(os.path.join(folder, "machine.pvd"))
+    view = new_view()
+    name = next(a for a in ("displacement_m", "displacement") if source.PointData[a])
+    field = servermanager.Fetch(source).GetFieldData().GetArray("magnification")
+    moved = WarpByVector(Input=source, Vectors=["POINTS", name], ScaleFactor=field.GetTuple1(0) if field else 1.0)
+    display = Show(moved, view)
+    display.PointSize = 10
+    display.RenderPointsAsSpheres = 1
+    display.LineWidth = 3
+    colour(display, view, "CELLS", "part", "part")
+    say_time(source, view)
+    look(view, [-0.3, -1.0, 0.35], [0.0, 0.0, 1.0], source.GetDataInformation().GetBounds())
+    views = {"machine": view}
+    plot = plot_of(folder)
+    if plot:
+        views["motion"] = show_plot(*plot)
+    return views
+
+
+def main():
+    series = all_series()
+    pictures = sys.argv[1] if len(sys.argv) > 1 else None
+    empty = [] if GetSources() else list(GetLayouts().values())  # of a window that has just opened
+    first = None
+    for model in sorted(set(os.path.dirname(path) for path in series)):
+        is_machine = os.path.join(model, "machine.pvd") in series
+        views = show_machine(model) if is_machine else show_model(model, series)
+        lay_out(os.path.basename(model), list(views.values()))
+        first = first or next(iter(views.values()))
+        for name, view in views.items():
+            if pictures:
+                view.ViewSize = [1000, 800]  # charts are laid out for it
+            Render(view)
+            if pictures:
+                SaveScreenshot(os.path.join(pictures, os.path.basename(model) + "_" + name + ".png"), view,
+                               ImageResolution=[1000, 800], FontScaling="Do not scale fonts")
+    for layout in empty:
+        RemoveLayout(layout)
+    SetActiveView(first)
+
+
+main()
