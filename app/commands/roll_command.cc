@@ -138,7 +138,7 @@ void roll_models(const Case& c, const RollOptions& options) {
     RollingReport report{.c = c, .runs = {}, .files = files_of(c), .version = files::version};
     for (const std::string& model : c.models) report.runs.push_back(roll_model(model, c, options));
     write(report, resolved, options);
-    std::cout << table_of(report);
+    options.out() << table_of(report);
 }
 
 /// From rest to steady rolling.
@@ -160,6 +160,7 @@ Command roll_command() {
         .output("Folder (results/<case>)")
         .models("Run these models instead of the case's")
         .number("--points", &RollOptions::points, "Points per creep curve (12; 0: none)", 0, 1000)
+        .exports()
         .threads()
         .no_report()
         .quiet();
