@@ -42,7 +42,7 @@ struct Key {
     int columns = 1, rows = 0;
 
     Key(const Figure& figure, const std::vector<bool>& named, int width) {
-        constexpr int letter = 8, sample = 50;
+        constexpr int letter = 9, sample = 60;  // what gnuplot takes a column to need
         std::size_t longest = 0;
         for (std::size_t i = 0; i < named.size(); ++i)
             if (named[i]) longest = std::max(longest, figure.curves[i].name.size());

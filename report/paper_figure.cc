@@ -12,16 +12,18 @@ namespace tricontact::report {
 namespace {
 
 constexpr double column_mm = 86, two_columns_mm = 178;
-// Letters of pictures have 15 CSS pixels; of papers 8 pt, as wide as the column is.
+// Letters of 8 pt; in pictures, whose lengths are CSS pixels, 15.
 constexpr double letter_px = 15, letter_pt = 8, mm_per_pt = 25.4 / 72;
 constexpr double mm_per_px = letter_pt * mm_per_pt / letter_px;
 constexpr double dots_per_mm = 600 / 25.4;
+// Terminals of gnuplot take an inch to have 96 points.
+constexpr double gnuplot_point = 72. / 96;
 
 /// The canvas of one column.
 PictureLayout column_layout() {
     constexpr int width = static_cast<int>(column_mm / mm_per_px);
     constexpr int beside_map = 84 + 116;  // labels of its axes and the bar of colours
-    return {.width = width, .height = 290, .map_frame = width - beside_map, .in_grey = true};
+    return {.width = width, .height = 310, .map_frame = width - beside_map, .in_grey = true};
 }
 
 /// Size of a picture on paper [mm]: as drawn, but no wider than the columns.
@@ -48,26 +50,29 @@ std::string pdf_of(const Picture& picture) {
     return without_date(draw_on(
         fmt::format("pdfcairo size {:.4f}cm,{:.4f}cm font 'sans,{:.3f}' fontscale 1 linewidth "
                     "{:.3f} pointscale {:.3f} rounded",
-                    size.width / 10, size.height / 10, letter_pt * size.scale, 1.2 * size.scale,
-                    0.6 * size.scale),
+                    size.width / 10, size.height / 10, letter_pt * gnuplot_point * size.scale,
+                    1.2 * size.scale, 0.6 * size.scale),
         picture));
 }
 
 std::string png_of(const Picture& picture) {
     const PaperSize size = paper_size(picture);
-    // Of a point 4/3 CSS pixels, as in pictures for pages: 11 pt are 15 pixels.
     const double dots_per_px = size.width * dots_per_mm / picture.width;
-    return draw_on(fmt::format("pngcairo size {:.0f},{:.0f} font 'sans,11' fontscale {:.4f} "
+    return draw_on(fmt::format("pngcairo size {:.0f},{:.0f} font 'sans,{}' fontscale {:.4f} "
                                "linewidth {:.4f} pointscale {:.4f} background '#ffffff'",
                                picture.width * dots_per_px, picture.height * dots_per_px,
-                               dots_per_px, dots_per_px, dots_per_px),
+                               letter_px * gnuplot_point, dots_per_px, dots_per_px, dots_per_px),
                    picture);
 }
 
 /// Millimetres in the place of pixels.
 std::string svg_of(const Picture& picture, const Figure& figure) {
     const PaperSize size = paper_size(picture);
-    std::string svg = with_words(draw(picture, ImageFormat::svg), figure);
+    std::string svg =
+        with_words(draw_on(fmt::format("svg size {},{} font 'sans-serif,{}' background '#ffffff'",
+                                       picture.width, picture.height, letter_px),
+                           picture),
+                   figure);
     const std::string pixels =
         fmt::format("width=\"{}\" height=\"{}\"", picture.width, picture.height);
     const auto at = svg.find(pixels);

@@ -56,7 +56,7 @@ rolling::RollingRun roll_model(const std::string& model, const Case& c,
     io::VtkSeries indenters(folder, "indenter", provenance, time);
     io::VtkSeries steady(folder, "steady", provenance, time);
     const io::IndenterShape indenter = indenter_shape(c);
-    io::ProgressBar bar(std::cerr, io::ProgressBar::style_of_stderr(options.quiet), model);
+    io::ProgressBar bar = options.progress_bar(model);
     RollRuns runs{.points = options.points,
                   .threads = options.threads,
                   .progress = [&](int step, int steps) { bar.update(step, steps); },

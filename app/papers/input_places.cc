@@ -40,6 +40,11 @@ std::string with_each_path(
     return result + toml.substr(copied);
 }
 
+void replace(std::string& text, const std::string& from, const std::string& to) {
+    for (auto at = text.find(from); at != text.npos; at = text.find(from, at + to.size()))
+        text.replace(at, from.size(), to);
+}
+
 bool leads_out(const std::string& folder, const std::string& path) {
     if (fs::path(path).is_absolute()) return true;
     const auto there = (fs::path(folder) / path).lexically_normal();
@@ -105,8 +110,10 @@ std::string InputPlaces::argument(const std::string& text) const {
 std::string InputPlaces::in_places(std::string text) const {
     for (const auto& file : files_)
         for (const std::string& name : file.names)
-            for (auto at = text.find(name); at != text.npos; at = text.find(name, at))
-                text.replace(at, name.size(), place_of(file));
+            if (fs::path(name).is_absolute())
+                replace(text, name, place_of(file));
+            else  // a relative one may be part of a word
+                replace(text, '"' + name + '"', '"' + place_of(file) + '"');
     return text;
 }
 

@@ -5,14 +5,11 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
-#include <set>
 #include <stdexcept>
 
-#include "app/models.h"
 #include "app/papers/archive.h"
+#include "app/papers/cited_sources.h"
 #include "app/papers/input_places.h"
-#include "comparisons/quantities/quantity.h"
-#include "comparisons/reproduction/kept_numbers.h"
 #include "files/regular_file.h"
 #include "report/bibliography.h"
 #include "report/document_csv.h"
@@ -83,34 +80,6 @@ Archive archive_of(const CLI::App& parser, const CommandOptions& options,
         archive.files[resolved_case_name] =
             places.in_places(files::RegularFile(resolved).content(most_bytes));
     return archive;
-}
-
-/// Words by which sources are found: of the reports, of the quantities among the numbers, of the
-/// models that these are of.
-std::string citing_words(const Findings& findings, const Archive& archive) {
-    std::string words;
-    for (const report::Document& document : findings.documents) words += words_of(document);
-    std::set<std::string> names;  // keys and models
-    const auto add = [&](const std::string& path) {
-        for (std::size_t begin = 0; begin <= path.size();) {
-            const auto end = std::min(path.find('/', begin), path.size());
-            names.insert(path.substr(begin, end - begin));
-            begin = end + 1;
-        }
-    };
-    for (const auto& [name, text] : archive.numbers())
-        for (const comparisons::KeptNumber& number : comparisons::numbers_in(name, text)) {
-            if (number.text.empty() || number.text == "null") continue;
-            add(number.quantity);
-            std::string plain = number.text;
-            std::erase(plain, '"');
-            names.insert(plain);
-        }
-    for (const comparisons::Quantity* q : comparisons::all_quantities())
-        if (names.contains(q->key)) words += std::string(q->source) + '\n';
-    for (const ModelDescription& model : known_models())
-        if (names.contains(model.name)) words += model.sources + '\n';
-    return words;
 }
 
 /// Drawings, data and tables that an earlier export left; what others put there stays.
@@ -187,7 +156,7 @@ int run_for_papers(const CLI::App& parser, CommandOptions& options,
             write_document(folder, document);
         io::write_file(
             folder + '/' + references_name,
-            report::bibtex(report::cited_in(citing_words(findings, archive)), files::version));
+            report::bibtex(cited_sources(findings.documents, archive.numbers()), files::version));
         io::write_file(folder + '/' + archive_name, archive_text(archive));
     });
     options.say("export: " + folder);

@@ -22,9 +22,9 @@ struct KeptNumber {
 };
 
 /// All values of a file in its order, but for the version of the program and the times that it
-/// took. Stated errors: CSV columns "± <heading>" behind a column; in JSON "error" beside "value",
-/// "allowed" beside "worst", KEY_error beside KEY, and a run's `numerical_error`. Throws
-/// std::runtime_error if it is neither JSON nor CSV.
+/// took. Stated errors: CSV columns "± <heading>" behind a column; in JSON "error" or
+/// "standard_error" beside "value", "allowed" beside "worst", KEY_error beside KEY, and a run's
+/// `numerical_error`. Throws std::runtime_error if it is neither JSON nor CSV.
 std::vector<KeptNumber> numbers_in(const std::string& name, const std::string& text);
 
 }  // namespace tricontact::comparisons

@@ -101,14 +101,14 @@ std::string reproduction_text(const Reproduction& r) {
     if (r.same_bytes())
         return fmt::format("same bytes: {} numbers in {} files\n", r.n_numbers, r.n_files);
     std::string text;
-    for (std::size_t i = 0; i < std::min(r.otherwise.size(), most_told); ++i)
-        text += "differs " + r.otherwise[i] + '\n';
     std::vector<ChangedQuantity> changed = r.changed;
     std::ranges::stable_sort(changed, [](const ChangedQuantity& a, const ChangedQuantity& b) {
         return a.agrees != b.agrees ? b.agrees : a.difference > b.difference;
     });
     for (std::size_t i = 0; i < std::min(changed.size(), most_told); ++i)
         text += line_of(changed[i]);
+    for (std::size_t i = 0; i < std::min(r.otherwise.size(), most_told); ++i)
+        text += "differs " + r.otherwise[i] + '\n';
     for (const std::size_t n : {r.otherwise.size(), changed.size()})
         if (n > most_told) text += fmt::format("and {} more\n", n - most_told);
     return text + fmt::format("{} numbers in {} files: {}, tolerance {:g} relative\n", r.n_numbers,

@@ -119,6 +119,7 @@ InputLog::~InputLog() {
 void InputLog::add(const std::string& given, const std::string& real) {
     Entry& entry = entries_.try_emplace(real, Entry{state_of(real), {}}).first->second;
     std::error_code ignored;
+    entry.names.insert(given);
     entry.names.insert(real);
     entry.names.insert(std::filesystem::absolute(given, ignored).lexically_normal().string());
 }

@@ -28,7 +28,7 @@ class InputLog {
   public:
     struct File {
         std::string path;             ///< canonical
-        std::set<std::string> names;  ///< absolute paths by which it was read, that one too
+        std::set<std::string> names;  ///< paths by which it was read, also as absolute ones
         std::string content;
     };
 
