@@ -3,6 +3,7 @@
 usage: papers.py check EXPORT                           complains of each thing that is not as it should be
        papers.py change ARCHIVE OUT NAME FROM TO        a text of a file of the archive replaced, digests remade
        papers.py spoil ARCHIVE OUT KIND                 an archive that is bad in a way
+       papers.py cited SOURCE_DIR                       complains of publications that texts cite and sources.bib lacks
 """
 
 import csv
@@ -230,9 +231,45 @@ def spoil(archive, out, kind):
         sys.exit(f"unknown kind {kind}")
 
 
+def known_publications(text):
+    """Last names of the authors and year of each entry."""
+    for entry in text.split("\n\n"):
+        authors = re.search(r"  author = \{(.*)\},", entry).group(1).split(" and ")
+        year = re.search(r"  year = \{(\d+)\}", entry).group(1)
+        yield tuple(author.split(",")[0] for author in authors), year
+
+
+def cited(source):
+    known = list(known_publications((source / "report" / "sources.bib").read_text(encoding="utf-8")))
+    spelt = str.maketrans({"ä": "ae", "ö": "oe", "ü": "ue", "ß": "ss"})
+    forms = set()
+    for names, year in known:
+        joined = names[0] if len(names) == 1 else ", ".join(names[:-1]) + " and " + names[-1]
+        for name in (joined, names[0] + " et al."):
+            forms |= {(name, year), (name.translate(spelt), year)}
+    word = r"[A-Z][\w-]+"
+    pattern = re.compile(rf"((?:{word}, )*{word}(?: and {word}| et al\.)?) \((1[89]\d\d|20\d\d)\)")
+    n = 0
+    for room in ("app", "atlas", "comparisons", "experiments", "rolling", "walking"):
+        for path in sorted((source / room).rglob("*.cc")):
+            if "verification" in path.parts:  # has no export
+                continue
+            code = re.sub(r"^\s*//.*$", "", path.read_text(encoding="utf-8"), flags=re.MULTILINE)
+            code = re.sub(r'"\s*\n\s*"', "", code)
+            for text in re.findall(r'"((?:[^"\\\n]|\\.)*)"', code):
+                for names, year in pattern.findall(text):
+                    n += 1
+                    if (names, year) not in forms:
+                        complain(f"{path}: sources.bib has no {names} ({year})")
+    if n < 50:
+        complain(f"only {n} citations found")
+
+
 if __name__ == "__main__":
     if sys.argv[1] == "check":
         check(Path(sys.argv[2]))
+    elif sys.argv[1] == "cited":
+        cited(Path(sys.argv[2]))
     elif sys.argv[1] == "change":
         change(*sys.argv[2:])
     else:

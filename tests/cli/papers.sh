@@ -85,6 +85,8 @@ for key in Johnson1985 Wetter2016 PopovHess2015 PolonskyKeer1999 Roache1998; do
 done
 grep -q "{BrezziFortin1991," run/references.bib && complain "references.bib has what the run did not use"
 
+"$python" "$papers" cited "$source_dir" || complain "citations without an entry"
+
 # 4. Same call, same bytes; what an earlier export left goes, what others put there stays.
 cp -r run again && echo mine >again/tables/mine.tex && cp again/figures/shift.svg again/figures/old.svg &&
     cp again/data/shift.csv again/data/old.csv
