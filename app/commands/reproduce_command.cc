@@ -119,12 +119,16 @@ comparisons::Reproduction compared(const ReproduceOptions& options, const Archiv
     unpack(archive, folder);
     const std::string real = std::filesystem::canonical(folder).string();
     Findings findings;
+    const io::InputLog inputs;
     try {
         for (const Call& call : archive.calls) findings = run_again(options, call, real);
     } catch (const contact::InputError& error) {
         const std::string said = in_folder(error.what(), real + '/', "");
         options.refuse(in_folder(said, options.file + ": ", ""));
     }
+    for (const std::string& path : inputs.paths())
+        if (!path.starts_with(real + '/'))
+            options.refuse("its command reads " + io::one_line(path) + ", outside the archive");
     std::map<std::string, std::string> now;
     for (const auto& [name, text] : numbers_of(findings))
         now[name] = in_folder(text, real + "/inputs/", "inputs/");

@@ -28,7 +28,7 @@ constexpr std::array<std::pair<const char*, const char*>, 18> further_sources{{
      "Hertz (1882), Johnson (1985), Sneddon (1951), Lebedev and Ufliand "
      "(1958), Mindlin (1949), Dimitriadis et al. (2002)"},
     {"Finite strains", "Ogden (1984)"},
-    {"loss_modulus_Pa", "Lee and Radok (1960), Tschoegl (1989)"},
+    {"relaxation", "Lee and Radok (1960), Tschoegl (1989)"},
     {"Carter", "Carter (1926)"},
     {"Vermeulen and Johnson", "Vermeulen and Johnson (1964)"},
     {"Kalker, linear", "Kalker (1967)"},

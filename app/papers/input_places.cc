@@ -3,16 +3,20 @@
 #include <algorithm>
 #include <filesystem>
 #include <functional>
+#include <nlohmann/json.hpp>
 #include <utility>
 
 #include "app/papers/archive.h"
 #include "io/keys/messages.h"
+#include "io/keys/toml_document.h"
+#include "io/keys/toml_text.h"
 
 namespace tricontact::app {
 
 namespace {
 
 namespace fs = std::filesystem;
+using json = nlohmann::ordered_json;
 
 constexpr const char* inputs_folder = "inputs/";
 
@@ -43,6 +47,22 @@ std::string with_each_path(
 void replace(std::string& text, const std::string& from, const std::string& to) {
     for (auto at = text.find(from); at != text.npos; at = text.find(from, at + to.size()))
         text.replace(at, from.size(), to);
+}
+
+/// Null where it is no TOML, which its reader refuses.
+json parsed(const std::string& toml) {
+    if (io::first_too_deep(toml) != std::string::npos) return {};
+    try {
+        return io::case_json(io::escape_non_ascii(toml));
+    } catch (const std::exception&) {
+        return {};
+    }
+}
+
+void for_each_text(const json& item, const std::function<void(const std::string&)>& call) {
+    if (item.is_string()) call(item.get<std::string>());
+    if (item.is_structured())
+        for (const json& one : item) for_each_text(one, call);
 }
 
 bool leads_out(const std::string& folder, const std::string& path) {
@@ -126,17 +146,17 @@ void check_inside(const std::string& archive, const io::ZipFiles& files,
     for (const auto& [name, content] : files) {
         if (!name.ends_with(".toml") || !name.starts_with(inputs_folder)) continue;
         const std::string folder = fs::path(name).parent_path().string();
-        with_each_path(content, [&](const std::string&, const std::string& path) {
+        for_each_text(parsed(content), [&](const std::string& path) {
             if (leads_out(folder, path)) refuse(name, path);
-            return path;
         });
     }
+    const std::string placed = std::string(archive_place) + '/';
     for (const std::string& argument : arguments) {
         const auto equals = argument.find('=');
-        const std::string value = argument.substr(equals == argument.npos ? 0 : equals + 1);
-        const bool is_placed = value.starts_with(archive_place);
-        const std::string path = is_placed ? value.substr(std::string(archive_place).size() + 1)
-                                           : value.substr(value.starts_with('"'));
+        std::string_view value = io::trimmed(std::string_view(argument).substr(equals + 1));
+        while (value.starts_with('"') || value.starts_with('\'')) value.remove_prefix(1);
+        const bool is_placed = value.starts_with(placed);
+        const std::string path(is_placed ? value.substr(placed.size()) : value);
         if ((is_placed && !files.contains(path)) || leads_out("", path))
             refuse("an argument", path);
     }

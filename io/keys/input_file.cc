@@ -124,6 +124,12 @@ void InputLog::add(const std::string& given, const std::string& real) {
     entry.names.insert(std::filesystem::absolute(given, ignored).lexically_normal().string());
 }
 
+std::vector<std::string> InputLog::paths() const {
+    std::vector<std::string> paths;
+    for (const auto& [path, entry] : entries_) paths.push_back(path);
+    return paths;
+}
+
 std::vector<InputLog::File> InputLog::files() const {
     constexpr std::size_t most_mb = 1000;
     std::vector<File> files;

@@ -38,6 +38,8 @@ class InputLog {
     InputLog& operator=(const InputLog&) = delete;
 
     void add(const std::string& given, const std::string& real);
+    /// Canonical.
+    std::vector<std::string> paths() const;
     /// By their paths. Throws contact::InputError if one has been changed since it was read.
     std::vector<File> files() const;
 

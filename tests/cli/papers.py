@@ -216,6 +216,9 @@ def spoil(archive, out, kind):
     elif kind == "toml":
         files[toml] += b'\n[indenter.more]\nfile = "../../../etc/passwd"\n'
         write(out, sealed(files))
+    elif kind == "spelt":  # otherwise
+        files[toml] += b'\n[indenter.more]\nfile = """\\u002fetc/passwd"""\n'
+        write(out, sealed(files))
     elif kind == "traversal":
         write(out, {**files, "../outside.toml": b"a = 1"})
     elif kind == "link":
