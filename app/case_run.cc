@@ -55,8 +55,10 @@ std::string summary_of(const CaseRun& run) {
 
 void write_run_report(const CaseRun& run, const CommandOptions& options) {
     io::make_output_folder(options.output + "/plots");
-    for (const auto& file : comparisons::report_files(comparisons::run_document(
-             run.c, run.resolved, files::version, run.histories, run.extras)))
+    const report::Document document =
+        comparisons::run_document(run.c, run.resolved, files::version, run.histories, run.extras);
+    options.keep_report(document);
+    for (const auto& file : comparisons::report_files(document))
         options.write(file.name, file.content);
 }
 

@@ -1,4 +1,5 @@
-// The command line program. Exit codes: 0 done, 1 did not converge (or failed), 2 bad input.
+// The command line program. Exit codes: 0 done, 1 did not converge (or failed), 2 bad input, 3 what
+// was kept is not reproduced.
 
 #include <unistd.h>
 
@@ -104,7 +105,7 @@ int run_program(int argc, char** argv) {
         return fail(exit_bad_input, std::string(e.what()) + "; see tricontact --help");
     }
     for (const Command& command : commands)
-        if (*command.parser && !command.run()) return exit_failed;
+        if (*command.parser) return command.run();
     return 0;
 }
 

@@ -10,17 +10,27 @@
 namespace tricontact::app {
 
 const std::vector<ModelDescription>& known_models() {
+    static const std::string of_grids =
+        "Boussinesq (1885), Cerruti (1882), Love (1929), Ju and Farris (1996), Liu, Wang and Liu "
+        "(2000), Polonsky and Keer (1999), Frigo and Johnson (2005)";
+    static const std::string of_coupling = "Panagiotopoulos (1975), Anderson (1965)";
     static const std::vector<ModelDescription> models = {
-        {"mdr",
-         "method of dimensionality reduction: a bed of independent springs, stepped exactly"},
+        {"mdr", "method of dimensionality reduction: a bed of independent springs, stepped exactly",
+         "Popov and Hess (2015), Wetter and Popov (2014)"},
         {"mdr-layer",
-         "method of dimensionality reduction of the elastic layer: springs coupled by the layer"},
-        {"bem", "boundary elements on the elastic half-space, FFT convolution"},
-        {"bem-layer", "boundary elements on the elastic layer, FFT convolution"},
+         "method of dimensionality reduction of the elastic layer: springs coupled by the layer",
+         "Popov and Hess (2015), Lebedev and Ufliand (1958)"},
+        {"bem", "boundary elements on the elastic half-space, FFT convolution", of_grids},
+        {"bem-layer", "boundary elements on the elastic layer, FFT convolution",
+         of_grids + ", Sneddon (1951), " + of_coupling},
 #ifdef TRICONTACT_WITH_FEM
-        {"fem", "finite elements of the elastic layer, condensed to the contact patch"},
+        {"fem", "finite elements of the elastic layer, condensed to the contact patch",
+         "Brezzi and Fortin (1991), " + of_coupling +
+             ", Arndt et al. (2022), Chen, Davis, Hager and Rajamanickam (2008), Karypis and Kumar "
+             "(1998), Geuzaine and Remacle (2009)"},
 #endif
-        {"atlas", "maps of earlier runs, in sweeps; tricontact predict reads them elsewhere"},
+        {"atlas", "maps of earlier runs, in sweeps; tricontact predict reads them elsewhere",
+         "Blatman and Sudret (2011)"},
     };
     return models;
 }

@@ -12,6 +12,7 @@ namespace tricontact::app {
 struct ModelDescription {
     std::string name;
     std::string text;
+    std::string sources;  ///< publications, cited by authors and year
 };
 /// The models a case file may name.
 const std::vector<ModelDescription>& known_models();

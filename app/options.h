@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "app/papers/findings.h"
 #include "contact/case.h"
 #include "contact/error.h"
 #include "files/version.h"
@@ -43,6 +44,7 @@ struct CommandOptions {
     bool quiet = false;
     bool report = true;                                  ///< write report.html
     std::shared_ptr<const Listener> listener = nullptr;  ///< null: the terminal
+    PaperWishes papers = {};
 
     /// For the answer: standard output.
     std::ostream& out() const { return listener ? *listener->out : std::cout; }
@@ -82,6 +84,11 @@ struct CommandOptions {
     }
     /// Checks that folder and does the work that fills it (io::OutputFolder).
     void fill(io::OutputNames names, const std::function<void()>& work) const {
+        if (papers.findings) {
+            papers.findings->folder = output;
+            papers.findings->files = {names.results.begin(), names.results.end()};
+            papers.findings->files.insert(names.kept.begin(), names.kept.end());
+        }
         io::OutputFolder(output, std::move(names)).fill(work);
     }
     /// Writes a file of that folder.
@@ -89,10 +96,16 @@ struct CommandOptions {
         io::write_file(output + '/' + name, text);
     }
     /// Writes report.html there, made by this version of the program.
-    void write_report(report::Document document, const std::string& command) const {
+    void write_report(report::Document document, const std::string& command,
+                      const std::string& name = "report.html") const {
         document.command = command;
         document.version = files::version;
-        write("report.html", report::document_html(document));
+        keep_report(document);
+        write(name, report::document_html(document));
+    }
+    /// What write_report does for papers, of a report that is written otherwise.
+    void keep_report(const report::Document& document) const {
+        if (papers.findings) papers.findings->documents.push_back(document);
     }
     /// "report: out/report.html", or "results: out" where none is written.
     std::string where() const {

@@ -58,7 +58,7 @@ std::string run_command(const std::string& name, const std::vector<std::string>&
                                   const py::gil_scoped_acquire lock;
                                   progress(what, done, total);
                               }});
-    if (!command.run()) throw std::runtime_error(name + ": failed; " + out.str());
+    if (command.run() == 1) throw std::runtime_error(name + ": failed; " + out.str());
     return out.str();
 }
 

@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <cmath>
 #include <initializer_list>
 #include <kainjow/mustache.hpp>
 #include <stdexcept>
@@ -15,6 +14,7 @@
 #include "report/page_templates.h"
 #include "report/player_json.h"
 #include "report/plot_style.h"
+#include "report/table_style.h"
 
 namespace tricontact::report {
 
@@ -40,19 +40,6 @@ data verdict(const Verdict& content) {
                    {"sentence", typeset(content.sentence)}});
 }
 
-/// How the cells of a column are written.
-struct ColumnStyle {
-    bool first = false;  ///< words in it are headings of their rows
-    bool words = true;   ///< nothing else: aligned left
-    bool whole = true;   ///< numbers, if any, are whole: written without decimals
-    int digits = 4;      ///< significant, of other numbers
-    bool change = false;
-};
-
-bool is_text(const Cell& content) {
-    return std::holds_alternative<std::string>(content) || std::holds_alternative<Link>(content);
-}
-
 /// Between the quotes of a string in CSS, in a page's style.
 std::string css_text(const std::string& text) {
     std::string result;
@@ -67,28 +54,6 @@ std::string escaped(const std::string& text) {
     return kainjow::mustache::html_escape<std::string>(text);
 }
 
-ColumnStyle style_of(const DocumentTable& content, std::size_t column) {
-    constexpr double most = 1e6;  // beyond, numbers are magnitudes and no counts
-    ColumnStyle style{.first = column == 0,
-                      .digits = content.columns[column].digits,
-                      .change = content.columns[column].change};
-    for (const std::vector<Cell>& row : content.rows) {
-        style.words = style.words && is_text(row[column]);
-        if (const auto* number = std::get_if<double>(&row[column]))
-            style.whole = style.whole && (std::isnan(*number) || (std::abs(*number) < most &&
-                                                                  std::rint(*number) == *number));
-    }
-    return style;
-}
-
-std::string number_text(double number, const ColumnStyle& style) {
-    if (style.change) {  // "+16.5": the heading has the unit
-        const std::string text = percent(1 + number / 100);
-        return text.substr(0, text.find(' '));
-    }
-    return style.whole ? as_given(number) : significant(number, style.digits);
-}
-
 data cell(const Cell& content, const ColumnStyle& style) {
     const auto* words = std::get_if<std::string>(&content);
     std::string text, value;
@@ -96,15 +61,12 @@ data cell(const Cell& content, const ColumnStyle& style) {
         text = typeset(*words);
     } else if (const auto* link = std::get_if<Link>(&content)) {
         text = R"(<a href=")" + escaped(link->path) + R"(">)" + escaped(link->text) + "</a>";
-    } else if (const auto* number = std::get_if<double>(&content)) {
-        value = csv_field(*number);
-        text = number_text(*number, style);
-    } else if (const auto* count = std::get_if<int>(&content)) {
-        text = value = std::to_string(*count);
     } else {
-        const auto& measured = std::get<WithError>(content);
-        value = csv_field(measured.value);
-        text = with_error(measured.value, measured.error, style.digits);
+        text = number_text(content, style);
+        if (const auto* number = std::get_if<double>(&content)) value = csv_field(*number);
+        if (std::holds_alternative<int>(content)) value = text;
+        if (const auto* measured = std::get_if<WithError>(&content))
+            value = csv_field(measured->value);
     }
     return object({{"has_words", is_text(content)},
                    {"is_words", style.words},

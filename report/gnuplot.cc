@@ -8,14 +8,13 @@ namespace tricontact::report {
 
 namespace {
 
-std::string terminal(const Picture& picture, ImageFormat format) {
+std::string terminal_for_pages(const Picture& picture, ImageFormat format) {
     if (format == ImageFormat::svg)
-        return fmt::format(
-            "set terminal svg size {},{} font 'sans-serif,15' background '#ffffff'\n",
-            picture.width, picture.height);
+        return fmt::format("svg size {},{} font 'sans-serif,15' background '#ffffff'",
+                           picture.width, picture.height);
     return fmt::format(
-        "set terminal pngcairo size {},{} font 'sans,11' fontscale 2 linewidth 2 pointscale 2 "
-        "background '#ffffff'\n",
+        "pngcairo size {},{} font 'sans,11' fontscale 2 linewidth 2 pointscale 2 "
+        "background '#ffffff'",
         2 * picture.width, 2 * picture.height);
 }
 
@@ -31,11 +30,15 @@ std::string run_gnuplot(const std::string& script, const std::string& program) {
     }
 }
 
-std::string draw(const Picture& picture, ImageFormat format) {
-    std::string image = run_gnuplot("set encoding utf8\n" + terminal(picture, format) +
+std::string draw_on(const std::string& terminal, const Picture& picture) {
+    std::string image = run_gnuplot("set encoding utf8\nset terminal " + terminal + '\n' +
                                     picture.script + "\nunset output\n");
     if (image.empty()) throw GnuplotError("plots: gnuplot drew nothing");
     return image;
+}
+
+std::string draw(const Picture& picture, ImageFormat format) {
+    return draw_on(terminal_for_pages(picture, format), picture);
 }
 
 }  // namespace tricontact::report

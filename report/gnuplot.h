@@ -24,7 +24,9 @@ struct Picture {
 /// Throws GnuplotError.
 std::string run_gnuplot(const std::string& script, const std::string& program = "gnuplot");
 
-/// Draws the picture. Throws GnuplotError.
+/// Draws the picture on a terminal, "svg size 640,420". Throws GnuplotError.
+std::string draw_on(const std::string& terminal, const Picture& picture);
+/// The same for a page.
 std::string draw(const Picture& picture, ImageFormat format);
 
 }  // namespace tricontact::report

@@ -37,11 +37,25 @@ void add_bands(const Figure& figure, const FigureStyles& styles, Parts& parts) {
     }
 }
 
-std::string key_commands(const std::vector<bool>& named) {
-    return fmt::format(
-        "set key outside top center horizontal maxcols {} samplen 1.6\n",
-        std::max<long>(1, std::min<long>(most_key_columns, std::ranges::count(named, true))));
-}
+/// Rows and columns of the key over curves.
+struct Key {
+    int columns = 1, rows = 0;
+
+    Key(const Figure& figure, const std::vector<bool>& named, int width) {
+        constexpr int letter = 9, sample = 60;  // what gnuplot takes a column to need
+        std::size_t longest = 0;
+        for (std::size_t i = 0; i < named.size(); ++i)
+            if (named[i]) longest = std::max(longest, figure.curves[i].name.size());
+        const int n = static_cast<int>(std::ranges::count(named, true));
+        const int room = width / (letter * static_cast<int>(longest) + sample);
+        columns = std::clamp(std::min(n, room), 1, most_key_columns);
+        rows = (n + columns - 1) / columns;
+    }
+    std::string commands() const {
+        return fmt::format("set key outside top center horizontal maxcols {} samplen 1.6\n",
+                           columns);
+    }
+};
 
 /// The strips' rows, in a plot of their own beneath the curves: rows 0, 1, ... downwards.
 std::string strip_panel(const Figure& figure) {
@@ -70,28 +84,30 @@ std::string strip_panel(const Figure& figure) {
     return text + "plot NaN notitle\n";
 }
 
-Picture curves_picture(const Figure& figure) {
+Picture curves_picture(const Figure& figure, const PictureLayout& layout) {
     const FigureStyles styles = styles_of(figure);
-    Parts parts;
+    const Key key(figure, styles.named, layout.width);
+    Parts parts{.in_grey = layout.in_grey};
     add_bands(figure, styles, parts);
     add_curves(figure.curves, styles, false, true, parts);
     if (parts.plots.empty()) parts.plots.emplace_back("NaN notitle");
-    const std::string head = parts.data + plot_style() + axes(figure) + key_commands(styles.named);
-    if (figure.strips.empty()) return {640, 420, head + parts.plot()};
-    const int key_rows =
-        static_cast<int>(std::ranges::count(styles.named, true) + most_key_columns - 1) /
-        most_key_columns;
+    const std::string head = parts.data + plot_style() + axes(figure) + key.commands();
+    if (figure.strips.empty()) {
+        const int more_key = layout.in_grey ? key_line * std::max(0, key.rows - 1) : 0;
+        return {layout.width, layout.height + more_key, head + parts.plot()};
+    }
     const int strips = 24 * static_cast<int>(figure.strips.size());
-    const int foot = 76, top = key_line * key_rows + 12, height = foot + strips + 330 + top;
+    const int foot = 76, top = key_line * key.rows + 12;
+    const int height = foot + strips + layout.height - 90 + top;
     std::size_t longest = 6;  // letters of a strip's name, about eight pixels each
     for (const auto& strip : figure.strips) longest = std::max(longest, strip.name.size());
     const auto from_below = [height](int pixels) { return static_cast<double>(pixels) / height; };
-    return {640, height,
+    return {layout.width, height,
             head +
                 fmt::format("set multiplot\nset lmargin at screen {:.4g}\nset rmargin at screen "
                             "0.97\nset tmargin at screen {:.4g}\nset bmargin at screen {:.4g}\n"
                             "set xlabel ''\nset format x ''\n",
-                            (8. * static_cast<double>(longest) + 29) / 640,
+                            (8. * static_cast<double>(longest) + 29) / layout.width,
                             from_below(height - top), from_below(foot + strips + 6)) +
                 parts.plot() +
                 fmt::format("set tmargin at screen {:.4g}\nset bmargin at screen {:.4g}\n"
@@ -128,9 +144,10 @@ FigureAxis filled(FigureAxis axis, const std::vector<double>& values) {
     return axis;
 }
 
-Picture map_picture(Figure figure) {
+Picture map_picture(Figure figure, const PictureLayout& layout) {
     // Around the frame [CSS pixels]: labels of the axes, the bar of colours, the key.
-    constexpr int frame = 400, left = 84, right = 116, foot = 70, head = 16;
+    constexpr int left = 84, right = 116, foot = 70, head = 16;
+    const int frame = layout.map_frame;
     const ContourMap& map = *figure.map;
     figure.x = filled(figure.x, map.x);
     figure.y = filled(figure.y, map.y);
@@ -231,7 +248,8 @@ Picture panels_picture(const Figure& figure) {
     return {width, height, script + "unset multiplot\n"};
 }
 
-/// With the figure's title and description in the place of gnuplot's own.
+}  // namespace
+
 std::string with_words(std::string svg, const Figure& figure) {
     const auto escaped = kainjow::mustache::html_escape<std::string>;
     const std::size_t begin = svg.find("<title>"), end = svg.find("</desc>", begin);
@@ -241,35 +259,37 @@ std::string with_words(std::string svg, const Figure& figure) {
                                    escaped(description_of(figure))));
 }
 
-}  // namespace
-
-Picture picture_of(const Figure& figure) {
+Picture picture_of(const Figure& figure, const PictureLayout& layout) {
     if (!figure.panels.empty()) return panels_picture(figure);
-    return figure.map ? map_picture(figure) : curves_picture(figure);
+    return figure.map ? map_picture(figure, layout) : curves_picture(figure, layout);
 }
 
-std::vector<Drawing> draw_all(const std::vector<Figure>& figures) {
-    std::vector<Drawing> drawings(figures.size());
+void side_by_side(std::size_t n, const std::function<void(std::size_t)>& work) {
     std::atomic<std::size_t> next = 0;
-    // Two jobs per figure, one per format; each writes only its own string.
-    const auto work = [&] {
-        for (std::size_t job = next++; job < 2 * figures.size(); job = next++) {
-            const Picture picture = picture_of(figures[job / 2]);
-            if (job % 2 == 0)
-                drawings[job / 2].svg =
-                    with_words(draw(picture, ImageFormat::svg), figures[job / 2]);
-            else
-                drawings[job / 2].png = draw(picture, ImageFormat::png);
-        }
+    const auto work_on = [&] {
+        for (std::size_t job = next++; job < n; job = next++) work(job);
     };
     std::vector<std::future<void>> workers;
     try {
         for (unsigned i = 1; i < std::thread::hardware_concurrency(); ++i)
-            workers.push_back(std::async(std::launch::async, work));
+            workers.push_back(std::async(std::launch::async, work_on));
     } catch (const std::system_error&) {  // no further thread is to be had: those there are do it
     }
-    work();
+    work_on();
     for (auto& worker : workers) worker.get();
+}
+
+std::vector<Drawing> draw_all(const std::vector<Figure>& figures) {
+    std::vector<Drawing> drawings(figures.size());
+    // Two jobs per figure, one per format; each writes only its own string.
+    side_by_side(2 * figures.size(), [&](std::size_t job) {
+        const Figure& figure = figures[job / 2];
+        const Picture picture = picture_of(figure);
+        if (job % 2 == 0)
+            drawings[job / 2].svg = with_words(draw(picture, ImageFormat::svg), figure);
+        else
+            drawings[job / 2].png = draw(picture, ImageFormat::png);
+    });
     return drawings;
 }
 

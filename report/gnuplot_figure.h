@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -8,8 +10,21 @@
 
 namespace tricontact::report {
 
-/// The figure as gnuplot draws it for papers: what document.js draws on the page, on white.
-Picture picture_of(const Figure& figure);
+/// Sizes [CSS pixels].
+struct PictureLayout {
+    int width = 640, height = 420;  ///< of curves
+    int map_frame = 400;            ///< width of a map
+    bool in_grey = false;  ///< lines of curves have markers too: they differ without colours
+};
+
+/// The figure as gnuplot draws it: what document.js draws on the page, on white.
+Picture picture_of(const Figure& figure, const PictureLayout& layout = {});
+
+/// A drawing as SVG with the figure's title and description in the place of gnuplot's own.
+std::string with_words(std::string svg, const Figure& figure);
+
+/// Calls work(0), ..., work(n - 1), several at a time. Throws what they throw.
+void side_by_side(std::size_t n, const std::function<void(std::size_t)>& work);
 
 /// The files of one figure.
 struct Drawing {

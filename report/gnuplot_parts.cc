@@ -59,20 +59,27 @@ std::string axes(const Figure& figure) {
 
 void add_curves(const std::vector<Curve>& curves, const FigureStyles& styles, bool flat,
                 bool with_key, Parts& parts) {
+    constexpr std::size_t places_of_markers = 7;
     constexpr const char* kinds[] = {"lines", "points", "linespoints"};
     for (std::size_t i = 0; i < curves.size(); ++i) {
         const Curve& curve = curves[i];
         if (curve.x.empty()) continue;
         const std::string colour = colour_of(styles.curves[i]);
+        const bool at_some_places = parts.in_grey && !flat && styles.curves[i] &&
+                                    curve.kind == Curve::Kind::line && !has_markers(curves, curve);
+        const Curve::Kind kind = at_some_places ? Curve::Kind::line_and_points : curve.kind;
         std::string plot = fmt::format("{} using {} with {} linecolor rgb '{}'",
                                        parts.add_data({curve.x, curve.y}), flat ? "1:2:(0)" : "1:2",
-                                       kinds[static_cast<int>(curve.kind)], colour);
+                                       kinds[static_cast<int>(kind)], colour);
         const std::string line = fmt::format(" linewidth 1.5 dashtype {}", styles.dashes[i] + 1);
         const std::string marker =
             fmt::format(" pointtype {} pointsize 0.7",
                         model_marker(static_cast<std::size_t>(styles.curves[i].value_or(0))));
         if (curve.kind != Curve::Kind::points) plot += line;
-        if (curve.kind != Curve::Kind::line) plot += marker;
+        if (kind != Curve::Kind::line) plot += marker;
+        if (at_some_places)
+            plot += fmt::format(" pointinterval {}",
+                                std::max<std::size_t>(1, curve.x.size() / places_of_markers));
         const bool named = with_key && styles.named[i];
         const bool marked = named && !flat && has_markers(curves, curve);
         parts.plots.push_back(plot +

@@ -23,12 +23,13 @@ std::string axes(const Figure& figure);
 
 /// Inline data and what draws them.
 struct Parts {
-    std::string data;
-    std::vector<std::string> plots;
+    bool in_grey = false;  ///< lines have markers at some places
+    std::string data = {};
+    std::vector<std::string> plots = {};
 
     /// Adds a block; its name.
     std::string add_data(const std::vector<std::vector<double>>& columns) {
-        const std::string name = fmt::format("$data{}", n_blocks_++);
+        const std::string name = fmt::format("$data{}", n_blocks++);
         data += data_block(name, columns);
         return name;
     }
@@ -36,8 +37,7 @@ struct Parts {
         return plots.empty() ? "" : fmt::format("{} {}\n", command, fmt::join(plots, ", "));
     }
 
-  private:
-    int n_blocks_ = 0;
+    int n_blocks = 0;
 };
 
 /// `flat`: on the ground of `splot`, without error bars.

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "app/options.h"
+#include "app/papers/paper_export.h"
 #include "io/case/case_reader.h"
 
 // Files of commands take from here what most of them need: texts, output, options, cases.
@@ -21,7 +22,7 @@ inline constexpr const char* program_text =
 /// A subcommand of the program, its options in the order in which the help names them.
 struct Command {
     CLI::App_p parser;
-    std::function<bool()> run;          ///< false if it failed
+    std::function<int()> run;           ///< exit code: 0 done, 1 failed
     CommandOptions* options = nullptr;  ///< what it has in common with others, if anything
 };
 
@@ -34,11 +35,16 @@ class Declared {
         : options_(std::make_shared<Options>()),
           command_{std::make_shared<CLI::App>(text, name), {}} {
         if constexpr (std::is_base_of_v<CommandOptions, Options>) command_.options = options_.get();
-        command_.run = [options = options_, run]() -> bool {
-            if constexpr (std::is_same_v<decltype(run(*options)), bool>)
-                return run(*options);
-            else
-                return run(*options), true;
+        command_.run = [options = options_, parser = command_.parser, run] {
+            const auto call = [&]() -> int {
+                using Result = decltype(run(*options));
+                if constexpr (std::is_same_v<Result, bool>) return run(*options) ? 0 : 1;
+                if constexpr (std::is_same_v<Result, int>) return run(*options);
+                if constexpr (std::is_void_v<Result>) return run(*options), 0;
+            };
+            if constexpr (std::is_base_of_v<CommandOptions, Options>)
+                if (!options->papers.folder.empty()) return run_for_papers(*parser, *options, call);
+            return call();
         };
     }
     operator Command() const { return command_; }
@@ -99,6 +105,18 @@ class Declared {
     Declared& output(const char* text) {
         return option("--output", &CommandOptions::output, text, "DIR");
     }
+    /// --export, of a command with a report. `filled_by`: the command that has to fill its folder
+    /// before.
+    Declared& exports(const char* filled_by = "") {
+        options_->papers.filled_by = filled_by;
+        const auto set = [options = options_](const std::string& folder) {
+            options->papers.folder = folder;
+        };
+        last_ = command_.parser->add_option_function<std::string>(
+            "--export", set, "Folder for figures, tables, sources and an archive, for papers");
+        last_->type_name("DIR");
+        return *this;
+    }
     Declared& models(const char* text) {
         option("--models", &CommandOptions::models, text, "NAME,NAME");
         last_->delimiter(',');
@@ -134,6 +152,7 @@ Command cache_command();
 Command refine_command();
 Command influence_command();
 Command export_command();
+Command reproduce_command();
 Command import_command();
 Command limit_command();
 Command verify_command();

@@ -34,7 +34,8 @@ Command design_command() {
                "design", "Find values of a rig that make assumptions hold and deviations visible",
                design_rig)
         .on_case()
-        .output("Folder (results/<case>_design)");
+        .output("Folder (results/<case>_design)")
+        .exports();
 }
 
 }  // namespace tricontact::app

@@ -90,6 +90,7 @@ Command deviation_command() {
         .on_case()
         .jobs()
         .output("Folder (results/<case>_deviation or <case>_finite_strain)")
+        .exports()
         .flag("--no-runs", &DeviationOptions::runs, "Exact theory alone: no friction, no rolling",
               false)
         .flag("--finite-strain", &DeviationOptions::finite_strain,

@@ -32,6 +32,7 @@ Command experiment_command() {
                "experiment", "Evaluate records of a rig; compare with its models", evaluate_records)
         .on_case()
         .output("Folder (results/<case>)")
+        .exports()
         .threads()
         .quiet();
 }

@@ -135,9 +135,9 @@ void write(const comparisons::StudyFit& fit, std::optional<double> line_factor,
     options.write("fit.json", comparisons::fit_json(fit));
     options.write("points.csv", comparisons::points_csv(fit));
     if (!line_factor) options.write("fits.csv", comparisons::fits_csv(fit));
-    options.write("fit.html", report::document_html(
-                                  line_factor ? comparisons::line_fit_document(fit, *line_factor)
-                                              : comparisons::fit_document(fit)));
+    options.write_report(line_factor ? comparisons::line_fit_document(fit, *line_factor)
+                                     : comparisons::fit_document(fit),
+                         fit.command, "fit.html");
 }
 
 /// Evaluates a finished sweep: kappa, eta, differences of models, beside its results.
@@ -181,6 +181,7 @@ Command fit_command() {
                                 fit_study)
         .on_file("study", "Study file (TOML)", "STUDY.toml")
         .output("Folder of the sweep (results/<study>)")
+        .exports("sweep")
         .number("--confidence", &FitOptions::confidence, "Level of the intervals (0.95)", 0.5,
                 0.9999)
         .quiet("No closing line");

@@ -250,6 +250,7 @@ Command identify_command() {
               "Draw from the posterior density of what is found and the uncertain inputs "
               "(posterior.csv)")
         .output("Folder (results/<case>)")
+        .exports()
         .threads()
         .quiet("No progress");
 }

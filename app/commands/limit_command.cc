@@ -99,6 +99,7 @@ Command limit_command() {
                 "Bracket width in f_T or w (default 1e-6 for mdr, 1e-3 otherwise)", 1e-9, 0.1)
         .models("These models instead of the case's")
         .output("Folder (results/<case>_limit)")
+        .exports()
         .threads()
         .quiet();
 }

@@ -15,7 +15,8 @@ struct OptionText {
     std::vector<std::string> choices;  ///< all that it may be; empty: anything of its type
     bool is_argument = false;
     bool is_file() const {
-        return type.ends_with(".toml") || type.ends_with(".inp") || type == "FILE";
+        return type.ends_with(".toml") || type.ends_with(".inp") || type.ends_with(".zip") ||
+               type == "FILE";
     }
     bool is_folder() const { return type == "DIR" || type == "IN" || type == "OUT"; }
     bool is_flag() const { return type.empty(); }

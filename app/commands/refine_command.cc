@@ -186,6 +186,7 @@ Command refine_command() {
         .number("--levels", &RefineOptions::levels, "Number of levels (3)", 3, 8)
         .word("--model", &RefineOptions::model, "Model to be refined (fem)", {"fem", "bem"})
         .output("Folder (results/<case>_refined)")
+        .exports()
         .threads()
         .quiet("No progress");
 }

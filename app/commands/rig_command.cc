@@ -103,7 +103,8 @@ Command rig_command() {
         .number("--samples", &RigOptions::samples,
                 "Points of the uncertain quantities, for the chance that an assumption is violated",
                 2, 1'000'000)
-        .output("Folder (results/<case>)");
+        .output("Folder (results/<case>)")
+        .exports();
 }
 
 }  // namespace tricontact::app

@@ -63,7 +63,7 @@ rolling::RollingRun roll_model(const std::string& model, const Case& c,
     io::IndenterSeries indenters(folder, provenance);
     std::optional<io::IndenterShape> indenter;
     bool size_is_said = false;
-    io::ProgressBar bar(std::cerr, io::ProgressBar::style_of_stderr(options.quiet), model);
+    io::ProgressBar bar = options.progress_bar(model);
     RollRuns runs{.points = options.points,
                   .threads = options.threads,
                   .progress = [&](int step, int steps) { bar.update(step, steps); },
@@ -151,7 +151,7 @@ void roll_models(const Case& c, const RollOptions& options) {
     RollingReport report{.c = c, .runs = {}, .files = files_of(c), .version = files::version};
     for (const std::string& model : c.models) report.runs.push_back(roll_model(model, c, options));
     write(report, resolved, options);
-    std::cout << table_of(report);
+    options.out() << table_of(report);
 }
 
 /// From rest to steady rolling.
@@ -173,6 +173,7 @@ Command roll_command() {
         .output("Folder (results/<case>)")
         .models("Run these models instead of the case's")
         .number("--points", &RollOptions::points, "Points per creep curve (12; 0: none)", 0, 1000)
+        .exports()
         .threads()
         .no_report()
         .quiet();

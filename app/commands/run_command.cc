@@ -106,6 +106,7 @@ Command run_command() {
         .on_case()
         .output("Folder for the results (results/<case>)")
         .models("Run these models instead of the case's")
+        .exports()
         .threads()
         .quiet("No progress, no closing lines")
         .flag("--no-studies", &RunOptions::studies, "Skip comparison runs", false)

@@ -52,6 +52,7 @@ Command sweep_command() {
         .jobs()
         .option("--shard", &SweepOptions::shard, "Only the i-th of n parts of the study", "i/n")
         .output("Folder (results/<study>)")
+        .exports()
         .flag("--retry-failed", &SweepOptions::retry_failed, "Compute failed points again")
         .flag("--vtk", &SweepOptions::vtk, "Files for ParaView of each point (output.vtk)")
         .no_report()

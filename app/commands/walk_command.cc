@@ -81,6 +81,7 @@ Command walk_command() {
                                     walk_machine)
         .on_case()
         .output("Folder (results/<case>)")
+        .exports()
         .quiet("No table, no closing line")
         .no_report();
 }

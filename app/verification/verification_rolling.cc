@@ -136,7 +136,7 @@ void verify_hunter(bool brief, const Say& say, Verification& all) {
     for (const auto& theory : rolling::resistance_theories(c))
         if (theory.key == "hunter") exact = 1e3 * theory.value;
     add_row({"Cylinder over a standard solid, v tau = a/2, G2 = 2 G1", "1000 W/F_N", "bem",
-             "Hunter (1961), J. Mech. Phys. Solids 9, 219", exact, brief ? 1e-2 : 2e-3},
+             "Hunter (1961), J. Appl. Mech. 28, 611", exact, brief ? 1e-2 : 2e-3},
             all, [&](int factor) -> LevelValue {
                 const auto steady = steady_state(c, (brief ? 6 : 10) * factor, "relaxing", say);
                 return {cell_in_radius(c), 1e3 * steady.resistance / *c.load.normal_force};

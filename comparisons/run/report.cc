@@ -26,7 +26,7 @@ constexpr const char* audit_paragraph =
     "dimensionless. A run with a failed check does not end normally.";
 
 constexpr const char* sources =
-    "R. Wetter, The Interplay of System Dynamics and Dry Friction: Shakedown, Ratcheting and "
+    "Wetter (2016), The Interplay of System Dynamics and Dry Friction: Shakedown, Ratcheting and "
     "Micro-Walking (thesis, TU Berlin) · Mindlin and Deresiewicz (1953), J. Appl. Mech. 20 · "
     "Johnson (1985), Contact Mechanics";
 

@@ -20,7 +20,8 @@ constexpr std::size_t megabyte = 1'000'000;
 
 struct InputFiles {
     std::mutex mutex;
-    std::set<std::string> paths;  // canonical
+    std::set<std::string> paths;       // canonical
+    std::vector<InputLog*> logs = {};  // that live
 };
 
 InputFiles& inputs_of_process() {
@@ -32,6 +33,13 @@ InputFiles& inputs_of_process() {
 std::string canonical(const std::string& path) {
     std::error_code ignored;
     return std::filesystem::canonical(path, ignored).string();
+}
+
+// What changes where somebody writes the file.
+std::string state_of(const std::string& path) {
+    std::error_code ignored;
+    const auto changed = std::filesystem::last_write_time(path, ignored).time_since_epoch();
+    return fmt::format("{} {}", std::filesystem::file_size(path, ignored), changed.count());
 }
 
 std::string with_article(const std::string& kind) {
@@ -93,7 +101,49 @@ constexpr std::array<KindText, 6> kind_texts{
 void note_input_file(const std::string& path) {
     const std::string real = canonical(path);
     const std::scoped_lock lock(inputs_of_process().mutex);
-    if (!real.empty()) inputs_of_process().paths.insert(real);
+    if (real.empty()) return;
+    inputs_of_process().paths.insert(real);
+    for (InputLog* log : inputs_of_process().logs) log->add(path, real);
+}
+
+InputLog::InputLog() {
+    const std::scoped_lock lock(inputs_of_process().mutex);
+    inputs_of_process().logs.push_back(this);
+}
+
+InputLog::~InputLog() {
+    const std::scoped_lock lock(inputs_of_process().mutex);
+    std::erase(inputs_of_process().logs, this);
+}
+
+void InputLog::add(const std::string& given, const std::string& real) {
+    Entry& entry = entries_.try_emplace(real, Entry{state_of(real), {}}).first->second;
+    std::error_code ignored;
+    entry.names.insert(given);
+    entry.names.insert(real);
+    entry.names.insert(std::filesystem::absolute(given, ignored).lexically_normal().string());
+}
+
+std::vector<std::string> InputLog::paths() const {
+    std::vector<std::string> paths;
+    for (const auto& [path, entry] : entries_) paths.push_back(path);
+    return paths;
+}
+
+std::vector<InputLog::File> InputLog::files() const {
+    constexpr std::size_t most_mb = 1000;
+    std::vector<File> files;
+    for (const auto& [path, entry] : entries_) {
+        if (state_of(path) != entry.state)
+            fail(path, "", "was changed while it was in use", "run the command again");
+        try {
+            files.push_back({path, entry.names,
+                             tricontact::files::RegularFile(path).content(most_mb * megabyte)});
+        } catch (const tricontact::files::Unreadable& why) {
+            refuse(path, why, "input file");
+        }
+    }
+    return files;
 }
 
 bool is_input_file(const std::string& path) {

@@ -1,8 +1,11 @@
 #pragma once
 
 #include <cstddef>
+#include <map>
+#include <set>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "io/keys/toml_document.h"
 
@@ -19,6 +22,34 @@ void note_input_file(const std::string& path);
 
 /// Whether the process has read it as an input, by whatever path.
 bool is_input_file(const std::string& path);
+
+/// Knows what the process reads as inputs while it lives.
+class InputLog {
+  public:
+    struct File {
+        std::string path;             ///< canonical
+        std::set<std::string> names;  ///< paths by which it was read, also as absolute ones
+        std::string content;
+    };
+
+    InputLog();
+    ~InputLog();
+    InputLog(const InputLog&) = delete;
+    InputLog& operator=(const InputLog&) = delete;
+
+    void add(const std::string& given, const std::string& real);
+    /// Canonical.
+    std::vector<std::string> paths() const;
+    /// By their paths. Throws contact::InputError if one has been changed since it was read.
+    std::vector<File> files() const;
+
+  private:
+    struct Entry {
+        std::string state;  // when it was read first
+        std::set<std::string> names;
+    };
+    std::map<std::string, Entry> entries_;  // by canonical paths
+};
 
 /// What an input file is about; each is read by commands of its own.
 enum class FileKind { contact, walking, study, rig, experiment, measurement };

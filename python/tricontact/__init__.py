@@ -23,7 +23,18 @@ from ._core import (
     WalkCase,
     __version__,
 )
-from .commands import deviation, design, experiment, fit, identify, limit, predict, refine, rig
+from .commands import (
+    deviation,
+    design,
+    experiment,
+    fit,
+    identify,
+    limit,
+    predict,
+    refine,
+    reproduce,
+    rig,
+)
 from .labelled import Surfaces
 from .outcome import Outcome
 from .rolling import Rolling, roll
@@ -60,6 +71,7 @@ __all__ = [
     "predict",
     "read_table",
     "refine",
+    "reproduce",
     "rig",
     "roll",
     "run",

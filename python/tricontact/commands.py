@@ -3,7 +3,8 @@
 Options are those of the program. Without `output` no files are left behind; with it they are
 where the program would put them, and what is there already is not computed again. What is wrong
 raises InputError, what does not converge NotConverged. Other threads go on; Ctrl-C ends a command
-(not while finite elements are condensed), and so does what `progress` raises.
+(not while finite elements are condensed), and so does what `progress` raises. `export`: a folder
+for what papers need, and an archive from which reproduce() runs again.
 """
 
 import contextlib
@@ -92,6 +93,7 @@ def limit(
     tolerance: Optional[float] = None,
     models: Optional[Sequence[str]] = None,
     output: Optional[StrPath] = None,
+    export: Optional[StrPath] = None,
     threads: Optional[int] = None,
     progress: Progress = None,
 ) -> Outcome:
@@ -100,7 +102,7 @@ def limit(
     tolerance: width of the bracket (1e-6 of mdr, 1e-3 of others).
     """
     return _call("limit", case, overrides, output, progress, vary=vary, tolerance=tolerance,
-                 models=models, threads=threads)
+                 models=models, threads=threads, export=export)
 
 
 def refine(
@@ -110,12 +112,13 @@ def refine(
     levels: int = 3,
     model: Literal["fem", "bem"] = "fem",
     output: Optional[StrPath] = None,
+    export: Optional[StrPath] = None,
     threads: Optional[int] = None,
     progress: Progress = None,
 ) -> Outcome:
     """A case on finer and finer meshes: extrapolated values and their errors."""
     return _call("refine", case, overrides, output, progress, levels=levels, model=model,
-                 threads=threads)
+                 threads=threads, export=export)
 
 
 def deviation(
@@ -126,6 +129,7 @@ def deviation(
     finite_strain: bool = False,
     elements: Optional[float] = None,
     output: Optional[StrPath] = None,
+    export: Optional[StrPath] = None,
     jobs: Optional[int] = None,
     progress: Progress = None,
 ) -> Outcome:
@@ -135,7 +139,7 @@ def deviation(
     contact radius (5).
     """
     return _call("deviation", case, overrides, output, progress, no_runs=no_runs,
-                 finite_strain=finite_strain, elements=elements, jobs=jobs)
+                 finite_strain=finite_strain, elements=elements, jobs=jobs, export=export)
 
 
 def predict(
@@ -164,11 +168,12 @@ def experiment(
     *,
     overrides: Overrides = None,
     output: Optional[StrPath] = None,
+    export: Optional[StrPath] = None,
     threads: Optional[int] = None,
     progress: Progress = None,
 ) -> Outcome:
     """Records of a rig evaluated, and compared with its models."""
-    return _call("experiment", case, overrides, output, progress, threads=threads)
+    return _call("experiment", case, overrides, output, progress, threads=threads, export=export)
 
 
 def identify(
@@ -177,6 +182,7 @@ def identify(
     overrides: Overrides = None,
     posterior: bool = False,
     output: Optional[StrPath] = None,
+    export: Optional[StrPath] = None,
     threads: Optional[int] = None,
     progress: Progress = None,
 ) -> Outcome:
@@ -185,7 +191,7 @@ def identify(
     posterior: also draw from the density of what is found (the table "posterior").
     """
     return _call("identify", case, overrides, output, progress, posterior=posterior,
-                 threads=threads)
+                 threads=threads, export=export)
 
 
 def rig(
@@ -194,27 +200,36 @@ def rig(
     overrides: Overrides = None,
     samples: Optional[int] = None,
     output: Optional[StrPath] = None,
+    export: Optional[StrPath] = None,
 ) -> Outcome:
     """What the evaluation of a rig takes for granted, checked. Violations are no error.
 
     samples: of the uncertain quantities, for the chance that an assumption is violated.
     """
-    return _call("rig", case, overrides, output, None, samples=samples)
+    return _call("rig", case, overrides, output, None, samples=samples, export=export)
 
 
 def design(
-    case: Input, *, overrides: Overrides = None, output: Optional[StrPath] = None
+    case: Input,
+    *,
+    overrides: Overrides = None,
+    output: Optional[StrPath] = None,
+    export: Optional[StrPath] = None,
 ) -> Outcome:
     """Values of a rig that make assumptions hold and deviations visible."""
-    return _call("design", case, overrides, output, None)
+    return _call("design", case, overrides, output, None, export=export)
 
 
 def fit(
-    study: StrPath, output: Optional[StrPath] = None, *, confidence: float = 0.95
+    study: StrPath,
+    output: Optional[StrPath] = None,
+    *,
+    confidence: float = 0.95,
+    export: Optional[StrPath] = None,
 ) -> Outcome:
     """kappa and eta fitted to a finished sweep, in the folder that sweep() filled; models compared."""
     folder = output if output is not None else _core._default_sweep_folder(os.fspath(study))
-    return _call("fit", study, None, folder, None, confidence=confidence)
+    return _call("fit", study, None, folder, None, confidence=confidence, export=export)
 
 
 def build_atlas(
@@ -245,3 +260,18 @@ def build_atlas(
     other = os.fspath(atlas) if atlas is not None else None
     return _call("atlas", study, None, folder, progress, check=check, seed=seed, atlas=other,
                  shard=shard, jobs=jobs, retry_failed=retry_failed)
+
+
+def reproduce(
+    archive: StrPath,
+    *,
+    tolerance: float = 1e-6,
+    output: Optional[StrPath] = None,
+    progress: Progress = None,
+) -> Outcome:
+    """Runs again what a command with `export` has put into its archive.zip, and compares the numbers.
+
+    outcome["reproduces"]: all numbers agree within the relative tolerance or their stated errors;
+    outcome["same_bytes"], and the table "changed" of the quantities that differ.
+    """
+    return _call("reproduce", archive, None, output, progress, tolerance=tolerance)

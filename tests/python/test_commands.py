@@ -24,6 +24,7 @@ FUNCTIONS = {
     "design": commands.design,
     "fit": commands.fit,
     "atlas": commands.build_atlas,
+    "reproduce": commands.reproduce,
 }
 # In Python a parameter of another name, what progress decides, or what the result always has.
 OTHERWISE = {"--set": "overrides", "--quiet": None, "--json": None}
@@ -95,6 +96,18 @@ def test_files_stay_where_they_are_wanted(rig, tmp_path):
     folder = tmp_path / "limits"
     limit = tricontact.limit(rig, overrides=COARSE, models=["mdr"], tolerance=0.1, output=folder)
     assert limit.folder == folder and (folder / "report.html").exists()
+
+
+def test_an_archive_runs_again(rig, tmp_path):
+    paper = tmp_path / "paper"
+    limit = tricontact.limit(rig, overrides=COARSE, models=["mdr"], tolerance=0.1, export=paper)
+    assert (paper / "references.bib").exists() and list((paper / "figures").glob("*.pdf"))
+    again = tricontact.reproduce(paper / "archive.zip", output=tmp_path / "again")
+    assert again["reproduces"] and again["same_bytes"] and again["changed"] == []
+    found = json.loads((tmp_path / "again" / "results" / "limit.json").read_text())
+    assert found["models"] == limit["models"]
+    with pytest.raises(tricontact.InputError, match="no zip archive"):
+        tricontact.reproduce(rig)
 
 
 def test_what_is_wrong_is_said_as_the_program_says_it(rig, tmp_path):

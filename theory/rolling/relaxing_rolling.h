@@ -5,7 +5,7 @@
 namespace tricontact::theory {
 
 // A rigid cylinder that rolls freely over a half-space of a standard solid, without friction or
-// coupling. Hunter (1961), J. Mech. Phys. Solids 9, 219; Johnson (1985), Contact Mechanics, section
+// coupling. Hunter (1961), J. Appl. Mech. 28, 611; Johnson (1985), Contact Mechanics, section
 // 9.4. Poisson's ratio is constant in time.
 
 /// What rolls over what.

@@ -1,0 +1,166 @@
+#include <cstdlib>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <system_error>
+
+#include "app/commands/command.h"
+#include "app/papers/archive.h"
+#include "app/papers/input_places.h"
+#include "app/papers/paper_export.h"
+#include "comparisons/reproduction/reproduction.h"
+#include "io/keys/messages.h"
+
+namespace tricontact::app {
+
+namespace {
+
+struct ReproduceOptions : CommandOptions {
+    double tolerance = 1e-6;
+};
+
+constexpr int exit_differs = 3;
+constexpr const char* text_name = "reproduction.json";
+
+/// A folder that goes away.
+class TemporaryFolder {
+  public:
+    TemporaryFolder() {
+        std::string name = (std::filesystem::temp_directory_path() / "tricontact-XXXXXX").string();
+        if (!::mkdtemp(name.data())) io::refuse_output(name, "cannot be made", errno);
+        path_ = name;
+    }
+    TemporaryFolder(const TemporaryFolder&) = delete;
+    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+    ~TemporaryFolder() {
+        std::error_code ignored;
+        std::filesystem::remove_all(path_, ignored);
+    }
+    const std::string& path() const { return path_; }
+
+  private:
+    std::string path_;
+};
+
+/// Every command whose archives run again: those that export.
+std::optional<Command> exporting_command(const std::string& name) {
+    for (Command& command : all_commands())
+        if (command.parser->get_name() == name && command.parser->get_option_no_throw("--export"))
+            return std::move(command);
+    return {};
+}
+
+void check_calls(const ReproduceOptions& options, const Archive& archive) {
+    for (const Call& call : archive.calls) {
+        if (!exporting_command(call.command))
+            options.refuse("asks for " + io::one_line(io::shortened(call.command, 60)) +
+                           ", which is no command that exports");
+        check_inside(options.file, archive.files, call.arguments);
+    }
+}
+
+void unpack(const Archive& archive, const std::string& folder) {
+    for (const auto& [name, content] : archive.files) {
+        if (!name.starts_with("inputs/")) continue;
+        const std::string path = folder + '/' + name;
+        io::make_output_folder(std::filesystem::path(path).parent_path().string());
+        io::write_file(path, content);
+    }
+}
+
+std::string in_folder(std::string text, const std::string& from, const std::string& to) {
+    for (auto at = text.find(from); at != text.npos; at = text.find(from, at + to.size()))
+        text.replace(at, from.size(), to);
+    return text;
+}
+
+/// Runs a command of the archive in the folder; what it came to.
+Findings run_again(const ReproduceOptions& options, const Call& call, const std::string& folder) {
+    const Command command = *exporting_command(call.command);
+    std::vector<std::string> arguments{folder + "/results", "--output"};  // as CLI11 wants them
+    for (const std::string& argument : call.arguments)
+        arguments.insert(arguments.begin() + 2, in_folder(argument, archive_place, folder));
+    try {
+        command.parser->parse(arguments);
+    } catch (const CLI::Error& error) {
+        options.refuse(call.command + ": " + error.what());
+    }
+    std::ostream nowhere(nullptr);
+    command.options->listener = std::make_shared<Listener>(
+        Listener{.out = &nowhere,
+                 .say = [&](const std::string& line) { options.say(line); },
+                 .progress =
+                     [&](const std::string& name, int done, int total) {
+                         if (options.listener) options.listener->progress(name, done, total);
+                     }});
+    command.options->papers.findings = std::make_shared<Findings>();
+    if (command.run() != 0) throw std::runtime_error(options.file + ": the command failed");
+    return *command.options->papers.findings;
+}
+
+/// What of the program is another one than when the archive was written.
+void say_versions(const ReproduceOptions& options, const Archive& archive) {
+    const Archive now = new_archive();
+    if (archive.version != now.version)
+        options.out() << fmt::format("made by version {}, run again by {}\n",
+                                     io::one_line(archive.version), now.version);
+    else if (archive.numerics != now.numerics)
+        options.out() << "made by the same version from other sources\n";
+    for (const auto& [library, version] : now.libraries) {
+        const auto found = archive.libraries.find(library);
+        if (found != archive.libraries.end() && found->second != version)
+            options.out() << fmt::format("made with {} {}, run again with {}\n", library,
+                                         io::one_line(found->second), version);
+    }
+}
+
+comparisons::Reproduction compared(const ReproduceOptions& options, const Archive& archive,
+                                   const std::string& folder) {
+    unpack(archive, folder);
+    const std::string real = std::filesystem::canonical(folder).string();
+    Findings findings;
+    const io::InputLog inputs;
+    try {
+        for (const Call& call : archive.calls) findings = run_again(options, call, real);
+    } catch (const contact::InputError& error) {
+        const std::string said = in_folder(error.what(), real + '/', "");
+        options.refuse(in_folder(said, options.file + ": ", ""));
+    }
+    for (const std::string& path : inputs.paths())
+        if (!path.starts_with(real + '/'))
+            options.refuse("its command reads " + io::one_line(path) + ", outside the archive");
+    std::map<std::string, std::string> now;
+    for (const auto& [name, text] : numbers_of(findings))
+        now[name] = in_folder(text, real + "/inputs/", "inputs/");
+    return comparisons::compare_with_kept(archive.numbers(), now, options.tolerance);
+}
+
+int reproduce(const ReproduceOptions& options) {
+    const Archive archive = read_archive(options.file);
+    check_calls(options, archive);
+    std::optional<TemporaryFolder> temporary;
+    const std::string folder = options.output.empty() ? temporary.emplace().path() : options.output;
+    comparisons::Reproduction result;
+    io::OutputFolder(folder, {{text_name}, {"inputs/", "results/"}}).fill([&] {
+        result = compared(options, archive, folder);
+        io::write_file(folder + '/' + text_name,
+                       comparisons::reproduction_json(result).dump(2) + '\n');
+    });
+    say_versions(options, archive);
+    options.out() << comparisons::reproduction_text(result);
+    return result.reproduces() ? 0 : exit_differs;
+}
+
+}  // namespace
+
+Command reproduce_command() {
+    return Declared<ReproduceOptions>(
+               "reproduce", "Run an exported archive again and compare its numbers", reproduce)
+        .on_file("archive", "Archive that --export wrote", "ARCHIVE.zip")
+        .number("--tolerance", &ReproduceOptions::tolerance,
+                "Relative difference of numbers that counts as none (1e-6)", 0, 1)
+        .output("Folder that keeps inputs and results of this run (none)")
+        .quiet("No progress");
+}
+
+}  // namespace tricontact::app

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "io/keys/input_file.h"
+#include "io/results/zip_file.h"
+
+namespace tricontact::app {
+
+/// Where inputs of a command stand in an archive: as they stand to each other, below inputs/.
+class InputPlaces {
+  public:
+    explicit InputPlaces(std::vector<io::InputLog::File> files);
+
+    /// The files, absolute paths in texts of TOML replaced by relative ones. Throws
+    /// contact::InputError where a text names something else by an absolute path.
+    io::ZipFiles files() const;
+    /// An argument of the command, a file in it as its place below "{archive}".
+    std::string argument(const std::string& text) const;
+    /// Absolute paths of inputs replaced by their places.
+    std::string in_places(std::string text) const;
+
+  private:
+    std::string place_of(const io::InputLog::File& file) const;
+    const io::InputLog::File* find(const std::string& path) const;
+    std::string with_relative_paths(const io::InputLog::File& file) const;
+
+    std::vector<io::InputLog::File> files_;
+    std::string root_;  // folder of all, with '/' at its end
+};
+
+/// Throws contact::InputError, naming `archive`, where a text of TOML among the inputs or an
+/// argument leads out of the archive.
+void check_inside(const std::string& archive, const io::ZipFiles& files,
+                  const std::vector<std::string>& arguments);
+
+}  // namespace tricontact::app

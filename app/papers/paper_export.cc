@@ -1,0 +1,166 @@
+#include "app/papers/paper_export.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <stdexcept>
+
+#include "app/papers/archive.h"
+#include "app/papers/cited_sources.h"
+#include "app/papers/input_places.h"
+#include "files/regular_file.h"
+#include "report/bibliography.h"
+#include "report/document_csv.h"
+#include "report/latex.h"
+#include "report/paper_figure.h"
+
+namespace tricontact::app {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* archive_name = "archive.zip";
+constexpr const char* references_name = "references.bib";
+constexpr std::uint64_t most_bytes = 500'000'000;  // of a file with numbers
+
+io::OutputNames paper_names() {
+    return {{references_name, archive_name}, {"figures/", "data/", "tables/"}};
+}
+
+std::vector<const report::DocumentTable*> tables_of(const report::Document& document) {
+    std::vector<const report::DocumentTable*> tables;
+    if (document.comparison) tables.push_back(&*document.comparison);
+    for (const auto& section : document.sections)
+        for (const auto& table : section.tables) tables.push_back(&table);
+    return tables;
+}
+
+/// Arguments that leave the numbers as they are, or belong to this call alone.
+bool is_own_matter(const std::string& name) {
+    constexpr std::array names{"--output", "--export", "--quiet",       "--threads",
+                               "--jobs",   "--vtk",    "--retry-failed"};
+    return std::ranges::find(names, name) != names.end();
+}
+
+Call call_of(const CLI::App& parser, const InputPlaces& places) {
+    Call call{parser.get_name(), {}};
+    for (const CLI::Option* option : parser.get_options()) {
+        const std::string name = option->get_name();
+        if (option->count() == 0 || is_own_matter(name)) continue;
+        const bool is_flag = option->get_items_expected_max() == 0;
+        if (is_flag) call.arguments.push_back(name);
+        if (is_flag) continue;
+        std::vector<std::string> values = option->results();
+        if (option->get_delimiter() != '\0')
+            values = {fmt::format("{}", fmt::join(values, std::string{option->get_delimiter()}))};
+        for (const std::string& value : values) {
+            if (!option->get_positional()) call.arguments.push_back(name);
+            call.arguments.push_back(places.argument(value));
+        }
+    }
+    return call;
+}
+
+Archive archive_of(const CLI::App& parser, const CommandOptions& options,
+                   const InputPlaces& places) {
+    Archive archive = new_archive();
+    archive.files = places.files();
+    const std::string filled_by = options.papers.filled_by;
+    if (!filled_by.empty()) archive.calls.push_back({filled_by, {places.argument(options.file)}});
+    archive.calls.push_back(call_of(parser, places));
+    for (const Call& call : archive.calls)
+        check_inside(options.papers.folder + '/' + archive_name, archive.files, call.arguments);
+    for (const auto& [name, text] : numbers_of(*options.papers.findings))
+        archive.files[name] = places.in_places(text);
+    const std::string resolved = options.papers.findings->folder + '/' + resolved_case_name;
+    if (options.papers.findings->files.contains(resolved_case_name) && fs::exists(resolved))
+        archive.files[resolved_case_name] =
+            places.in_places(files::RegularFile(resolved).content(most_bytes));
+    return archive;
+}
+
+/// Drawings, data and tables that an earlier export left; what others put there stays.
+void remove_old_papers(const std::string& folder) {
+    std::error_code ignored;
+    std::vector<std::string> drawings;
+    for (const auto& entry : fs::directory_iterator(folder + "/figures", ignored))
+        if (entry.path().extension() == ".svg") drawings.push_back(entry.path().stem().string());
+    for (const std::string& id : drawings) {
+        fs::remove(folder + "/data/" + id + ".csv", ignored);
+        for (const char* ending : {".pdf", ".png", ".svg"})
+            fs::remove(folder + "/figures/" + id + ending, ignored);
+    }
+    std::vector<fs::path> tables;
+    for (const auto& entry : fs::directory_iterator(folder + "/tables", ignored))
+        if (io::first_bytes(entry.path().string(), std::string(report::latex_mark).size()) ==
+            report::latex_mark)
+            tables.push_back(entry.path());
+    for (const fs::path& table : tables) fs::remove(table, ignored);
+}
+
+void write_document(const std::string& folder, const report::Document& document) {
+    report::check_document(document);
+    const std::string provenance = document.version + ": " + document.command;
+    const std::vector<report::Figure> figures = report::figures_of(document);
+    const std::vector<report::PaperDrawing> drawings = report::draw_for_papers(figures);
+    for (std::size_t i = 0; i < figures.size(); ++i) {
+        const std::string drawing = folder + "/figures/" + figures[i].id;
+        io::write_file(drawing + ".pdf", drawings[i].pdf);
+        io::write_file(drawing + ".png", drawings[i].png);
+        io::write_file(drawing + ".svg", drawings[i].svg);
+        io::write_file(folder + "/data/" + figures[i].id + ".csv", report::figure_csv(figures[i]));
+    }
+    for (const report::DocumentTable* table : tables_of(document))
+        io::write_file(folder + "/tables/" + table->id + ".tex",
+                       report::latex_table(*table, "tricontact " + provenance));
+}
+
+}  // namespace
+
+std::map<std::string, std::string> numbers_of(const Findings& findings) {
+    std::map<std::string, std::string> numbers;
+    for (const std::string& name : findings.files) {
+        const std::string path = findings.folder + '/' + name;
+        if ((name.ends_with(".json") || name.ends_with(".csv")) && fs::exists(path))
+            numbers["results/" + name] = files::RegularFile(path).content(most_bytes);
+    }
+    for (const report::Document& document : findings.documents) {
+        for (const report::Figure& figure : report::figures_of(document))
+            numbers["figures/" + figure.id + ".csv"] = report::figure_csv(figure);
+        for (const report::DocumentTable* table : tables_of(document))
+            numbers["tables/" + table->id + ".csv"] = report::table_csv(*table);
+    }
+    return numbers;
+}
+
+int run_for_papers(const CLI::App& parser, CommandOptions& options,
+                   const std::function<int()>& call) {
+    if (!options.report)
+        throw contact::InputError(
+            "--export: its figures and tables are those of the report; drop --no-report");
+    const std::string& folder = options.papers.folder;
+    io::OutputFolder papers(folder, paper_names());  // before anything is computed
+    const io::InputLog inputs;
+    options.papers.findings = std::make_shared<Findings>();
+    if (const int code = call(); code != 0) return code;
+    const Findings& findings = *options.papers.findings;
+    const Archive archive = archive_of(parser, options, InputPlaces(inputs.files()));
+    papers.fill([&] {
+        remove_old_papers(folder);
+        for (const char* name : {"/figures", "/data", "/tables"})
+            io::make_output_folder(folder + name);
+        for (const report::Document& document : findings.documents)
+            write_document(folder, document);
+        io::write_file(
+            folder + '/' + references_name,
+            report::bibtex(cited_sources(findings.documents, archive.numbers()), files::version));
+        io::write_file(folder + '/' + archive_name, archive_text(archive));
+    });
+    options.say("export: " + folder);
+    return 0;
+}
+
+}  // namespace tricontact::app
