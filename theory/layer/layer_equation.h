@@ -42,8 +42,8 @@ class LayerEquation {
     ElasticLayer layer_;
     LineMesh mesh_;
     WaveNumbers waves_;
-    Eigen::VectorXd kernel_;               // 2/(pi b) times weight times deficit [1/m]
-    Eigen::MatrixXd cosines_;              // cos(k x): wave numbers by positions
+    Eigen::VectorXd kernel_;   // 2/(pi b) times weight times deficit [1/m]
+    Eigen::MatrixXd cosines_;  // cos(k x): wave numbers by positions
     Eigen::LLT<Eigen::MatrixXd> factor_;
 };
 

@@ -68,7 +68,8 @@ double equicoordinate(int m, double rho, double c) {
         return boost::math::pdf(boost::math::normal(), y) *
                std::pow(cumulative((c - shift) / scale) - cumulative((-c - shift) / scale), m);
     };
-    return boost::math::quadrature::gauss_kronrod<double, 61>::integrate(density, -8., 8., 12, 1e-6);
+    return boost::math::quadrature::gauss_kronrod<double, 61>::integrate(density, -8., 8., 12,
+                                                                         1e-6);
 }
 
 // Dunnett (1964, Biometrics 20, 482), two-sided 95 %, rho = 1/2, infinitely many degrees of
