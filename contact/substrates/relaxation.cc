@@ -32,21 +32,25 @@ class Stiffness {
         const double rate = pole(i) * (1 - distance);
         double sum = distance * (1 + spring_) - branches_[i].ratio * (1 - distance);
         for (std::size_t k = 0; k < size(); ++k)
-            if (k != i) sum += distance * branches_[k].ratio * rate / (rate - pole(k));
+            if (k != i) sum += distance * branches_[k].ratio * rate / above(k, i, distance);
         return sum;
     }
     /// Derivative by s.
     double slope(std::size_t i, double distance) const {
-        const double rate = pole(i) * (1 - distance);
         double sum = 0;
         for (std::size_t k = 0; k < size(); ++k) {
-            const double to_pole = k == i ? distance : 1 - rate / pole(k);
+            const double to_pole = k == i ? distance : above(k, i, distance) / pole(k);
             sum += branches_[k].ratio / (pole(k) * to_pole * to_pole);
         }
         return sum;
     }
 
   private:
+    /// The rate less pole k, by the same difference as widest(): rounding does not change its sign.
+    double above(std::size_t k, std::size_t i, double distance) const {
+        return pole(i) * ((1 - pole(k) / pole(i)) - distance);
+    }
+
     double spring_;
     std::vector<Relaxation::Branch> branches_;
 };

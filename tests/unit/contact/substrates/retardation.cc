@@ -1,5 +1,8 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <random>
+
 #include "contact/error.h"
 #include "contact/substrates/relaxation.h"
 
@@ -25,6 +28,23 @@ TEST(Retardation, IsTheInverse) {
             EXPECT_NEAR(compliance * stiffness, 1, 1e-12) << a << ' ' << s;
         }
         for (const auto& branch : creep.branches) EXPECT_GT(branch.compliance, 0);
+    }
+}
+
+// Some roots lie next to the pole below, where a weak branch is.
+TEST(Retardation, FindsEveryRoot) {
+    std::mt19937 random(3);
+    std::uniform_real_distribution<double> time(std::log(.1), std::log(10)),
+        ratio(std::log(.05), std::log(20));
+    for (int sample = 0; sample < 5000; ++sample) {
+        Relaxation rubber;
+        for (int b = 0; b < 1 + sample % 4; ++b)
+            rubber.branches.push_back({std::exp(ratio(random)), std::exp(time(random))});
+        const double a = sample % 2;
+        const Retardation creep(rubber, a);
+        double at_once = creep.relaxed;
+        for (const auto& branch : creep.branches) at_once -= branch.compliance;
+        EXPECT_NEAR(at_once * (a + rubber.instantaneous_ratio()), 1, 1e-11) << sample;
     }
 }
 
