@@ -15,7 +15,7 @@ const ends = (from, to, n) => Array.from({length: n}, (_, i) => from + (to - fro
 function colours(theme) {
     const style = theme === charts.paper ? null : getComputedStyle(document.documentElement);
     const colour = (name, on_paper) => style?.getPropertyValue("--" + name).trim() || on_paper;
-    return {mdr: colour("mdr", "#b84a00"), bem: colour("half-space", "#0068a8"), "bem-layer": colour("layer", "#00785a")};
+    return {mdr: colour("mdr", "#b84a00"), bem: colour("half-space", "#1a5fb4"), "bem-layer": colour("layer", "#008048")};
 }
 
 // What the ground of the map may show. `of`: of a body and MDR at the same place; `keys`: of the
