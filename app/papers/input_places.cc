@@ -44,6 +44,13 @@ std::string with_each_path(
     return result + toml.substr(copied);
 }
 
+/// Whether a line begins with the key of the folder of condensed layers, which changes no number.
+bool is_cache(std::string_view line) {
+    line = io::trimmed(line);
+    return line.starts_with("fem.cache") || line.starts_with("cache") ||
+           line.starts_with("set.fem.cache");
+}
+
 void replace(std::string& text, const std::string& from, const std::string& to) {
     for (auto at = text.find(from); at != text.npos; at = text.find(from, at + to.size()))
         text.replace(at, from.size(), to);
@@ -100,9 +107,7 @@ std::string InputPlaces::with_relative_paths(const io::InputLog::File& file) con
         if (!fs::path(path).is_absolute()) return path;
         if (const auto* input = find(path))
             return fs::path(place_of(*input)).lexically_relative(folder).string();
-        // Where condensed layers are kept changes no number.
-        if (key.starts_with("cache") || key.find("fem.cache") != key.npos)
-            return std::string("none");
+        if (is_cache(key)) return std::string("none");
         io::fail(file.path, key + " \"" + path + '"',
                  "is an absolute path of no input: nothing that an archive can hold",
                  "write it relative to the file");
@@ -120,6 +125,7 @@ io::ZipFiles InputPlaces::files() const {
 std::string InputPlaces::argument(const std::string& text) const {
     const auto equals = text.find('=');
     const std::size_t begin = equals == text.npos ? 0 : equals + 1;
+    if (is_cache(text.substr(0, begin))) return text.substr(0, begin) + "none";
     std::string path = text.substr(begin);
     if (path.size() > 1 && path.front() == '"' && path.back() == '"')
         path = path.substr(1, path.size() - 2);
