@@ -123,9 +123,9 @@ void GridConvolution::columns_forward(const Field& field, int first, const Colum
         const fftw_complex* row =
             field.spectrum.get() + static_cast<std::size_t>(j) * pitch_ + first;
         for (int i = 0; i < piece; ++i) {
-            fftw_complex& to = columns[static_cast<std::size_t>(i) * period_y_ + j];
-            to[0] = row[i][0];
-            to[1] = row[i][1];
+            fftw_complex& cell = columns[static_cast<std::size_t>(i) * period_y_ + j];
+            cell[0] = row[i][0];
+            cell[1] = row[i][1];
         }
     }
     for (int i = 0; i < piece; ++i)
