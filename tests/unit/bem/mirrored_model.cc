@@ -35,7 +35,8 @@ contact::Case rolling(bool coupled) {
     return c;
 }
 
-// The same iterations: rounding apart, which coupled contact enlarges. Seen: 6e-12 and 3e-10 of the shift of full sliding.
+// The same iterations: rounding apart, which coupled contact enlarges. Seen: 6e-12 and 3e-10 of the
+// shift of full sliding.
 TEST(MirroredModel, IsHalfOfTheWholeOne) {
     for (const bool coupled : {false, true}) {
         const contact::Case c = rolling(coupled);
