@@ -107,6 +107,27 @@ TEST(SurfaceModel, GoesOnFromItsBytes) {
     }
 }
 
+// Uncoupled contact comes back to places from either side: whatever way a resumed run comes, the
+// pressures are those of the run that it continues.
+TEST(SurfaceModel, UncoupledGoesOnFromItsBytes) {
+    Case c = layer_case();
+    c.layer.thickness.reset();
+    c.rolling->steps = Case::Steps::per_quarter;
+    c.rolling->steps_per_quarter = 3;
+    const auto steps = steps_of(c);
+    for (const std::size_t interrupted : {4, 6, 11}) {
+        const auto model = bem::make_model(c, 1), resumed = bem::make_model(c, 1);
+        for (std::size_t k = 0; k < 30; ++k) {
+            model->advance(steps[k]);
+            if (k <= interrupted)
+                resumed->read_state(model->write_state());
+            else
+                resumed->advance(steps[k]);
+            ASSERT_EQ(resumed->write_state(), model->write_state()) << interrupted << ' ' << k;
+        }
+    }
+}
+
 // Also at positions whose pressures are known from before. Tolerance of the solver: 1e-8 of d.
 TEST(SurfaceModel, GapIsClosedWhereverTheContactHasRolled) {
     Case c = layer_case();
