@@ -52,7 +52,8 @@ class PartlyRelaxingSubstrate final : public Substrate {
   public:
     using Parts = CombinedCompliance::Parts;
     /// The weighted sum of the parts as one compliance, whose products cost as much as one part's.
-    using Sum = std::function<std::shared_ptr<const Compliance>(const std::vector<double>& weights)>;
+    using Sum =
+        std::function<std::shared_ptr<const Compliance>(const std::vector<double>& weights)>;
 
     /// `parts`: elastic compliances with the relaxing part's moduli times interpolation.nodes.
     /// Not `coupled`: normal tractions displace normally alone. `sum` empty: products are summed.
