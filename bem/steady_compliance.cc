@@ -50,8 +50,8 @@ struct SteadyGridCompliance::Table {
 SteadyGridCompliance::Table SteadyGridCompliance::crept(const std::vector<Influence>& bodies,
                                                         const contact::CreepModes& modes,
                                                         double speed) const {
-    constexpr int beyond = 2;  // cells: what a short branch remembers is forgotten on the way
-    Table table{farthest_position(grid_.n_x) + beyond, {}};
+    constexpr int cells_beyond = 2;  // what a short branch remembers is forgotten on the way
+    Table table{farthest_position(grid_.n_x) + cells_beyond, {}};
     const double h = grid_.spacing[0], distance = table.foremost * h;
     const contact::CreepAlongWay creep(modes.creep, speed, h, distance);
     const int n_rows = farthest_position(grid_.n_y) + 1;
