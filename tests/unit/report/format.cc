@@ -111,13 +111,14 @@ TEST(Format, TypesettingEscapesFirst) {
     EXPECT_EQ(typeset("u_∞ is"), "<i>u</i><sub>∞</sub> is");
     EXPECT_EQ(typeset("rig_layer, a_b_c, f_, _x, –_x"), "rig_layer, a_b_c, f_, _x, –_x");
     EXPECT_EQ(typeset("chi^2"), "χ<sup>2</sup>");
-    EXPECT_EQ(typeset("mu d, nu_2, beta, numb, a.mu, mu2"),
-              "μ d, <i>ν</i><sub>2</sub>, beta, numb, a.mu, mu2");
+    EXPECT_EQ(typeset("mu d, nu_2, zeta, numb, a.mu, mu2"),
+              "μ d, <i>ν</i><sub>2</sub>, zeta, numb, a.mu, mu2");
     EXPECT_EQ(typeset("a^2 - q^n >= (R/2)^(1/3) 10^-4, 2^"),
               "a<sup>2</sup> − q<sup>n</sup> ≥ (R/2)<sup>1/3</sup> 10<sup>−4</sup>, 2^");
     EXPECT_EQ(typeset("1 − f^0.92 + w, of f^2."), "1 − f<sup>0.92</sup> + w, of f<sup>2</sup>.");
     EXPECT_EQ(typeset("x^(1, ^"), "x^(1, ^");
     EXPECT_EQ(typeset("u = 1"), "u\u00a0=\u00a01");
+    EXPECT_EQ(typeset("1.5 ± 0.1 um; |beta|, 2 pi a"), "1.5\u00a0±\u00a00.1\u00a0µm; |β|, 2 π a");
 }
 
 TEST(Base64, Rfc4648Section10) {
