@@ -67,15 +67,16 @@ def largest(source, name):
     return array.GetRange(-1)[1] if array else 0.0
 
 
-def open_series(path, time=None):
-    """The series, named after its model, up to date at its last state or at a time."""
+def open_series(path):
+    """The series, named after its model, up to date at the last of all states so far."""
     source = OpenDataFile(path)
     folder, name = os.path.split(os.path.splitext(path)[0])
     RenameSource(os.path.basename(folder) + " " + name, source)
+    source.UpdatePipelineInformation()  # its times
     scene = GetAnimationScene()
     scene.UpdateAnimationUsingDataTimeSteps()
-    scene.GoToLast()
-    source.UpdatePipeline(scene.AnimationTime if time is None else time)
+    scene.AnimationTime = max(scene.AnimationTime, source.TimestepValues[-1])
+    source.UpdatePipeline(scene.AnimationTime)
     return source
 
 

@@ -49,9 +49,11 @@ def show_tractions(source, view, size, lift):
         RenameSource("tangential tractions", arrows)
         shown = Show(arrows, view)
         shown.ColorArrayName = ["POINTS", ""]
-        shown.AmbientColor = shown.DiffuseColor = [1.0, 1.0, 1.0]
+        bounds = source.GetDataInformation().GetBounds()
+        is_line = not bounds[3] > bounds[2]  # beside which the arrows are
+        shown.AmbientColor = shown.DiffuseColor = [0.3, 0.3, 0.3] if is_line else [1.0, 1.0, 1.0]
         shown.Ambient, shown.Diffuse = 1.0, 0.0
-        shown.Position = [0.0, 0.0, lift]
+        shown.Position = [0.0, 0.02 * size if is_line else 0.0, lift]
     say_time(source, view)
 
 
@@ -172,6 +174,16 @@ def show_plot(path, across, upwards, title):
     return view
 
 
+def touching(line, bounds):
+    """Ends of what is shown of a line: of a bed along a long way only the surroundings of the contact."""
+    contact = Threshold(Input=line, Scalars=["POINTS", "contact_state"], LowerThreshold=0.5, UpperThreshold=2.5)
+    contact.UpdatePipeline(GetAnimationScene().AnimationTime)
+    begin, end = contact.GetDataInformation().GetBounds()[:2]
+    Delete(contact)
+    beside = 0.4 * (end - begin)
+    return (max(bounds[0], begin - beside), min(bounds[1], end + beside)) if end > begin else bounds[:2]
+
+
 def show_model(folder, series):
     """The views of a model, by name."""
     views = {}
@@ -183,6 +195,8 @@ def show_model(folder, series):
         if kind == "steady":
             STEADY.append(source)
         bounds = source.GetDataInformation().GetBounds()
+        if not bounds[3] > bounds[2]:
+            bounds = (*touching(source, bounds), *bounds[2:])
         size = max(bounds[1] - bounds[0], bounds[3] - bounds[2])
         lift = 2e-3 * size
         above = ([0.0, 0.0, 1.0], [0.0, 1.0, 0.0])

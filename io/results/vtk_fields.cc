@@ -55,11 +55,11 @@ void add_array(vtkFieldData& data, Array& array) {
     const auto* value = array.GetPointer(0);
     std::array range{std::numeric_limits<double>::max(), std::numeric_limits<double>::lowest()};
     for (vtkIdType i = 0; i < array.GetNumberOfTuples(); ++i) {
-        double size = n_components > 1 ? 0 : *value;
-        if (n_components > 1)
-            for (int k = 0; k < n_components; ++k) size += std::pow(value[k], 2);
+        double size = *value++;
+        if (n_components > 1) size *= size;
+        for (int k = 1; k < n_components; ++k, ++value)
+            size += static_cast<double>(*value) * *value;
         range = {std::min(range[0], size), std::max(range[1], size)};
-        value += n_components;
     }
     if (n_components > 1) {
         for (double& end : range) end = std::sqrt(end);
@@ -97,14 +97,13 @@ void add_vector(vtkFieldData& data, const char* name,
                 const std::array<std::span<const double>, 3>& components, std::size_t n,
                 double z_sign) {
     auto array = array_of(name, 3, n);
-    array->Fill(0);
     float* out = array->GetPointer(0);
     for (std::size_t k = 0; k < 3; ++k) {
-        if (components[k].empty()) continue;
-        check_size(name, components[k].size(), n);
+        const bool given = !components[k].empty();
+        if (given) check_size(name, components[k].size(), n);
         const double sign = k == 2 ? z_sign : 1;
         for (std::size_t i = 0; i < n; ++i)
-            out[3 * i + k] = static_cast<float>(sign * components[k][i]);
+            out[3 * i + k] = given ? static_cast<float>(sign * components[k][i]) : 0;
     }
     add_array(data, *array);
 }
