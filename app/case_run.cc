@@ -58,6 +58,7 @@ void write_run_report(const CaseRun& run, const CommandOptions& options) {
     const report::Document document =
         comparisons::run_document(run.c, run.resolved, files::version, run.histories, run.extras);
     options.keep_report(document);
+    if (options.papers.findings && !options.papers.findings->draws) return;
     for (const auto& file : comparisons::report_files(document))
         options.write(file.name, file.content);
 }

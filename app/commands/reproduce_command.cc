@@ -94,6 +94,7 @@ Findings run_again(const ReproduceOptions& options, const Call& call, const std:
                          if (options.listener) options.listener->progress(name, done, total);
                      }});
     command.options->papers.findings = std::make_shared<Findings>();
+    command.options->papers.findings->draws = !options.output.empty();
     if (command.run() != 0) throw std::runtime_error(options.file + ": the command failed");
     return *command.options->papers.findings;
 }

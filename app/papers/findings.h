@@ -14,6 +14,7 @@ struct Findings {
     std::vector<report::Document> documents;
     std::string folder;           ///< of the command
     std::set<std::string> files;  ///< names of what it may have written there
+    bool draws = true;            ///< also the pictures beside a report, which need gnuplot
 };
 
 /// What --export asks of a command.

@@ -101,21 +101,31 @@ void remove_old_papers(const std::string& folder) {
     for (const fs::path& table : tables) fs::remove(table, ignored);
 }
 
-void write_document(const std::string& folder, const report::Document& document) {
+using Files = std::map<std::string, std::string>;  // contents by names
+
+void add(const report::Document& document, Files& files) {
     report::check_document(document);
-    const std::string provenance = document.version + ": " + document.command;
     const std::vector<report::Figure> figures = report::figures_of(document);
-    const std::vector<report::PaperDrawing> drawings = report::draw_for_papers(figures);
+    std::vector<report::PaperDrawing> drawings = report::draw_for_papers(figures);
     for (std::size_t i = 0; i < figures.size(); ++i) {
-        const std::string drawing = folder + "/figures/" + figures[i].id;
-        io::write_file(drawing + ".pdf", drawings[i].pdf);
-        io::write_file(drawing + ".png", drawings[i].png);
-        io::write_file(drawing + ".svg", drawings[i].svg);
-        io::write_file(folder + "/data/" + figures[i].id + ".csv", report::figure_csv(figures[i]));
+        const std::string drawing = "figures/" + figures[i].id;
+        files[drawing + ".pdf"] = std::move(drawings[i].pdf);
+        files[drawing + ".png"] = std::move(drawings[i].png);
+        files[drawing + ".svg"] = std::move(drawings[i].svg);
+        files["data/" + figures[i].id + ".csv"] = report::figure_csv(figures[i]);
     }
+    const std::string provenance = "tricontact " + document.version + ": " + document.command;
     for (const report::DocumentTable* table : tables_of(document))
-        io::write_file(folder + "/tables/" + table->id + ".tex",
-                       report::latex_table(*table, "tricontact " + provenance));
+        files["tables/" + table->id + ".tex"] = report::latex_table(*table, provenance);
+}
+
+Files paper_files(const Findings& findings, const Archive& archive) {
+    Files files;
+    for (const report::Document& document : findings.documents) add(document, files);
+    files[references_name] = report::bibtex(cited_sources(findings.documents, archive.numbers()),
+                                            tricontact::files::version);
+    files[archive_name] = archive_text(archive);
+    return files;
 }
 
 }  // namespace
@@ -146,18 +156,13 @@ int run_for_papers(const CLI::App& parser, CommandOptions& options,
     const io::InputLog inputs;
     options.papers.findings = std::make_shared<Findings>();
     if (const int code = call(); code != 0) return code;
-    const Findings& findings = *options.papers.findings;
     const Archive archive = archive_of(parser, options, InputPlaces(inputs.files()));
+    const Files files = paper_files(*options.papers.findings, archive);
     papers.fill([&] {
         remove_old_papers(folder);
         for (const char* name : {"/figures", "/data", "/tables"})
             io::make_output_folder(folder + name);
-        for (const report::Document& document : findings.documents)
-            write_document(folder, document);
-        io::write_file(
-            folder + '/' + references_name,
-            report::bibtex(cited_sources(findings.documents, archive.numbers()), files::version));
-        io::write_file(folder + '/' + archive_name, archive_text(archive));
+        for (const auto& [name, content] : files) io::write_file(folder + '/' + name, content);
     });
     options.say("export: " + folder);
     return 0;

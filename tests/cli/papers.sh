@@ -131,6 +131,12 @@ said=$("$program" reproduce changed.zip --output kept --quiet) || complain "last
 said=$("$program" reproduce changed.zip --quiet) || complain "another version: exit code"
 [[ $said == "made by version 99."*", run again by "*"same bytes"* ]] || complain "another version: $said"
 
+# Numbers alone need no gnuplot; an export that cannot draw exports nothing.
+said=$(PATH=/nowhere "$program" reproduce run/archive.zip --quiet) || complain "without gnuplot: exit code"
+[[ $said == "same bytes"* ]] || complain "without gnuplot: $said"
+PATH=/nowhere "$program" walk slider.toml --output out_undrawn --export undrawn --quiet 2>/dev/null
+[ $? -eq 1 ] && [ ! -e undrawn ] || complain "an export without gnuplot"
+
 # 6. Half of it is refused.
 refused "--export: its figures and tables are those of the report; drop --no-report" \
     run "$work/ball.toml" --export x --no-report
