@@ -30,7 +30,7 @@ TEST(Latex, DollarSignsStayText) {
 
 TEST(Latex, NumbersAreTypeset) {
     EXPECT_EQ(latex_text("1.20·10⁻⁷"), "1.20$\\cdot $10$^{-7}$");
-    EXPECT_EQ(latex_text("−0.83 ± 0.12"), "$-$0.83 $\\pm $ 0.12");
+    EXPECT_EQ(latex_text("−0.83 ± 0.12"), "$-$0.83~$\\pm $~0.12");
     EXPECT_EQ(latex_text("–"), "--");
 }
 
@@ -50,7 +50,7 @@ TEST(Latex, ATableHasTheRulesOfBooktabs) {
               "% Needs \\usepackage{booktabs}.\n"
               "\\begin{tabular}{lrr}\n\\toprule\n"
               "{}[model] & $u_{\\mathrm{sd}}$ [\\%] & $\\kappa $ [1] \\\\\n\\midrule\n"
-              "bem & 0.123 & 1.06 $\\pm $ 0.12 \\\\\n{}* & -- & -- \\\\\n"
+              "bem & 0.123 & 1.06~$\\pm $~0.12 \\\\\n{}* & -- & -- \\\\\n"
               "\\bottomrule\n\\end{tabular}\n");
 }
 

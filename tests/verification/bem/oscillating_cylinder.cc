@@ -43,7 +43,6 @@ struct Exact {
 };
 
 Exact exact_of(const Case& c) {
-    const double a = contact::half_space_scales(c).contact_radius;
     const double lambda = contact::line_shift_factor(c);
     const double w = *c.rolling->amplitude_ratio;
     const double stick = theory::line_stick_half_width(w, *c.load.tangential_ratio).value();
