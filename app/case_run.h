@@ -32,7 +32,7 @@ using ModelRun =
 CaseRun run_models(const Case& c, const RunOptions& options, const Say& say,
                    const ModelRun& run_one);
 
-/// Cells, elements and springs of twice the size; meshes that a file gives stay.
+/// Cells, elements and springs of about twice the size; meshes that a file gives stay.
 Case with_coarser_mesh(Case c);
 
 /// The text of summary.json.
