@@ -49,10 +49,9 @@ class ProductsBy final : public ConvolvedProducts {
           make_rest_(std::move(rest)) {}
     ProductsBy(Convolution convolution, std::optional<Convolution> bare, Symbol normal,
                TangentialSymbols rest)
-        : convolution_(std::move(convolution)),
-          bare_(std::move(bare)),
-          normal_(std::move(normal)),
-          rest_(std::move(rest)) {}
+        : ProductsBy(std::move(convolution), std::move(bare), std::move(normal), MakeSymbols{}) {
+        rest_ = std::move(rest);
+    }
 
     void normal(std::span<const double> p, std::span<double> u_z) const override {
         convolution_.template apply<1, 1>({{{&normal_}}}, {p}, {u_z});

@@ -47,7 +47,7 @@ struct SteadyGridCompliance::Table {
     }
 };
 
-SteadyGridCompliance::Table SteadyGridCompliance::crept(const std::vector<Influence>& bodies,
+SteadyGridCompliance::Table SteadyGridCompliance::crept(const std::vector<CellInfluence>& bodies,
                                                         const contact::CreepModes& modes,
                                                         double speed) const {
     constexpr int cells_beyond = 2;  // what a short branch remembers is forgotten on the way
@@ -92,7 +92,7 @@ SteadyGridCompliance::Table SteadyGridCompliance::crept(const std::vector<Influe
     return table;
 }
 
-SteadyGridCompliance::SteadyGridCompliance(const std::vector<Influence>& bodies,
+SteadyGridCompliance::SteadyGridCompliance(const std::vector<CellInfluence>& bodies,
                                            const contact::CreepModes& modes, double speed,
                                            contact::ContactPoints grid, bool coupled)
     : grid_(std::move(grid)),

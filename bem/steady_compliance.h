@@ -1,11 +1,10 @@
 #pragma once
 
 #include <array>
-#include <functional>
 #include <vector>
 
 #include "bem/grid_convolution.h"
-#include "bem/influence.h"
+#include "bem/quadrants.h"
 #include "contact/solvers/steady_compliance.h"
 #include "contact/substrates/creep_modes.h"
 
@@ -17,12 +16,10 @@ namespace tricontact::bem {
 /// contact needs no cells.
 class SteadyGridCompliance final : public contact::SteadyCompliance {
   public:
-    /// The coefficients of one cell at a relative position [m], asked for at x, y >= 0 only.
-    using Influence = std::function<InfluenceCoefficients(double x, double y)>;
-
-    /// `bodies`: elastic ones that `weights` combine to `creep`, see contact::CreepModes. `speed`
-    /// [m/s]. `coupled`: use the coefficients between normal and tangential.
-    SteadyGridCompliance(const std::vector<Influence>& bodies, const contact::CreepModes& modes,
+    /// `bodies`: elastic ones, asked for at x, y >= 0 only, that `weights` combine to `creep`, see
+    /// contact::CreepModes. `speed` [m/s]. `coupled`: use the coefficients between normal and
+    /// tangential.
+    SteadyGridCompliance(const std::vector<CellInfluence>& bodies, const contact::CreepModes& modes,
                          double speed, contact::ContactPoints grid, bool coupled);
 
     const contact::ContactPoints& points() const override { return grid_; }
@@ -47,7 +44,7 @@ class SteadyGridCompliance final : public contact::SteadyCompliance {
     /// Coefficients at relative positions of i cells of either sign along x and j >= 0 along y.
     struct Table;
 
-    Table crept(const std::vector<Influence>& bodies, const contact::CreepModes& modes,
+    Table crept(const std::vector<CellInfluence>& bodies, const contact::CreepModes& modes,
                 double speed) const;
 
     contact::ContactPoints grid_;

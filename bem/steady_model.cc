@@ -14,8 +14,6 @@ namespace tricontact::bem {
 
 namespace {
 
-using Influence = SteadyGridCompliance::Influence;
-
 /// A rolled contact on a relaxing body lies ahead of its lowest point, by a part of its half
 /// length.
 constexpr double usual_lead = .25;
@@ -24,9 +22,9 @@ constexpr double usual_lead = .25;
 constexpr double known_layers = LayerKernel::frictionless_hold;
 
 /// What is seen of layers from far away: the bodies on both sides of them.
-Influence bodies_beyond(const theory::LayerStack& layers,
-                        const std::optional<contact::Material>& indenter,
-                        const contact::Vector2& cell) {
+CellInfluence bodies_beyond(const theory::LayerStack& layers,
+                            const std::optional<contact::Material>& indenter,
+                            const contact::Vector2& cell) {
     if (layers.half_space) {
         const RectangleInfluence both({indenter, *layers.half_space}, cell[0], cell[1]);
         return [both](double x, double y) { return both.at(x, y); };
@@ -41,13 +39,13 @@ Influence bodies_beyond(const theory::LayerStack& layers,
     };
 }
 
-Influence layer_influence(const contact::Case& c, const contact::ContactPoints& grid) {
+CellInfluence layer_influence(const contact::Case& c, const contact::ContactPoints& grid) {
     const theory::LayerStack layers = theory::layers_of("bem-layer", c);
     const auto& indenter = c.indenter.material;
     const auto [width_x, width_y] = grid.spacing;
     const double side_x = 2 * (grid.n_x + 1) * width_x, side_y = 2 * (grid.n_y + 1) * width_y;
     const double known = std::max(side_x, known_layers * layers.thickness());
-    const Influence seen_from_afar = bodies_beyond(layers, indenter, grid.spacing);
+    const CellInfluence seen_from_afar = bodies_beyond(layers, indenter, grid.spacing);
     if (c.is_line_contact()) {
         const auto strip =
             std::make_shared<const PlaneLayerInfluence>(layers, indenter, width_x, width_y, known);
@@ -61,8 +59,8 @@ Influence layer_influence(const contact::Case& c, const contact::ContactPoints& 
     return [=](double x, double y) { return x > known ? seen_from_afar(x, y) : cell->at(x, y); };
 }
 
-Influence influence_of(const contact::Case& elastic, Body body,
-                       const contact::ContactPoints& grid) {
+CellInfluence influence_of(const contact::Case& elastic, Body body,
+                           const contact::ContactPoints& grid) {
     if (body == Body::layer) return layer_influence(elastic, grid);
     const RectangleInfluence cell(elastic.materials(), grid.spacing[0], grid.spacing[1]);
     return [cell](double x, double y) { return cell.at(x, y); };
@@ -77,7 +75,7 @@ std::unique_ptr<contact::SteadyCompliance> steady_compliance(const contact::Case
     const contact::CreepModes modes = contact::creep_modes(seen);
     const auto relaxed = case_compliance(contact::with_relaxing_ratio(c, 1), n_threads, body,
                                          std::max(aside, usual_lead));
-    std::vector<Influence> bodies;
+    std::vector<CellInfluence> bodies;
     for (const contact::Case& elastic : modes.bodies)
         bodies.push_back(influence_of(elastic, body, relaxed->points()));
     const bool coupled =

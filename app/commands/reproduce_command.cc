@@ -1,3 +1,4 @@
+#include <boost/algorithm/string/replace.hpp>
 #include <cstdlib>
 #include <filesystem>
 #include <nlohmann/json.hpp>
@@ -68,18 +69,13 @@ void unpack(const Archive& archive, const std::string& folder) {
     }
 }
 
-std::string in_folder(std::string text, const std::string& from, const std::string& to) {
-    for (auto at = text.find(from); at != text.npos; at = text.find(from, at + to.size()))
-        text.replace(at, from.size(), to);
-    return text;
-}
-
 /// Runs a command of the archive in the folder; what it came to.
 Findings run_again(const ReproduceOptions& options, const Call& call, const std::string& folder) {
     const Command command = *exporting_command(call.command);
     std::vector<std::string> arguments{folder + "/results", "--output"};  // as CLI11 wants them
     for (const std::string& argument : call.arguments)
-        arguments.insert(arguments.begin() + 2, in_folder(argument, archive_place, folder));
+        arguments.insert(arguments.begin() + 2,
+                         boost::replace_all_copy(argument, archive_place, folder));
     try {
         command.parser->parse(arguments);
     } catch (const CLI::Error& error) {
@@ -124,15 +120,15 @@ comparisons::Reproduction compared(const ReproduceOptions& options, const Archiv
     try {
         for (const Call& call : archive.calls) findings = run_again(options, call, real);
     } catch (const contact::InputError& error) {
-        const std::string said = in_folder(error.what(), real + '/', "");
-        options.refuse(in_folder(said, options.file + ": ", ""));
+        const std::string said = boost::replace_all_copy(std::string(error.what()), real + '/', "");
+        options.refuse(boost::replace_all_copy(said, options.file + ": ", ""));
     }
     for (const std::string& path : inputs.paths())
         if (!path.starts_with(real + '/'))
             options.refuse("its command reads " + io::one_line(path) + ", outside the archive");
     std::map<std::string, std::string> now;
     for (const auto& [name, text] : numbers_of(findings))
-        now[name] = in_folder(text, real + "/inputs/", "inputs/");
+        now[name] = boost::replace_all_copy(text, real + "/inputs/", "inputs/");
     return comparisons::compare_with_kept(archive.numbers(), now, options.tolerance);
 }
 
