@@ -2,43 +2,104 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <future>
+#include <string_view>
+#include <system_error>
+#include <thread>
+
 #include "report/run_program.h"
 
 namespace tricontact::report {
 
 namespace {
 
-std::string terminal_for_pages(const Picture& picture, ImageFormat format) {
-    if (format == ImageFormat::svg)
-        return fmt::format("svg size {},{} font 'sans-serif,15' background '#ffffff'",
-                           picture.width, picture.height);
-    return fmt::format(
-        "pngcairo size {},{} font 'sans,11' fontscale 2 linewidth 2 pointscale 2 "
-        "background '#ffffff'",
-        2 * picture.width, 2 * picture.height);
+// Read as a file (not "-"), gnuplot stops at the first error and says the line.
+std::vector<std::string> reading_a_script(const std::string& program) {
+    return {program, "-d", "/dev/stdin"};
+}
+
+GnuplotError as_gnuplot_error(const ProgramError& error) {
+    return GnuplotError(std::string("plots: ") + error.what() +
+                        (error.is_missing() ? " (install the package gnuplot-nox)" : ""));
+}
+
+/// An SVG begins with the colour in which the picture before it ended, with which nothing is drawn.
+void forget_colour_before(std::string& svg) {
+    constexpr std::string_view group = "<g fill=\"none\" color=\"#FFFFFF\" stroke=\"";
+    if (!svg.starts_with("<?xml")) return;
+    const auto found = svg.find(group);
+    if (found == std::string::npos) return;
+    const auto begin = found + group.size();
+    svg.replace(begin, svg.find('"', begin) - begin, "currentColor");
+}
+
+/// By one gnuplot, whose start takes as long as most pictures; it forgets one before the next.
+std::vector<std::string> draw_one_by_one(const std::vector<const Sheet*>& sheets) {
+    const auto script = [&](const std::vector<std::string>& paths) {
+        std::string text;
+        for (std::size_t k = 0; k < sheets.size(); ++k)
+            text += fmt::format(
+                "reset session\nset encoding utf8\nset terminal {}\nset output '{}'\n{}\n"
+                "unset output\n",
+                sheets[k]->terminal, paths[k], sheets[k]->picture.script);
+        return text;
+    };
+    std::vector<std::string> images;
+    try {
+        images = run_program(reading_a_script("gnuplot"), sheets.size(), script);
+    } catch (const ProgramError& error) {
+        throw as_gnuplot_error(error);
+    }
+    if (std::ranges::any_of(images, &std::string::empty))
+        throw GnuplotError("plots: gnuplot drew nothing");
+    std::ranges::for_each(images, forget_colour_before);
+    return images;
 }
 
 }  // namespace
 
 std::string run_gnuplot(const std::string& script, const std::string& program) {
     try {
-        // Read as a file (not "-"), gnuplot stops at the first error and says the line.
-        return run_program({program, "-d", "/dev/stdin"}, script);
+        return run_program(reading_a_script(program), script);
     } catch (const ProgramError& error) {
-        throw GnuplotError(std::string("plots: ") + error.what() +
-                           (error.is_missing() ? " (install the package gnuplot-nox)" : ""));
+        throw as_gnuplot_error(error);
     }
 }
 
-std::string draw_on(const std::string& terminal, const Picture& picture) {
-    std::string image = run_gnuplot("set encoding utf8\nset terminal " + terminal + '\n' +
-                                    picture.script + "\nunset output\n");
-    if (image.empty()) throw GnuplotError("plots: gnuplot drew nothing");
-    return image;
+Sheet sheet_for_pages(Picture picture, ImageFormat format) {
+    std::string terminal =
+        format == ImageFormat::svg
+            ? fmt::format("svg size {},{} font 'sans-serif,15' background '#ffffff'", picture.width,
+                          picture.height)
+            : fmt::format(
+                  "pngcairo size {},{} font 'sans,11' fontscale 2 linewidth 2 pointscale 2 "
+                  "background '#ffffff'",
+                  2 * picture.width, 2 * picture.height);
+    return {std::move(terminal), std::move(picture)};
 }
 
-std::string draw(const Picture& picture, ImageFormat format) {
-    return draw_on(terminal_for_pages(picture, format), picture);
+std::vector<std::string> draw(const std::vector<Sheet>& sheets) {
+    const std::size_t most = std::max(1U, std::thread::hardware_concurrency());
+    const std::size_t n = std::min(most, sheets.size());
+    std::vector<std::vector<std::size_t>> shares(n);
+    // Each round begins with another share: formats alternate, and one takes longer.
+    for (std::size_t k = 0; k < sheets.size(); ++k) shares[(k + k / n) % n].push_back(k);
+    std::vector<std::string> images(sheets.size());
+    std::vector<std::future<void>> drawn;
+    for (const auto& share : shares) {
+        const auto draw_share = [&sheets, &images, &share] {
+            std::vector<const Sheet*> own;
+            for (const std::size_t k : share) own.push_back(&sheets[k]);
+            auto own_images = draw_one_by_one(own);
+            for (std::size_t i = 0; i < share.size(); ++i)
+                images[share[i]] = std::move(own_images[i]);
+        };
+        // Where no further thread is to be had, this one does it.
+        drawn.push_back(std::async(std::launch::async | std::launch::deferred, draw_share));
+    }
+    for (auto& some : drawn) some.get();
+    return images;
 }
 
 }  // namespace tricontact::report

@@ -2,6 +2,7 @@
 
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 namespace tricontact::report {
 
@@ -24,9 +25,17 @@ struct Picture {
 /// Throws GnuplotError.
 std::string run_gnuplot(const std::string& script, const std::string& program = "gnuplot");
 
-/// Draws the picture on a terminal, "svg size 640,420". Throws GnuplotError.
-std::string draw_on(const std::string& terminal, const Picture& picture);
+/// A picture and the terminal that draws it, "svg size 640,420".
+struct Sheet {
+    std::string terminal;
+    Picture picture;
+};
+
 /// The same for a page.
-std::string draw(const Picture& picture, ImageFormat format);
+Sheet sheet_for_pages(Picture picture, ImageFormat format);
+
+/// Draws all of them, side by side, in the order given; none of them shows in another.
+/// Throws GnuplotError.
+std::vector<std::string> draw(const std::vector<Sheet>& sheets);
 
 }  // namespace tricontact::report

@@ -3,12 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
-#include <future>
 #include <kainjow/mustache.hpp>
-#include <system_error>
-#include <thread>
 
 #include "report/gnuplot_parts.h"
 
@@ -264,32 +260,16 @@ Picture picture_of(const Figure& figure, const PictureLayout& layout) {
     return figure.map ? map_picture(figure, layout) : curves_picture(figure, layout);
 }
 
-void side_by_side(std::size_t n, const std::function<void(std::size_t)>& work) {
-    std::atomic<std::size_t> next = 0;
-    const auto work_on = [&] {
-        for (std::size_t job = next++; job < n; job = next++) work(job);
-    };
-    std::vector<std::future<void>> workers;
-    try {
-        for (unsigned i = 1; i < std::thread::hardware_concurrency(); ++i)
-            workers.push_back(std::async(std::launch::async, work_on));
-    } catch (const std::system_error&) {  // no further thread is to be had: those there are do it
-    }
-    work_on();
-    for (auto& worker : workers) worker.get();
-}
-
 std::vector<Drawing> draw_all(const std::vector<Figure>& figures) {
-    std::vector<Drawing> drawings(figures.size());
-    // Two jobs per figure, one per format; each writes only its own string.
-    side_by_side(2 * figures.size(), [&](std::size_t job) {
-        const Figure& figure = figures[job / 2];
-        const Picture picture = picture_of(figure);
-        if (job % 2 == 0)
-            drawings[job / 2].svg = with_words(draw(picture, ImageFormat::svg), figure);
-        else
-            drawings[job / 2].png = draw(picture, ImageFormat::png);
-    });
+    std::vector<Sheet> sheets;
+    for (const Figure& figure : figures)
+        for (const ImageFormat format : {ImageFormat::svg, ImageFormat::png})
+            sheets.push_back(sheet_for_pages(picture_of(figure), format));
+    std::vector<std::string> images = draw(sheets);
+    std::vector<Drawing> drawings;
+    for (std::size_t k = 0; k < figures.size(); ++k)
+        drawings.push_back(
+            {with_words(std::move(images[2 * k]), figures[k]), std::move(images[2 * k + 1])});
     return drawings;
 }
 

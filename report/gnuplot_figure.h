@@ -1,7 +1,5 @@
 #pragma once
 
-#include <cstddef>
-#include <functional>
 #include <string>
 #include <vector>
 
@@ -23,14 +21,11 @@ Picture picture_of(const Figure& figure, const PictureLayout& layout = {});
 /// A drawing as SVG with the figure's title and description in the place of gnuplot's own.
 std::string with_words(std::string svg, const Figure& figure);
 
-/// Calls work(0), ..., work(n - 1), several at a time. Throws what they throw.
-void side_by_side(std::size_t n, const std::function<void(std::size_t)>& work);
-
 /// The files of one figure.
 struct Drawing {
     std::string svg, png;
 };
-/// Draws all figures, several at a time; results in the order given. Throws GnuplotError.
+/// Draws all figures; results in the order given. Throws GnuplotError.
 std::vector<Drawing> draw_all(const std::vector<Figure>& figures);
 
 }  // namespace tricontact::report

@@ -45,34 +45,33 @@ std::string without_date(std::string pdf) {
     return pdf;
 }
 
-std::string pdf_of(const Picture& picture) {
+Sheet pdf_sheet(const Picture& picture) {
     const PaperSize size = paper_size(picture);
-    return without_date(draw_on(
-        fmt::format("pdfcairo size {:.4f}cm,{:.4f}cm font 'sans,{:.3f}' fontscale 1 linewidth "
-                    "{:.3f} pointscale {:.3f} rounded",
-                    size.width / 10, size.height / 10, letter_pt * gnuplot_point * size.scale,
-                    1.2 * size.scale, 0.6 * size.scale),
-        picture));
+    return {fmt::format("pdfcairo size {:.4f}cm,{:.4f}cm font 'sans,{:.3f}' fontscale 1 linewidth "
+                        "{:.3f} pointscale {:.3f} rounded",
+                        size.width / 10, size.height / 10, letter_pt * gnuplot_point * size.scale,
+                        1.2 * size.scale, 0.6 * size.scale),
+            picture};
 }
 
-std::string png_of(const Picture& picture) {
+Sheet png_sheet(const Picture& picture) {
     const PaperSize size = paper_size(picture);
     const double dots_per_px = size.width * dots_per_mm / picture.width;
-    return draw_on(fmt::format("pngcairo size {:.0f},{:.0f} font 'sans,{}' fontscale {:.4f} "
-                               "linewidth {:.4f} pointscale {:.4f} background '#ffffff'",
-                               picture.width * dots_per_px, picture.height * dots_per_px,
-                               letter_px * gnuplot_point, dots_per_px, dots_per_px, dots_per_px),
-                   picture);
+    return {fmt::format("pngcairo size {:.0f},{:.0f} font 'sans,{}' fontscale {:.4f} "
+                        "linewidth {:.4f} pointscale {:.4f} background '#ffffff'",
+                        picture.width * dots_per_px, picture.height * dots_per_px,
+                        letter_px * gnuplot_point, dots_per_px, dots_per_px, dots_per_px),
+            picture};
 }
 
-/// Millimetres in the place of pixels.
-std::string svg_of(const Picture& picture, const Figure& figure) {
+Sheet svg_sheet(const Picture& picture) {
+    return {fmt::format("svg size {},{} font 'sans-serif,{}' background '#ffffff'", picture.width,
+                        picture.height, letter_px),
+            picture};
+}
+
+std::string in_millimetres(std::string svg, const Picture& picture) {
     const PaperSize size = paper_size(picture);
-    std::string svg =
-        with_words(draw_on(fmt::format("svg size {},{} font 'sans-serif,{}' background '#ffffff'",
-                                       picture.width, picture.height, letter_px),
-                           picture),
-                   figure);
     const std::string pixels =
         fmt::format("width=\"{}\" height=\"{}\"", picture.width, picture.height);
     const auto at = svg.find(pixels);
@@ -85,16 +84,21 @@ std::string svg_of(const Picture& picture, const Figure& figure) {
 }  // namespace
 
 std::vector<PaperDrawing> draw_for_papers(const std::vector<Figure>& figures) {
-    std::vector<PaperDrawing> drawings(figures.size());
     const PictureLayout layout = column_layout();
-    side_by_side(3 * figures.size(), [&](std::size_t job) {
-        const Figure& figure = figures[job / 3];
-        PaperDrawing& drawing = drawings[job / 3];
+    std::vector<Sheet> sheets;
+    for (const Figure& figure : figures) {
         const Picture picture = picture_of(figure, layout);
-        if (job % 3 == 0) drawing.pdf = pdf_of(picture);
-        if (job % 3 == 1) drawing.svg = svg_of(picture, figure);
-        if (job % 3 == 2) drawing.png = png_of(picture);
-    });
+        for (const auto& sheet : {pdf_sheet(picture), svg_sheet(picture), png_sheet(picture)})
+            sheets.push_back(sheet);
+    }
+    std::vector<std::string> images = draw(sheets);
+    std::vector<PaperDrawing> drawings;
+    for (std::size_t k = 0; k < figures.size(); ++k) {
+        std::string svg = with_words(std::move(images[3 * k + 1]), figures[k]);
+        drawings.push_back({.pdf = without_date(std::move(images[3 * k])),
+                            .svg = in_millimetres(std::move(svg), sheets[3 * k].picture),
+                            .png = std::move(images[3 * k + 2])});
+    }
     return drawings;
 }
 

@@ -9,6 +9,7 @@
 
 #include <cerrno>
 #include <cstring>
+#include <deque>
 #include <string_view>
 #include <vector>
 
@@ -24,7 +25,9 @@ namespace {
 /// a program that dies early cannot stop us with SIGPIPE.
 class MemoryFile {
   public:
-    explicit MemoryFile(const char* name) : descriptor_(memfd_create(name, MFD_CLOEXEC)) {
+    /// Programs that are started have it under the same number if `inherited`.
+    explicit MemoryFile(const char* name, bool inherited = false)
+        : descriptor_(memfd_create(name, inherited ? 0 : MFD_CLOEXEC)) {
         if (descriptor_ < 0) fail("no memory for another program's data", errno);
     }
     MemoryFile(const MemoryFile&) = delete;
@@ -110,6 +113,19 @@ std::string run_program(const std::vector<std::string>& words, std::string_view 
     if (!WIFEXITED(status) || WEXITSTATUS(status) != 0)
         throw ProgramError(words[0] + " failed: " + err.content(), false);
     return out.content();
+}
+
+std::vector<std::string> run_program(
+    const std::vector<std::string>& words, std::size_t n,
+    const std::function<std::string(const std::vector<std::string>& paths)>& input_for) {
+    std::deque<MemoryFile> files;
+    std::vector<std::string> paths, contents;
+    for (std::size_t k = 0; k < n; ++k)
+        paths.push_back(
+            fmt::format("/proc/self/fd/{}", files.emplace_back("file", true).descriptor()));
+    run_program(words, input_for(paths));
+    for (const MemoryFile& file : files) contents.push_back(file.content());
+    return contents;
 }
 
 }  // namespace tricontact::report

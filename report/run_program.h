@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+#include <functional>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -23,5 +25,11 @@ class ProgramError : public std::runtime_error {
 /// `input` from its standard input, a regular file. Runs in the C locale without gnuplot's start-up
 /// files. Throws ProgramError.
 std::string run_program(const std::vector<std::string>& words, std::string_view input);
+
+/// The same for a program that writes `n` files instead: what they hold, in their order.
+/// `input_for` gets their paths.
+std::vector<std::string> run_program(
+    const std::vector<std::string>& words, std::size_t n,
+    const std::function<std::string(const std::vector<std::string>& paths)>& input_for);
 
 }  // namespace tricontact::report

@@ -57,25 +57,43 @@ TEST(Gnuplot, EnvironmentDoesNotChangeTheNumbers) {
     EXPECT_EQ(text.find("dumb"), std::string::npos) << text;
 }
 
+std::string drawn(const Picture& picture, ImageFormat format) {
+    return draw({sheet_for_pages(picture, format)}).front();
+}
+
 TEST(Gnuplot, DrawsBothFormats) {
     const Picture picture{320, 200, "plot x notitle"};
-    const std::string svg = draw(picture, ImageFormat::svg);
+    const std::string svg = drawn(picture, ImageFormat::svg);
     EXPECT_TRUE(svg.starts_with("<?xml"));
     EXPECT_NE(svg.find("width=\"320\" height=\"200\""), std::string::npos);
-    const std::string png = draw(picture, ImageFormat::png);
+    const std::string png = drawn(picture, ImageFormat::png);
     EXPECT_TRUE(png.starts_with("\x89PNG\r\n\x1a\n"));
     // IHDR: big-endian width and height, twice the CSS pixels.
     EXPECT_EQ(png.substr(16, 8), std::string("\0\0\x02\x80\0\0\x01\x90", 8));
 }
 
 TEST(Gnuplot, AScriptThatDrawsNothingIsAnError) {
-    EXPECT_THROW(draw({320, 200, "a = 1"}, ImageFormat::png), GnuplotError);
+    EXPECT_THROW(drawn({320, 200, "a = 1"}, ImageFormat::png), GnuplotError);
 }
 
-TEST(Gnuplot, SamePictureSameBytes) {
+// One gnuplot draws several: what a picture sets, defines or switches to must not show in the next.
+TEST(Gnuplot, SamePictureSameBytesWhateverWasDrawnBefore) {
     const Picture picture{320, 200, "plot sin(x) with linespoints"};
-    for (const ImageFormat format : {ImageFormat::svg, ImageFormat::png})
-        EXPECT_EQ(draw(picture, format), draw(picture, format));
+    const Picture other{400, 300,
+                        "set multiplot\nset logscale x\nset title 'T'\nset key left\nf(x) = x\n"
+                        "$d << EOD\n1 2\n3 4\nEOD\nset style data lines\nplot $d, f(x)\n"
+                        "unset multiplot"};
+    for (const ImageFormat format : {ImageFormat::svg, ImageFormat::png}) {
+        std::vector<Sheet> sheets(9, sheet_for_pages(other, format));
+        for (std::size_t k : {0, 3, 7, 8}) sheets[k] = sheet_for_pages(picture, format);
+        const auto images = draw(sheets);
+        for (std::size_t k : {0, 3, 7, 8}) EXPECT_EQ(images[k], drawn(picture, format)) << k;
+        for (std::size_t k : {1, 2, 4, 5, 6}) EXPECT_EQ(images[k], drawn(other, format)) << k;
+    }
+}
+
+TEST(Gnuplot, NothingToDrawIsNoError) {
+    EXPECT_TRUE(draw({}).empty());
 }
 
 }  // namespace
