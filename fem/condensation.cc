@@ -2,6 +2,7 @@
 
 #include <cholmod.h>
 #include <metis.h>
+#include <omp.h>
 
 #include <algorithm>
 #include <new>
@@ -102,6 +103,19 @@ class Cholmod {
 
   private:
     cholmod_common common_{};
+};
+
+// CHOLMOD shares each supernode's loops among four threads, which wait for each other as long as they
+// work; the products between are threads of BLAS.
+class OneThread {
+  public:
+    OneThread() { omp_set_max_active_levels(0); }
+    ~OneThread() { omp_set_max_active_levels(before_); }
+    OneThread(const OneThread&) = delete;
+    OneThread& operator=(const OneThread&) = delete;
+
+  private:
+    int before_ = omp_get_max_active_levels();
 };
 
 template <auto free_object>
@@ -264,6 +278,7 @@ double Condensation::predicted_bytes(int ld) const {
 
 void Condensation::factorise() {
     auto& [cholmod, order, stiffness, factor, n_interior, n_contact] = *parts_;
+    const OneThread one_thread;
     cholmod_l_factorize(stiffness.get(), factor.get(), cholmod.get());
     cholmod.check();
 }
