@@ -90,7 +90,13 @@ class Order {
         key_ = fem::LayerCache::key(problem);
         n_elements_ = problem.mesh.hexes.size();
         std::string why;
-        if (const auto layer = cache_.load(key_, &why)) {
+        auto layer = cache_.load(key_, &why);
+        if (!layer) {
+            reservation_ = cache_.reserve(
+                key_, [] { say("another process condenses this layer, which is waited for"); });
+            layer = cache_.load(key_);
+        }
+        if (layer) {
             say(fmt::format("condensed layer is there already: {} ({} contact nodes)",
                             cache_.path_of(key_), layer->points.size()));
             return std::nullopt;
@@ -116,6 +122,7 @@ class Order {
     Case case_;
     fem::LayerCache cache_;
     std::string key_;
+    std::unique_ptr<files::PartialFile> reservation_;
     std::size_t n_elements_ = 0;
 };
 

@@ -1,5 +1,7 @@
 #include "contact/mirrored_surface.h"
 
+#include <utility>
+
 namespace tricontact::contact {
 
 namespace {
@@ -16,6 +18,8 @@ struct Image {
 Image image_of(int n, int n_x, const std::vector<double>& y) {
     Image image;
     image.image_of.resize(n);
+    image.source.reserve(2 * static_cast<std::size_t>(n));
+    image.sign.reserve(2 * static_cast<std::size_t>(n));
     auto in_plane = [&](int k) { return n_x > 0 ? k < n_x : y[k] == 0; };
     auto add = [&](int source, int sign) {
         if (sign < 0 || in_plane(source))
@@ -37,16 +41,18 @@ Image image_of(int n, int n_x, const std::vector<double>& y) {
 
 }  // namespace
 
-Surface mirrored(const Surface& half) {
-    const Image image = image_of(static_cast<int>(half.size()), half.n_x, half.node_y);
+Surface mirrored(Surface half) {
+    const std::size_t n_half = half.size();
+    const Image image = image_of(static_cast<int>(n_half), half.n_x, half.node_y);
     const std::size_t n = image.source.size();
-    Surface whole = half;
+    Surface whole = std::move(half);
     auto reflect = [&](std::vector<double>& values, bool odd) {
         if (values.empty()) return;
-        const std::vector<double> old = values;
-        values.resize(n);
-        for (std::size_t i = 0; i < n; ++i)
-            values[i] = odd && image.sign[i] < 0 ? -old[image.source[i]] : old[image.source[i]];
+        std::vector<double> all(n);
+        for (std::size_t i = 0; i < n; ++i) all[i] = values[image.source[i]];
+        if (odd)
+            for (std::size_t i = 0; i < n; ++i) all[i] *= image.sign[i];
+        values = std::move(all);
     };
     for (auto* even :
          {&whole.node_x, &whole.normal_traction, &whole.tangential_traction_x,
@@ -57,15 +63,14 @@ Surface mirrored(const Surface& half) {
     for (auto* odd : {&whole.node_y, &whole.tangential_traction_y, &whole.displacement_y,
                       &whole.slip_y, &whole.tangential_traction_y_consistent})
         reflect(*odd, true);
-    whole.contact_state.resize(n);
-    for (std::size_t i = 0; i < n; ++i)
-        whole.contact_state[i] = half.contact_state[image.source[i]];
+    std::vector<ContactState> states(n);
+    for (std::size_t i = 0; i < n; ++i) states[i] = whole.contact_state[image.source[i]];
+    whole.contact_state = std::move(states);
 
-    std::vector<int> original(half.size());
+    std::vector<int> original(n_half);
     for (std::size_t i = 0; i < n; ++i)
         if (image.sign[i] > 0) original[image.source[i]] = static_cast<int>(i);
-    whole.quads.clear();
-    for (const auto& quad : half.quads) {
+    for (const auto& quad : std::exchange(whole.quads, {})) {
         std::array<int, 9> kept{}, turned{};
         for (int k = 0; k < 9; ++k) kept[k] = original[quad[k]];
         // Corners backwards keep the orientation; edges 4-7 follow their corners.
@@ -74,9 +79,9 @@ Surface mirrored(const Surface& half) {
         whole.quads.push_back(kept);
         whole.quads.push_back(turned);
     }
-    if (half.n_x > 0) {
-        whole.n_y = 2 * half.n_y - 1;
-        whole.first[1] = -(half.n_y - 1) * half.spacing[1];
+    if (whole.n_x > 0) {
+        whole.first[1] = -(whole.n_y - 1) * whole.spacing[1];
+        whole.n_y = 2 * whole.n_y - 1;
     }
     return whole;
 }

@@ -7,7 +7,7 @@ namespace tricontact::contact {
 
 /// The whole surface from its half with y >= 0: x and normal components even in y, y components
 /// odd. Points at y = 0 are not doubled.
-Surface mirrored(const Surface& half);
+Surface mirrored(Surface half);
 /// The same of states at points, in the same order.
 std::vector<ContactState> mirrored(const std::vector<ContactState>& half,
                                    const ContactPoints& points);

@@ -63,8 +63,10 @@ Surface SurfaceModel::surface() const {
     s.friction_work = friction_work_;
     s.contact_state = contact_state_;
     // A line of springs in the plane of symmetry is no grid and has no other side.
-    if (s.layout != Surface::Layout::nodes)
-        return points.mirrored && points.n_x > 0 ? mirrored(s) : s;
+    if (s.layout != Surface::Layout::nodes) {
+        if (points.mirrored && points.n_x > 0) return mirrored(std::move(s));
+        return s;
+    }
 
     s.node_x = points.x;
     s.node_y = points.y;
@@ -75,7 +77,8 @@ Surface SurfaceModel::surface() const {
         substrate_->compliance().consistent_traction(s.tangential_traction_x, false);
     s.tangential_traction_y_consistent =
         substrate_->compliance().consistent_traction(s.tangential_traction_y, true);
-    return points.mirrored ? mirrored(s) : s;
+    if (points.mirrored) return mirrored(std::move(s));
+    return s;
 }
 
 std::vector<ContactState> SurfaceModel::contact_states() const {

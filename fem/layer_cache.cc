@@ -207,6 +207,26 @@ bool LayerCache::store(const std::string& key, const CondensedLayer& layer,
     return true;
 }
 
+std::unique_ptr<files::PartialFile> LayerCache::reserve(const std::string& key,
+                                                        const std::function<void()>& waits) const {
+    if (keeps_nothing()) return nullptr;
+    std::error_code ignored;
+    fs::create_directories(folder_, ignored);
+    const std::string path = path_of(key);
+    bool has_waited = false;
+    try {
+        while (true) {
+            auto mark = std::make_unique<files::PartialFile>(path);
+            if (mark->is_first()) return mark;
+            mark.reset();
+            if (!std::exchange(has_waited, true)) waits();
+            if (!files::wait_for_first_writer(path)) return nullptr;
+        }
+    } catch (const std::system_error&) {  // `store` tells why
+        return nullptr;
+    }
+}
+
 std::string LayerCache::key(const LayerProblem& problem) {
     KeyDigest digest;
     digest << condensing_sources_digest() << layer_file_version << problem.mesh.nodes

@@ -2,12 +2,15 @@
 
 #include <cstdint>
 #include <ctime>
+#include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "fem/condensed_layer.h"
+#include "files/partial_file.h"
 
 namespace tricontact::fem {
 
@@ -53,6 +56,11 @@ class LayerCache {
     /// folder), or stays empty when nothing is to be kept.
     bool store(const std::string& key, const CondensedLayer& layer,
                std::string* why = nullptr) const;
+    /// Says that this process makes a layer, which others wait for until what is returned is gone;
+    /// waits itself, after `waits` was called, while another one makes it. Either way it may be
+    /// there then. Null where nothing is to be kept or nobody can be told.
+    std::unique_ptr<files::PartialFile> reserve(const std::string& key,
+                                                const std::function<void()>& waits) const;
     const std::string& folder() const { return folder_; }
     /// Where `key` is kept.
     std::string path_of(const std::string& key) const;

@@ -36,10 +36,17 @@ std::unique_ptr<CondensedCompliance> LayerCondenser::make(meshes::HexMesh mesh) 
             problem, case_.is_line_contact() ? contact_line(layer) : std::move(layer));
     };
     std::string why;
-    if (auto layer = cache_.load(key, &why)) {
+    auto kept_layer = cache_.load(key, &why);
+    std::unique_ptr<files::PartialFile> reservation;  // until this process has kept it
+    if (!kept_layer) {
+        reservation = cache_.reserve(
+            key, [&] { say("another process condenses this layer, which is waited for"); });
+        kept_layer = cache_.load(key);
+    }
+    if (kept_layer) {
         say(fmt::format("condensed layer reused from {} ({} contact nodes)", cache_.path_of(key),
-                        layer->points.size()));
-        return compliance_of(std::move(*layer));
+                        kept_layer->points.size()));
+        return compliance_of(std::move(*kept_layer));
     }
     if (!why.empty()) say(fmt::format("condensed layer recomputed: {}", why));
     const auto start = std::chrono::steady_clock::now();

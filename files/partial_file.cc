@@ -89,6 +89,7 @@ PartialFile::PartialFile(std::string target, const std::string& ending)
             fail(errno);
         if (descriptor_ < 0 && !remove_left(path_)) ++number;
     }
+    is_first_ = number == 0;
 }
 
 PartialFile::~PartialFile() {
@@ -111,6 +112,16 @@ void PartialFile::move_to_target(bool synced) {
     if (std::rename(path_.c_str(), target_.c_str()) != 0) fail(errno);
     path_.clear();
     if (::close(std::exchange(descriptor_, -1)) != 0) fail(errno);
+}
+
+bool wait_for_first_writer(const std::string& target) {
+    const int descriptor =
+        ::open(path_of(target, 0, {}).c_str(), O_RDONLY | O_NONBLOCK | O_NOFOLLOW | O_CLOEXEC);
+    if (descriptor < 0) return errno == ENOENT;
+    int error = EINTR;
+    while (error == EINTR) error = ::flock(descriptor, LOCK_SH) == 0 ? 0 : errno;
+    ::close(descriptor);
+    return error == 0;
 }
 
 void sync_file_system(const std::string& folder) {

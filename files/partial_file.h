@@ -22,6 +22,8 @@ class PartialFile {
 
     int descriptor() const { return descriptor_; }
     const std::string& path() const { return path_; }  ///< until it is moved
+    /// Whether nobody else was writing the target when this began.
+    bool is_first() const { return is_first_; }
     void write(std::string_view bytes) { write_all(descriptor_, bytes); }
     /// Synced to the disk first, unless that is left to `sync_file_system` for many files at once.
     void move_to_target(bool synced = true);
@@ -29,7 +31,12 @@ class PartialFile {
   private:
     std::string target_, path_;
     int descriptor_ = -1;
+    bool is_first_ = true;
 };
+
+/// Waits until the first process that writes the target has moved or removed its file, or has
+/// ended. False where that cannot be waited for: a file system without locks.
+bool wait_for_first_writer(const std::string& target);
 
 /// All that was written to the file system of a folder is on the disk. Throws std::system_error.
 void sync_file_system(const std::string& folder);

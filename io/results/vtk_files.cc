@@ -1,24 +1,12 @@
 #include "io/results/vtk_files.h"
 
 #include <fmt/format.h>
-#include <vtkCellArray.h>
-#include <vtkCellData.h>
-#include <vtkCellType.h>
-#include <vtkDoubleArray.h>
-#include <vtkImageData.h>
-#include <vtkNew.h>
-#include <vtkPointData.h>
-#include <vtkPolyData.h>
-#include <vtkRectilinearGrid.h>
-#include <vtkUnstructuredGrid.h>
 
 #include <algorithm>
-#include <concepts>
-#include <filesystem>
 
 #include "io/keys/messages.h"
 #include "io/results/atomic_file.h"
-#include "io/results/vtk_fields.h"
+#include "io/results/vtk_xml.h"
 
 namespace tricontact::io {
 
@@ -35,23 +23,35 @@ std::vector<double> told_gap(const Surface& s) {
     return gap;
 }
 
-void add_fields(vtkFieldData& data, const Surface& s) {
+std::string triple(double x, double y, double z) {
+    return shortest(x) + ' ' + shortest(y) + ' ' + shortest(z);
+}
+
+std::string extent_of(const Surface& s) {
+    return fmt::format("0 {} 0 {} 0 0", s.n_x, s.n_y);
+}
+
+std::string extent_of(const Interior& interior) {
+    const auto& [x, y, z] = interior.axes;
+    return fmt::format("0 {} 0 {} 0 {}", x.size() - 1, y.size() - 1, z.size() - 1);
+}
+
+void add_fields(VtkXml& xml, const Surface& s) {
     const std::size_t n = s.size();
-    add_scalar(data, "normal_traction_Pa", s.normal_traction, n);
-    add_vector(data, "tangential_traction_Pa",
-               {s.tangential_traction_x, s.tangential_traction_y, {}}, n);
-    add_scalar(data, "friction_bound_Pa", s.friction_bound, n);
+    xml.add_scalar("normal_traction_Pa", s.normal_traction, n);
+    xml.add_vector("tangential_traction_Pa", {s.tangential_traction_x, s.tangential_traction_y, {}},
+                   n);
+    xml.add_scalar("friction_bound_Pa", s.friction_bound, n);
     // z is out of the substrate.
-    add_vector(data, "displacement_m", {s.displacement_x, s.displacement_y, s.displacement_z}, n,
-               -1);
-    add_scalar(data, "gap_m", told_gap(s), n);
-    add_vector(data, "slip_m", {s.slip_x, s.slip_y, {}}, n);
-    add_scalar(data, "dissipation_J_per_m2", s.dissipation, n);
-    add_scalar(data, "slip_path_m", s.slip_path, n);
-    add_scalar(data, "friction_work_J_per_m2", s.friction_work, n);
+    xml.add_vector("displacement_m", {s.displacement_x, s.displacement_y, s.displacement_z}, n, -1);
+    xml.add_scalar("gap_m", told_gap(s), n);
+    xml.add_vector("slip_m", {s.slip_x, s.slip_y, {}}, n);
+    xml.add_scalar("dissipation_J_per_m2", s.dissipation, n);
+    xml.add_scalar("slip_path_m", s.slip_path, n);
+    xml.add_scalar("friction_work_J_per_m2", s.friction_work, n);
     std::vector<std::uint8_t> states;
     for (const auto state : s.contact_state) states.push_back(static_cast<std::uint8_t>(state));
-    add_bytes(data, "contact_state", states, n);
+    xml.add_bytes("contact_state", states, n);
 }
 
 // The state that has the largest share of each element, by Simpson's weights of its nodes.
@@ -68,137 +68,161 @@ std::vector<std::uint8_t> states_of_quads(const Surface& s) {
     return states;
 }
 
-void add_consistent_tractions(vtkFieldData& data, const Surface& s) {
-    add_scalar(data, "normal_traction_consistent_Pa", s.normal_traction_consistent, s.size());
+void add_consistent_tractions(VtkXml& xml, const Surface& s) {
+    xml.add_scalar("normal_traction_consistent_Pa", s.normal_traction_consistent, s.size());
     if (!s.tangential_traction_x_consistent.empty())
-        add_vector(data, "tangential_traction_consistent_Pa",
-                   {s.tangential_traction_x_consistent, s.tangential_traction_y_consistent, {}},
-                   s.size());
+        xml.add_vector("tangential_traction_consistent_Pa",
+                       {s.tangential_traction_x_consistent, s.tangential_traction_y_consistent, {}},
+                       s.size());
 }
 
-template <class Cells>
-void add_cells(vtkUnstructuredGrid& grid, int type, const Cells& cells) {
-    for (const auto& cell : cells) {
-        const std::vector<vtkIdType> nodes(cell.begin(), cell.end());
-        grid.InsertNextCell(type, static_cast<vtkIdType>(nodes.size()), nodes.data());
+/// VTK's numbers of cell types (vtkCellType.h).
+enum class CellType : std::uint8_t {
+    quad = 9,
+    hexahedron = 12,
+    biquadratic_quad = 28,
+    triquadratic_hexahedron = 29
+};
+
+/// Cells of an unstructured grid: lists of them, each of one type.
+class Cells {
+  public:
+    template <class List>
+    void add(CellType type, const List& cells) {
+        for (const auto& cell : cells) {
+            points_.insert(points_.end(), cell.begin(), cell.end());
+            ends_.push_back(static_cast<std::int64_t>(points_.size()));
+            types_.push_back(static_cast<std::uint8_t>(type));
+        }
     }
+    std::string number() const { return std::to_string(ends_.size()); }
+    void write(VtkXml& xml) const {
+        xml.begin("Cells");
+        xml.add_cells(points_, ends_);
+        xml.add_bytes("types", types_, types_.size());
+        xml.end();
+    }
+
+  private:
+    std::vector<std::int64_t> points_, ends_;
+    std::vector<std::uint8_t> types_;
+};
+
+void begin_piece(VtkXml& xml, std::size_t n_points, const Cells& cells) {
+    xml.begin("Piece",
+              {{"NumberOfPoints", std::to_string(n_points)}, {"NumberOfCells", cells.number()}});
 }
 
-void fill(vtkImageData& image, const Surface& s) {
-    image.SetDimensions(s.n_x + 1, s.n_y + 1, 1);
-    image.SetSpacing(s.spacing[0], s.spacing[1], 1);
-    image.SetOrigin(s.first[0] - s.spacing[0] / 2, s.first[1] - s.spacing[1] / 2, 0);
-    add_fields(*image.GetCellData(), s);
+void write_image(VtkXml& xml, const Surface& s) {
+    xml.begin("Piece", {{"Extent", extent_of(s)}});
+    xml.begin("CellData");
+    add_fields(xml, s);
 }
 
-void fill(vtkPolyData& poly, const Surface& s) {
+void write_line(VtkXml& xml, const Surface& s) {
     std::vector<std::array<double, 3>> positions;
-    vtkNew<vtkCellArray> vertices, line;
-    line->InsertNextCell(s.n_x);
+    std::vector<std::int64_t> points, ends;
     for (int i = 0; i < s.n_x; ++i) {
-        const vtkIdType id = i;
         positions.push_back({s.x(i), s.first[1], 0.});
-        vertices->InsertNextCell(1, &id);
-        line->InsertCellPoint(id);
+        points.push_back(i);
+        ends.push_back(i + 1);
     }
-    set_points(poly, positions);
-    poly.SetVerts(vertices);
-    poly.SetLines(line);
-    add_fields(*poly.GetPointData(), s);
-    add_scalar(*poly.GetPointData(), "normal_line_load_N_per_m", s.normal_line_load, s.size());
-    add_scalar(*poly.GetPointData(), "tangential_line_load_N_per_m", s.tangential_line_load,
-               s.size());
+    const std::string n = std::to_string(s.n_x);
+    xml.begin("Piece", {{"NumberOfPoints", n}, {"NumberOfVerts", n}, {"NumberOfLines", "1"}});
+    xml.add_points(positions);
+    xml.begin("Verts");
+    xml.add_cells(points, ends);
+    xml.end();
+    xml.begin("Lines");
+    xml.add_cells(points, std::array<std::int64_t, 1>{s.n_x});
+    xml.end();
+    xml.begin("PointData");
+    add_fields(xml, s);
+    xml.add_scalar("normal_line_load_N_per_m", s.normal_line_load, s.size());
+    xml.add_scalar("tangential_line_load_N_per_m", s.tangential_line_load, s.size());
 }
 
-void fill(vtkUnstructuredGrid& grid, const Surface& s) {
+void write_nodes(VtkXml& xml, const Surface& s) {
     std::vector<std::array<double, 3>> positions(s.size());
     for (std::size_t i = 0; i < s.size(); ++i) positions[i] = {s.node_x[i], s.node_y.at(i), 0.};
-    set_points(grid, positions);
-    grid.AllocateExact(static_cast<vtkIdType>(s.quads.size()), 9 * s.quads.size());
-    add_cells(grid, VTK_BIQUADRATIC_QUAD, s.quads);
-    add_fields(*grid.GetPointData(), s);
-    add_consistent_tractions(*grid.GetPointData(), s);
-    add_bytes(*grid.GetCellData(), "contact_state", states_of_quads(s), s.quads.size());
+    Cells cells;
+    cells.add(CellType::biquadratic_quad, s.quads);
+    begin_piece(xml, s.size(), cells);
+    xml.add_points(positions);
+    cells.write(xml);
+    xml.begin("PointData");
+    add_fields(xml, s);
+    add_consistent_tractions(xml, s);
+    xml.end();
+    xml.begin("CellData");
+    xml.add_bytes("contact_state", states_of_quads(s), s.quads.size());
 }
 
-void add_circumstances(vtkFieldData& data, const Surface& surface) {
-    add_texts(data, "contact_state_names", {"open", "stick", "slip"});
-    add_numbers(data, "indenter_position_m", {surface.offset[0], surface.offset[1], 0.});
+void add_circumstances(VtkXml& xml, const Surface& surface) {
+    xml.add_texts("contact_state_names", {"open", "stick", "slip"});
+    xml.add_numbers("indenter_position_m", {surface.offset[0], surface.offset[1], 0.});
 }
 
-void add_point_fields(vtkFieldData& data, const Interior& interior, std::size_t n) {
-    add_vector(data, "displacement_m", interior.displacement, n);
-    add_tensor(data, "stress_Pa", interior.stress, n);
+void add_point_fields(VtkXml& xml, const Interior& interior, std::size_t n) {
+    xml.add_vector("displacement_m", interior.displacement, n);
+    xml.add_tensor("stress_Pa", interior.stress, n);
     std::vector<double> mises, pressure;
     for (const auto& stress : interior.stress) {
         mises.push_back(contact::von_mises(stress));
         pressure.push_back(contact::mean_pressure(stress));
     }
-    add_scalar(data, "von_mises_Pa", mises, n);
-    add_scalar(data, "pressure_Pa", pressure, n);
+    xml.add_scalar("von_mises_Pa", mises, n);
+    xml.add_scalar("pressure_Pa", pressure, n);
 }
 
-constexpr std::array axis_names{"x_m", "y_m", "z_m"};
-
-void fill(vtkRectilinearGrid& grid, const Interior& interior) {
-    std::array<vtkNew<vtkDoubleArray>, 3> axes;
-    std::array<int, 3> n{};
+void write_grid(VtkXml& xml, const Interior& interior) {
+    xml.begin("Piece", {{"Extent", extent_of(interior)}});
+    xml.begin("Coordinates");
+    constexpr std::array names{"x_m", "y_m", "z_m"};
+    std::size_t n_points = 1;
     for (std::size_t d = 0; d < 3; ++d) {
-        axes[d]->SetName(axis_names[d]);  // VTK names arrays without a name by their address
-        n[d] = static_cast<int>(interior.axes[d].size());
-        for (const double x : interior.axes[d]) axes[d]->InsertNextValue(x);
+        xml.add_axis(names[d], interior.axes[d]);
+        n_points *= interior.axes[d].size();
     }
-    grid.SetDimensions(n.data());
-    grid.SetXCoordinates(axes[0]);
-    grid.SetYCoordinates(axes[1]);
-    grid.SetZCoordinates(axes[2]);
-    add_point_fields(*grid.GetPointData(), interior, static_cast<std::size_t>(n[0]) * n[1] * n[2]);
+    xml.end();
+    xml.begin("PointData");
+    add_point_fields(xml, interior, n_points);
 }
 
-void fill(vtkUnstructuredGrid& grid, const Interior& interior) {
+void write_elements(VtkXml& xml, const Interior& interior) {
     const std::size_t n_hexes = interior.hexes.size();
-    set_points(grid, interior.points);
-    grid.AllocateExact(static_cast<vtkIdType>(n_hexes), static_cast<vtkIdType>(27 * n_hexes));
-    add_cells(grid, VTK_TRIQUADRATIC_HEXAHEDRON, interior.hexes);
-    add_point_fields(*grid.GetPointData(), interior, interior.points.size());
-    add_bytes(*grid.GetCellData(), "region", interior.region, n_hexes);
-    add_scalar(*grid.GetCellData(), "strain_energy_density_J_per_m3", interior.energy_density,
-               n_hexes);
+    Cells cells;
+    cells.add(CellType::triquadratic_hexahedron, interior.hexes);
+    begin_piece(xml, interior.points.size(), cells);
+    xml.add_points(interior.points);
+    cells.write(xml);
+    xml.begin("PointData");
+    add_point_fields(xml, interior, interior.points.size());
+    xml.end();
+    xml.begin("CellData");
+    xml.add_bytes("region", interior.region, n_hexes);
+    xml.add_scalar("strain_energy_density_J_per_m3", interior.energy_density, n_hexes);
 }
 
-void add_circumstances(vtkFieldData& data, const Interior& interior) {
+void add_circumstances(VtkXml& xml, const Interior& interior) {
     const auto& applied = interior.applied;
-    add_numbers(data, "strain_energy_J", {interior.strain_energy});
-    add_numbers(data, "applied_force_N", {applied[0], applied[1], applied[2]});
+    xml.add_numbers("strain_energy_J", {interior.strain_energy});
+    xml.add_numbers("applied_force_N", {applied[0], applied[1], applied[2]});
     if (const auto& base = interior.base_reaction)
-        add_numbers(data, "base_reaction_N", {(*base)[0], (*base)[1], (*base)[2]});
+        xml.add_numbers("base_reaction_N", {(*base)[0], (*base)[1], (*base)[2]});
 }
 
-template <class Data, class Fields>
-VtkFile file_of(const Instant& instant, const Fields& fields, const Provenance& provenance) {
-    vtkNew<Data> data;
-    fill(*data, fields);
-    vtkFieldData& circumstances = *data->GetFieldData();
-    add_numbers(circumstances, instant.name, {instant.time});
-    add_circumstances(circumstances, fields);
-    add_provenance(circumstances, provenance);
-    constexpr bool is_surface = std::same_as<Fields, Surface>;  // of which there are many
-    return xml_of(*data, is_surface ? Compression::quick : Compression::small);
-}
-
-std::string xml_attribute(std::string_view text) {
-    std::string out;
-    for (const char c : text) {
-        if (c == '&')
-            out += "&amp;";
-        else if (c == '<')
-            out += "&lt;";
-        else if (c == '"')
-            out += "&quot;";
-        else
-            out += c;
-    }
-    return out;
+/// Field data, then what `write` adds.
+template <class Fields>
+VtkFile file_of(VtkXml& xml, const Instant& instant, const Fields& fields,
+                const Provenance& provenance, void (*write)(VtkXml&, const Fields&)) {
+    xml.begin("FieldData");
+    xml.add_numbers(instant.name, {instant.time});
+    add_circumstances(xml, fields);
+    xml.add_provenance(provenance);
+    xml.end();
+    write(xml, fields);
+    return xml.file();
 }
 
 constexpr std::uint8_t not_applicable = 255;
@@ -214,108 +238,54 @@ Bytes concatenated(std::span<const std::uint8_t> of_hexes, std::span<const std::
 }  // namespace
 
 VtkFile vtk_file(const Instant& instant, const Surface& surface, const Provenance& provenance) {
-    if (surface.layout == Surface::Layout::grid)
-        return file_of<vtkImageData>(instant, surface, provenance);
-    if (surface.layout == Surface::Layout::line)
-        return file_of<vtkPolyData>(instant, surface, provenance);
-    return file_of<vtkUnstructuredGrid>(instant, surface, provenance);
+    constexpr auto of_many = Compression::quick;
+    const auto file = [&](VtkXml&& xml, auto* write) {
+        return file_of(xml, instant, surface, provenance, write);
+    };
+    if (surface.layout == Surface::Layout::line) return file({"PolyData", {}, of_many}, write_line);
+    if (surface.layout == Surface::Layout::nodes)
+        return file({"UnstructuredGrid", {}, of_many}, write_nodes);
+    const auto& [dx, dy] = surface.spacing;
+    const auto& [x, y] = surface.first;
+    return file({"ImageData",
+                 {{"WholeExtent", extent_of(surface)},
+                  {"Origin", triple(x - dx / 2, y - dy / 2, 0)},
+                  {"Spacing", triple(dx, dy, 1)}},
+                 of_many},
+                write_image);
 }
 
 VtkFile vtk_file(const Instant& instant, const Interior& interior, const Provenance& provenance) {
-    return interior.is_grid() ? file_of<vtkRectilinearGrid>(instant, interior, provenance)
-                              : file_of<vtkUnstructuredGrid>(instant, interior, provenance);
-}
-
-std::vector<double> times_apart(const std::vector<double>& times) {
-    const auto n = times.size();
-    const auto end_of = [&](std::size_t begin) {
-        std::size_t end = begin;
-        while (end < n && times[end] <= times[begin]) ++end;
-        return end;
-    };
-    std::vector<double> apart = times;
-    for (std::size_t begin = 0, end = 0; begin < n; begin = end) {
-        end = end_of(begin);
-        double step = 1;  // where nothing says what a time is
-        if (begin > 0)
-            step = (times[begin] - times[begin - 1]) / static_cast<double>(end - begin);
-        else if (end < n)
-            step = (times[end] - times[begin]) / static_cast<double>(end_of(end) - end);
-        for (std::size_t k = begin; k < end; ++k)
-            apart[k] = times[begin] - static_cast<double>(end - 1 - k) * step;
+    if (!interior.is_grid()) {
+        VtkXml xml("UnstructuredGrid", {}, Compression::small);
+        return file_of(xml, instant, interior, provenance, write_elements);
     }
-    return apart;
-}
-
-void VtkSeries::add(double time, const VtkFile& file) {
-    const std::string name = fmt::format("{}_{:06}{}", name_, files_.size(), file.extension);
-    write_unsynced(path_of(name), file.bytes);
-    last_size_ = file.bytes.size();
-    files_.push_back(name);
-    add_again(time, files_.size() - 1);
-}
-
-void VtkSeries::add_again(double time, std::size_t file) {
-    states_.push_back({time, file});
-    const auto now = std::chrono::steady_clock::now();
-    if (now < next_collection_) return;
-    write_unsynced(path_of(name_ + ".pvd"), collection());
-    next_collection_ = now + std::chrono::seconds(1);
-}
-
-void VtkSeries::finish() const {
-    if (!files_.empty()) sync_files(folder_);
-    write_file(path_of(name_ + ".pvd"), collection());
-}
-
-std::string VtkSeries::path_of(const std::string& name) const {
-    return (std::filesystem::path(folder_) / name).string();
-}
-
-std::string VtkSeries::collection() const {
-    std::vector<double> times;
-    for (const State& state : states_) times.push_back(state.time);
-    times = times_apart(times);
-    std::string out =
-        "<?xml version=\"1.0\"?>\n"
-        "<VTKFile type=\"Collection\" version=\"1.0\" byte_order=\"LittleEndian\">\n"
-        "  <Collection>\n";
-    for (std::size_t i = 0; i < states_.size(); ++i)
-        out += "    <DataSet timestep=\"" + shortest(times[i]) +
-               "\" group=\"\" part=\"0\" file=\"" + xml_attribute(files_.at(states_[i].file)) +
-               "\"/>\n";
-    return out + "  </Collection>\n</VTKFile>\n";
-}
-
-std::string paraview_macro(const std::string& folder) {
-    constexpr std::string_view place = "@folder@";
-    const std::string absolute = std::filesystem::absolute(folder).lexically_normal().string();
-    // A TOML string is one of Python too. A name that is not UTF-8 would make the script none.
-    const bool named = first_non_utf8(absolute) == std::string::npos;
-    std::string text(paraview_script);
-    return text.replace(text.find(place), place.size(), toml_string(named ? absolute : ""));
+    VtkXml xml("RectilinearGrid", {{"WholeExtent", extent_of(interior)}}, Compression::small);
+    return file_of(xml, instant, interior, provenance, write_grid);
 }
 
 void write_mesh_vtu(const std::string& path, const MeshView& mesh, const Provenance& provenance) {
     const std::size_t n_hexes = mesh.hexes.size(), n_faces = mesh.faces.size();
-    vtkNew<vtkUnstructuredGrid> grid;
-    set_points(*grid, mesh.points);
-    grid->AllocateExact(static_cast<vtkIdType>(n_hexes + n_faces),
-                        static_cast<vtkIdType>(8 * n_hexes + 4 * n_faces));
-    add_cells(*grid, VTK_HEXAHEDRON, mesh.hexes);
-    add_cells(*grid, VTK_QUAD, mesh.faces);
+    Cells cells;
+    cells.add(CellType::hexahedron, mesh.hexes);
+    cells.add(CellType::quad, mesh.faces);
 
-    vtkCellData& cells = *grid->GetCellData();
+    VtkXml xml("UnstructuredGrid", {}, Compression::small);
+    xml.begin("FieldData");
+    xml.add_texts("region_names", mesh.region_names);
+    xml.add_texts("boundary_names", mesh.boundary_names);
+    xml.add_provenance(provenance);
+    xml.end();
+    begin_piece(xml, mesh.points.size(), cells);
+    xml.add_points(mesh.points);
+    cells.write(xml);
+    xml.begin("CellData");
     const std::size_t n = n_hexes + n_faces;
-    add_bytes(cells, "dimension", concatenated(Bytes(n_hexes, 3), Bytes(n_faces, 2)), n);
-    add_bytes(cells, "region", concatenated(mesh.regions, Bytes(n_faces, not_applicable)), n);
-    add_bytes(cells, "boundary", concatenated(Bytes(n_hexes, not_applicable), mesh.boundaries), n);
-    vtkFieldData& fields = *grid->GetFieldData();
-    add_texts(fields, "region_names", mesh.region_names);
-    add_texts(fields, "boundary_names", mesh.boundary_names);
-    add_provenance(fields, provenance);
+    xml.add_bytes("dimension", concatenated(Bytes(n_hexes, 3), Bytes(n_faces, 2)), n);
+    xml.add_bytes("region", concatenated(mesh.regions, Bytes(n_faces, not_applicable)), n);
+    xml.add_bytes("boundary", concatenated(Bytes(n_hexes, not_applicable), mesh.boundaries), n);
 
-    write_file(path, xml_of(*grid).bytes);
+    write_file(path, xml.file().bytes);
 }
 
 }  // namespace tricontact::io

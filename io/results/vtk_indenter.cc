@@ -1,15 +1,12 @@
 #include "io/results/vtk_indenter.h"
 
-#include <vtkFieldData.h>
-#include <vtkNew.h>
-#include <vtkPoints.h>
-#include <vtkStructuredGrid.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
-#include "io/results/vtk_fields.h"
+#include "io/results/vtk_xml.h"
 
 namespace tricontact::io {
 
@@ -56,18 +53,19 @@ IndenterShape::IndenterShape(const contact::Indenter& indenter, const Extent& ex
 
 VtkFile IndenterShape::file(const Place& place, const Provenance& provenance) const {
     const double cos = std::cos(place.rotation), sin = std::sin(place.rotation);
-    vtkNew<vtkPoints> points;
-    points->SetDataTypeToFloat();
-    points->SetNumberOfPoints(static_cast<vtkIdType>(points_.size()));
-    vtkIdType n = 0;
+    Points places;
     for (const auto& [x, y, height] : points_)
-        points->SetPoint(n++, place.offset[0] + x * cos - y * sin,
-                         place.offset[1] + x * sin + y * cos, height - place.indentation);
-    vtkNew<vtkStructuredGrid> grid;
-    grid->SetDimensions(n_along_, static_cast<int>(points_.size()) / n_along_, 1);
-    grid->SetPoints(points);
-    add_provenance(*grid->GetFieldData(), provenance);
-    return xml_of(*grid, Compression::quick);
+        places.push_back({place.offset[0] + x * cos - y * sin, place.offset[1] + x * sin + y * cos,
+                          height - place.indentation});
+    const int n_across = static_cast<int>(points_.size()) / n_along_;
+    const std::string extent = fmt::format("0 {} 0 {} 0 0", n_along_ - 1, n_across - 1);
+    VtkXml xml("StructuredGrid", {{"WholeExtent", extent}}, Compression::quick);
+    xml.begin("FieldData");
+    xml.add_provenance(provenance);
+    xml.end();
+    xml.begin("Piece", {{"Extent", extent}});
+    xml.add_points(places);
+    return xml.file();
 }
 
 }  // namespace tricontact::io

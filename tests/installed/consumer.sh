@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # A project outside finds the installed copy by find_package; what it computes there agrees with
 # closed forms. The code in docs/cpp.md is that project's.
-# usage: consumer.sh COPY SOURCE_DIR COMPILER VTK_DIR
+# usage: consumer.sh COPY SOURCE_DIR COMPILER
 set -euo pipefail
 copy=$(realpath "$1")
 source_dir=$(realpath "$2")
@@ -13,7 +13,7 @@ linker=
 if command -v ld.gold >/dev/null; then linker=-fuse-ld=gold; fi
 cp -r "$source_dir/tests/consumer" "$work/project"
 cmake -G Ninja -S "$work/project" -B "$work/build" --log-level=WARNING \
-    -DCMAKE_PREFIX_PATH="$copy" -DCMAKE_CXX_COMPILER="$3" -DVTK_DIR="$4" -DCMAKE_BUILD_TYPE=Release \
+    -DCMAKE_PREFIX_PATH="$copy" -DCMAKE_CXX_COMPILER="$3" -DCMAKE_BUILD_TYPE=Release \
     -DCMAKE_EXE_LINKER_FLAGS="$linker"
 cmake --build "$work/build"
 "$work/build/sphere"

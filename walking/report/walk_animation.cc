@@ -1,17 +1,11 @@
 #include "walking/report/walk_animation.h"
 
-#include <vtkCellArray.h>
-#include <vtkCellData.h>
-#include <vtkNew.h>
-#include <vtkPointData.h>
-#include <vtkPolyData.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
 
-#include "io/results/vtk_fields.h"
+#include "io/results/vtk_xml.h"
 
 namespace tricontact::walking {
 
@@ -118,16 +112,18 @@ struct Units {
     std::string of_length = {}, of_force = {}, of_time = {};  // "_m", "_N", "_s"
 };
 
-vtkNew<vtkCellArray> cells_of(const std::vector<std::vector<int>>& cells) {
-    vtkNew<vtkCellArray> array;
+void write_cells(io::VtkXml& xml, const char* kind, const std::vector<std::vector<int>>& cells) {
+    std::vector<std::int64_t> points, ends;
     for (const auto& cell : cells) {
-        const std::vector<vtkIdType> points(cell.begin(), cell.end());
-        array->InsertNextCell(static_cast<vtkIdType>(points.size()), points.data());
+        points.insert(points.end(), cell.begin(), cell.end());
+        ends.push_back(static_cast<std::int64_t>(points.size()));
     }
-    return array;
+    xml.begin(kind);
+    xml.add_cells(points, ends);
+    xml.end();
 }
 
-void fill(vtkPolyData& poly, const WalkScene& scene, const Units& units) {
+void write_scene(io::VtkXml& xml, const WalkScene& scene, const Units& units) {
     const std::size_t n = scene.points.size();
     const auto scaled = [&](Vector3 WalkScene::Point::*member, double unit) {
         std::vector<Vector3> vectors;
@@ -137,22 +133,28 @@ void fill(vtkPolyData& poly, const WalkScene& scene, const Units& units) {
         }
         return vectors;
     };
-    io::set_points(poly, scaled(&WalkScene::Point::place, units.length));
-    poly.SetVerts(cells_of(scene.vertices));
-    poly.SetLines(cells_of(scene.lines));
-    poly.SetPolys(cells_of(scene.polygons));
-    vtkPointData& data = *poly.GetPointData();
+    xml.begin("Piece", {{"NumberOfPoints", std::to_string(n)},
+                        {"NumberOfVerts", std::to_string(scene.vertices.size())},
+                        {"NumberOfLines", std::to_string(scene.lines.size())},
+                        {"NumberOfPolys", std::to_string(scene.polygons.size())}});
+    xml.add_points(scaled(&WalkScene::Point::place, units.length));
+    write_cells(xml, "Verts", scene.vertices);
+    write_cells(xml, "Lines", scene.lines);
+    write_cells(xml, "Polys", scene.polygons);
     const auto add = [&](const std::string& name, Vector3 WalkScene::Point::*member, double unit) {
-        io::add_vector(data, name.c_str(), scaled(member, unit), n);
+        xml.add_vector(name, scaled(member, unit), n);
     };
+    xml.begin("PointData");
     add("displacement" + units.of_length, &WalkScene::Point::displacement, units.length);
     add("normal_force" + units.of_force, &WalkScene::Point::normal_force, units.force);
     add("tangential_force" + units.of_force, &WalkScene::Point::tangential_force, units.force);
     add("spring_force" + units.of_force, &WalkScene::Point::spring_force, units.force);
     std::vector<std::uint8_t> states;
     for (const auto& point : scene.points) states.push_back(static_cast<std::uint8_t>(point.state));
-    io::add_bytes(data, "contact_state", states, n);
-    io::add_bytes(*poly.GetCellData(), "part", scene.parts, scene.parts.size());
+    xml.add_bytes("contact_state", states, n);
+    xml.end();
+    xml.begin("CellData");
+    xml.add_bytes("part", scene.parts, scene.parts.size());
 }
 
 /// `first_base`: where the base was when the ground was here.
@@ -197,14 +199,16 @@ void write_walk_animation(const std::string& folder, const WalkCase& walk_case,
     for (const Snapshot& snapshot : snapshots) {
         const double run_time = snapshot.motion.time * units.time;
         const double time = (snapshot.motion.time - snapshots.front().motion.time) * units.time;
-        vtkNew<vtkPolyData> poly;
-        fill(*poly, walk_scene(walk_case.machine, snapshot, snapshots.front().motion.base), units);
-        vtkFieldData& circumstances = *poly->GetFieldData();
-        io::add_numbers(circumstances, ("time" + units.of_time).c_str(), {time});
-        io::add_numbers(circumstances, ("run_time" + units.of_time).c_str(), {run_time});
-        io::add_numbers(circumstances, "magnification", {magnified});
-        io::add_provenance(circumstances, provenance);
-        series.add(time, io::xml_of(*poly));
+        io::VtkXml xml("PolyData", {}, io::Compression::small);
+        xml.begin("FieldData");
+        xml.add_numbers("time" + units.of_time, {time});
+        xml.add_numbers("run_time" + units.of_time, {run_time});
+        xml.add_numbers("magnification", {magnified});
+        xml.add_provenance(provenance);
+        xml.end();
+        write_scene(xml, walk_scene(walk_case.machine, snapshot, snapshots.front().motion.base),
+                    units);
+        series.add(time, xml.file());
     }
     series.finish();
 }

@@ -6,6 +6,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <array>
 #include <chrono>
 #include <csignal>
 #include <filesystem>
@@ -119,6 +120,37 @@ TEST_F(Partial, SweepingBesideWritersLosesNothing) {
     ::kill(sweeper, SIGKILL);
     ::waitpid(sweeper, nullptr, 0);
     EXPECT_EQ(names(), Names{"a"});
+}
+
+// The second of two that write a target waits for the first: until it is done, or was killed.
+TEST_F(Partial, TheSecondWriterWaitsForTheFirst) {
+    for (const bool killed : {false, true}) {
+        std::array<int, 2> ends{};
+        ASSERT_EQ(::pipe(ends.data()), 0);
+        const pid_t child = ::fork();
+        if (child == 0) {
+            PartialFile file(at("target"));
+            write_all(ends[1], file.is_first() ? "1" : "0");
+            ::usleep(50'000);
+            if (killed) ::raise(SIGKILL);
+            file.write("first");
+            file.move_to_target();
+            ::_exit(0);
+        }
+        char first = 0;
+        ASSERT_EQ(::read(ends[0], &first, 1), 1);
+        EXPECT_EQ(first, '1');
+        EXPECT_FALSE(PartialFile(at("target")).is_first());
+        EXPECT_TRUE(wait_for_first_writer(at("target")));
+        EXPECT_EQ(content("target"), killed ? "" : "first");
+        EXPECT_TRUE(PartialFile(at("target")).is_first());
+        EXPECT_TRUE(wait_for_first_writer(at("target")));  // nobody is there
+        int status = 0;
+        ::waitpid(child, &status, 0);
+        for (const int end : ends) ::close(end);
+        fs::remove(at("target"));
+    }
+    EXPECT_TRUE(names().empty());
 }
 
 }  // namespace
