@@ -7,6 +7,8 @@
 #include <new>
 #include <type_traits>
 
+#include "contact/memory.h"
+
 // What FFTW allocates and plans, owned.
 namespace tricontact::contact {
 
@@ -24,6 +26,7 @@ Owned fftw_zeros(std::size_t n) {
     const std::size_t bytes = n * sizeof(typename Owned::element_type);
     Owned memory(static_cast<typename Owned::pointer>(fftw_malloc(bytes)));
     if (!memory) throw std::bad_alloc();
+    use_large_pages(memory.get(), bytes);
     std::memset(memory.get(), 0, bytes);
     return memory;
 }
