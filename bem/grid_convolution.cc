@@ -74,7 +74,7 @@ GridConvolution::GridConvolution(int n_x, int n_y, int period_x, int period_y, i
 }
 
 FftwComplex GridConvolution::make_spectrum() const {
-    return contact::fftw_zeros<FftwComplex>(static_cast<std::size_t>(n_rows_) * pitch_);
+    return contact::fftw_memory<FftwComplex>(static_cast<std::size_t>(n_rows_) * pitch_);
 }
 
 template <typename Body>

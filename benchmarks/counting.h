@@ -9,40 +9,36 @@
 
 namespace tricontact::benchmarks {
 
-/// Convolutions of a normal contact, on its grid and on coarser ones.
+/// Convolutions of a normal contact on its grid, and processor time.
 struct Convolutions {
-    int displacements = 0, preconditioners = 0;  ///< on the finest grid
-    double seconds = 0, coarse_seconds = 0;      ///< of processor time
+    int displacements = 0, preconditioners = 0;
+    double seconds = 0;        ///< of them all
+    double start_seconds = 0;  ///< before the first of them: of coarser grids
 };
 
 /// What a NormalGrid is shown as: with coarser grids, or alone.
 enum class Levels { all, finest };
 
+/// Counts the convolutions of the finest grid.
 class CountingGrid final : public contact::NormalGrid {
   public:
-    CountingGrid(const contact::NormalGrid& counted, Levels levels, bool is_finest,
-                 Convolutions& counts)
-        : counted_(counted), levels_(levels), is_finest_(is_finest), counts_(counts) {}
+    CountingGrid(const contact::NormalGrid& counted, Levels levels, Convolutions& counts)
+        : counted_(counted), levels_(levels), counts_(counts) {}
 
     int n_x() const override { return counted_.n_x(); }
     int n_y() const override { return counted_.n_y(); }
     double cell_area() const override { return counted_.cell_area(); }
     int n_threads() const override { return counted_.n_threads(); }
     void displace(std::span<const double> p, std::span<double> u_z) const override {
-        counts_.displacements += is_finest_;
+        if (counts_.displacements++ == 0) counts_.start_seconds = since_construction_.seconds();
         timed([&] { counted_.displace(p, u_z); });
     }
     void precondition(std::span<const double> r, std::span<double> z) const override {
-        counts_.preconditioners += is_finest_;
+        ++counts_.preconditioners;
         timed([&] { counted_.precondition(r, z); });
     }
     std::unique_ptr<const NormalGrid> coarser() const override {
-        if (levels_ == Levels::finest) return nullptr;
-        auto own = counted_.coarser();
-        if (!own) return nullptr;
-        auto counting = std::make_unique<CountingGrid>(*own, levels_, false, counts_);
-        counting->own_ = std::move(own);
-        return counting;
+        return levels_ == Levels::all ? counted_.coarser() : nullptr;
     }
 
   private:
@@ -50,14 +46,13 @@ class CountingGrid final : public contact::NormalGrid {
     void timed(Convolve convolve) const {
         const CpuTimer timer;
         convolve();
-        (is_finest_ ? counts_.seconds : counts_.coarse_seconds) += timer.seconds();
+        counts_.seconds += timer.seconds();
     }
 
     const contact::NormalGrid& counted_;
-    std::unique_ptr<const contact::NormalGrid> own_;
     Levels levels_;
-    bool is_finest_;
     Convolutions& counts_;
+    CpuTimer since_construction_;
 };
 
 /// Counts and times the convolutions of normal contact.
@@ -65,7 +60,7 @@ class CountingCompliance final : public contact::Compliance {
   public:
     CountingCompliance(const contact::Compliance& counted, Levels levels) : counted_(counted) {
         if (counted.normal_grid())
-            grid_ = std::make_unique<CountingGrid>(*counted.normal_grid(), levels, true, counts_);
+            grid_ = std::make_unique<CountingGrid>(*counted.normal_grid(), levels, counts_);
     }
 
     const contact::ContactPoints& points() const override { return counted_.points(); }

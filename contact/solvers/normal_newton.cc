@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 #include <memory>
+#include <numeric>
 
 #include "contact/memory.h"
 #include "contact/solvers/blocks.h"
@@ -35,6 +36,10 @@ struct Sums {
 
 struct Gap {
     double square = 0, worst = 0;
+    void add(double gap) {
+        square += gap * gap;
+        worst = std::max(worst, std::abs(gap));
+    }
     Gap& operator+=(const Gap& other) {
         square += other.square;
         worst = larger(worst, other.worst);
@@ -43,20 +48,24 @@ struct Gap {
 };
 
 struct Judgement {
-    double worst = 0, work = 0, force = 0;
+    double worst = 0, work = 0, force = 0, gaps = 0;  // gaps: of the next set
     std::size_t n_entered = 0;
     Judgement& operator+=(const Judgement& other) {
         worst = larger(worst, other.worst);
         work += other.work;
         force += other.force;
+        gaps += other.gaps;
         n_entered += other.n_entered;
         return *this;
     }
 };
 
+struct OnPoint {
+    double pressure, gap, direction, product;
+};
+
 /// One solve. `pressure_` is the only field that goes into products: of residuals and directions as
-/// well, which are zero outside of the set; what is on the set alone is kept for its points only,
-/// those of a block from the begin of the block on.
+/// well, which are zero outside of the set. What is on the set alone is kept for its points only.
 class NewtonIteration {
   public:
     NewtonIteration(const NormalGrid& grid, const std::vector<double>& height,
@@ -69,12 +78,8 @@ class NewtonIteration {
           pressure_(solution.pressure),
           displacement_(solution.displacement),
           blocks_(height.size(), grid.n_threads()),
-          n_in_block_(blocks_.count()),
-          points_(large_memory<std::uint32_t>(height.size())),
-          p_(large_memory<double>(height.size())),
-          gap_(large_memory<double>(height.size())),
-          direction_(large_memory<double>(height.size())),
-          product_(large_memory<double>(height.size())) {
+          first_(blocks_.count() + 1),
+          points_(std::make_unique_for_overwrite<std::uint32_t[]>(height.size())) {
         displacement_ = large_field(height.size());
     }
 
@@ -100,17 +105,18 @@ class NewtonIteration {
         ++solution_.iterations;
     }
 
-    /// body(begin, end): the points of the set in a block, and what is kept for them.
-    template <class Body>
-    void for_set(Body body) const {
-        blocks_.for_each([&](std::size_t k, std::size_t begin, std::size_t) {
-            body(begin, begin + n_in_block_[k]);
-        });
-    }
+    /// body(points, first, n): n points of the set in a block, the first of them is number `first`.
     template <class Sum, class Body>
     Sum sum_over_set(Body body) const {
         return blocks_.sum<Sum>([&](std::size_t k, std::size_t begin, std::size_t) {
-            return body(begin, begin + n_in_block_[k]);
+            return body(points_.get() + begin, first_[k], first_[k + 1] - first_[k]);
+        });
+    }
+
+    template <class Body>
+    void for_set(Body body) const {
+        blocks_.for_each([&](std::size_t k, std::size_t begin, std::size_t) {
+            body(points_.get() + begin, first_[k], first_[k + 1] - first_[k]);
         });
     }
 
@@ -118,34 +124,49 @@ class NewtonIteration {
     bool set_start() {
         const bool is_cold = pressure_.empty();
         if (is_cold) pressure_ = large_field(height_.size());
-        blocks_.for_each([&](std::size_t k, std::size_t begin, std::size_t end) {
-            std::size_t n = 0;
-            for (std::size_t i = begin; i < end; ++i) {
-                if (is_cold) pressure_[i] = force_controlled() || height_[i] < control_.value;
-                if (!std::isfinite(height_[i])) pressure_[i] = 0;
-                if (pressure_[i] > 0) points_[begin + n++] = static_cast<std::uint32_t>(i);
-            }
-            n_in_block_[k] = n;
-            for (std::size_t j = begin; j < begin + n; ++j) p_[j] = pressure_[points_[j]];
-        });
-        if (!is_cold || force_controlled()) return update_pressure();
+        const double sum =
+            blocks_.sum<Sums<1>>([&](std::size_t k, std::size_t begin, std::size_t end) {
+                Sums<1> part;
+                std::size_t n = 0;
+                for (std::size_t i = begin; i < end; ++i) {
+                    if (is_cold) pressure_[i] = force_controlled() || height_[i] < control_.value;
+                    if (!std::isfinite(height_[i])) pressure_[i] = 0;
+                    part[0] += pressure_[i];
+                    points_[begin + n] = static_cast<std::uint32_t>(i);
+                    n += pressure_[i] > 0;
+                }
+                first_[k + 1] = n;
+                return part;
+            })[0];
+        std::partial_sum(first_.begin(), first_.end(), first_.begin());
+        if (force_controlled()) return scale(control_.value / (grid_.cell_area() * sum));
+        if (!is_cold) return true;
         displace();
-        const double largest = *std::max_element(displacement_.begin(), displacement_.end());
-        return update_pressure(control_.value / (2 * largest));
+        return scale(control_.value /
+                     (2 * *std::max_element(displacement_.begin(), displacement_.end())));
     }
 
-    /// d at which the mean gap of the contact is zero.
+    bool scale(double factor) {
+        if (!is_positive_and_finite(factor)) return false;
+        blocks_.for_each([&](std::size_t, std::size_t begin, std::size_t end) {
+            for (std::size_t i = begin; i < end; ++i) pressure_[i] *= factor;
+        });
+        return true;
+    }
+
+    /// d at which the mean gap of the contact is zero: of the last set's points that press.
     double indentation_of_contact() const {
-        const auto [sum, n] = sum_over_set<Sums<2>>([&](std::size_t begin, std::size_t end) {
-                                  Sums<2> part;
-                                  for (std::size_t j = begin; j < end; ++j) {
-                                      const std::size_t i = points_[j];
-                                      const double presses = p_[j] > 0;
-                                      part[0] += presses * (displacement_[i] + height_[i]);
-                                      part[1] += presses;
-                                  }
-                                  return part;
-                              }).values;
+        const auto [sum, n] =
+            sum_over_set<Sums<2>>([&](const std::uint32_t* points, std::size_t, std::size_t n) {
+                Sums<2> part;
+                for (std::size_t j = 0; j < n; ++j) {
+                    const std::size_t i = points[j];
+                    const double presses = pressure_[i] > 0;
+                    part[0] += presses * (displacement_[i] + height_[i]);
+                    part[1] += presses;
+                }
+                return part;
+            }).values;
         return sum / n;
     }
 
@@ -154,8 +175,8 @@ class NewtonIteration {
         const double d = solution_.indentation;
         const auto all =
             blocks_.sum<Judgement>([&](std::size_t k, std::size_t begin, std::size_t end) {
-                double worst = 0, work = 0, force = 0;
-                std::size_t to = begin, n_entered = 0;
+                double worst = 0, work = 0, force = 0, gaps = 0;
+                std::size_t n = 0, n_entered = 0;
                 for (std::size_t i = begin; i < end; ++i) {
                     const double p = pressure_[i], gap = displacement_[i] + height_[i] - d;
                     const bool presses = p > 0, enters = !presses && gap < 0;
@@ -163,46 +184,49 @@ class NewtonIteration {
                     work += p * displacement_[i];  // not a number if any displacement is not
                     force += p;
                     n_entered += enters;
-                    points_[to] = static_cast<std::uint32_t>(i);
-                    p_[to] = p;
-                    gap_[to] = gap;
-                    to += presses || enters;
+                    points_[begin + n] = static_cast<std::uint32_t>(i);
+                    n += presses || enters;
+                    gaps += presses || enters ? gap : 0;
                 }
-                n_in_block_[k] = to - begin;
-                return Judgement{worst, work, force, n_entered};
+                first_[k + 1] = n;
+                return Judgement{worst, work, force, gaps, n_entered};
             });
-        n_set_ = 0;
-        for (const std::size_t n : n_in_block_) n_set_ += n;
+        std::partial_sum(first_.begin(), first_.end(), first_.begin());
+        gap_sum_ = all.gaps;
         is_settled_ = n_left_ == 0 && all.n_entered == 0;
         solution_.force = grid_.cell_area() * all.force;
         solution_.length = all.force > 0 ? larger(d, all.work / all.force) : d;
         solution_.residual = larger(all.worst, 0 * all.work) / solution_.length;
     }
 
+    std::size_t set_size() const { return first_.back(); }
+
     /// What a force prescribed leaves of a field on the set: its mean over it is no gap.
     double mean(double sum) const {
-        return force_controlled() ? sum / static_cast<double>(n_set_) : 0;
+        return force_controlled() ? sum / static_cast<double>(set_size()) : 0;
     }
 
     /// Conjugate gradients on the set.
     void close_gap() {
         const double enough = is_settled_ ? settled_reduction : reduction;
-        Gap gap = centre_gap();
-        const double first = gap.square;
+        Gap gap = take_set();
+        const double first_square = gap.square;
         double last = 1;
         for (int k = 0; k < most_steps; ++k) {
             if (gap.worst <= below_tolerance * tolerance_ * solution_.length ||
-                (k > 0 && gap.square <= enough * enough * first))
+                (k > 0 && gap.square <= enough * enough * first_square))
                 return;
             last = update_direction(last, k == 0);
             displace();
             const auto [numerator, product, sum] =
-                sum_over_set<Sums<3>>([&](std::size_t begin, std::size_t end) {
+                sum_over_set<Sums<3>>([&](const std::uint32_t* points, std::size_t first,
+                                          std::size_t n) {
                     Sums<3> part;
-                    for (std::size_t j = begin; j < end; ++j) {
-                        const double r = product_[j] = displacement_[points_[j]];
-                        part[0] += direction_[j] * gap_[j];
-                        part[1] += direction_[j] * r;
+                    for (std::size_t j = 0; j < n; ++j) {
+                        OnPoint& at = set_[first + j];
+                        const double r = at.product = displacement_[points[j]];
+                        part[0] += at.direction * at.gap;
+                        part[1] += at.direction * r;
                         part[2] += r;
                     }
                     return part;
@@ -213,80 +237,87 @@ class NewtonIteration {
         }
     }
 
-    /// Less its mean; into the field.
-    Gap centre_gap() {
-        const double middle = mean(sum_over_set<Sums<1>>([&](std::size_t begin, std::size_t end) {
-            Sums<1> part;
-            for (std::size_t j = begin; j < end; ++j) part[0] += gap_[j];
-            return part;
-        })[0]);
-        return sum_over_set<Gap>([&](std::size_t begin, std::size_t end) {
-            Gap part;
-            for (std::size_t j = begin; j < end; ++j) {
-                const double gap = pressure_[points_[j]] = gap_[j] -= middle;
-                part.square += gap * gap;
-                part.worst = std::max(part.worst, std::abs(gap));
-            }
-            return part;
-        });
+    /// Pressures and gaps of its points, less the mean gap; the gaps into the field.
+    Gap take_set() {
+        if (set_size() > room_) {
+            room_ = set_size() + set_size() / 4;
+            set_.reset();
+            set_ = large_memory<OnPoint>(room_);
+        }
+        const double level = solution_.indentation + mean(gap_sum_);
+        return sum_over_set<Gap>(
+            [&](const std::uint32_t* points, std::size_t first, std::size_t n) {
+                Gap part;
+                for (std::size_t j = 0; j < n; ++j) {
+                    const std::size_t i = points[j];
+                    const double gap = displacement_[i] + height_[i] - level;
+                    set_[first + j] = {.pressure = pressure_[i], .gap = gap};
+                    pressure_[i] = gap;
+                    part.add(gap);
+                }
+                return part;
+            });
     }
 
-    /// Against the direction; the gap into the field.
+    /// Against the direction; the gaps into the field.
     Gap move(double step, double mean_displacement) {
-        return sum_over_set<Gap>([&](std::size_t begin, std::size_t end) {
-            Gap part;
-            for (std::size_t j = begin; j < end; ++j) {
-                p_[j] -= step * direction_[j];
-                const double gap = gap_[j] -= step * (product_[j] - mean_displacement);
-                pressure_[points_[j]] = gap;
-                part.square += gap * gap;
-                part.worst = std::max(part.worst, std::abs(gap));
-            }
-            return part;
-        });
+        return sum_over_set<Gap>(
+            [&](const std::uint32_t* points, std::size_t first, std::size_t n) {
+                Gap part;
+                for (std::size_t j = 0; j < n; ++j) {
+                    OnPoint& at = set_[first + j];
+                    at.pressure -= step * at.direction;
+                    at.gap -= step * (at.product - mean_displacement);
+                    pressure_[points[j]] = at.gap;
+                    part.add(at.gap);
+                }
+                return part;
+            });
     }
 
     /// The preconditioned gap, made conjugate to the last direction; into the field. Returns its
     /// product with the gap.
     double update_direction(double last, bool is_first) {
         grid_.precondition(pressure_, displacement_);
-        const auto [sum, norm] = sum_over_set<Sums<2>>([&](std::size_t begin, std::size_t end) {
+        const auto [sum, norm] = sum_over_set<Sums<2>>([&](const std::uint32_t* points,
+                                                           std::size_t first, std::size_t n) {
                                      Sums<2> part;
-                                     for (std::size_t j = begin; j < end; ++j) {
-                                         const double z = product_[j] = displacement_[points_[j]];
-                                         part[0] += z;
-                                         part[1] += z * gap_[j];  // whose mean is zero
+                                     for (std::size_t j = 0; j < n; ++j) {
+                                         OnPoint& at = set_[first + j];
+                                         at.product = displacement_[points[j]];
+                                         part[0] += at.product;
+                                         part[1] += at.product * at.gap;  // whose mean is zero
                                      }
                                      return part;
                                  }).values;
         const double beta = is_first ? 0 : norm / last, middle = mean(sum);
-        for_set([&](std::size_t begin, std::size_t end) {
-            for (std::size_t j = begin; j < end; ++j) {
-                const double z = product_[j] - middle;
-                const double direction = is_first ? z : z + beta * direction_[j];
-                pressure_[points_[j]] = direction_[j] = direction;
+        for_set([&](const std::uint32_t* points, std::size_t first, std::size_t n) {
+            for (std::size_t j = 0; j < n; ++j) {
+                OnPoint& at = set_[first + j];
+                const double z = at.product - middle;
+                pressure_[points[j]] = at.direction = is_first ? z : z + beta * at.direction;
             }
         });
         return norm;
     }
 
-    /// Points that pull leave; those that are left bear the force prescribed, or `factor` times
-    /// what they did.
-    bool update_pressure(double factor = 1) {
-        const auto [sum, left] = sum_over_set<Sums<2>>([&](std::size_t begin, std::size_t end) {
-                                     Sums<2> part;
-                                     for (std::size_t j = begin; j < end; ++j) {
-                                         p_[j] = std::max(p_[j], 0.);
-                                         part[0] += p_[j];
-                                         part[1] += p_[j] == 0;
-                                     }
-                                     return part;
-                                 }).values;
+    /// Points that pull leave; those that are left bear the force prescribed.
+    bool update_pressure() {
+        const auto [sum, left] =
+            sum_over_set<Sums<2>>([&](const std::uint32_t*, std::size_t first, std::size_t n) {
+                Sums<2> part;
+                for (std::size_t j = first; j < first + n; ++j) {
+                    part[0] += std::max(set_[j].pressure, 0.);
+                    part[1] += set_[j].pressure <= 0;
+                }
+                return part;
+            }).values;
         n_left_ = static_cast<std::size_t>(left);
-        if (force_controlled()) factor = control_.value / (grid_.cell_area() * sum);
+        const double factor = force_controlled() ? control_.value / (grid_.cell_area() * sum) : 1;
         if (!is_positive_and_finite(factor)) return false;
-        for_set([&](std::size_t begin, std::size_t end) {
-            for (std::size_t j = begin; j < end; ++j) pressure_[points_[j]] = p_[j] *= factor;
+        for_set([&](const std::uint32_t* points, std::size_t first, std::size_t n) {
+            for (std::size_t j = 0; j < n; ++j)
+                pressure_[points[j]] = factor * std::max(set_[first + j].pressure, 0.);
         });
         return true;
     }
@@ -298,11 +329,13 @@ class NewtonIteration {
     NormalSolution& solution_;
     std::vector<double>&pressure_, &displacement_;  // of the solution
     const Blocks blocks_;
-    std::vector<std::size_t> n_in_block_;  // of the set
-    std::size_t n_set_ = 0, n_left_ = 0;
+    std::vector<std::size_t> first_;  // number of the first point of each block in the set
+    const std::unique_ptr<std::uint32_t[]> points_;  // of the set, a block's from its begin on
+    std::unique_ptr<OnPoint[]> set_;                 // one after the other
+    std::size_t room_ = 0;                           // in it
+    double gap_sum_ = 0;
+    std::size_t n_left_ = 0;
     bool is_settled_ = false;
-    const std::unique_ptr<std::uint32_t[]> points_;
-    const std::unique_ptr<double[]> p_, gap_, direction_, product_;
 };
 
 }  // namespace
