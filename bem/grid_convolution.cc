@@ -164,6 +164,7 @@ GridConvolution::Symbol GridConvolution::symbol_of_coefficients(
     const std::function<double(int, int)>& coefficient) const {
     const double scale = 1.0 / (static_cast<double>(period_x_) * period_y_);
     Symbol result = zero_symbol();
+#pragma omp parallel for num_threads(n_threads_) if (n_threads_ > 1) schedule(static)
     for (int i = 0; i <= period_x_ / 2; ++i)
         for (int j = 0; j < period_y_; ++j)
             result[static_cast<std::size_t>(i) * period_y_ + j] =

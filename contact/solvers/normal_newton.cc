@@ -1,7 +1,6 @@
 #include "contact/solvers/normal_newton.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
 #include <memory>
@@ -10,6 +9,7 @@
 #include "contact/memory.h"
 #include "contact/solvers/blocks.h"
 #include "contact/solvers/grid_transfer.h"
+#include "contact/solvers/normal_sums.h"
 #include "contact/special_values.h"
 
 namespace tricontact::contact {
@@ -24,42 +24,7 @@ constexpr double reduction = .3, settled_reduction = .03;
 constexpr double below_tolerance = .3;  // nor is it closed further than this
 constexpr double coarse_tolerance = 1e-2;
 
-template <std::size_t n>
-struct Sums {
-    std::array<double, n> values{};
-    double& operator[](std::size_t k) { return values[k]; }
-    Sums& operator+=(const Sums& other) {
-        for (std::size_t k = 0; k < n; ++k) values[k] += other.values[k];
-        return *this;
-    }
-};
-
-struct Gap {
-    double square = 0, worst = 0;
-    void add(double gap) {
-        square += gap * gap;
-        worst = std::max(worst, std::abs(gap));
-    }
-    Gap& operator+=(const Gap& other) {
-        square += other.square;
-        worst = larger(worst, other.worst);
-        return *this;
-    }
-};
-
-struct Judgement {
-    double worst = 0, work = 0, force = 0, gaps = 0;  // gaps: of the next set
-    std::size_t n_entered = 0;
-    Judgement& operator+=(const Judgement& other) {
-        worst = larger(worst, other.worst);
-        work += other.work;
-        force += other.force;
-        gaps += other.gaps;
-        n_entered += other.n_entered;
-        return *this;
-    }
-};
-
+/// A point of the set.
 struct OnPoint {
     double pressure, gap, direction, product;
 };
@@ -174,7 +139,7 @@ class NewtonIteration {
     void judge() {
         const double d = solution_.indentation;
         const auto all =
-            blocks_.sum<Judgement>([&](std::size_t k, std::size_t begin, std::size_t end) {
+            blocks_.sum<ContactSum>([&](std::size_t k, std::size_t begin, std::size_t end) {
                 double worst = 0, work = 0, force = 0, gaps = 0;
                 std::size_t n = 0, n_entered = 0;
                 for (std::size_t i = begin; i < end; ++i) {
@@ -189,7 +154,7 @@ class NewtonIteration {
                     gaps += presses || enters ? gap : 0;
                 }
                 first_[k + 1] = n;
-                return Judgement{worst, work, force, gaps, n_entered};
+                return ContactSum{worst, work, force, gaps, n_entered};
             });
         std::partial_sum(first_.begin(), first_.end(), first_.begin());
         gap_sum_ = all.gaps;
@@ -209,7 +174,7 @@ class NewtonIteration {
     /// Conjugate gradients on the set.
     void close_gap() {
         const double enough = is_settled_ ? settled_reduction : reduction;
-        Gap gap = take_set();
+        GapSum gap = take_set();
         const double first_square = gap.square;
         double last = 1;
         for (int k = 0; k < most_steps; ++k) {
@@ -238,16 +203,16 @@ class NewtonIteration {
     }
 
     /// Pressures and gaps of its points, less the mean gap; the gaps into the field.
-    Gap take_set() {
+    GapSum take_set() {
         if (set_size() > room_) {
             room_ = set_size() + set_size() / 4;
             set_.reset();
             set_ = large_memory<OnPoint>(room_);
         }
         const double level = solution_.indentation + mean(gap_sum_);
-        return sum_over_set<Gap>(
+        return sum_over_set<GapSum>(
             [&](const std::uint32_t* points, std::size_t first, std::size_t n) {
-                Gap part;
+                GapSum part;
                 for (std::size_t j = 0; j < n; ++j) {
                     const std::size_t i = points[j];
                     const double gap = displacement_[i] + height_[i] - level;
@@ -260,10 +225,10 @@ class NewtonIteration {
     }
 
     /// Against the direction; the gaps into the field.
-    Gap move(double step, double mean_displacement) {
-        return sum_over_set<Gap>(
+    GapSum move(double step, double mean_displacement) {
+        return sum_over_set<GapSum>(
             [&](const std::uint32_t* points, std::size_t first, std::size_t n) {
-                Gap part;
+                GapSum part;
                 for (std::size_t j = 0; j < n; ++j) {
                     OnPoint& at = set_[first + j];
                     at.pressure -= step * at.direction;
