@@ -1,10 +1,13 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <optional>
 #include <span>
+#include <type_traits>
 
 #include "bem/grid_convolution.h"
+#include "bem/normal_level.h"
 #include "contact/solvers/compliance.h"
 
 namespace tricontact::bem {
@@ -15,6 +18,9 @@ class ConvolvedProducts {
     virtual ~ConvolvedProducts() = default;
 
     virtual void normal(std::span<const double> p, std::span<double> u_z) const = 0;
+    /// The same with what NormalNewton needs, of cells of this area [m^2]; null where y = 0
+    /// mirrors.
+    virtual const contact::NormalGrid* normal_grid(double cell_area) const = 0;
     virtual void tangential(const contact::TangentialField& t,
                             contact::TangentialField& u) const = 0;
     virtual void tangential_from_normal(std::span<const double> p,
@@ -56,6 +62,14 @@ class ProductsBy final : public ConvolvedProducts {
     void normal(std::span<const double> p, std::span<double> u_z) const override {
         convolution_.template apply<1, 1>({{{&normal_}}}, {p}, {u_z});
     }
+    const contact::NormalGrid* normal_grid(double cell_area) const override {
+        if constexpr (std::is_same_v<Convolution, GridConvolution>) {
+            if (!normal_level_)
+                normal_level_ = std::make_unique<NormalLevel>(convolution_, normal_, cell_area);
+            return normal_level_.get();
+        }
+        return nullptr;
+    }
     void tangential(const contact::TangentialField& t, contact::TangentialField& u) const override {
         const auto& s = rest().tangential;
         convolution_.template apply<2, 2>({{{&s.xx, &s.xy}, {&s.xy, &s.yy}}}, {t.x, t.y},
@@ -89,6 +103,7 @@ class ProductsBy final : public ConvolvedProducts {
     Convolution convolution_;
     std::optional<Convolution> bare_;
     Symbol normal_;
+    mutable std::unique_ptr<const NormalLevel> normal_level_;  // once asked for
     MakeSymbols make_rest_;
     mutable std::optional<TangentialSymbols> rest_;
 };

@@ -18,6 +18,9 @@ namespace {
 /// Below this many cells a thread costs more than it brings.
 constexpr std::size_t cells_worth_threads = 100000;
 
+/// Below this many cells normal contact takes less time than it is worth to shorten.
+constexpr std::size_t cells_worth_levels = 100000;
+
 constexpr double negligible_beta = 1e-3;
 
 /// A window on the grid pays where its transforms are this much smaller, and few of them do.
@@ -85,6 +88,11 @@ class WindowOperator final : public contact::ActiveOperator {
 };
 
 }  // namespace
+
+const contact::NormalGrid* ConvolvedCompliance::normal_grid() const {
+    if (grid_.mirrored || grid_.size() < cells_worth_levels) return nullptr;
+    return products_->normal_grid(grid_.area[0]);
+}
 
 void ConvolvedCompliance::tangential_from_normal(std::span<const double> p,
                                                  contact::TangentialField& u) const {

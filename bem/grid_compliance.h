@@ -25,6 +25,7 @@ class ConvolvedCompliance : public contact::Compliance {
     void normal(std::span<const double> p, std::span<double> u_z) const override {
         products_->normal(p, u_z);
     }
+    const contact::NormalGrid* normal_grid() const override;
     void tangential(const contact::TangentialField& t, contact::TangentialField& u) const override {
         products_->tangential(t, u);
     }

@@ -10,9 +10,7 @@ namespace tricontact::bem {
 
 namespace {
 
-constexpr int piece = 8;  // rows or columns per FFTW call
-
-int whole_pieces(int n) {
+int whole(int n, int piece) {
     return (n + piece - 1) / piece * piece;
 }
 
@@ -46,11 +44,15 @@ GridConvolution::GridConvolution(int n_x, int n_y, int period_x, int period_y, i
       period_x_(period_x),
       period_y_(period_y),
       n_threads_(n_threads),
-      n_rows_(whole_pieces(n_y)),
-      pitch_(whole_pieces(period_x / 2 + 1)) {
-    field_[0] = make_field();
-    double* rows = field_[0].rows.get();
-    fftw_complex* spectrum = field_[0].spectrum.get();
+      n_rows_(whole(n_y, piece)),
+      pitch_(whole(period_x / 2 + 1, piece)) {
+    for (int k = 0; k < n_threads; ++k)
+        rows_.push_back(
+            {contact::fftw_zeros<FftwReal>(static_cast<std::size_t>(piece) * period_x),
+             contact::fftw_zeros<FftwComplex>(static_cast<std::size_t>(piece) * pitch_)});
+    spectrum_[0] = make_spectrum();
+    double* rows = rows_.front().values.get();
+    fftw_complex* spectrum = rows_.front().spectrum.get();
     row_forward_.reset(fftw_plan_many_dft_r2c(1, &period_x_, piece, rows, nullptr, 1, period_x_,
                                               spectrum, nullptr, 1, pitch_, FFTW_ESTIMATE));
     row_backward_.reset(fftw_plan_many_dft_c2r(1, &period_x_, piece, spectrum, nullptr, 1, pitch_,
@@ -71,9 +73,8 @@ GridConvolution::GridConvolution(int n_x, int n_y, int period_x, int period_y, i
     column_backward_ = column_plan(FFTW_BACKWARD);
 }
 
-GridConvolution::Field GridConvolution::make_field() const {
-    return {contact::fftw_zeros<FftwReal>(static_cast<std::size_t>(n_rows_) * period_x_),
-            contact::fftw_zeros<FftwComplex>(static_cast<std::size_t>(n_rows_) * pitch_)};
+FftwComplex GridConvolution::make_spectrum() const {
+    return contact::fftw_memory<FftwComplex>(static_cast<std::size_t>(n_rows_) * pitch_);
 }
 
 template <typename Body>
@@ -86,28 +87,34 @@ void GridConvolution::for_each_piece(int n, Body body) const {
     for (int first = 0; first < n; first += piece) body(first, omp_get_thread_num());
 }
 
-void GridConvolution::rows_forward(std::span<const double> in, Field& field) const {
-    for_each_piece(n_rows_, [&](int first, int) {
-        for (int j = first; j < std::min(first + piece, n_y_); ++j) {
-            double* row = field.rows.get() + static_cast<std::size_t>(j) * period_x_;
-            std::copy_n(in.data() + static_cast<std::size_t>(j) * n_x_, n_x_, row);
-            std::fill(row + n_x_, row + period_x_, 0.0);
+void GridConvolution::rows_forward(std::span<const double> in, fftw_complex* spectrum) const {
+    for_each_piece(n_rows_, [&](int first, int thread) {
+        const auto& [values, transformed] = rows_[thread];
+        for (int j = 0; j < piece; ++j) {
+            double* const row = values.get() + static_cast<std::size_t>(j) * period_x_;
+            const int n = first + j < n_y_ ? n_x_ : 0;
+            if (n > 0) std::copy_n(in.data() + static_cast<std::size_t>(first + j) * n_x_, n, row);
+            std::fill(row + n, row + period_x_, 0.0);
         }
-        for (int j = std::max(first, n_y_); j < first + piece; ++j)
-            std::fill_n(field.rows.get() + static_cast<std::size_t>(j) * period_x_, period_x_, 0.0);
-        fftw_execute_dft_r2c(row_forward_.get(),
-                             field.rows.get() + static_cast<std::size_t>(first) * period_x_,
-                             field.spectrum.get() + static_cast<std::size_t>(first) * pitch_);
+        fftw_execute_dft_r2c(row_forward_.get(), values.get(), transformed.get());
+        for (int k = 0; k < pitch_; k += piece)
+            for (int j = 0; j < piece; ++j)
+                std::memcpy(tile(spectrum, first + j, k),
+                            transformed.get() + static_cast<std::size_t>(j) * pitch_ + k,
+                            piece * sizeof(fftw_complex));
     });
 }
 
-void GridConvolution::rows_backward(Field& field, std::span<double> out) const {
-    for_each_piece(n_rows_, [&](int first, int) {
-        fftw_execute_dft_c2r(row_backward_.get(),
-                             field.spectrum.get() + static_cast<std::size_t>(first) * pitch_,
-                             field.rows.get() + static_cast<std::size_t>(first) * period_x_);
+void GridConvolution::rows_backward(fftw_complex* spectrum, std::span<double> out) const {
+    for_each_piece(n_rows_, [&](int first, int thread) {
+        const auto& [values, transformed] = rows_[thread];
+        for (int k = 0; k < pitch_; k += piece)
+            for (int j = 0; j < piece; ++j)
+                std::memcpy(transformed.get() + static_cast<std::size_t>(j) * pitch_ + k,
+                            tile(spectrum, first + j, k), piece * sizeof(fftw_complex));
+        fftw_execute_dft_c2r(row_backward_.get(), transformed.get(), values.get());
         for (int j = first; j < std::min(first + piece, n_y_); ++j)
-            std::copy_n(field.rows.get() + static_cast<std::size_t>(j) * period_x_, n_x_,
+            std::copy_n(values.get() + static_cast<std::size_t>(j - first) * period_x_, n_x_,
                         out.data() + static_cast<std::size_t>(j) * n_x_);
     });
 }
@@ -116,12 +123,10 @@ const GridConvolution::Columns& GridConvolution::columns_of(int thread, int comp
     return columns_[2 * thread + component];
 }
 
-// Columns are gathered before they are transformed: on large grids their elements lie pages apart.
-void GridConvolution::columns_forward(const Field& field, int first, const Columns& to) const {
+void GridConvolution::columns_forward(const fftw_complex* tile, const Columns& to) const {
     fftw_complex* const columns = to.values.get();
     for (int j = 0; j < n_y_; ++j) {
-        const fftw_complex* row =
-            field.spectrum.get() + static_cast<std::size_t>(j) * pitch_ + first;
+        const fftw_complex* row = tile + static_cast<std::size_t>(j) * piece;
         for (int i = 0; i < piece; ++i) {
             fftw_complex& cell = columns[static_cast<std::size_t>(i) * period_y_ + j];
             cell[0] = row[i][0];
@@ -134,13 +139,12 @@ void GridConvolution::columns_forward(const Field& field, int first, const Colum
     fftw_execute_dft(column_forward_.get(), columns, to.spectrum.get());
 }
 
-void GridConvolution::columns_backward(const Columns& from_spectrum, int first,
-                                       Field& field) const {
+void GridConvolution::columns_backward(const Columns& from_spectrum, fftw_complex* tile) const {
     const fftw_complex* const columns = from_spectrum.values.get();
     fftw_execute_dft(column_backward_.get(), from_spectrum.spectrum.get(),
                      from_spectrum.values.get());
     for (int j = 0; j < n_y_; ++j) {
-        fftw_complex* row = field.spectrum.get() + static_cast<std::size_t>(j) * pitch_ + first;
+        fftw_complex* row = tile + static_cast<std::size_t>(j) * piece;
         for (int i = 0; i < piece; ++i) {
             const fftw_complex& from = columns[static_cast<std::size_t>(i) * period_y_ + j];
             row[i][0] = from[0];
@@ -159,7 +163,8 @@ GridConvolution::Symbol GridConvolution::symbol(const std::function<double(int, 
 GridConvolution::Symbol GridConvolution::symbol_of_coefficients(
     const std::function<double(int, int)>& coefficient) const {
     const double scale = 1.0 / (static_cast<double>(period_x_) * period_y_);
-    Symbol result(static_cast<std::size_t>(period_y_) * pitch_, 0.0);
+    Symbol result = zero_symbol();
+#pragma omp parallel for num_threads(n_threads_) if (n_threads_ > 1) schedule(static)
     for (int i = 0; i <= period_x_ / 2; ++i)
         for (int j = 0; j < period_y_; ++j)
             result[static_cast<std::size_t>(i) * period_y_ + j] =
@@ -170,11 +175,11 @@ GridConvolution::Symbol GridConvolution::symbol_of_coefficients(
 template <std::size_t n_out, std::size_t n_in, GridConvolution::Phase phase>
 void GridConvolution::apply(const Kernels<n_out, n_in>& kernels, const ConstantFields<n_in>& in,
                             const Fields<n_out>& out) const {
-    if (std::max(n_in, n_out) == 2 && !field_[1].rows) field_[1] = make_field();
-    for (std::size_t i = 0; i < n_in; ++i) rows_forward(in[i], field_[i]);
+    if (std::max(n_in, n_out) == 2 && !spectrum_[1]) spectrum_[1] = make_spectrum();
+    for (std::size_t i = 0; i < n_in; ++i) rows_forward(in[i], spectrum_[i].get());
     for_each_piece(pitch_, [&](int first, int thread) {
         for (std::size_t i = 0; i < n_in; ++i)
-            columns_forward(field_[i], first, columns_of(thread, i));
+            columns_forward(tile(spectrum_[i].get(), 0, first), columns_of(thread, i));
         fftw_complex* const columns[2] = {columns_of(thread, 0).spectrum.get(),
                                           columns_of(thread, 1).spectrum.get()};
         const std::size_t start = static_cast<std::size_t>(first) * period_y_;
@@ -197,9 +202,9 @@ void GridConvolution::apply(const Kernels<n_out, n_in>& kernels, const ConstantF
             }
         }
         for (std::size_t i = 0; i < n_out; ++i)
-            columns_backward(columns_of(thread, i), first, field_[i]);
+            columns_backward(columns_of(thread, i), tile(spectrum_[i].get(), 0, first));
     });
-    for (std::size_t i = 0; i < n_out; ++i) rows_backward(field_[i], out[i]);
+    for (std::size_t i = 0; i < n_out; ++i) rows_backward(spectrum_[i].get(), out[i]);
 }
 
 using Convolution = GridConvolution;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "contact/fftw.h"
+#include "contact/memory.h"
 
 namespace tricontact::bem {
 
@@ -40,6 +41,16 @@ class GridConvolution {
 
     GridConvolution(int n_x, int n_y, int period_x, int period_y, int n_threads);
 
+    int n_x() const { return n_x_; }
+    int n_y() const { return n_y_; }
+    int period_x() const { return period_x_; }
+    int period_y() const { return period_y_; }
+    int n_threads() const { return n_threads_; }
+
+    Symbol zero_symbol() const {
+        return contact::large_field(static_cast<std::size_t>(period_y_) * pitch_);
+    }
+
     /// Symbol of the kernel with values coefficient(i, j) at the relative position of i, j cells
     /// (either sign).
     Symbol symbol(const std::function<double(int, int)>& coefficient,
@@ -65,26 +76,35 @@ class GridConvolution {
                const Fields<n_out>& out) const;
 
   private:
-    struct Field {  // one component: padded rows and their spectra, row after row
-        FftwReal rows;
+    static constexpr int piece = 8;  // rows or columns per FFTW call
+
+    struct Rows {  // a piece of them, padded
+        FftwReal values;
         FftwComplex spectrum;
     };
-    Field make_field() const;
-    void rows_forward(std::span<const double> in, Field& field) const;
-    void rows_backward(Field& field, std::span<double> out) const;
-    struct Columns {  // a piece of them
+    struct Columns {
         FftwComplex values, spectrum;
     };
-    void columns_forward(const Field& field, int first, const Columns& to) const;
-    void columns_backward(const Columns& from_spectrum, int first, Field& field) const;
+    FftwComplex make_spectrum() const;
+    /// Of a spectrum: a piece of columns, the rows of which are one after the other. What is
+    /// transformed by rows and by columns then lies in long runs of memory for both.
+    fftw_complex* tile(fftw_complex* spectrum, int row, int column) const {
+        return spectrum + static_cast<std::size_t>(column) * n_rows_ +
+               static_cast<std::size_t>(row) * piece;
+    }
+    void rows_forward(std::span<const double> in, fftw_complex* spectrum) const;
+    void rows_backward(fftw_complex* spectrum, std::span<double> out) const;
+    void columns_forward(const fftw_complex* tile, const Columns& to) const;
+    void columns_backward(const Columns& from_spectrum, fftw_complex* tile) const;
     const Columns& columns_of(int thread, int component) const;
     template <typename Body>  // (first row or column, number of the thread)
     void for_each_piece(int n, Body body) const;
 
     const int n_x_, n_y_, period_x_, period_y_, n_threads_;
-    const int n_rows_;  // n_y rounded up to whole pieces
-    const int pitch_;   // of the spectrum's rows, >= period_x/2 + 1, whole pieces
-    mutable Field field_[2];
+    const int n_rows_;                 // n_y rounded up to whole pieces
+    const int pitch_;                  // of the spectrum's rows, >= period_x/2 + 1, whole pieces
+    mutable FftwComplex spectrum_[2];  // of all rows, see tile(); per component
+    mutable std::vector<Rows> rows_;   // per thread
     mutable std::vector<Columns> columns_;  // per thread and component
     FftwPlan row_forward_, row_backward_, column_forward_, column_backward_;
 };

@@ -1,7 +1,7 @@
-// Normal contact of nominally flat rough surfaces, periodic: time per iteration over the time of
-// its one convolution, the peak memory of the process (run one size at a time:
-// --benchmark_filter=contact/4096), and the area-load relation of the contact-mechanics challenge
-// without its adhesion.
+// Normal contact of rough surfaces, periodic ones and balls: iterations with and without coarser
+// grids, time over that of all convolutions, the peak memory of the process (run one problem at a
+// time: --benchmark_filter=cells:4096/per_wave:64/free:0), and the area-load relation of the
+// contact-mechanics challenge without its adhesion.
 
 #include <benchmark/benchmark.h>
 #include <sys/resource.h>
@@ -9,10 +9,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bem/grid_compliance.h"
 #include "bem/periodic_compliance.h"
+#include "benchmarks/counting.h"
 #include "benchmarks/cpu_timer.h"
 #include "contact/bodies/height_map.h"
 #include "contact/bodies/roughness.h"
+#include "contact/bodies/shapes_of_revolution.h"
 #include "contact/solvers/contact_region.h"
 #include "contact/solvers/normal_solver.h"
 
@@ -33,53 +36,37 @@ contact::Roughness challenge(int n, int cells) {
 
 constexpr double e_star = 25e6;
 
-/// Counts and times the convolutions of normal contact.
-class Counting final : public contact::Compliance {
-  public:
-    explicit Counting(const contact::Compliance& counted) : counted_(counted) {}
+enum class Surroundings { periodic, free };
 
-    const contact::ContactPoints& points() const override { return counted_.points(); }
-    bool is_coupled() const override { return false; }
-    void normal(std::span<const double> p, std::span<double> u_z) const override {
-        const CpuTimer timer;
-        counted_.normal(p, u_z);
-        seconds_ += timer.seconds();
-        ++n_;
-    }
-    void tangential(const contact::TangentialField& t, contact::TangentialField& u) const override {
-        counted_.tangential(t, u);
-    }
-    double local_tangential() const override { return counted_.local_tangential(); }
-    void precondition_tangential(const contact::TangentialField& r,
-                                 contact::TangentialField& z) const override {
-        counted_.precondition_tangential(r, z);
-    }
-    int n() const { return n_; }
-    double seconds() const { return seconds_; }
-
-  private:
-    const contact::Compliance& counted_;
-    mutable int n_ = 0;
-    mutable double seconds_ = 0;
-};
-
-/// Periodic half-space and challenge surface on n x n cells.
+/// The challenge surface on n x n cells of a periodic half-space, or, less rough, on a ball over a
+/// half-space whose contact radius were 0.3 of a side if it was smooth.
 class Problem {
   public:
-    Problem(int n, int cells)
-        : length_(challenge(n, cells).long_wavelength),
-          compliance_({std::nullopt, contact::Material{e_star * .75, .5}}, grid(n, length_), 1) {
-        const contact::RoughIndenter indenter(std::make_unique<contact::Plane>(),
-                                              make_roughness(challenge(n, cells), n));
-        height_ = heights_over(compliance_.points(), indenter, {0, 0});
+    Problem(int n, int cells, Surroundings surroundings)
+        : length_(challenge(n, cells).long_wavelength), ball_(2 * length_) {
+        const contact::MaterialPair materials{std::nullopt, contact::Material{e_star * .75, .5}};
+        contact::Roughness roughness = challenge(n, cells);
+        std::unique_ptr<const contact::Indenter> body = std::make_unique<contact::Plane>();
+        if (surroundings == Surroundings::periodic) {
+            compliance_ = std::make_unique<bem::PeriodicCompliance>(materials, grid(n, length_), 1);
+        } else {
+            compliance_ = bem::half_space_compliance(materials, grid(n, length_), 1);
+            body = std::make_unique<contact::Paraboloid>(ball_);
+            roughness.rms_slope = .05;
+        }
+        const contact::RoughIndenter indenter(std::move(body), make_roughness(roughness, n));
+        height_ = heights_over(compliance_->points(), indenter, {0, 0});
     }
 
-    const bem::PeriodicCompliance& compliance() const { return compliance_; }
+    const contact::Compliance& compliance() const { return *compliance_; }
     /// Under the nominal pressure p [E* h'].
     contact::NormalSolution press(const contact::Compliance& compliance, double p,
                                   double tolerance) const {
-        return contact::NormalSolver(compliance, tolerance)
-            .solve(height_, {contact::NormalControl::Kind::force, p * e_star * length_ * length_});
+        return by_force(compliance, p * e_star * length_ * length_, tolerance);
+    }
+    contact::NormalSolution press_ball(const contact::Compliance& compliance,
+                                       double tolerance) const {
+        return by_force(compliance, 4. / 3 * e_star * std::pow(.3 * length_, 3) / ball_, tolerance);
     }
 
   private:
@@ -87,9 +74,14 @@ class Problem {
         const double h = length / n, first = -(n / 2) * h;
         return contact::ContactPoints::grid(n, n, {first, first}, {h, h});
     }
+    contact::NormalSolution by_force(const contact::Compliance& compliance, double force,
+                                     double tolerance) const {
+        return contact::NormalSolver(compliance, tolerance)
+            .solve(height_, {contact::NormalControl::Kind::force, force});
+    }
 
-    double length_;
-    bem::PeriodicCompliance compliance_;
+    double length_, ball_;
+    std::unique_ptr<const contact::Compliance> compliance_;
     std::vector<double> height_;
 };
 
@@ -104,38 +96,60 @@ double area_fraction(const contact::NormalSolution& solution) {
     return static_cast<double>(n) / static_cast<double>(solution.pressure.size());
 }
 
+constexpr int largest_plain = 2048;  // cells along a side: beyond, it takes many minutes
+
+/// Once with coarser grids, once without them, and once as it is on small grids.
 void rough_contact(benchmark::State& state) {
-    const Problem problem(static_cast<int>(state.range(0)), static_cast<int>(state.range(1)));
-    const Counting counting(problem.compliance());
-    double iterations = 0, seconds = 0, area = 0;
+    const auto surroundings = static_cast<Surroundings>(state.range(2));
+    const Problem problem(static_cast<int>(state.range(0)), static_cast<int>(state.range(1)),
+                          surroundings);
+    auto press = [&](const contact::Compliance& compliance) {
+        return surroundings == Surroundings::periodic ? problem.press(compliance, .05, 1e-4)
+                                                      : problem.press_ball(compliance, 1e-6);
+    };
+    auto& to = state.counters;
     for (auto _ : state) {
         const CpuTimer timer;
-        const auto solution = problem.press(counting, .05, 1e-4);
-        seconds += timer.seconds();
-        iterations += solution.iterations;
-        area = area_fraction(solution);
+        const CountingCompliance counting(problem.compliance(), Levels::all);
+        const auto solution = press(counting);
+        const double seconds = timer.seconds();
+        const auto& counts = counting.counts();
+        to["iterations"] = solution.iterations;
+        to["cpu_s"] = seconds;
+        to["preconditioners"] = counts.preconditioners;
+        to["cpu_s_per_iteration"] = (seconds - counts.start_seconds) / solution.iterations;
+        to["its_convolutions"] = counts.seconds / solution.iterations;
+        to["over_its_convolutions"] = (seconds - counts.start_seconds) / counts.seconds;
+        to["share_of_coarser"] = counts.start_seconds / seconds;
+        to["area_fraction"] = area_fraction(solution);
+        to["peak_memory_GB"] = peak_memory_GB();
+        if (peak_memory_GB() > 8) state.SkipWithError("more than 8 GB");
     }
-    state.counters["iterations"] = iterations;
-    state.counters["cpu_s_per_iteration"] = seconds / iterations;
-    state.counters["convolutions_per_iteration"] = counting.n() / iterations;
-    state.counters["over_its_convolutions"] = seconds / counting.seconds();
-    state.counters["area_fraction"] = area;
-    state.counters["peak_memory_GB"] = peak_memory_GB();
-    if (peak_memory_GB() > 8) state.SkipWithError("more than 8 GB");
+    const CountingCompliance alone(problem.compliance(), Levels::finest);
+    to["iterations_without_start"] = press(alone).iterations;
+    if (state.range(0) > largest_plain) return;
+    CountingCompliance plain(problem.compliance(), Levels::finest);
+    plain.hide_grid();
+    const CpuTimer timer;
+    to["iterations_plain"] = press(plain).iterations;
+    to["cpu_s_plain"] = timer.seconds();
+    to["convolutions_plain"] = plain.counts().displacements;
 }
 // 64 waves along a side on all grids: iterations go with the waves, not with the cells.
 BENCHMARK(rough_contact)
-    ->Args({512, 8})
-    ->Args({1024, 16})
-    ->Args({2048, 32})
-    ->Args({4096, 64})
+    ->ArgNames({"cells", "per_wave", "free"})
+    ->ArgsProduct({{512}, {8}, {0, 1}})
+    ->ArgsProduct({{1024}, {16}, {0, 1}})
+    ->ArgsProduct({{2048}, {32}, {0, 1}})
+    ->ArgsProduct({{4096}, {64}, {0, 1}})
     ->Unit(benchmark::kSecond)
     ->Iterations(1);
 
 /// kappa = a_r E* h'/p at the nominal pressures 0.01, 0.02, 0.05, 0.1 E* h'; arguments: cells along
 /// a side, cells per shortest wave.
 void challenge_area(benchmark::State& state) {
-    const Problem problem(static_cast<int>(state.range(0)), static_cast<int>(state.range(1)));
+    const Problem problem(static_cast<int>(state.range(0)), static_cast<int>(state.range(1)),
+                          Surroundings::periodic);
     for (auto _ : state)
         for (const double p : {.01, .02, .05, .1}) {
             const double area = area_fraction(problem.press(problem.compliance(), p, 1e-4));

@@ -7,6 +7,8 @@
 #include <new>
 #include <type_traits>
 
+#include "contact/memory.h"
+
 // What FFTW allocates and plans, owned.
 namespace tricontact::contact {
 
@@ -18,13 +20,21 @@ using FftwReal = std::unique_ptr<double[], FftwFree>;
 using FftwComplex = std::unique_ptr<fftw_complex[], FftwFree>;
 using FftwPlan = std::unique_ptr<std::remove_pointer_t<fftw_plan>, FftwFree>;
 
-/// `n` zeros, aligned; `Owned`: FftwReal or FftwComplex. Throws std::bad_alloc.
+/// Aligned, not initialised; `Owned`: FftwReal or FftwComplex. Throws std::bad_alloc.
 template <class Owned>
-Owned fftw_zeros(std::size_t n) {
+Owned fftw_memory(std::size_t n) {
     const std::size_t bytes = n * sizeof(typename Owned::element_type);
     Owned memory(static_cast<typename Owned::pointer>(fftw_malloc(bytes)));
     if (!memory) throw std::bad_alloc();
-    std::memset(memory.get(), 0, bytes);
+    use_large_pages(memory.get(), bytes);
+    return memory;
+}
+
+/// `n` zeros.
+template <class Owned>
+Owned fftw_zeros(std::size_t n) {
+    Owned memory = fftw_memory<Owned>(n);
+    std::memset(memory.get(), 0, n * sizeof(typename Owned::element_type));
     return memory;
 }
 

@@ -1,10 +1,12 @@
 #include "contact/memory.h"
 
 #include <fmt/format.h>
+#include <sys/mman.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <optional>
@@ -92,6 +94,23 @@ double left_in_control_groups() {
 
 double available_bytes() {
     return std::max(0., std::min({left_in_system(), left_in_process(), left_in_control_groups()}));
+}
+
+void use_large_pages(void* memory, std::size_t bytes) {
+    constexpr std::uintptr_t large_page = std::uintptr_t{1} << 21;
+    const auto begin = reinterpret_cast<std::uintptr_t>(memory);
+    const std::uintptr_t first = (begin + large_page - 1) / large_page * large_page;
+    const std::uintptr_t end = (begin + bytes) / large_page * large_page;
+    // A hint: where it is not taken all is as before.
+    if (first < end) madvise(reinterpret_cast<void*>(first), end - first, MADV_HUGEPAGE);
+}
+
+std::vector<double> large_field(std::size_t n) {
+    std::vector<double> field;
+    field.reserve(n);
+    use_large_pages(field.data(), n * sizeof(double));
+    field.resize(n);
+    return field;
 }
 
 void require_memory(const std::string& what, double bytes, const std::string& remedy) {

@@ -1,6 +1,9 @@
 #pragma once
 
+#include <cstddef>
+#include <memory>
 #include <string>
+#include <vector>
 
 namespace tricontact::contact {
 
@@ -10,5 +13,21 @@ double available_bytes();
 
 /// Throws InputError "<what> needs 12.3 GB of memory, 4.5 GB are there; <remedy>" where that is so.
 void require_memory(const std::string& what, double bytes, const std::string& remedy);
+
+/// Asks for large pages under memory that has not been touched yet: fields of large grids are
+/// passed over again and again, and each of their pages has to be found. No effect on small memory
+/// or where the system has none.
+void use_large_pages(void* memory, std::size_t bytes);
+
+/// Not initialised, on large pages.
+template <class Number>
+std::unique_ptr<Number[]> large_memory(std::size_t n) {
+    auto memory = std::make_unique_for_overwrite<Number[]>(n);
+    use_large_pages(memory.get(), n * sizeof(Number));
+    return memory;
+}
+
+/// `n` zeros, on large pages.
+std::vector<double> large_field(std::size_t n);
 
 }  // namespace tricontact::contact

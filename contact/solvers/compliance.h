@@ -53,6 +53,7 @@ struct ContactPoints {
 };
 
 class ActiveOperator;
+class NormalGrid;
 
 /// The linear elasticity of both bodies as seen from the contact surface: tractions [Pa] on the
 /// contact points give displacements [m] of the substrate relative to the indenter. Self-adjoint
@@ -67,6 +68,8 @@ class Compliance {
 
     /// Displacement into the substrate under the pressure p.
     virtual void normal(std::span<const double> p, std::span<double> u_z) const = 0;
+    /// `normal` of a grid large enough for NormalNewton; null of others.
+    virtual const NormalGrid* normal_grid() const { return nullptr; }
     /// Displacement in the surface under the tangential traction t on the substrate.
     virtual void tangential(const TangentialField& t, TangentialField& u) const = 0;
     /// The coupling: displacement in the surface under the pressure p, and displacement into the

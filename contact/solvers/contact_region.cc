@@ -4,6 +4,8 @@
 #include <map>
 #include <numbers>
 
+#include "contact/memory.h"
+
 namespace tricontact::contact {
 
 namespace {
@@ -83,7 +85,7 @@ double contact_radius(const ContactPoints& points, const std::vector<double>& pr
 
 std::vector<double> heights_over(const ContactPoints& points, const Indenter& indenter,
                                  const Vector2& offset) {
-    std::vector<double> height(points.size());
+    std::vector<double> height = large_field(points.size());
     for (std::size_t i = 0; i < height.size(); ++i)
         height[i] = indenter.height(points.x[i] - offset[0], points.y[i] - offset[1]);
     return height;

@@ -7,6 +7,7 @@
 
 #include "contact/error.h"
 #include "contact/solvers/normal_active_set.h"
+#include "contact/solvers/normal_newton.h"
 #include "contact/special_values.h"
 
 namespace tricontact::contact {
@@ -247,6 +248,9 @@ NormalSolution NormalSolver::solve(const std::vector<double>& height, const Norm
     if (active_set_ && active_set_->solve(height, control, start, solution) &&
         solution.residual <= std::max(tolerance_, solution.rounding))
         return solution;
+    if (const NormalGrid* const grid = compliance_.normal_grid())
+        if (NormalNewton(*grid, tolerance_).solve(height, control, start, solution))
+            return solution;
     return Iteration(compliance_, height, control, start).run(tolerance_);
 }
 

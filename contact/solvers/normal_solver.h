@@ -26,7 +26,8 @@ struct NormalSolution {
 class NormalActiveSet;
 
 /// Force or indentation prescribed. Conjugate gradients with active set, Polonsky & Keer (1999),
-/// Wear 231, 206-219; where the compliance exposes its matrix, NormalActiveSet first.
+/// Wear 231, 206-219; where the compliance exposes its matrix, NormalActiveSet first; on large
+/// grids NormalNewton first.
 class NormalSolver {
   public:
     /// `tolerance`: on NormalSolution::residual, or its rounding where that is more.

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+#include "contact/special_values.h"
+
+namespace tricontact::contact {
+
+// What loops over the points of a normal contact add up, see Blocks::sum.
+
+template <std::size_t n>
+struct Sums {
+    std::array<double, n> values{};
+    double& operator[](std::size_t k) { return values[k]; }
+    Sums& operator+=(const Sums& other) {
+        for (std::size_t k = 0; k < n; ++k) values[k] += other.values[k];
+        return *this;
+    }
+};
+
+/// Of the gaps on a set [m].
+struct GapSum {
+    double square = 0, worst = 0;
+    void add(double gap) {
+        square += gap * gap;
+        worst = std::max(worst, std::abs(gap));
+    }
+    GapSum& operator+=(const GapSum& other) {
+        square += other.square;
+        worst = larger(worst, other.worst);
+        return *this;
+    }
+};
+
+/// Of pressures and gaps everywhere.
+struct ContactSum {
+    double worst = 0, work = 0, force = 0, gaps = 0;  // gaps: of the next set
+    std::size_t n_entered = 0;
+    ContactSum& operator+=(const ContactSum& other) {
+        worst = larger(worst, other.worst);
+        work += other.work;
+        force += other.force;
+        gaps += other.gaps;
+        n_entered += other.n_entered;
+        return *this;
+    }
+};
+
+}  // namespace tricontact::contact
