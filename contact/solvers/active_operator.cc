@@ -1,8 +1,10 @@
 #include "contact/solvers/active_operator.h"
 
-#include <Eigen/Dense>
+#include <algorithm>
+#include <optional>
 
 #include "contact/error.h"
+#include "contact/solvers/dense_algebra.h"
 
 namespace tricontact::contact {
 
@@ -41,74 +43,83 @@ class ProductOperator final : public ActiveOperator {
 };
 
 /// The matrix of the active points by itself: a fraction of all, and small enough to factorise.
-/// Its Cholesky factor is the exact inverse as long as all points stick.
+/// Its Cholesky factor is the inverse as long as all points stick: in single precision, half the
+/// time and memory, since it only preconditions; in double where the matrix is too ill-conditioned.
 class DenseOperator final : public ActiveOperator {
   public:
     DenseOperator(const Compliance& compliance, const std::vector<std::size_t>& active)
-        : active_(active),
-          area_(compliance.points().area),
-          matrix_(2 * active.size(), 2 * active.size()),
-          in_(2 * active.size()),
-          out_(2 * active.size()) {
-        const std::size_t n = area_.size(), m = active_.size();
+        : n_(active.size()),
+          stride_(2 * n_),
+          lower_(stride_ * stride_),
+          in_(2 * n_),
+          out_(2 * n_),
+          single_(2 * n_) {
+        const std::size_t n = compliance.points().size();
         const double* const all = compliance.dense();
-        for (std::size_t l = 0; l < 2 * m; ++l) {
-            const double* const column = all + 3 * n * (l / m * n + active_[l % m]);
-            for (std::size_t k = 0; k < 2 * m; ++k)
-                matrix_(k, l) = column[k / m * n + active_[k % m]];
+        for (std::size_t l = 0; l < 2 * n_; ++l) {
+            const double* const column = all + 3 * n * (l / n_ * n + active[l % n_]);
+            double* const own = lower_.data() + stride_ * l;
+            if (l < n_)
+                for (std::size_t k = l; k < n_; ++k) own[k] = column[active[k]];
+            for (std::size_t k = l < n_ ? 0 : l - n_; k < n_; ++k)
+                own[n_ + k] = column[n + active[k]];
         }
+        for (const std::size_t i : active) area_.push_back(compliance.points().area[i]);
         factorise();
     }
 
     void apply(const TangentialField& t, TangentialField& u) const override {
-        gather(t, true);
-        out_.noalias() = matrix_.selfadjointView<Eigen::Lower>() * in_;
-        scatter(u);
+        for (std::size_t k = 0; k < n_; ++k) {
+            in_[k] = area_[k] * t.x[k];
+            in_[n_ + k] = area_[k] * t.y[k];
+        }
+        multiply_symmetric({lower_.data(), stride_}, in_, out_);
+        std::copy_n(out_.begin(), n_, u.x.begin());
+        std::copy_n(out_.begin() + static_cast<std::ptrdiff_t>(n_), n_, u.y.begin());
     }
 
     void precondition(const TangentialField& r, TangentialField& z) const override {
-        gather(r, false);
-        out_ = factor_.solve(in_);
-        const std::size_t m = active_.size();
-        for (std::size_t k = 0; k < m; ++k)
-            for (std::size_t c = 0; c < 2; ++c) out_[c * m + k] /= area_[active_[k]];
-        scatter(z);
+        if (exact_)
+            solve(*exact_, out_, r, z);
+        else
+            solve(inverse_, single_, r, z);
     }
 
   private:
     /// Held components have zero rows: any number on their diagonal keeps them at zero.
     void factorise() {
-        Eigen::MatrixXd regular = matrix_;
-        const double typical = regular.diagonal().mean();
-        for (Eigen::Index k = 0; k < regular.rows(); ++k)
-            if (regular(k, k) == 0) regular(k, k) = typical;
-        factor_.compute(regular);
-        if (factor_.info() != Eigen::Success)
+        const auto diagonal = [&](std::size_t k) { return lower_[stride_ * k + k]; };
+        for (std::size_t k = 0; k < 2 * n_; ++k)
+            typical_ += diagonal(k) / static_cast<double>(2 * n_);
+        const auto entry = [&](std::size_t i, std::size_t j) {
+            return i == j && diagonal(i) == 0 ? 1 : lower_[stride_ * j + i] / typical_;
+        };
+        if (inverse_.extend(2 * n_, entry)) return;
+        exact_.emplace();
+        if (!exact_->extend(2 * n_, entry))
             throw NotConverged("tangential contact: the compliance is not positive definite");
     }
 
-    void gather(const TangentialField& f, bool times_area) const {
-        const std::size_t m = active_.size();
-        for (std::size_t k = 0; k < m; ++k) {
-            const double factor = times_area ? area_[active_[k]] : 1;
-            in_[k] = factor * f.x[k];
-            in_[m + k] = factor * f.y[k];
+    template <class Real>
+    void solve(const Cholesky<Real>& factor, std::vector<Real>& x, const TangentialField& r,
+               TangentialField& z) const {
+        for (std::size_t k = 0; k < n_; ++k) {
+            x[k] = static_cast<Real>(r.x[k]);
+            x[n_ + k] = static_cast<Real>(r.y[k]);
         }
+        factor.solve(x);
+        for (std::size_t k = 0; k < n_; ++k)
+            z.set(k, Vector2{x[k], x[n_ + k]} / (typical_ * area_[k]));
     }
 
-    void scatter(TangentialField& f) const {
-        const std::size_t m = active_.size();
-        for (std::size_t k = 0; k < m; ++k) {
-            f.x[k] = out_[k];
-            f.y[k] = out_[m + k];
-        }
-    }
-
-    const std::vector<std::size_t> active_;
-    const std::vector<double>& area_;
-    Eigen::MatrixXd matrix_;  // displacement over force
-    Eigen::LLT<Eigen::MatrixXd> factor_;
-    mutable Eigen::VectorXd in_, out_;
+    const std::size_t n_, stride_;
+    std::vector<double> lower_;  // triangle by columns, displacement over force [m/N]
+    std::vector<double> area_;   // of the active points [m^2]
+    double typical_ = 0;         // of the diagonal; factors are of the matrix over it
+    Cholesky<float> inverse_;
+    std::optional<Cholesky<double>> exact_;  // where that fails
+    mutable std::vector<double> in_, out_;
+    mutable std::vector<float> single_;
 };
 
 }  // namespace

@@ -1,10 +1,11 @@
 #include "contact/solvers/normal_active_set.h"
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
+#include "contact/solvers/dense_algebra.h"
 #include "contact/special_values.h"
 
 namespace tricontact::contact {
@@ -19,41 +20,20 @@ constexpr int closings = 2;
 /// The normal compliance among the points in contact, displacement over force, by Cholesky.
 struct NormalActiveSet::Factor {
     std::vector<std::size_t> points;  // in the order in which they entered
-    Eigen::MatrixXd lower;            // its lower triangle
+    Cholesky<double> cholesky;
 
     /// False if the matrix is not positive definite. `block`: of the normal components, by columns
     /// of length `stride`.
     bool add(const std::vector<std::size_t>& entered, const double* block, std::size_t stride) {
-        const auto old = static_cast<Eigen::Index>(points.size());
-        const auto n_new = static_cast<Eigen::Index>(entered.size());
         points.insert(points.end(), entered.begin(), entered.end());
-        lower.conservativeResize(old + n_new, old + n_new);
-        for (Eigen::Index l = 0; l < old + n_new; ++l)
-            for (Eigen::Index k = std::max(l, old); k < old + n_new; ++k)
-                lower(k, l) = block[stride * points[l] + points[k]];
-        Eigen::MatrixXd rest = lower.bottomRightCorner(n_new, n_new);
-        if (old > 0) {  // [L 0; M R] [L' M'; 0 R']: M L' = what couples old and new, R R' the rest
-            auto mixed = lower.bottomLeftCorner(n_new, old);
-            lower.topLeftCorner(old, old)
-                .triangularView<Eigen::Lower>()
-                .transpose()
-                .solveInPlace<Eigen::OnTheRight>(mixed);
-            rest.selfadjointView<Eigen::Lower>().rankUpdate(mixed, -1);
-        }
-        const Eigen::LLT<Eigen::MatrixXd> llt(rest);
-        lower.bottomRightCorner(n_new, n_new) = llt.matrixLLT();
-        return llt.info() == Eigen::Success;
-    }
-
-    Eigen::VectorXd solve(Eigen::VectorXd v) const {
-        lower.triangularView<Eigen::Lower>().solveInPlace(v);
-        lower.triangularView<Eigen::Lower>().transpose().solveInPlace(v);
-        return v;
+        return cholesky.extend(points.size(), [&](std::size_t i, std::size_t j) {
+            return block[stride * points[j] + points[i]];
+        });
     }
 };
 
 struct NormalActiveSet::Increment {
-    Eigen::VectorXd force;
+    std::vector<double> force;
     double indentation;
 };
 
@@ -76,7 +56,7 @@ bool NormalActiveSet::solve(const std::vector<double>& height, const NormalContr
         std::vector<double> gap = height;
         for (int k = 0; k < closings; ++k) {
             const Increment more = close_gap(gap, control, solution);
-            solution.force += more.force.sum();
+            solution.force += std::reduce(more.force.begin(), more.force.end());
             solution.indentation += more.indentation;
             for (std::size_t l = 0; l < factor_->points.size(); ++l)
                 solution.pressure[factor_->points[l]] += more.force[l] / area[factor_->points[l]];
@@ -128,17 +108,20 @@ double NormalActiveSet::rounding_of(const NormalSolution& solution) const {
 NormalActiveSet::Increment NormalActiveSet::close_gap(const std::vector<double>& gap,
                                                       const NormalControl& control,
                                                       const NormalSolution& solution) const {
-    const auto m = static_cast<Eigen::Index>(factor_->points.size());
-    Eigen::VectorXd open(m);
-    for (Eigen::Index k = 0; k < m; ++k) open[k] = gap[factor_->points[k]];
-    const Eigen::VectorXd resisting = factor_->solve(open);
+    const std::size_t m = factor_->points.size();
+    std::vector<double> force(m);  // what resists the open gap, with the opposite sign
+    for (std::size_t k = 0; k < m; ++k) force[k] = -gap[factor_->points[k]];
+    factor_->cholesky.solve(force);
     if (control.kind == NormalControl::Kind::indentation && solution.indentation != 0)
-        return {-resisting, 0};
-    const Eigen::VectorXd unit = factor_->solve(Eigen::VectorXd::Ones(m));
+        return {std::move(force), 0};
+    std::vector<double> unit(m, 1.0);
+    factor_->cholesky.solve(unit);
+    const auto sum = [](const std::vector<double>& v) { return std::reduce(v.begin(), v.end()); };
     const double indentation = control.kind == NormalControl::Kind::force
-                                   ? (control.value - solution.force + resisting.sum()) / unit.sum()
+                                   ? (control.value - solution.force - sum(force)) / sum(unit)
                                    : control.value;
-    return {indentation * unit - resisting, indentation};
+    for (std::size_t k = 0; k < m; ++k) force[k] += indentation * unit[k];
+    return {std::move(force), indentation};
 }
 
 /// False if the matrix is not positive definite or nothing touches.
