@@ -4,7 +4,6 @@
 #include <optional>
 
 #include "contact/error.h"
-#include "contact/solvers/dense_algebra.h"
 
 namespace tricontact::contact {
 
@@ -47,13 +46,16 @@ class ProductOperator final : public ActiveOperator {
 /// time and memory, since it only preconditions; in double where the matrix is too ill-conditioned.
 class DenseOperator final : public ActiveOperator {
   public:
-    DenseOperator(const Compliance& compliance, const std::vector<std::size_t>& active)
+    DenseOperator(const Compliance& compliance, const std::vector<std::size_t>& active,
+                  OperatorMemory* memory)
         : n_(active.size()),
           stride_(2 * n_),
-          lower_(stride_ * stride_),
-          in_(2 * n_),
-          out_(2 * n_),
-          single_(2 * n_) {
+          lower_(memory ? memory->lower : own_memory_.lower),
+          inverse_(memory ? memory->inverse : own_memory_.inverse),
+          in_(stride_),
+          out_(stride_),
+          single_(stride_) {
+        lower_.resize(stride_ * stride_);
         const std::size_t n = compliance.points().size();
         const double* const all = compliance.dense();
         for (std::size_t l = 0; l < 2 * n_; ++l) {
@@ -94,6 +96,7 @@ class DenseOperator final : public ActiveOperator {
         const auto entry = [&](std::size_t i, std::size_t j) {
             return i == j && diagonal(i) == 0 ? 1 : lower_[stride_ * j + i] / typical_;
         };
+        inverse_.clear();
         if (inverse_.extend(2 * n_, entry)) return;
         exact_.emplace();
         if (!exact_->extend(2 * n_, entry))
@@ -112,11 +115,12 @@ class DenseOperator final : public ActiveOperator {
             z.set(k, Vector2{x[k], x[n_ + k]} / (typical_ * area_[k]));
     }
 
+    OperatorMemory own_memory_;
     const std::size_t n_, stride_;
-    std::vector<double> lower_;  // triangle by columns, displacement over force [m/N]
-    std::vector<double> area_;   // of the active points [m^2]
-    double typical_ = 0;         // of the diagonal; factors are of the matrix over it
-    Cholesky<float> inverse_;
+    std::vector<double>& lower_;  // triangle by columns, displacement over force [m/N]
+    std::vector<double> area_;    // of the active points [m^2]
+    double typical_ = 0;          // of the diagonal; factors are of the matrix over it
+    Cholesky<float>& inverse_;
     std::optional<Cholesky<double>> exact_;  // where that fails
     mutable std::vector<double> in_, out_;
     mutable std::vector<float> single_;
@@ -125,8 +129,9 @@ class DenseOperator final : public ActiveOperator {
 }  // namespace
 
 std::unique_ptr<const ActiveOperator> make_active_operator(const Compliance& compliance,
-                                                           const std::vector<std::size_t>& active) {
-    if (compliance.dense()) return std::make_unique<DenseOperator>(compliance, active);
+                                                           const std::vector<std::size_t>& active,
+                                                           OperatorMemory* memory) {
+    if (compliance.dense()) return std::make_unique<DenseOperator>(compliance, active, memory);
     if (auto products = compliance.among(active)) return products;
     return std::make_unique<ProductOperator>(compliance, active);
 }

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "contact/solvers/compliance.h"
+#include "contact/solvers/dense_algebra.h"
 
 namespace tricontact::contact {
 
@@ -19,8 +20,17 @@ class ActiveOperator {
     virtual void precondition(const TangentialField& r, TangentialField& z) const = 0;
 };
 
+/// What one dense operator after the other works in: new memory for each costs as much as filling
+/// it.
+struct OperatorMemory {
+    std::vector<double> lower;
+    Cholesky<float> inverse;
+};
+
 /// Gathered and factorised where the compliance exposes its matrix, else the compliance's products.
+/// `memory`: for this operator alone as long as it lives; null: its own.
 std::unique_ptr<const ActiveOperator> make_active_operator(const Compliance& compliance,
-                                                           const std::vector<std::size_t>& active);
+                                                           const std::vector<std::size_t>& active,
+                                                           OperatorMemory* memory = nullptr);
 
 }  // namespace tricontact::contact

@@ -86,34 +86,64 @@ void add_columns(const ColumnBlock& columns, std::span<const double> factor,
 
 namespace {
 
-/// Of the columns j ... j + group - 1, the rows below the group.
-TRICONTACT_WIDEST_VECTORS
-void multiply_both_ways(const double* first, std::size_t stride, std::size_t n, const double* xs,
-                        const double* x, double* y, double* ys) {
+/// y += columns * xs if `and_add`, and products of the columns with x, of `group` columns.
+template <bool and_add>
+TRICONTACT_WITHIN std::array<double, group> products_with(const ColumnBlock& columns, std::size_t n,
+                                                          const double* xs, const double* x,
+                                                          double* y) {
     std::array<Vector<double>, group> sums{};
     std::size_t i = 0;
     for (; i + lanes<double> <= n; i += lanes<double>) {
-        auto s = Vector<double>::load(y + i);
         const auto xi = Vector<double>::load(x + i);
+        Vector<double> s{};
+        if constexpr (and_add) s = Vector<double>::load(y + i);
         for (std::size_t k = 0; k < group; ++k) {
-            const auto a = Vector<double>::load(first + stride * k + i);
-            s.lanes += a.lanes * xs[k];
+            const auto a = Vector<double>::load(columns.first + columns.stride * k + i);
+            if constexpr (and_add) s.lanes += a.lanes * xs[k];
             sums[k].lanes += a.lanes * xi.lanes;
         }
-        s.store(y + i);
+        if constexpr (and_add) s.store(y + i);
     }
+    std::array<double, group> total{};
     for (std::size_t k = 0; k < group; ++k) {
-        double sum = 0;
-        for (std::size_t l = 0; l < lanes<double>; ++l) sum += sums[k].lanes[l];
+        const double* const column = columns.first + columns.stride * k;
+        for (std::size_t l = 0; l < lanes<double>; ++l) total[k] += sums[k].lanes[l];
         for (std::size_t r = i; r < n; ++r) {
-            y[r] += first[stride * k + r] * xs[k];
-            sum += first[stride * k + r] * x[r];
+            if constexpr (and_add) y[r] += column[r] * xs[k];
+            total[k] += column[r] * x[r];
         }
-        ys[k] += sum;
     }
+    return total;
+}
+
+TRICONTACT_WIDEST_VECTORS
+void multiply_group(const ColumnBlock& columns, std::size_t n, const double* x, double* result) {
+    const auto total = products_with<false>(columns, n, nullptr, x, nullptr);
+    for (std::size_t k = 0; k < group; ++k) result[k] = total[k];
+}
+
+/// Of columns of a symmetric matrix, the rows below these columns' own.
+TRICONTACT_WIDEST_VECTORS
+void multiply_both_ways(const ColumnBlock& below, std::size_t n, const double* xs, const double* x,
+                        double* y, double* ys) {
+    const auto total = products_with<true>(below, n, xs, x, y);
+    for (std::size_t k = 0; k < group; ++k) ys[k] += total[k];
 }
 
 }  // namespace
+
+void multiply_transposed(const ColumnBlock& columns, std::span<const double> x,
+                         std::span<double> result) {
+    std::size_t j = 0;
+    for (; j + group <= result.size(); j += group)
+        multiply_group({columns.first + columns.stride * j, columns.stride}, x.size(), x.data(),
+                       result.data() + j);
+    for (; j < result.size(); ++j) {
+        result[j] = 0;
+        for (std::size_t i = 0; i < x.size(); ++i)
+            result[j] += columns.first[columns.stride * j + i] * x[i];
+    }
+}
 
 void multiply_symmetric(const ColumnBlock& lower, std::span<const double> x, std::span<double> y) {
     const std::size_t n = x.size();
@@ -132,7 +162,7 @@ void multiply_symmetric(const ColumnBlock& lower, std::span<const double> x, std
     for (; j + group <= n; j += group) {
         within(j, j + group);
         const std::size_t next = j + group;
-        multiply_both_ways(lower.first + lower.stride * j + next, lower.stride, n - next,
+        multiply_both_ways({lower.first + lower.stride * j + next, lower.stride}, n - next,
                            x.data() + j, x.data() + next, y.data() + next, y.data() + j);
     }
     within(j, n);
@@ -303,12 +333,16 @@ void Cholesky<Real>::enlarge(std::size_t n) {
     // Tiles of two lines reach beyond the last row; an odd number of lines spreads columns over
     // the sets of a cache.
     const std::size_t needed = (n + line_length - 1) / line_length + 1;
-    const std::size_t lines = std::max(lines_per_column_, needed | 1);
-    std::vector<Line> larger(lines * n);
-    for (std::size_t j = 0; j < n_; ++j)
-        std::copy_n(lines_.begin() + static_cast<std::ptrdiff_t>(j * lines_per_column_),
-                    lines_per_column_, larger.begin() + static_cast<std::ptrdiff_t>(j * lines));
-    lines_ = std::move(larger);
+    const std::size_t lines = needed | 1;
+    if (n_ == 0) {
+        lines_.resize(lines * n);
+    } else {
+        std::vector<Line> larger(lines * n);
+        for (std::size_t j = 0; j < n_; ++j)
+            std::copy_n(lines_.begin() + static_cast<std::ptrdiff_t>(j * lines_per_column_),
+                        lines_per_column_, larger.begin() + static_cast<std::ptrdiff_t>(j * lines));
+        lines_ = std::move(larger);
+    }
     lines_per_column_ = lines;
     n_ = n;
 }

@@ -20,6 +20,10 @@ struct ColumnBlock {
 /// sum += columns * factor; columns whose factor is zero are not read.
 void add_columns(const ColumnBlock& columns, std::span<const double> factor, std::span<double> sum);
 
+/// result = columns' x: a product of each column with x.
+void multiply_transposed(const ColumnBlock& columns, std::span<const double> x,
+                         std::span<double> result);
+
 /// y = A x of a symmetric matrix whose lower triangle is given.
 void multiply_symmetric(const ColumnBlock& lower, std::span<const double> x, std::span<double> y);
 
@@ -28,6 +32,8 @@ template <class Real>
 class Cholesky {
   public:
     std::size_t size() const { return n_; }
+    /// Forgets the matrix and keeps the memory.
+    void clear() { n_ = 0; }
 
     /// Adds rows and columns to the matrix: `entry(i, j)`, i >= j, for the new i = size() ... n
     /// - 1. False if it is not positive definite. The factor is the same to the last bit as that of

@@ -21,11 +21,13 @@ constexpr int closings = 2;
 struct NormalActiveSet::Factor {
     std::vector<std::size_t> points;  // in the order in which they entered
     Cholesky<double> cholesky;
+    std::vector<double> unit;  // forces that displace all points by 1, if known
 
     /// False if the matrix is not positive definite. `block`: of the normal components, by columns
     /// of length `stride`.
     bool add(const std::vector<std::size_t>& entered, const double* block, std::size_t stride) {
         points.insert(points.end(), entered.begin(), entered.end());
+        unit.clear();
         return cholesky.extend(points.size(), [&](std::size_t i, std::size_t j) {
             return block[stride * points[j] + points[i]];
         });
@@ -114,8 +116,11 @@ NormalActiveSet::Increment NormalActiveSet::close_gap(const std::vector<double>&
     factor_->cholesky.solve(force);
     if (control.kind == NormalControl::Kind::indentation && solution.indentation != 0)
         return {std::move(force), 0};
-    std::vector<double> unit(m, 1.0);
-    factor_->cholesky.solve(unit);
+    auto& unit = factor_->unit;
+    if (unit.empty()) {
+        unit.assign(m, 1.0);
+        factor_->cholesky.solve(unit);
+    }
     const auto sum = [](const std::vector<double>& v) { return std::reduce(v.begin(), v.end()); };
     const double indentation = control.kind == NormalControl::Kind::force
                                    ? (control.value - solution.force - sum(force)) / sum(unit)
@@ -138,7 +143,9 @@ bool NormalActiveSet::update_contact(std::vector<std::uint8_t> contact) {
 }
 
 void NormalActiveSet::forget() {
-    factor_ = std::make_shared<Factor>();
+    factor_->points.clear();
+    factor_->cholesky.clear();
+    factor_->unit.clear();
     std::ranges::fill(contact_, 0);
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "contact/error.h"
 #include "contact/solvers/fixed_point.h"
@@ -15,6 +16,13 @@ namespace {
 
 // Solutions are kept while they fit: a period comes back to the same offsets again and again.
 constexpr std::size_t most_kept_bytes = std::size_t{1} << 28;
+
+// Points that may touch lie lower than those that did, by this part of the indentation at most.
+constexpr double higher = .05;
+// A focus on more of the points is not worth gathering them.
+constexpr double most_focused = .7;
+// Tangential contact is solved to this part of the gap that the last staggered iteration left.
+constexpr double of_gap = .01, first_gap = 1e-2;
 
 /// The phase within its period, rounded: n + 1/3 has other last bits for each n. All that comes
 /// before rolling has phase 0, and so has what does not recur: it begins where the last step ended.
@@ -32,7 +40,11 @@ StaggeredSolver::StaggeredSolver(std::string name, Substrate& substrate, const I
       substrate_(substrate),
       friction_coefficient_(friction_coefficient),
       tolerance_(tolerance),
-      coupling_(substrate.compliance(), indenter, options) {
+      focused_(options.coupling && substrate.compliance().is_coupled() &&
+                       substrate.compliance().dense()
+                   ? std::make_optional<FocusedCompliance>(substrate.compliance())
+                   : std::nullopt),
+      coupling_(compliance(), indenter, options) {
     make_solvers();
     release();
 }
@@ -49,10 +61,10 @@ void StaggeredSolver::release() {
 }
 
 void StaggeredSolver::make_solvers() {
-    normal_solver_.emplace(substrate_.compliance(), 0.1 * tolerance_);
+    normal_solver_.emplace(compliance(), 0.1 * tolerance_);
     // Where friction lowers the surface, its errors come back in the gap, mu times those over mu p.
     const double finer = coupling_.is_decoupled() ? 1 : std::min(1., .1 / friction_coefficient_);
-    tangential_solver_.emplace(substrate_.compliance(), finer * tolerance_);
+    tangential_solver_.emplace(compliance(), finer * tolerance_);
 }
 
 Vector2 StaggeredSolver::rotated(const StepStart& before, std::size_t i) const {
@@ -79,14 +91,16 @@ void StaggeredSolver::solve(const LoadStep& step, const StepStart& before) {
     update_displacement();
 }
 
-/// coupling().height() at the present offset, for the effective displacements [m].
+/// coupling().height() at the present offset, for the effective displacements [m]; infinite beside
+/// the focus.
 std::vector<double> StaggeredSolver::update_height() {
     coupling_.update_height(now_.tangential.traction);
     std::vector<double> height = coupling_.height();
-    if (!substrate_.relaxes()) return height;
-    for (std::size_t i = 0; i < height.size(); ++i)
+    for (std::size_t i = 0; substrate_.relaxes() && i < height.size(); ++i)
         height[i] = substrate_.stiffness() * coupling_.bare_height()[i] + coupling_.lowering()[i] -
                     substrate_.offset().down[i];
+    for (std::size_t i = 0; i < focus_.size(); ++i)
+        if (!focus_[i]) height[i] = infinity;
     return height;
 }
 
@@ -118,6 +132,7 @@ void StaggeredSolver::recall_start(double phase) {
     now_.normal = start.normal;
     now_.tangential.traction = start.traction;
     now_.tangential.shift_increment = start.shift_increment;
+    highest_ = start.highest;
 }
 
 void StaggeredSolver::keep_start(double phase) {
@@ -125,26 +140,36 @@ void StaggeredSolver::keep_start(double phase) {
     const std::size_t bytes = 4 * sizeof(double) * points().size();
     const long key = key_of_phase(phase);
     if (starts_.contains(key) || (starts_.size() + 1) * bytes <= most_kept_bytes)
-        starts_[key] = {now_.normal, now_.tangential.traction, now_.tangential.shift_increment};
+        starts_[key] = {now_.normal, now_.tangential.traction, now_.tangential.shift_increment,
+                        highest_};
 }
 
 void StaggeredSolver::resume(ContactSolution solution, double phase) {
     now_ = std::move(solution);
     // What a run that was not interrupted would know, so that it goes on by the same numbers.
     if (coupling_.is_decoupled()) keep_normal();
-    keep_start(phase);
     coupling_.place(now_.offset);
+    find_highest();
+    keep_start(phase);
 }
 
 void StaggeredSolver::solve_coupled(const LoadStep& step, const StepStart& before) {
     recall_start(step.recurs ? step.phase : 0);
+    focus(may_touch());
+    do iterate(step, before);
+    while (!look_at_all());
+    find_highest();
+}
+
+void StaggeredSolver::iterate(const LoadStep& step, const StepStart& before) {
     std::vector<double> height = update_height();
     FixedPoint iteration;
+    now_.gap_residual = first_gap;
     for (int k = 1; k <= FixedPoint::max_iterations; ++k) {
+        looseness_ = std::max(1., of_gap * now_.gap_residual / tolerance_);
         solve_normal(step.normal, height);
         coupling_.update_displacement(now_.normal->pressure);
         solve_friction(step, before);
-        update_displacement();
 
         // What the iteration changed under the indenter is how far the pressures are from right.
         const std::vector<double> now = update_height();
@@ -152,13 +177,68 @@ void StaggeredSolver::solve_coupled(const LoadStep& step, const StepStart& befor
         for (std::size_t i = 0; i < height.size(); ++i)
             if (now_.normal->pressure[i] > 0) change = larger(change, std::abs(now[i] - height[i]));
         now_.gap_residual = change / (substrate_.stiffness() * now_.normal->length);
-        if (now_.gap_residual <= tolerance_) return;
+        if (now_.gap_residual <= tolerance_ && looseness_ == 1) return;
         height = iteration.next(height, now, now_.gap_residual);
     }
     throw NotConverged(fmt::format(
         "{}: normal and tangential contact do not agree at phase {:.4g}: the gap still changes by "
         "{:.2e} of the indentation after {} staggered iterations (tolerance {:.1e})",
         name_, step.phase, now_.gap_residual, FixedPoint::max_iterations, tolerance_));
+}
+
+/// The points lower than those in contact at the start, and a little higher ones. Empty: all.
+std::vector<std::uint8_t> StaggeredSolver::may_touch() const {
+    std::vector<std::uint8_t> points;
+    const NormalSolution& start = *now_.normal;
+    if (!focused_ || !(start.force > 0) || highest_ == 0) return points;
+    const double grown =
+        now_.control.value /
+        (now_.control.kind == NormalControl::Kind::force ? start.force : start.indentation);
+    const double level = std::max(1., grown) * (highest_ + higher * start.indentation);
+    for (const double height : coupling_.bare_height()) points.push_back(height <= level);
+    return points;
+}
+
+void StaggeredSolver::focus(const std::vector<std::uint8_t>& on) {
+    if (!focused_) return;
+    std::vector<std::size_t> points;
+    for (std::size_t i = 0; i < on.size(); ++i)
+        if (on[i]) points.push_back(i);
+    focus_.clear();
+    focused_->focus_on_all();
+    if (points.empty() || static_cast<double>(points.size()) > most_focused * on.size()) return;
+    focus_ = on;
+    focused_->focus(std::move(points));
+}
+
+/// Completes a solution that was found on some points by the displacements of all. False if others
+/// penetrate, which then belong to them.
+bool StaggeredSolver::look_at_all() {
+    if (focus_.empty()) return true;
+    std::vector<std::uint8_t> on = std::exchange(focus_, {});
+    focused_->focus_on_all();
+    NormalSolution normal = *now_.normal;
+    focused_->normal(normal.pressure, normal.displacement);
+    focused_->tangential(now_.tangential.traction, now_.tangential.displacement);
+    coupling_.update_displacement(normal.pressure);
+    const std::vector<double> height = update_height();
+    const double depth = substrate_.stiffness() * normal.indentation;
+    bool complete = true;
+    for (std::size_t i = 0; i < on.size(); ++i) {
+        if (on[i] || !(normal.displacement[i] + height[i] < depth)) continue;
+        on[i] = 1;
+        complete = false;
+    }
+    now_.normal = std::make_shared<const NormalSolution>(std::move(normal));
+    if (!complete) focus(on);
+    return complete;
+}
+
+/// The highest part of the indenter over the contact, as it is undeformed.
+void StaggeredSolver::find_highest() {
+    highest_ = 0;
+    for (std::size_t i = 0; i < now_.bound.size(); ++i)
+        if (now_.normal->pressure[i] > 0) highest_ = std::max(highest_, coupling_.bare_height()[i]);
 }
 
 /// Presses against `height`, starting from the last pressures.
@@ -208,7 +288,13 @@ void StaggeredSolver::solve_tangential(const LoadStep& step, const StepStart& be
     const double contact_compliance =
         now_.shift_factor * stiffness * now_.normal->length * contact_area / now_.normal->force;
     for (double& increment : now_.tangential.shift_increment) increment *= stiffness;
-    tangential_solver_->solve({now_.bound, relative, control, contact_compliance}, now_.tangential);
+    tangential_solver_->solve({.bound = now_.bound,
+                               .previous_displacement = relative,
+                               .control = control,
+                               .contact_compliance = contact_compliance,
+                               .looseness = looseness_,
+                               .displaces_all = focus_.empty()},
+                              now_.tangential);
     now_.tangential_iterations += now_.tangential.iterations;
     for (int d = 0; d < 2; ++d) {
         now_.tangential.shift_increment[d] /= stiffness;
