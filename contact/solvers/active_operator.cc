@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <span>
 
 #include "contact/error.h"
 
@@ -49,58 +50,74 @@ class DenseOperator final : public ActiveOperator {
     DenseOperator(const Compliance& compliance, const std::vector<std::size_t>& active,
                   OperatorMemory* memory)
         : n_(active.size()),
-          stride_(2 * n_),
-          lower_(memory ? memory->lower : own_memory_.lower),
-          inverse_(memory ? memory->inverse : own_memory_.inverse),
-          in_(stride_),
-          out_(stride_),
-          single_(stride_) {
-        lower_.resize(stride_ * stride_);
-        const std::size_t n = compliance.points().size();
-        const double* const all = compliance.dense();
-        for (std::size_t l = 0; l < 2 * n_; ++l) {
-            const double* const column = all + 3 * n * (l / n_ * n + active[l % n_]);
-            double* const own = lower_.data() + stride_ * l;
-            if (l < n_)
-                for (std::size_t k = l; k < n_; ++k) own[k] = column[active[k]];
-            for (std::size_t k = l < n_ ? 0 : l - n_; k < n_; ++k)
-                own[n_ + k] = column[n + active[k]];
-        }
+          memory_(memory ? *memory : own_memory_),
+          in_(2 * n_),
+          out_(2 * n_),
+          single_in_(2 * n_),
+          single_out_(2 * n_) {
         for (const std::size_t i : active) area_.push_back(compliance.points().area[i]);
+        gather(compliance, active);
         factorise();
     }
 
     void apply(const TangentialField& t, TangentialField& u) const override {
-        for (std::size_t k = 0; k < n_; ++k) {
-            in_[k] = area_[k] * t.x[k];
-            in_[n_ + k] = area_[k] * t.y[k];
-        }
-        multiply_symmetric({lower_.data(), stride_}, in_, out_);
-        std::copy_n(out_.begin(), n_, u.x.begin());
-        std::copy_n(out_.begin() + static_cast<std::ptrdiff_t>(n_), n_, u.y.begin());
+        multiply(memory_.lower, 1, in_, out_, t, u);
+    }
+
+    void apply_roughly(const TangentialField& t, TangentialField& u) const override {
+        multiply(memory_.rough, typical_, single_in_, single_out_, t, u);
     }
 
     void precondition(const TangentialField& r, TangentialField& z) const override {
         if (exact_)
-            solve(*exact_, out_, r, z);
+            solve(*exact_, in_, r, z);
         else
-            solve(inverse_, single_, r, z);
+            solve(memory_.inverse, single_in_, r, z);
     }
 
   private:
+    /// Columns of the lower triangle, and of the upper one what multiply_symmetric() reads.
+    void gather(const Compliance& compliance, const std::vector<std::size_t>& active) {
+        const std::size_t n = compliance.points().size();
+        auto& lower = memory_.lower;
+        lower.resize(4 * n_ * n_);
+        for (std::size_t l = 0; l < 2 * n_; ++l) {
+            const double* const column = compliance.dense() + 3 * n * (l / n_ * n + active[l % n_]);
+            double* const own = lower.data() + 2 * n_ * l;
+            for (std::size_t k = first_of_group(l); k < 2 * n_; ++k)
+                own[k] = column[k < n_ ? active[k] : n + active[k - n_]];
+            typical_ += own[l] / static_cast<double>(2 * n_);
+        }
+        memory_.rough.resize(lower.size());
+        for (std::size_t l = 0; l < 2 * n_; ++l)
+            for (std::size_t k = 2 * n_ * l + first_of_group(l); k < 2 * n_ * (l + 1); ++k)
+                memory_.rough[k] = static_cast<float>(lower[k] / typical_);
+    }
+
     /// Held components have zero rows: any number on their diagonal keeps them at zero.
     void factorise() {
-        const auto diagonal = [&](std::size_t k) { return lower_[stride_ * k + k]; };
-        for (std::size_t k = 0; k < 2 * n_; ++k)
-            typical_ += diagonal(k) / static_cast<double>(2 * n_);
-        const auto entry = [&](std::size_t i, std::size_t j) {
-            return i == j && diagonal(i) == 0 ? 1 : lower_[stride_ * j + i] / typical_;
+        const auto factor = [&](auto& cholesky, const auto& of, double diagonal) {
+            return cholesky.extend(2 * n_, [&](std::size_t i, std::size_t j) {
+                const auto entry = of[2 * n_ * j + i];
+                return i == j && entry == 0 ? diagonal : entry;
+            });
         };
-        inverse_.clear();
-        if (inverse_.extend(2 * n_, entry)) return;
+        memory_.inverse.clear();
+        if (factor(memory_.inverse, memory_.rough, 1)) return;
         exact_.emplace();
-        if (!exact_->extend(2 * n_, entry))
+        if (!factor(*exact_, memory_.lower, typical_))
             throw NotConverged("tangential contact: the compliance is not positive definite");
+    }
+
+    template <class Real>
+    void multiply(const std::vector<Real>& lower, double scale, std::vector<Real>& in,
+                  std::vector<Real>& out, const TangentialField& t, TangentialField& u) const {
+        for (std::size_t k = 0; k < n_; ++k) {
+            in[k] = static_cast<Real>(area_[k] * t.x[k]);
+            in[n_ + k] = static_cast<Real>(area_[k] * t.y[k]);
+        }
+        multiply_symmetric({lower.data(), 2 * n_}, std::span<const Real>(in), std::span(out));
+        for (std::size_t k = 0; k < n_; ++k) u.set(k, scale * Vector2{out[k], out[n_ + k]});
     }
 
     template <class Real>
@@ -111,19 +128,18 @@ class DenseOperator final : public ActiveOperator {
             x[n_ + k] = static_cast<Real>(r.y[k]);
         }
         factor.solve(x);
-        for (std::size_t k = 0; k < n_; ++k)
-            z.set(k, Vector2{x[k], x[n_ + k]} / (typical_ * area_[k]));
+        for (std::size_t k = 0; k < n_; ++k) z.set(k, Vector2{x[k], x[n_ + k]} / area_[k]);
     }
 
     OperatorMemory own_memory_;
-    const std::size_t n_, stride_;
-    std::vector<double>& lower_;  // triangle by columns, displacement over force [m/N]
-    std::vector<double> area_;    // of the active points [m^2]
-    double typical_ = 0;          // of the diagonal; factors are of the matrix over it
-    Cholesky<float>& inverse_;
-    std::optional<Cholesky<double>> exact_;  // where that fails
+    const std::size_t n_;
+    // Displacement over force: [m/N], and over a typical one of the diagonal in single precision.
+    OperatorMemory& memory_;
+    double typical_ = 0;
+    std::vector<double> area_;               // of the active points [m^2]
+    std::optional<Cholesky<double>> exact_;  // where that in single precision fails
     mutable std::vector<double> in_, out_;
-    mutable std::vector<float> single_;
+    mutable std::vector<float> single_in_, single_out_;
 };
 
 }  // namespace

@@ -16,6 +16,8 @@ class ActiveOperator {
 
     /// u = A t.
     virtual void apply(const TangentialField& t, TangentialField& u) const = 0;
+    /// The same for corrections of t: in single precision where that costs less.
+    virtual void apply_roughly(const TangentialField& t, TangentialField& u) const { apply(t, u); }
     /// A symmetric positive definite approximation of the inverse of `apply`, up to a factor.
     virtual void precondition(const TangentialField& r, TangentialField& z) const = 0;
 };
@@ -24,6 +26,7 @@ class ActiveOperator {
 /// it.
 struct OperatorMemory {
     std::vector<double> lower;
+    std::vector<float> rough;
     Cholesky<float> inverse;
 };
 

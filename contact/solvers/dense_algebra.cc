@@ -17,7 +17,7 @@ namespace tricontact::contact {
 
 namespace {
 
-constexpr std::size_t group = 8;  // columns that are read side by side
+constexpr std::size_t group = columns_in_group;
 
 /// Numbers side by side, as many as the widest registers hold.
 template <class Real>
@@ -63,7 +63,7 @@ void add_group_wide(const std::array<const double*, group>& column,
 
 }  // namespace
 
-void add_columns(const ColumnBlock& columns, std::span<const double> factor,
+void add_columns(const ColumnBlock<double>& columns, std::span<const double> factor,
                  std::span<double> sum) {
     std::array<const double*, group> column{};
     std::array<double, group> factors{};
@@ -87,27 +87,27 @@ void add_columns(const ColumnBlock& columns, std::span<const double> factor,
 namespace {
 
 /// y += columns * xs if `and_add`, and products of the columns with x, of `group` columns.
-template <bool and_add>
-TRICONTACT_WITHIN std::array<double, group> products_with(const ColumnBlock& columns, std::size_t n,
-                                                          const double* xs, const double* x,
-                                                          double* y) {
-    std::array<Vector<double>, group> sums{};
+template <bool and_add, class Real>
+TRICONTACT_WITHIN std::array<Real, group> products_with(const ColumnBlock<Real>& columns,
+                                                        std::size_t n, const Real* xs,
+                                                        const Real* x, Real* y) {
+    std::array<Vector<Real>, group> sums{};
     std::size_t i = 0;
-    for (; i + lanes<double> <= n; i += lanes<double>) {
-        const auto xi = Vector<double>::load(x + i);
-        Vector<double> s{};
-        if constexpr (and_add) s = Vector<double>::load(y + i);
+    for (; i + lanes<Real> <= n; i += lanes<Real>) {
+        const auto xi = Vector<Real>::load(x + i);
+        Vector<Real> s{};
+        if constexpr (and_add) s = Vector<Real>::load(y + i);
         for (std::size_t k = 0; k < group; ++k) {
-            const auto a = Vector<double>::load(columns.first + columns.stride * k + i);
+            const auto a = Vector<Real>::load(columns.first + columns.stride * k + i);
             if constexpr (and_add) s.lanes += a.lanes * xs[k];
             sums[k].lanes += a.lanes * xi.lanes;
         }
         if constexpr (and_add) s.store(y + i);
     }
-    std::array<double, group> total{};
+    std::array<Real, group> total{};
     for (std::size_t k = 0; k < group; ++k) {
-        const double* const column = columns.first + columns.stride * k;
-        for (std::size_t l = 0; l < lanes<double>; ++l) total[k] += sums[k].lanes[l];
+        const Real* const column = columns.first + columns.stride * k;
+        for (std::size_t l = 0; l < lanes<Real>; ++l) total[k] += sums[k].lanes[l];
         for (std::size_t r = i; r < n; ++r) {
             if constexpr (and_add) y[r] += column[r] * xs[k];
             total[k] += column[r] * x[r];
@@ -117,22 +117,41 @@ TRICONTACT_WITHIN std::array<double, group> products_with(const ColumnBlock& col
 }
 
 TRICONTACT_WIDEST_VECTORS
-void multiply_group(const ColumnBlock& columns, std::size_t n, const double* x, double* result) {
-    const auto total = products_with<false>(columns, n, nullptr, x, nullptr);
+void multiply_group(const ColumnBlock<double>& columns, std::size_t n, const double* x,
+                    double* result) {
+    const auto total = products_with<false, double>(columns, n, nullptr, x, nullptr);
     for (std::size_t k = 0; k < group; ++k) result[k] = total[k];
 }
 
-/// Of columns of a symmetric matrix, the rows below these columns' own.
+template <class Real>
+TRICONTACT_WITHIN void multiply_triangle(const ColumnBlock<Real>& lower, std::size_t n,
+                                         const Real* x, Real* y) {
+    for (std::size_t i = 0; i < n; ++i) y[i] = 0;
+    for (std::size_t j = 0; j < n; j += group) {
+        const std::size_t next = std::min(j + group, n);
+        const ColumnBlock<Real> own = {lower.first + lower.stride * j, lower.stride};
+        for (std::size_t k = j; k < next; ++k)
+            for (std::size_t r = j; r < next; ++r)
+                y[r] += own.first[own.stride * (k - j) + r] * x[k];
+        if (next == n) break;
+        const auto total = products_with<true>({own.first + next, own.stride}, n - next, x + j,
+                                               x + next, y + next);
+        for (std::size_t k = 0; k < group; ++k) y[j + k] += total[k];
+    }
+}
+
 TRICONTACT_WIDEST_VECTORS
-void multiply_both_ways(const ColumnBlock& below, std::size_t n, const double* xs, const double* x,
-                        double* y, double* ys) {
-    const auto total = products_with<true>(below, n, xs, x, y);
-    for (std::size_t k = 0; k < group; ++k) ys[k] += total[k];
+void multiply_double(const ColumnBlock<double>& lower, std::size_t n, const double* x, double* y) {
+    multiply_triangle(lower, n, x, y);
+}
+TRICONTACT_WIDEST_VECTORS
+void multiply_single(const ColumnBlock<float>& lower, std::size_t n, const float* x, float* y) {
+    multiply_triangle(lower, n, x, y);
 }
 
 }  // namespace
 
-void multiply_transposed(const ColumnBlock& columns, std::span<const double> x,
+void multiply_transposed(const ColumnBlock<double>& columns, std::span<const double> x,
                          std::span<double> result) {
     std::size_t j = 0;
     for (; j + group <= result.size(); j += group)
@@ -145,27 +164,14 @@ void multiply_transposed(const ColumnBlock& columns, std::span<const double> x,
     }
 }
 
-void multiply_symmetric(const ColumnBlock& lower, std::span<const double> x, std::span<double> y) {
-    const std::size_t n = x.size();
-    std::ranges::fill(y, 0.0);
-    const auto within = [&](std::size_t j, std::size_t end) {
-        for (std::size_t c = j; c < end; ++c) {
-            const double* const column = lower.first + lower.stride * c;
-            y[c] += column[c] * x[c];
-            for (std::size_t r = c + 1; r < end; ++r) {
-                y[r] += column[r] * x[c];
-                y[c] += column[r] * x[r];
-            }
-        }
-    };
-    std::size_t j = 0;
-    for (; j + group <= n; j += group) {
-        within(j, j + group);
-        const std::size_t next = j + group;
-        multiply_both_ways({lower.first + lower.stride * j + next, lower.stride}, n - next,
-                           x.data() + j, x.data() + next, y.data() + next, y.data() + j);
-    }
-    within(j, n);
+void multiply_symmetric(const ColumnBlock<double>& lower, std::span<const double> x,
+                        std::span<double> y) {
+    multiply_double(lower, x.size(), x.data(), y.data());
+}
+
+void multiply_symmetric(const ColumnBlock<float>& lower, std::span<const float> x,
+                        std::span<float> y) {
+    multiply_single(lower, x.size(), x.data(), y.data());
 }
 
 namespace {

@@ -16,7 +16,7 @@ void FocusedCompliance::focus(std::vector<std::size_t> points) {
     normal_.resize(m * m);
     for (std::size_t l = 0; l < m; ++l) {
         const double* const column = normal_rows(2, l);
-        for (std::size_t k = l; k < m; ++k) normal_[m * l + k] = column[some_[k]];
+        for (std::size_t k = first_of_group(l); k < m; ++k) normal_[m * l + k] = column[some_[k]];
     }
     coupled_.resize(2 * m * m);
     for (std::size_t l = 0; l < 2 * m; ++l) {

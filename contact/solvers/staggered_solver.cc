@@ -22,7 +22,7 @@ constexpr double higher = .05;
 // A focus on more of the points is not worth gathering them.
 constexpr double most_focused = .7;
 // Tangential contact is solved to this part of the gap that the last staggered iteration left.
-constexpr double of_gap = .01, first_gap = 1e-2;
+constexpr double of_gap = .1, first_gap = 1e-2;
 
 /// The phase within its period, rounded: n + 1/3 has other last bits for each n. All that comes
 /// before rolling has phase 0, and so has what does not recur: it begins where the last step ended.
@@ -246,7 +246,7 @@ void StaggeredSolver::solve_normal(NormalControl control, const std::vector<doub
     const bool warm = now_.normal->force > 0 && control.kind == NormalControl::Kind::force;
     if (control.kind == NormalControl::Kind::indentation) control.value *= substrate_.stiffness();
     NormalSolution solution = normal_solver_->solve(
-        height, control, warm ? now_.normal->pressure : std::vector<double>{});
+        height, control, warm ? now_.normal->pressure : std::vector<double>{}, looseness_ == 1);
     solution.indentation /= substrate_.stiffness();
     solution.length /= substrate_.stiffness();
     now_.normal = std::make_shared<const NormalSolution>(std::move(solution));

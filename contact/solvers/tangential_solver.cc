@@ -125,7 +125,9 @@ class Newton {
             else
                 solution_.shift_increment[d] = problem_.control[d].value;
         if (!shift_is_given_) return;
-        update_slip();
+        products_.apply_roughly(traction_, displacement_);
+        ++solution_.iterations;
+        slip_by_displacement();
         classify();
     }
 
