@@ -5,6 +5,7 @@
 #include <span>
 
 #include "contact/error.h"
+#include "contact/solvers/point_runs.h"
 
 namespace tricontact::contact {
 
@@ -81,11 +82,18 @@ class DenseOperator final : public ActiveOperator {
         const std::size_t n = compliance.points().size();
         auto& lower = memory_.lower;
         lower.resize(4 * n_ * n_);
+        const PointRuns runs(active);
+        const auto column = [&](std::size_t l) {
+            return compliance.dense() + 3 * n * (l / n_ * n + active[l % n_]);
+        };
         for (std::size_t l = 0; l < 2 * n_; ++l) {
-            const double* const column = compliance.dense() + 3 * n * (l / n_ * n + active[l % n_]);
+            if (l + 2 < 2 * n_) {
+                if (l + 2 < n_) runs.prefetch(column(l + 2));
+                runs.prefetch(column(l + 2) + n);
+            }
             double* const own = lower.data() + 2 * n_ * l;
-            for (std::size_t k = first_of_group(l); k < 2 * n_; ++k)
-                own[k] = column[k < n_ ? active[k] : n + active[k - n_]];
+            if (l < n_ + columns_in_group) runs.gather(column(l), own);
+            runs.gather(column(l) + n, own + n_);
             typical_ += own[l] / static_cast<double>(2 * n_);
         }
         memory_.rough.resize(lower.size());

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "contact/solvers/dense_algebra.h"
+#include "contact/solvers/point_runs.h"
 
 namespace tricontact::contact {
 
@@ -10,18 +11,15 @@ void FocusedCompliance::focus(std::vector<std::size_t> points) {
     some_ = std::move(points);
     const std::size_t n = this->points().size(), m = some_.size();
     const double* const matrix = all_.dense();
-    const auto normal_rows = [&](std::size_t component, std::size_t l) {
-        return matrix + 3 * n * (component * n + some_[l]) + 2 * n;
-    };
     normal_.resize(m * m);
-    for (std::size_t l = 0; l < m; ++l) {
-        const double* const column = normal_rows(2, l);
-        for (std::size_t k = first_of_group(l); k < m; ++k) normal_[m * l + k] = column[some_[k]];
-    }
     coupled_.resize(2 * m * m);
-    for (std::size_t l = 0; l < 2 * m; ++l) {
-        const double* const column = normal_rows(l / m, l % m);
-        for (std::size_t k = 0; k < m; ++k) coupled_[m * l + k] = column[some_[k]];
+    const PointRuns runs(some_);
+    const auto normal_rows = [&](std::size_t l) {
+        return matrix + 3 * n * (l / m * n + some_[l % m]) + 2 * n;
+    };
+    for (std::size_t l = 0; l < 3 * m; ++l) {
+        if (l + 2 < 3 * m) runs.prefetch(normal_rows(l + 2));
+        runs.gather(normal_rows(l), l < 2 * m ? &coupled_[m * l] : &normal_[m * (l - 2 * m)]);
     }
     force_.resize(2 * m);
     displacement_.resize(2 * m);
