@@ -5,6 +5,7 @@
 #include <span>
 
 #include "contact/error.h"
+#include "contact/solvers/dense_products.h"
 #include "contact/solvers/point_runs.h"
 
 namespace tricontact::contact {

@@ -3,8 +3,8 @@
 #include <memory>
 #include <vector>
 
+#include "contact/solvers/cholesky.h"
 #include "contact/solvers/compliance.h"
-#include "contact/solvers/dense_algebra.h"
 
 namespace tricontact::contact {
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "contact/solvers/dense_algebra.h"
+#include "contact/solvers/dense_products.h"
 #include "contact/solvers/point_runs.h"
 
 namespace tricontact::contact {

@@ -6,7 +6,7 @@
 #include <limits>
 #include <numeric>
 
-#include "contact/solvers/dense_algebra.h"
+#include "contact/solvers/cholesky.h"
 #include "contact/special_values.h"
 
 namespace tricontact::contact {

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include "contact/error.h"
 #include "contact/solvers/fixed_point.h"
@@ -17,11 +16,8 @@ namespace {
 // Solutions are kept while they fit: a period comes back to the same offsets again and again.
 constexpr std::size_t most_kept_bytes = std::size_t{1} << 28;
 
-// Points that may touch lie lower than those that did, by this part of the indentation at most.
-constexpr double higher = .05;
-// A focus on more of the points is not worth gathering them.
-constexpr double most_focused = .7;
-// Tangential contact is solved to this part of the gap that the last staggered iteration left.
+// Tangential contact is solved to this part of the gap that the last staggered iteration left, so
+// that its error does not show in the next one; the first one leaves some thousandths.
 constexpr double of_gap = .1, first_gap = 1e-2;
 
 /// The phase within its period, rounded: n + 1/3 has other last bits for each n. All that comes
@@ -52,6 +48,7 @@ StaggeredSolver::StaggeredSolver(std::string name, Substrate& substrate, const I
 void StaggeredSolver::release() {
     const std::size_t n = points().size();
     now_ = {};
+    highest_ = 0;
     starts_.clear();
     now_.normal = std::make_shared<NormalSolution>(
         NormalSolution{.pressure = std::vector<double>(n), .displacement = std::vector<double>(n)});
@@ -184,61 +181,6 @@ void StaggeredSolver::iterate(const LoadStep& step, const StepStart& before) {
         "{}: normal and tangential contact do not agree at phase {:.4g}: the gap still changes by "
         "{:.2e} of the indentation after {} staggered iterations (tolerance {:.1e})",
         name_, step.phase, now_.gap_residual, FixedPoint::max_iterations, tolerance_));
-}
-
-/// The points lower than those in contact at the start, and a little higher ones. Empty: all.
-std::vector<std::uint8_t> StaggeredSolver::may_touch() const {
-    std::vector<std::uint8_t> points;
-    const NormalSolution& start = *now_.normal;
-    if (!focused_ || !(start.force > 0) || highest_ == 0) return points;
-    const double grown =
-        now_.control.value /
-        (now_.control.kind == NormalControl::Kind::force ? start.force : start.indentation);
-    const double level = std::max(1., grown) * (highest_ + higher * start.indentation);
-    for (const double height : coupling_.bare_height()) points.push_back(height <= level);
-    return points;
-}
-
-void StaggeredSolver::focus(const std::vector<std::uint8_t>& on) {
-    if (!focused_) return;
-    std::vector<std::size_t> points;
-    for (std::size_t i = 0; i < on.size(); ++i)
-        if (on[i]) points.push_back(i);
-    focus_.clear();
-    focused_->focus_on_all();
-    if (points.empty() || static_cast<double>(points.size()) > most_focused * on.size()) return;
-    focus_ = on;
-    focused_->focus(std::move(points));
-}
-
-/// Completes a solution that was found on some points by the displacements of all. False if others
-/// penetrate, which then belong to them.
-bool StaggeredSolver::look_at_all() {
-    if (focus_.empty()) return true;
-    std::vector<std::uint8_t> on = std::exchange(focus_, {});
-    focused_->focus_on_all();
-    NormalSolution normal = *now_.normal;
-    focused_->normal(normal.pressure, normal.displacement);
-    focused_->tangential(now_.tangential.traction, now_.tangential.displacement);
-    coupling_.update_displacement(normal.pressure);
-    const std::vector<double> height = update_height();
-    const double depth = substrate_.stiffness() * normal.indentation;
-    bool complete = true;
-    for (std::size_t i = 0; i < on.size(); ++i) {
-        if (on[i] || !(normal.displacement[i] + height[i] < depth)) continue;
-        on[i] = 1;
-        complete = false;
-    }
-    now_.normal = std::make_shared<const NormalSolution>(std::move(normal));
-    if (!complete) focus(on);
-    return complete;
-}
-
-/// The highest part of the indenter over the contact, as it is undeformed.
-void StaggeredSolver::find_highest() {
-    highest_ = 0;
-    for (std::size_t i = 0; i < now_.bound.size(); ++i)
-        if (now_.normal->pressure[i] > 0) highest_ = std::max(highest_, coupling_.bare_height()[i]);
 }
 
 /// Presses against `height`, starting from the last pressures.

@@ -41,7 +41,9 @@ struct ContactSolution {
 /// coupled by a staggered iteration (Panagiotopoulos 1975), Anderson-accelerated (see FixedPoint),
 /// until what the friction does to the gap no longer changes. A relaxing substrate is stepped as an
 /// elastic one whose displacements are the effective ones, stiffness u + offset: heights, shifts
-/// and what was displaced before enter the solvers in that measure.
+/// and what was displaced before enter the solvers in that measure. Where the compliance exposes
+/// its matrix, coupled contact is solved on the points that may touch, and then looked at on all:
+/// those that penetrate join them.
 class StaggeredSolver {
   public:
     /// `name`: for messages. `tolerance` [-]: of the tangential solver and of the staggered
@@ -107,7 +109,7 @@ class StaggeredSolver {
     Coupling coupling_;
     std::vector<std::uint8_t> focus_;  // per point, empty: all
     double highest_ = 0;               // the indenter over the points in contact, undeformed [m]
-    double looseness_ = 1;             // of the tangential contact, in this turn
+    double looseness_ = 1;             // of the tangential contact in this staggered iteration
     // They keep factors of the compliance.
     std::optional<NormalSolver> normal_solver_;
     std::optional<TangentialSolver> tangential_solver_;
