@@ -50,13 +50,19 @@ BENCHMARK(from_cache)->Arg(100)->Arg(50)->Unit(benchmark::kSecond)->Iterations(3
 /// 20 steps of pressing, then three periods; `ms_per_step` and `s_per_400_steps` of CPU time.
 void layer_rolling(benchmark::State& state) {
     const contact::Case c = layer(state, cache_folder());
-    double steps = 0, cpu = 0;
+    double steps = 0, cpu = 0, normal = 0, tangential = 0;
     for (auto _ : state) {
         const auto model = fem::make_model(c, {});
         const contact::History history = contact::run(c, *model);
         steps += static_cast<double>(history.steps.size());
         cpu += history.cpu_s;
+        for (const auto& step : history.steps) {
+            normal += step.normal_iterations;
+            tangential += step.tangential_iterations;
+        }
     }
+    state.counters["normal_per_step"] = normal / steps;  // factors of the points in contact, about
+    state.counters["tangential_per_step"] = tangential / steps;  // products among them
     state.counters["ms_per_step"] = 1e3 * cpu / steps;
     state.counters["s_per_400_steps"] = 400 * cpu / steps;
 }

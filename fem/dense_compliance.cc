@@ -1,7 +1,8 @@
 #include "fem/dense_compliance.h"
 
-#include <Eigen/Core>
-#include <array>
+#include <algorithm>
+
+#include "contact/solvers/dense_products.h"
 
 namespace tricontact::fem {
 
@@ -18,27 +19,14 @@ void split(const std::vector<double>& both, TangentialField& u) {
 }  // namespace
 
 /// u += C t over the tractions' block of columns and some blocks of rows; zero tractions are
-/// skipped: outside the contact that is most of them. Four columns at a time: u stays in registers.
+/// skipped: outside the contact that is most of them.
 void DenseCompliance::add_product(int row_block, int n_row_blocks, int column_block,
                                   std::span<const double> traction, std::span<double> u) const {
     const std::size_t n = points_.size();
-    const auto rows = static_cast<Eigen::Index>(n * n_row_blocks);
-    Eigen::Map<Eigen::VectorXd> sum(u.data(), rows);
-    std::array<const double*, 4> start{};
-    std::array<double, 4> force{};
-    const auto column = [&](std::size_t k) {
-        return force[k] * Eigen::Map<const Eigen::VectorXd>(start[k], rows);
-    };
-    std::size_t waiting = 0;
-    for (std::size_t j = 0; j < n; ++j) {
-        if (traction[j] == 0) continue;
-        force[waiting] = traction[j] * points_.area[j];
-        start[waiting] = matrix_.data() + 3 * n * (column_block * n + j) + row_block * n;
-        if (++waiting < start.size()) continue;
-        sum += column(0) + column(1) + (column(2) + column(3));
-        waiting = 0;
-    }
-    for (std::size_t k = 0; k < waiting; ++k) sum += column(k);
+    std::vector<double> force(n);
+    for (std::size_t i = 0; i < n; ++i) force[i] = traction[i] * points_.area[i];
+    contact::add_columns({matrix_.data() + 3 * n * n * column_block + n * row_block, 3 * n}, force,
+                         u.first(n * n_row_blocks));
 }
 
 void DenseCompliance::normal_from_tangential(const TangentialField& t,

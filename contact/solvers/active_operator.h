@@ -3,6 +3,7 @@
 #include <memory>
 #include <vector>
 
+#include "contact/solvers/cholesky.h"
 #include "contact/solvers/compliance.h"
 
 namespace tricontact::contact {
@@ -15,12 +16,24 @@ class ActiveOperator {
 
     /// u = A t.
     virtual void apply(const TangentialField& t, TangentialField& u) const = 0;
+    /// The same for corrections of t: in single precision where that costs less.
+    virtual void apply_roughly(const TangentialField& t, TangentialField& u) const { apply(t, u); }
     /// A symmetric positive definite approximation of the inverse of `apply`, up to a factor.
     virtual void precondition(const TangentialField& r, TangentialField& z) const = 0;
 };
 
+/// What one dense operator after the other works in: new memory for each costs as much as filling
+/// it.
+struct OperatorMemory {
+    std::vector<double> lower;
+    std::vector<float> rough;
+    Cholesky<float> inverse;
+};
+
 /// Gathered and factorised where the compliance exposes its matrix, else the compliance's products.
+/// `memory`: for this operator alone as long as it lives; null: its own.
 std::unique_ptr<const ActiveOperator> make_active_operator(const Compliance& compliance,
-                                                           const std::vector<std::size_t>& active);
+                                                           const std::vector<std::size_t>& active,
+                                                           OperatorMemory* memory = nullptr);
 
 }  // namespace tricontact::contact

@@ -1,10 +1,12 @@
 #include "contact/solvers/normal_active_set.h"
 
-#include <Eigen/Dense>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
+#include "contact/solvers/cholesky.h"
 #include "contact/special_values.h"
 
 namespace tricontact::contact {
@@ -19,41 +21,22 @@ constexpr int closings = 2;
 /// The normal compliance among the points in contact, displacement over force, by Cholesky.
 struct NormalActiveSet::Factor {
     std::vector<std::size_t> points;  // in the order in which they entered
-    Eigen::MatrixXd lower;            // its lower triangle
+    Cholesky<double> cholesky;
+    std::vector<double> unit;  // forces that displace all points by 1, if known
 
     /// False if the matrix is not positive definite. `block`: of the normal components, by columns
     /// of length `stride`.
     bool add(const std::vector<std::size_t>& entered, const double* block, std::size_t stride) {
-        const auto old = static_cast<Eigen::Index>(points.size());
-        const auto n_new = static_cast<Eigen::Index>(entered.size());
         points.insert(points.end(), entered.begin(), entered.end());
-        lower.conservativeResize(old + n_new, old + n_new);
-        for (Eigen::Index l = 0; l < old + n_new; ++l)
-            for (Eigen::Index k = std::max(l, old); k < old + n_new; ++k)
-                lower(k, l) = block[stride * points[l] + points[k]];
-        Eigen::MatrixXd rest = lower.bottomRightCorner(n_new, n_new);
-        if (old > 0) {  // [L 0; M R] [L' M'; 0 R']: M L' = what couples old and new, R R' the rest
-            auto mixed = lower.bottomLeftCorner(n_new, old);
-            lower.topLeftCorner(old, old)
-                .triangularView<Eigen::Lower>()
-                .transpose()
-                .solveInPlace<Eigen::OnTheRight>(mixed);
-            rest.selfadjointView<Eigen::Lower>().rankUpdate(mixed, -1);
-        }
-        const Eigen::LLT<Eigen::MatrixXd> llt(rest);
-        lower.bottomRightCorner(n_new, n_new) = llt.matrixLLT();
-        return llt.info() == Eigen::Success;
-    }
-
-    Eigen::VectorXd solve(Eigen::VectorXd v) const {
-        lower.triangularView<Eigen::Lower>().solveInPlace(v);
-        lower.triangularView<Eigen::Lower>().transpose().solveInPlace(v);
-        return v;
+        unit.clear();
+        return cholesky.extend(points.size(), [&](std::size_t i, std::size_t j) {
+            return block[stride * points[j] + points[i]];
+        });
     }
 };
 
 struct NormalActiveSet::Increment {
-    Eigen::VectorXd force;
+    std::vector<double> force;
     double indentation;
 };
 
@@ -76,7 +59,7 @@ bool NormalActiveSet::solve(const std::vector<double>& height, const NormalContr
         std::vector<double> gap = height;
         for (int k = 0; k < closings; ++k) {
             const Increment more = close_gap(gap, control, solution);
-            solution.force += more.force.sum();
+            solution.force += std::reduce(more.force.begin(), more.force.end());
             solution.indentation += more.indentation;
             for (std::size_t l = 0; l < factor_->points.size(); ++l)
                 solution.pressure[factor_->points[l]] += more.force[l] / area[factor_->points[l]];
@@ -98,7 +81,6 @@ bool NormalActiveSet::solve(const std::vector<double>& height, const NormalContr
         if (settled && !std::ranges::is_sorted(factor_->points)) {
             forget();  // nor of the way to this one
         } else if (settled) {
-            solution.rounding = rounding_of(solution);
             return true;
         }
         changes += left;
@@ -111,34 +93,44 @@ bool NormalActiveSet::solve(const std::vector<double>& height, const NormalContr
 /// give way by what is left of terms that are (a/b)^2 times as large.
 double NormalActiveSet::rounding_of(const NormalSolution& solution) const {
     constexpr double half_epsilon = std::numeric_limits<double>::epsilon() / 2;
+    constexpr std::size_t side_by_side = 4;  // sums that need not wait for each other
     const auto& area = compliance_.points().area;
     const double* const block = normal_block();
+    const auto& points = factor_->points;
+    std::vector<double> force(points.size());
+    for (std::size_t k = 0; k < force.size(); ++k)
+        force[k] = solution.pressure[points[k]] * area[points[k]];
     double largest = 0;
-    for (const std::size_t i : factor_->points) {
-        double sum = 0;
-        for (const std::size_t j : factor_->points)
-            sum += std::abs(block[3 * area.size() * i + j]) * solution.pressure[j] * area[j];
-        largest = std::max(largest, sum);
+    for (const std::size_t i : points) {
+        std::array<double, side_by_side> sum{};
+        for (std::size_t k = 0; k < force.size(); ++k)
+            sum[k % side_by_side] += std::abs(block[3 * area.size() * i + points[k]]) * force[k];
+        largest = std::max(largest, (sum[0] + sum[1]) + (sum[2] + sum[3]));
     }
-    return std::sqrt(static_cast<double>(factor_->points.size())) * half_epsilon * largest /
-           solution.length;
+    return std::sqrt(static_cast<double>(points.size())) * half_epsilon * largest / solution.length;
 }
 
 /// What has to be added for u + height = depth on the contact.
 NormalActiveSet::Increment NormalActiveSet::close_gap(const std::vector<double>& gap,
                                                       const NormalControl& control,
                                                       const NormalSolution& solution) const {
-    const auto m = static_cast<Eigen::Index>(factor_->points.size());
-    Eigen::VectorXd open(m);
-    for (Eigen::Index k = 0; k < m; ++k) open[k] = gap[factor_->points[k]];
-    const Eigen::VectorXd resisting = factor_->solve(open);
+    const std::size_t m = factor_->points.size();
+    std::vector<double> force(m);  // what resists the open gap, with the opposite sign
+    for (std::size_t k = 0; k < m; ++k) force[k] = -gap[factor_->points[k]];
+    factor_->cholesky.solve(force);
     if (control.kind == NormalControl::Kind::indentation && solution.indentation != 0)
-        return {-resisting, 0};
-    const Eigen::VectorXd unit = factor_->solve(Eigen::VectorXd::Ones(m));
+        return {std::move(force), 0};
+    auto& unit = factor_->unit;
+    if (unit.empty()) {
+        unit.assign(m, 1.0);
+        factor_->cholesky.solve(unit);
+    }
+    const auto sum = [](const std::vector<double>& v) { return std::reduce(v.begin(), v.end()); };
     const double indentation = control.kind == NormalControl::Kind::force
-                                   ? (control.value - solution.force + resisting.sum()) / unit.sum()
+                                   ? (control.value - solution.force - sum(force)) / sum(unit)
                                    : control.value;
-    return {indentation * unit - resisting, indentation};
+    for (std::size_t k = 0; k < m; ++k) force[k] += indentation * unit[k];
+    return {std::move(force), indentation};
 }
 
 /// False if the matrix is not positive definite or nothing touches.
@@ -155,7 +147,9 @@ bool NormalActiveSet::update_contact(std::vector<std::uint8_t> contact) {
 }
 
 void NormalActiveSet::forget() {
-    factor_ = std::make_shared<Factor>();
+    factor_->points.clear();
+    factor_->cholesky.clear();
+    factor_->unit.clear();
     std::ranges::fill(contact_, 0);
 }
 

@@ -11,9 +11,12 @@ class NormalActiveSet {
   public:
     explicit NormalActiveSet(const Compliance& compliance);
 
-    /// As NormalSolver::solve. False when it does not settle: another method may.
+    /// As NormalSolver::solve, but for the rounding. False when it does not settle: another method
+    /// may.
     bool solve(const std::vector<double>& height, const NormalControl& control,
                const std::vector<double>& start, NormalSolution& solution);
+    /// NormalSolution::rounding of the last solution.
+    double rounding_of(const NormalSolution& solution) const;
 
   private:
     struct Factor;
@@ -22,7 +25,6 @@ class NormalActiveSet {
                         const NormalSolution& solution) const;
     bool update_contact(std::vector<std::uint8_t> contact);
     void forget();
-    double rounding_of(const NormalSolution& solution) const;
     const double* normal_block() const;
     std::vector<std::uint8_t> first_contact(const std::vector<double>& height,
                                             const NormalControl& control,

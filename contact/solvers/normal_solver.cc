@@ -238,16 +238,18 @@ NormalSolver::NormalSolver(const Compliance& compliance, double tolerance)
 }
 
 NormalSolution NormalSolver::solve(const std::vector<double>& height, const NormalControl& control,
-                                   const std::vector<double>& start) const {
+                                   const std::vector<double>& start, bool is_last) const {
     if (!(control.value > 0))
         throw InputError("normal contact: the prescribed force or indentation must be positive");
     NormalSolution solution;
     if (control.kind == NormalControl::Kind::indentation &&
         std::ranges::none_of(height, [&](double h) { return h < control.value; }))
         return out_of_contact(height.size(), control.value);
-    if (active_set_ && active_set_->solve(height, control, start, solution) &&
-        solution.residual <= std::max(tolerance_, solution.rounding))
-        return solution;
+    if (active_set_ && active_set_->solve(height, control, start, solution)) {
+        if (is_last || solution.residual > tolerance_)
+            solution.rounding = active_set_->rounding_of(solution);
+        if (solution.residual <= std::max(tolerance_, solution.rounding)) return solution;
+    }
     if (const NormalGrid* const grid = compliance_.normal_grid())
         if (NormalNewton(*grid, tolerance_).solve(height, control, start, solution))
             return solution;

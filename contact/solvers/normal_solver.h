@@ -35,9 +35,10 @@ class NormalSolver {
 
     /// `height`: the indenter over each point [m], infinity outside the body. `start`: pressures of
     /// a similar problem, or empty. A height that the indentation nowhere reaches gives no force.
+    /// Of a solution that another is to follow, the rounding is not looked for unless it decides.
     /// Throws NotConverged.
     NormalSolution solve(const std::vector<double>& height, const NormalControl& control,
-                         const std::vector<double>& start = {}) const;
+                         const std::vector<double>& start = {}, bool is_last = true) const;
 
   private:
     const Compliance& compliance_;

@@ -16,6 +16,10 @@ namespace {
 // Solutions are kept while they fit: a period comes back to the same offsets again and again.
 constexpr std::size_t most_kept_bytes = std::size_t{1} << 28;
 
+// Tangential contact is solved to this part of the gap that the last staggered iteration left, so
+// that its error does not show in the next one; the first one leaves some thousandths.
+constexpr double of_gap = .1, first_gap = 1e-2;
+
 /// The phase within its period, rounded: n + 1/3 has other last bits for each n. All that comes
 /// before rolling has phase 0, and so has what does not recur: it begins where the last step ended.
 long key_of_phase(double phase) {
@@ -32,7 +36,11 @@ StaggeredSolver::StaggeredSolver(std::string name, Substrate& substrate, const I
       substrate_(substrate),
       friction_coefficient_(friction_coefficient),
       tolerance_(tolerance),
-      coupling_(substrate.compliance(), indenter, options) {
+      focused_(options.coupling && substrate.compliance().is_coupled() &&
+                       substrate.compliance().dense()
+                   ? std::make_optional<FocusedCompliance>(substrate.compliance())
+                   : std::nullopt),
+      coupling_(compliance(), indenter, options) {
     make_solvers();
     release();
 }
@@ -40,6 +48,7 @@ StaggeredSolver::StaggeredSolver(std::string name, Substrate& substrate, const I
 void StaggeredSolver::release() {
     const std::size_t n = points().size();
     now_ = {};
+    highest_ = 0;
     starts_.clear();
     now_.normal = std::make_shared<NormalSolution>(
         NormalSolution{.pressure = std::vector<double>(n), .displacement = std::vector<double>(n)});
@@ -49,10 +58,10 @@ void StaggeredSolver::release() {
 }
 
 void StaggeredSolver::make_solvers() {
-    normal_solver_.emplace(substrate_.compliance(), 0.1 * tolerance_);
+    normal_solver_.emplace(compliance(), 0.1 * tolerance_);
     // Where friction lowers the surface, its errors come back in the gap, mu times those over mu p.
     const double finer = coupling_.is_decoupled() ? 1 : std::min(1., .1 / friction_coefficient_);
-    tangential_solver_.emplace(substrate_.compliance(), finer * tolerance_);
+    tangential_solver_.emplace(compliance(), finer * tolerance_);
 }
 
 Vector2 StaggeredSolver::rotated(const StepStart& before, std::size_t i) const {
@@ -79,14 +88,16 @@ void StaggeredSolver::solve(const LoadStep& step, const StepStart& before) {
     update_displacement();
 }
 
-/// coupling().height() at the present offset, for the effective displacements [m].
+/// coupling().height() at the present offset, for the effective displacements [m]; infinite beside
+/// the focus.
 std::vector<double> StaggeredSolver::update_height() {
     coupling_.update_height(now_.tangential.traction);
     std::vector<double> height = coupling_.height();
-    if (!substrate_.relaxes()) return height;
-    for (std::size_t i = 0; i < height.size(); ++i)
+    for (std::size_t i = 0; substrate_.relaxes() && i < height.size(); ++i)
         height[i] = substrate_.stiffness() * coupling_.bare_height()[i] + coupling_.lowering()[i] -
                     substrate_.offset().down[i];
+    for (std::size_t i = 0; i < focus_.size(); ++i)
+        if (!focus_[i]) height[i] = infinity;
     return height;
 }
 
@@ -118,6 +129,7 @@ void StaggeredSolver::recall_start(double phase) {
     now_.normal = start.normal;
     now_.tangential.traction = start.traction;
     now_.tangential.shift_increment = start.shift_increment;
+    highest_ = start.highest;
 }
 
 void StaggeredSolver::keep_start(double phase) {
@@ -125,26 +137,36 @@ void StaggeredSolver::keep_start(double phase) {
     const std::size_t bytes = 4 * sizeof(double) * points().size();
     const long key = key_of_phase(phase);
     if (starts_.contains(key) || (starts_.size() + 1) * bytes <= most_kept_bytes)
-        starts_[key] = {now_.normal, now_.tangential.traction, now_.tangential.shift_increment};
+        starts_[key] = {now_.normal, now_.tangential.traction, now_.tangential.shift_increment,
+                        highest_};
 }
 
 void StaggeredSolver::resume(ContactSolution solution, double phase) {
     now_ = std::move(solution);
     // What a run that was not interrupted would know, so that it goes on by the same numbers.
     if (coupling_.is_decoupled()) keep_normal();
-    keep_start(phase);
     coupling_.place(now_.offset);
+    find_highest();
+    keep_start(phase);
 }
 
 void StaggeredSolver::solve_coupled(const LoadStep& step, const StepStart& before) {
     recall_start(step.recurs ? step.phase : 0);
+    focus(may_touch());
+    do iterate(step, before);
+    while (!look_at_all());
+    find_highest();
+}
+
+void StaggeredSolver::iterate(const LoadStep& step, const StepStart& before) {
     std::vector<double> height = update_height();
     FixedPoint iteration;
+    now_.gap_residual = first_gap;
     for (int k = 1; k <= FixedPoint::max_iterations; ++k) {
+        looseness_ = std::max(1., of_gap * now_.gap_residual / tolerance_);
         solve_normal(step.normal, height);
         coupling_.update_displacement(now_.normal->pressure);
         solve_friction(step, before);
-        update_displacement();
 
         // What the iteration changed under the indenter is how far the pressures are from right.
         const std::vector<double> now = update_height();
@@ -152,7 +174,7 @@ void StaggeredSolver::solve_coupled(const LoadStep& step, const StepStart& befor
         for (std::size_t i = 0; i < height.size(); ++i)
             if (now_.normal->pressure[i] > 0) change = larger(change, std::abs(now[i] - height[i]));
         now_.gap_residual = change / (substrate_.stiffness() * now_.normal->length);
-        if (now_.gap_residual <= tolerance_) return;
+        if (now_.gap_residual <= tolerance_ && looseness_ == 1) return;
         height = iteration.next(height, now, now_.gap_residual);
     }
     throw NotConverged(fmt::format(
@@ -166,7 +188,7 @@ void StaggeredSolver::solve_normal(NormalControl control, const std::vector<doub
     const bool warm = now_.normal->force > 0 && control.kind == NormalControl::Kind::force;
     if (control.kind == NormalControl::Kind::indentation) control.value *= substrate_.stiffness();
     NormalSolution solution = normal_solver_->solve(
-        height, control, warm ? now_.normal->pressure : std::vector<double>{});
+        height, control, warm ? now_.normal->pressure : std::vector<double>{}, looseness_ == 1);
     solution.indentation /= substrate_.stiffness();
     solution.length /= substrate_.stiffness();
     now_.normal = std::make_shared<const NormalSolution>(std::move(solution));
@@ -208,7 +230,13 @@ void StaggeredSolver::solve_tangential(const LoadStep& step, const StepStart& be
     const double contact_compliance =
         now_.shift_factor * stiffness * now_.normal->length * contact_area / now_.normal->force;
     for (double& increment : now_.tangential.shift_increment) increment *= stiffness;
-    tangential_solver_->solve({now_.bound, relative, control, contact_compliance}, now_.tangential);
+    tangential_solver_->solve({.bound = now_.bound,
+                               .previous_displacement = relative,
+                               .control = control,
+                               .contact_compliance = contact_compliance,
+                               .looseness = looseness_,
+                               .displaces_all = focus_.empty()},
+                              now_.tangential);
     now_.tangential_iterations += now_.tangential.iterations;
     for (int d = 0; d < 2; ++d) {
         now_.tangential.shift_increment[d] /= stiffness;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <memory>
 #include <optional>
@@ -7,6 +8,7 @@
 #include <tuple>
 
 #include "contact/solvers/coupling.h"
+#include "contact/solvers/focused_compliance.h"
 #include "contact/solvers/normal_solver.h"
 #include "contact/solvers/tangential_solver.h"
 #include "contact/substrates/substrate.h"
@@ -39,7 +41,9 @@ struct ContactSolution {
 /// coupled by a staggered iteration (Panagiotopoulos 1975), Anderson-accelerated (see FixedPoint),
 /// until what the friction does to the gap no longer changes. A relaxing substrate is stepped as an
 /// elastic one whose displacements are the effective ones, stiffness u + offset: heights, shifts
-/// and what was displaced before enter the solvers in that measure.
+/// and what was displaced before enter the solvers in that measure. Where the compliance exposes
+/// its matrix, coupled contact is solved on the points that may touch, and then looked at on all:
+/// those that penetrate join them.
 class StaggeredSolver {
   public:
     /// `name`: for messages. `tolerance` [-]: of the tangential solver and of the staggered
@@ -72,10 +76,12 @@ class StaggeredSolver {
         std::shared_ptr<const NormalSolution> normal;
         TangentialField traction;   // [Pa]
         Vector2 shift_increment{};  // [m]
+        double highest = 0;         // see highest_
     };
     using Key = std::tuple<Vector2, NormalControl::Kind, double>;  // offset and normal control
     Key key() const { return {now_.offset, now_.control.kind, now_.control.value}; }
 
+    const Compliance& compliance() const { return focused_ ? *focused_ : substrate_.compliance(); }
     const ContactPoints& points() const { return substrate_.compliance().points(); }
     void make_solvers();
     std::vector<double> update_height();
@@ -83,6 +89,11 @@ class StaggeredSolver {
     void solve_uncoupled(const LoadStep& step, const StepStart& before);
     void keep_normal();
     void solve_coupled(const LoadStep& step, const StepStart& before);
+    void iterate(const LoadStep& step, const StepStart& before);
+    std::vector<std::uint8_t> may_touch() const;
+    void focus(const std::vector<std::uint8_t>& on);
+    bool look_at_all();
+    void find_highest();
     void solve_normal(NormalControl control, const std::vector<double>& height);
     void solve_friction(const LoadStep& step, const StepStart& before);
     void solve_tangential(const LoadStep& step, const StepStart& before);
@@ -94,7 +105,11 @@ class StaggeredSolver {
     std::string name_;
     Substrate& substrate_;
     double friction_coefficient_, tolerance_;
+    std::optional<FocusedCompliance> focused_;  // of a dense one that is coupled
     Coupling coupling_;
+    std::vector<std::uint8_t> focus_;  // per point, empty: all
+    double highest_ = 0;               // the indenter over the points in contact, undeformed [m]
+    double looseness_ = 1;             // of the tangential contact in this staggered iteration
     // They keep factors of the compliance.
     std::optional<NormalSolver> normal_solver_;
     std::optional<TangentialSolver> tangential_solver_;

@@ -31,7 +31,8 @@ class Newton {
           products_(products),
           problem_(problem),
           tilt_(problem.tilt.among(active)),
-          tolerance_(tolerance),
+          tolerance_(problem.looseness * tolerance),
+          force_tolerance_(problem.looseness * force_tolerance),
           alpha_(problem.contact_compliance),
           solution_(solution),
           traction_(active.size()),
@@ -62,7 +63,10 @@ class Newton {
             update_residual();
             // A start taken as it is would bring its error back in each period: a drift.
             if (converged() && !(step == 0 && shift_is_given_)) {
-                if (!displaces_all_) update_slip_and_all();
+                if (!problem_.displaces_all)
+                    hand_over();
+                else if (!displaces_all_)
+                    update_slip_and_all();
                 return;
             }
             without_progress_ = solution_.residual < 0.9 * best ? 0 : without_progress_ + 1;
@@ -121,7 +125,9 @@ class Newton {
             else
                 solution_.shift_increment[d] = problem_.control[d].value;
         if (!shift_is_given_) return;
-        update_slip();
+        products_.apply_roughly(traction_, displacement_);
+        ++solution_.iterations;
+        slip_by_displacement();
         classify();
     }
 
@@ -194,7 +200,7 @@ class Newton {
 
     bool converged() const {
         return on_bound_ && solution_.residual <= tolerance_ &&
-               solution_.force_residual <= force_tolerance;
+               solution_.force_residual <= force_tolerance_;
     }
 
     /// One Newton step on the present zones; false when they cannot carry the force.
@@ -215,7 +221,7 @@ class Newton {
         // Rotating slipping tractions costs force in the second order: keep the rotations small.
         // The system's residual is a mean, ours a maximum: go finer where that makes the
         // difference.
-        const double fine = std::min(tolerance_, 0.01 * std::sqrt(force_tolerance)) *
+        const double fine = std::min(tolerance_, 0.01 * std::sqrt(force_tolerance_)) *
                             std::pow(0.1, without_progress_);
         const auto& result = system_->solve(
             slip_, missing_force_,
@@ -271,7 +277,7 @@ class Newton {
     const ActiveOperator& products_;
     const TangentialProblem& problem_;
     const Tilt tilt_;
-    const double tolerance_;
+    const double tolerance_, force_tolerance_;
     const double alpha_;  // contact compliance [m/Pa]
     TangentialSolution& solution_;
     std::array<bool, 2> force_controlled_{};
@@ -308,7 +314,7 @@ const ActiveOperator& TangentialSolver::products_among(const std::vector<std::si
     if (!products_ || active != active_) {
         products_.reset();
         active_ = active;
-        products_ = make_active_operator(compliance_, active_);
+        products_ = make_active_operator(compliance_, active_, &memory_);
     }
     return *products_;
 }

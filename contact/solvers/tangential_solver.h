@@ -23,11 +23,15 @@ struct TangentialProblem {
     double contact_compliance;
     /// Of the surface whose own directions t and s are along.
     Tilt tilt = {};
+    /// Times the solver's tolerances, of a solution that another is to follow.
+    double looseness = 1;
+    /// The displacements of all points are wanted.
+    bool displaces_all = true;
 };
 
 struct TangentialSolution {
     TangentialField traction;      ///< t [Pa]
-    TangentialField displacement;  ///< A t [m]
+    TangentialField displacement;  ///< A t [m], if wanted
     Vector2 shift_increment{};     ///< dU [m], indenter over substrate
     int iterations = 0;            ///< applications of the compliance
     double residual = 0;           ///< see TangentialSolver
@@ -58,6 +62,7 @@ class TangentialSolver {
     double tolerance_;
     // Of the last problem: a contact that has not changed keeps its factor.
     std::vector<std::size_t> active_;
+    OperatorMemory memory_;
     std::unique_ptr<const ActiveOperator> products_;
 };
 

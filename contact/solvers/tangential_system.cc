@@ -188,7 +188,7 @@ void TangentialSystem::carry(const Vector2& c) {
 
 /// H d = P A d + D d.
 void TangentialSystem::apply() {
-    products_.apply(direction_, a_direction_);
+    products_.apply_roughly(direction_, a_direction_);
     ++result_.iterations;
     h_direction_ = a_direction_;
     project(h_direction_);
