@@ -23,6 +23,13 @@ class ConvolvedProducts {
                                         std::span<double> u_z) const = 0;
     virtual void precondition_tangential(const contact::TangentialField& r,
                                          contact::TangentialField& z) const = 0;
+    /// The same of `normal`, on a window alone.
+    virtual void precondition_normal(std::span<const double> r, std::span<double> z) const = 0;
+};
+
+/// Of normal displacements by pressures.
+struct NormalSymbols {
+    GridConvolution::Symbol normal, inverse;
 };
 
 /// All symbols but that of normal displacements by pressures.
@@ -36,8 +43,9 @@ template <class Convolution>
 class ProductsBy final : public ConvolvedProducts {
   public:
     using Symbol = GridConvolution::Symbol;
-    using MakeSymbols =
-        std::function<TangentialSymbols(const Convolution& convolution, const Convolution& bare)>;
+    template <class Symbols>
+    using Make = std::function<Symbols(const Convolution& convolution, const Convolution& bare)>;
+    using MakeSymbols = Make<TangentialSymbols>;
 
     /// `bare`: of the inverse, on the grid without padding; empty: the same. `rest`: called when
     /// first needed, for normal contact alone takes half the memory.
@@ -45,7 +53,14 @@ class ProductsBy final : public ConvolvedProducts {
                MakeSymbols rest)
         : convolution_(std::move(convolution)),
           bare_(std::move(bare)),
-          normal_(std::move(normal)),
+          normal_{std::move(normal), {}},
+          make_rest_(std::move(rest)) {}
+    /// A window, of which all symbols are made when first needed.
+    ProductsBy(Convolution convolution, std::optional<Convolution> bare,
+               Make<NormalSymbols> normal, MakeSymbols rest)
+        : convolution_(std::move(convolution)),
+          bare_(std::move(bare)),
+          make_normal_(std::move(normal)),
           make_rest_(std::move(rest)) {}
     ProductsBy(Convolution convolution, std::optional<Convolution> bare, Symbol normal,
                TangentialSymbols rest)
@@ -54,7 +69,7 @@ class ProductsBy final : public ConvolvedProducts {
     }
 
     void normal(std::span<const double> p, std::span<double> u_z) const override {
-        convolution_.template apply<1, 1>({{{&normal_}}}, {p}, {u_z});
+        convolution_.template apply<1, 1>({{{&normal_symbols().normal}}}, {p}, {u_z});
     }
     void tangential(const contact::TangentialField& t, contact::TangentialField& u) const override {
         const auto& s = rest().tangential;
@@ -78,6 +93,9 @@ class ProductsBy final : public ConvolvedProducts {
         const auto& s = rest().inverse;
         bare().template apply<2, 2>({{{&s.xx, &s.xy}, {&s.xy, &s.yy}}}, {r.x, r.y}, {z.x, z.y});
     }
+    void precondition_normal(std::span<const double> r, std::span<double> z) const override {
+        bare().template apply<1, 1>({{{&normal_symbols().inverse}}}, {r}, {z});
+    }
 
   private:
     const Convolution& bare() const { return bare_ ? *bare_ : convolution_; }
@@ -85,10 +103,15 @@ class ProductsBy final : public ConvolvedProducts {
         if (!rest_) rest_ = make_rest_(convolution_, bare());
         return *rest_;
     }
+    const NormalSymbols& normal_symbols() const {
+        if (make_normal_ && normal_.normal.empty()) normal_ = make_normal_(convolution_, bare());
+        return normal_;
+    }
 
     Convolution convolution_;
     std::optional<Convolution> bare_;
-    Symbol normal_;
+    mutable NormalSymbols normal_;
+    Make<NormalSymbols> make_normal_;
     MakeSymbols make_rest_;
     mutable std::optional<TangentialSymbols> rest_;
 };

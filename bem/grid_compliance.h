@@ -71,6 +71,7 @@ class GridCompliance final : public ConvolvedCompliance {
     using Size = std::array<int, 2>;  // columns, rows
     template <class Convolution>
     std::unique_ptr<const ConvolvedProducts> make_products(const Size& size, bool is_window) const;
+    GridConvolution::Symbol normal_symbol(const auto& convolution) const;
     std::shared_ptr<const ConvolvedProducts> window(const Size& size) const;
     const std::vector<Quadrants::Quadrant>& tangential_quadrants() const;
 

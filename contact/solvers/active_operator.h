@@ -1,14 +1,15 @@
 #pragma once
 
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "contact/solvers/compliance.h"
 
 namespace tricontact::contact {
 
-/// The tangential compliance among the points in contact, for many products with tractions that
-/// vanish elsewhere. Fields have an entry for each of these points, in their order.
+/// The compliance among the points in contact, for many products with tractions that vanish
+/// elsewhere. Fields have an entry for each of these points, in their order.
 class ActiveOperator {
   public:
     virtual ~ActiveOperator() = default;
@@ -17,6 +18,11 @@ class ActiveOperator {
     virtual void apply(const TangentialField& t, TangentialField& u) const = 0;
     /// A symmetric positive definite approximation of the inverse of `apply`, up to a factor.
     virtual void precondition(const TangentialField& r, TangentialField& z) const = 0;
+
+    /// It knows the normal products too.
+    virtual bool has_normal() const { return false; }
+    virtual void normal(std::span<const double>, std::span<double>) const {}
+    virtual void precondition_normal(std::span<const double>, std::span<double>) const {}
 };
 
 /// Gathered and factorised where the compliance exposes its matrix, else the compliance's products.

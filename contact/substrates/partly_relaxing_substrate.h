@@ -87,12 +87,20 @@ class PartlyRelaxingSubstrate final : public Substrate {
         SurfaceField displacement;  // X t of the last step [m]
     };
 
+    /// Components of a step at the points that carry tractions before or after it, in their order.
+    struct Loaded {
+        std::vector<std::size_t> points;
+        std::vector<double> area, before, after, change;  // [m^2], t [Pa]
+    };
+
     void set_weights(CombinedCompliance& compliance, const std::vector<double>& weights) const;
-    std::vector<SurfaceField> modal_displacements(const SurfaceField& t, double& magnitude) const;
+    std::vector<SurfaceField> modal_displacements(const SurfaceField& t, double& magnitude);
     double largest_energy(const SurfaceField& u, const SurfaceField& t) const;
-    void advance(Mode& mode, const SurfaceField& now, const SurfaceField& t, Energies& energies);
-    Energies advance(Mode& mode, int d, int begin, int end, const SurfaceField& now,
-                     const SurfaceField& t) const;
+    Loaded loaded(int d, const SurfaceField& t) const;
+    void advance(Mode& mode, int d, const std::vector<double>& now, const Loaded& loaded,
+                 Energies& energies) const;
+    Energies advance(Branch& branch, const Retardation::Branch& creep, int d,
+                     const std::vector<double>& change, const Loaded& loaded) const;
 
     Parts parts_;
     StieltjesInterpolation interpolation_;
@@ -103,6 +111,7 @@ class PartlyRelaxingSubstrate final : public Substrate {
     std::vector<double> weights_;  // of step_
     CombinedCompliance step_, relaxed_;
     std::vector<Mode> modes_;
+    std::vector<std::shared_ptr<const Compliance>> modal_;  // X_m, where they are known; if needed
     double duration_ = 0;
     SurfaceField traction_, displacement_;  // at the beginning of the step
     SurfaceField offset_;
