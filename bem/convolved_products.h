@@ -56,8 +56,8 @@ class ProductsBy final : public ConvolvedProducts {
           normal_{std::move(normal), {}},
           make_rest_(std::move(rest)) {}
     /// A window, of which all symbols are made when first needed.
-    ProductsBy(Convolution convolution, std::optional<Convolution> bare,
-               Make<NormalSymbols> normal, MakeSymbols rest)
+    ProductsBy(Convolution convolution, std::optional<Convolution> bare, Make<NormalSymbols> normal,
+               MakeSymbols rest)
         : convolution_(std::move(convolution)),
           bare_(std::move(bare)),
           make_normal_(std::move(normal)),

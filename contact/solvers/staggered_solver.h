@@ -102,7 +102,8 @@ class StaggeredSolver {
     std::optional<TangentialSolver> tangential_solver_;
     ContactSolution now_;
     std::map<Key, std::shared_ptr<const NormalSolution>> normal_cache_;  // of uncoupled contact
-    std::map<long, PeriodStart> starts_;  // of coupled contact and relaxing substrates, by the phase
+    std::map<long, PeriodStart>
+        starts_;  // of coupled contact and relaxing substrates, by the phase
     // Of the last step, over its phase one period before [Pa]; empty: that is not known.
     std::vector<double> pressure_change_;
 };

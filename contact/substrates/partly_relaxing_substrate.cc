@@ -297,8 +297,7 @@ void PartlyRelaxingSubstrate::advance(Mode& mode, int d, const std::vector<doubl
     for (std::size_t i = 0; i < n_; ++i) change[i] = now[i] - displacement[i];
     displacement = now;
     for (std::size_t b = 0; b < mode.branches.size(); ++b) {
-        const Energies own =
-            advance(mode.branches[b], mode.creep.branches[b], d, change, loaded);
+        const Energies own = advance(mode.branches[b], mode.creep.branches[b], d, change, loaded);
         energies.stored += own.stored;
         energies.dissipated += own.dissipated;
         energies.work += own.work;
@@ -325,8 +324,7 @@ Substrate::Energies PartlyRelaxingSubstrate::advance(Branch& branch,
     };
     const double old = block_sum(n_, [&](int i) { return areas[i] * e[i] * x_e[i]; });
     const double w_x_e = over_loaded(w, x_e), w_x_w = over_loaded(w, x_w);
-    const double mixed =
-        w_x_e + block_sum(n_, [&](int i) { return areas[i] * e[i] * x_w[i]; });
+    const double mixed = w_x_e + block_sum(n_, [&](int i) { return areas[i] * e[i] * x_w[i]; });
     for (std::size_t i = 0; i < n_; ++i) {
         e[i] *= decay;
         x_e[i] = decay * x_e[i] + s.mean * x_w[i];
@@ -337,10 +335,10 @@ Substrate::Energies PartlyRelaxingSubstrate::advance(Branch& branch,
     energies.dissipated = creep.compliance * (old * s.ee + mixed * s.ew + w_x_w * s.ww);
     energies.work = creep.compliance * (w_x_e * s.mean + w_x_w * s.drift);
     energies.stored = creep.compliance / 2 * (now - over_loaded(after, x_e));
-    energies.magnitude = creep.compliance * block_sum(n_loaded, [&](int k) {
-                             return area[k] * (std::abs(before[k]) + std::abs(after[k])) *
-                                    std::abs(x_e[points[k]]);
-                         });
+    energies.magnitude =
+        creep.compliance * block_sum(n_loaded, [&](int k) {
+            return area[k] * (std::abs(before[k]) + std::abs(after[k])) * std::abs(x_e[points[k]]);
+        });
     return energies;
 }
 
