@@ -5,10 +5,13 @@
 #include <optional>
 #include <span>
 #include <type_traits>
+#include <vector>
 
 #include "bem/grid_convolution.h"
+#include "bem/mirrored_convolution.h"
 #include "bem/normal_level.h"
 #include "contact/solvers/compliance.h"
+#include "contact/substrates/substrate.h"
 
 namespace tricontact::bem {
 
@@ -29,6 +32,20 @@ class ConvolvedProducts {
                                         std::span<double> u_z) const = 0;
     virtual void precondition_tangential(const contact::TangentialField& r,
                                          contact::TangentialField& z) const = 0;
+    /// `normal` and `tangential` of several bodies like this one on the same grid under the same
+    /// tractions: with one transform of these where y = 0 mirrors.
+    using Bodies = std::vector<const ConvolvedProducts*>;
+    virtual void normal_of(const Bodies& bodies, std::span<const double> p,
+                           std::span<contact::SurfaceField> u) const = 0;
+    virtual void tangential_of(const Bodies& bodies, const contact::TangentialField& t,
+                               std::span<contact::SurfaceField> u) const = 0;
+    /// The same of `normal`, on a window alone.
+    virtual void precondition_normal(std::span<const double> r, std::span<double> z) const = 0;
+};
+
+/// Of normal displacements by pressures.
+struct NormalSymbols {
+    GridConvolution::Symbol normal, inverse;
 };
 
 /// All symbols but that of normal displacements by pressures.
@@ -42,8 +59,9 @@ template <class Convolution>
 class ProductsBy final : public ConvolvedProducts {
   public:
     using Symbol = GridConvolution::Symbol;
-    using MakeSymbols =
-        std::function<TangentialSymbols(const Convolution& convolution, const Convolution& bare)>;
+    template <class Symbols>
+    using Make = std::function<Symbols(const Convolution& convolution, const Convolution& bare)>;
+    using MakeSymbols = Make<TangentialSymbols>;
 
     /// `bare`: of the inverse, on the grid without padding; empty: the same. `rest`: called when
     /// first needed, for normal contact alone takes half the memory.
@@ -51,7 +69,14 @@ class ProductsBy final : public ConvolvedProducts {
                MakeSymbols rest)
         : convolution_(std::move(convolution)),
           bare_(std::move(bare)),
-          normal_(std::move(normal)),
+          normal_{std::move(normal), {}},
+          make_rest_(std::move(rest)) {}
+    /// A window, of which all symbols are made when first needed.
+    ProductsBy(Convolution convolution, std::optional<Convolution> bare, Make<NormalSymbols> normal,
+               MakeSymbols rest)
+        : convolution_(std::move(convolution)),
+          bare_(std::move(bare)),
+          make_normal_(std::move(normal)),
           make_rest_(std::move(rest)) {}
     ProductsBy(Convolution convolution, std::optional<Convolution> bare, Symbol normal,
                TangentialSymbols rest)
@@ -60,12 +85,13 @@ class ProductsBy final : public ConvolvedProducts {
     }
 
     void normal(std::span<const double> p, std::span<double> u_z) const override {
-        convolution_.template apply<1, 1>({{{&normal_}}}, {p}, {u_z});
+        convolution_.template apply<1, 1>({{{&normal_symbols().normal}}}, {p}, {u_z});
     }
     const contact::NormalGrid* normal_grid(double cell_area) const override {
         if constexpr (std::is_same_v<Convolution, GridConvolution>) {
             if (!normal_level_)
-                normal_level_ = std::make_unique<NormalLevel>(convolution_, normal_, cell_area);
+                normal_level_ =
+                    std::make_unique<NormalLevel>(convolution_, normal_symbols().normal, cell_area);
             return normal_level_.get();
         }
         return nullptr;
@@ -92,17 +118,59 @@ class ProductsBy final : public ConvolvedProducts {
         const auto& s = rest().inverse;
         bare().template apply<2, 2>({{{&s.xx, &s.xy}, {&s.xy, &s.yy}}}, {r.x, r.y}, {z.x, z.y});
     }
+    void normal_of(const Bodies& bodies, std::span<const double> p,
+                   std::span<contact::SurfaceField> u) const override {
+        if constexpr (shares_transforms) {
+            std::vector<GridConvolution::Kernels<1, 1>> kernels;
+            std::vector<GridConvolution::Fields<1>> out;
+            for (std::size_t m = 0; m < bodies.size(); ++m) {
+                kernels.push_back({{{&like_this(bodies[m]).normal_symbols().normal}}});
+                out.push_back({u[m].down});
+            }
+            convolution_.template apply_each<1, 1>(kernels, {p}, out);
+        } else {
+            for (std::size_t m = 0; m < bodies.size(); ++m) bodies[m]->normal(p, u[m].down);
+        }
+    }
+    void tangential_of(const Bodies& bodies, const contact::TangentialField& t,
+                       std::span<contact::SurfaceField> u) const override {
+        if constexpr (shares_transforms) {
+            std::vector<GridConvolution::Kernels<2, 2>> kernels;
+            std::vector<GridConvolution::Fields<2>> out;
+            for (std::size_t m = 0; m < bodies.size(); ++m) {
+                const auto& s = like_this(bodies[m]).rest().tangential;
+                kernels.push_back({{{&s.xx, &s.xy}, {&s.xy, &s.yy}}});
+                out.push_back({u[m].in_surface.x, u[m].in_surface.y});
+            }
+            convolution_.template apply_each<2, 2>(kernels, {t.x, t.y}, out);
+        } else {
+            for (std::size_t m = 0; m < bodies.size(); ++m)
+                bodies[m]->tangential(t, u[m].in_surface);
+        }
+    }
+    void precondition_normal(std::span<const double> r, std::span<double> z) const override {
+        bare().template apply<1, 1>({{{&normal_symbols().inverse}}}, {r}, {z});
+    }
 
   private:
+    static constexpr bool shares_transforms = std::is_same_v<Convolution, MirroredConvolution>;
+    static const ProductsBy& like_this(const ConvolvedProducts* body) {
+        return *static_cast<const ProductsBy*>(body);
+    }
     const Convolution& bare() const { return bare_ ? *bare_ : convolution_; }
     const TangentialSymbols& rest() const {
         if (!rest_) rest_ = make_rest_(convolution_, bare());
         return *rest_;
     }
+    const NormalSymbols& normal_symbols() const {
+        if (make_normal_ && normal_.normal.empty()) normal_ = make_normal_(convolution_, bare());
+        return normal_;
+    }
 
     Convolution convolution_;
     std::optional<Convolution> bare_;
-    Symbol normal_;
+    mutable NormalSymbols normal_;
+    Make<NormalSymbols> make_normal_;
     mutable std::unique_ptr<const NormalLevel> normal_level_;  // once asked for
     MakeSymbols make_rest_;
     mutable std::optional<TangentialSymbols> rest_;

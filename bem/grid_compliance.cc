@@ -74,7 +74,25 @@ class WindowOperator final : public contact::ActiveOperator {
         gather(z);
     }
 
+    bool has_normal() const override { return true; }
+    void normal(std::span<const double> p, std::span<double> u_z) const override {
+        scatter(p);
+        products_->normal(in_.x, out_.x);
+        gather(u_z);
+    }
+    void precondition_normal(std::span<const double> r, std::span<double> z) const override {
+        scatter(r);
+        products_->precondition_normal(in_.x, out_.x);
+        gather(z);
+    }
+
   private:
+    void scatter(std::span<const double> f) const {
+        for (std::size_t k = 0; k < positions_.size(); ++k) in_.x[positions_[k]] = f[k];
+    }
+    void gather(std::span<double> f) const {
+        for (std::size_t k = 0; k < positions_.size(); ++k) f[k] = out_.x[positions_[k]];
+    }
     void scatter(const contact::TangentialField& f) const {
         for (std::size_t k = 0; k < positions_.size(); ++k) in_.set(positions_[k], f.at(k));
     }
@@ -127,19 +145,21 @@ const std::vector<Quadrants::Quadrant>& GridCompliance::tangential_quadrants() c
     return tangential_quadrants_;
 }
 
-/// On the grid or a window on it, which has no normal products.
+GridConvolution::Symbol GridCompliance::normal_symbol(const auto& convolution) const {
+    const auto quadrant = quadrants_.of({&InfluenceCoefficients::zz});
+    return quadrants_.symbol(convolution, quadrant[0], 1, 1);
+}
+
+/// On the grid or a window on it.
 template <class Convolution>
 std::unique_ptr<const ConvolvedProducts> GridCompliance::make_products(const Size& size,
                                                                        bool is_window) const {
-    using K = InfluenceCoefficients;
     const auto [n_x, n_y] = size;
     const int n_all = all_rows(grid_, n_y);
     const int n_threads = is_window ? 1 : n_threads_;
     Convolution linear(n_x, n_y, Convolution::row_period(2 * n_x - 1), padded(n_all), n_threads);
     Convolution periodic(n_x, n_y, Convolution::row_period(n_x), good_complex_fft_size(n_all),
                          n_threads);
-    GridConvolution::Symbol normal;
-    if (!is_window) normal = quadrants_.symbol(linear, quadrants_.of({&K::zz})[0], 1, 1);
     auto rest = [this, is_window](const Convolution& convolution, const Convolution& bare) {
         const auto& k = tangential_quadrants();
         auto symbol2 = [&](const Convolution& by) {
@@ -153,6 +173,17 @@ std::unique_ptr<const ConvolvedProducts> GridCompliance::make_products(const Siz
         made.from_normal_x = quadrants_.symbol(convolution, k[3], -1, 1);
         made.from_normal_y = quadrants_.symbol(convolution, k[4], 1, -1);
         return made;
+    };
+    if (!is_window) {
+        auto normal = normal_symbol(linear);
+        return std::make_unique<ProductsBy<Convolution>>(std::move(linear), std::move(periodic),
+                                                         std::move(normal), std::move(rest));
+    }
+    auto normal = [this](const Convolution& convolution, const Convolution& bare) {
+        const GridConvolution::Symbol periodic_normal = normal_symbol(bare);
+        const GridConvolution::Symbol none(periodic_normal.size(), 0);
+        return NormalSymbols{normal_symbol(convolution),
+                             inverse({periodic_normal, none, periodic_normal}).xx};
     };
     return std::make_unique<ProductsBy<Convolution>>(std::move(linear), std::move(periodic),
                                                      std::move(normal), std::move(rest));
@@ -192,6 +223,16 @@ std::unique_ptr<const contact::ActiveOperator> GridCompliance::among(
     }
     return std::make_unique<WindowOperator>(window(size), std::move(positions),
                                             static_cast<std::size_t>(size[0]) * size[1]);
+}
+
+std::vector<contact::SurfaceField> GridCompliance::displacements(
+    const std::vector<const GridCompliance*>& bodies, const contact::SurfaceField& t) {
+    ConvolvedProducts::Bodies products;
+    for (const GridCompliance* body : bodies) products.push_back(body->products_.get());
+    std::vector<contact::SurfaceField> u(bodies.size(), contact::SurfaceField(t.down.size()));
+    products.front()->normal_of(products, t.down, u);
+    products.front()->tangential_of(products, t.in_surface, u);
+    return u;
 }
 
 InfluenceTable GridCompliance::influence() const {

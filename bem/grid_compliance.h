@@ -61,6 +61,10 @@ class GridCompliance final : public ConvolvedCompliance {
     /// Products on the smallest box around them, where it is much smaller than the grid.
     std::unique_ptr<const contact::ActiveOperator> among(
         const std::vector<std::size_t>& active) const override;
+    /// Normal and tangential displacements [m] of several such bodies on one grid under the same
+    /// tractions [Pa], without what couples the two.
+    static std::vector<contact::SurfaceField> displacements(
+        const std::vector<const GridCompliance*>& bodies, const contact::SurfaceField& t);
     /// The coefficients of square cells at all relative positions that are asked for.
     InfluenceTable influence() const;
     /// What is below the surface, for `interior`, which knows nothing without.
@@ -72,6 +76,7 @@ class GridCompliance final : public ConvolvedCompliance {
     using Size = std::array<int, 2>;  // columns, rows
     template <class Convolution>
     std::unique_ptr<const ConvolvedProducts> make_products(const Size& size, bool is_window) const;
+    GridConvolution::Symbol normal_symbol(const auto& convolution) const;
     std::shared_ptr<const ConvolvedProducts> window(const Size& size) const;
     const std::vector<Quadrants::Quadrant>& tangential_quadrants() const;
 

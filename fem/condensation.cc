@@ -48,6 +48,7 @@ struct NodeGraph {
         start.assign(size() + 1, 0);
         for_pairs([&](int i, int j) { ++start[i + 1], ++start[j + 1]; });
         for (int i = 0; i < size(); ++i) start[i + 1] += start[i];
+        reserve_in_large_pages(neighbour, start.back());
         neighbour.resize(start.back());
         std::vector<idx_t> next(start.begin(), start.end() - 1);
         for_pairs([&](int i, int j) { neighbour[next[i]++] = j, neighbour[next[j]++] = i; });
@@ -78,6 +79,7 @@ class Cholmod {
   public:
     Cholmod() {
         cholmod_l_start(&common_);
+        SuiteSparse_config.malloc_func = allocate_in_large_pages;
         common_.print = 0;
         common_.supernodal = CHOLMOD_SUPERNODAL;
         common_.nmethods = 1;
@@ -289,7 +291,10 @@ std::vector<double> Condensation::contact_factor(int ld) const {
     const auto [n_supernodes, super, row_start, value_start, row, value] =
         supernodes_of(*parts_->factor);
 
-    std::vector<double> lower(static_cast<std::size_t>(ld) * ld, 0.0);
+    const std::size_t n_values = static_cast<std::size_t>(ld) * ld;
+    std::vector<double> lower;
+    reserve_in_large_pages(lower, n_values);
+    lower.resize(n_values);
     for (std::size_t s = 0; s < n_supernodes; ++s) {
         const Index n_rows = row_start[s + 1] - row_start[s];
         for (Index c = std::max<Index>(super[s], parts_->n_interior); c < super[s + 1]; ++c) {

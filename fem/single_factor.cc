@@ -4,6 +4,8 @@
 #include <functional>
 #include <utility>
 
+#include "fem/memory.h"
+
 extern "C" {
 // LAPACK: inverse of a triangular matrix.
 void dtrtri_(const char* uplo, const char* diagonal, const int* n, double* a, const int* lda,
@@ -21,7 +23,7 @@ namespace tricontact::fem {
 
 SingleFactor::SingleFactor(std::vector<int> order, int n_interior, std::size_t n_values)
     : order_(std::move(order)), n_interior_(n_interior) {
-    values_.reserve(n_values);
+    reserve_in_large_pages(values_, n_values);
 }
 
 void SingleFactor::add(int n_columns, std::span<const std::int64_t> row, const double* column,

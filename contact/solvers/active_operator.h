@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "contact/solvers/cholesky.h"
@@ -8,8 +9,8 @@
 
 namespace tricontact::contact {
 
-/// The tangential compliance among the points in contact, for many products with tractions that
-/// vanish elsewhere. Fields have an entry for each of these points, in their order.
+/// The compliance among the points in contact, for many products with tractions that vanish
+/// elsewhere. Fields have an entry for each of these points, in their order.
 class ActiveOperator {
   public:
     virtual ~ActiveOperator() = default;
@@ -20,6 +21,11 @@ class ActiveOperator {
     virtual void apply_roughly(const TangentialField& t, TangentialField& u) const { apply(t, u); }
     /// A symmetric positive definite approximation of the inverse of `apply`, up to a factor.
     virtual void precondition(const TangentialField& r, TangentialField& z) const = 0;
+
+    /// It knows the normal products too.
+    virtual bool has_normal() const { return false; }
+    virtual void normal(std::span<const double>, std::span<double>) const {}
+    virtual void precondition_normal(std::span<const double>, std::span<double>) const {}
 };
 
 /// What one dense operator after the other works in: new memory for each costs as much as filling

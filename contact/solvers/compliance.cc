@@ -49,6 +49,11 @@ CombinedCompliance::CombinedCompliance(Parts parts, bool coupled)
                                       [](const auto& part) { return part->is_coupled(); })),
       weights_(parts_.size(), 0.0) {}
 
+std::unique_ptr<const ActiveOperator> CombinedCompliance::among(
+    const std::vector<std::size_t>& active) const {
+    return weights_ == std::vector<double>{1} ? parts_.front()->among(active) : nullptr;
+}
+
 const double* CombinedCompliance::dense() const {
     if (!std::all_of(parts_.begin(), parts_.end(), [](const auto& part) { return part->dense(); }))
         return nullptr;

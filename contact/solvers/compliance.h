@@ -135,6 +135,9 @@ class CombinedCompliance final : public Compliance {
     void normal_from_tangential(const TangentialField& t, std::span<double> u_z) const override;
     double local_tangential() const override;
     void precondition_tangential(const TangentialField& r, TangentialField& z) const override;
+    /// A single part's, where it stands for the sum.
+    std::unique_ptr<const ActiveOperator> among(
+        const std::vector<std::size_t>& active) const override;
     const double* dense() const override;
     std::vector<double> consistent_traction(std::span<const double> t,
                                             bool odd_in_y) const override {

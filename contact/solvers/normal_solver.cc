@@ -8,6 +8,7 @@
 #include "contact/error.h"
 #include "contact/solvers/normal_active_set.h"
 #include "contact/solvers/normal_newton.h"
+#include "contact/solvers/pressure_correction.h"
 #include "contact/special_values.h"
 
 namespace tricontact::contact {
@@ -34,11 +35,20 @@ class Iteration {
         set_start(start);
     }
 
+    /// From a surface whose displacements are known.
+    Iteration(const Compliance& compliance, const std::vector<double>& height,
+              const NormalControl& control, PressedSurface start)
+        : Iteration(compliance, height, control, start.pressure) {
+        solution_.displacement = std::move(start.displacement);
+        displacement_is_exact_ = true;
+        iterations_before_ = start.iterations;
+    }
+
     NormalSolution run(double tolerance) {
-        update_displacement();
+        if (!displacement_is_exact_) update_displacement();
         for (int k = 1; k <= max_iterations; ++k) {
             update_gap();
-            solution_.iterations = k;
+            solution_.iterations = iterations_before_ + k;
             if (solution_.residual <= tolerance) {
                 // The displacement is carried along by increments: judge the true one.
                 if (displacement_is_exact_) return finish();
@@ -220,6 +230,7 @@ class Iteration {
     bool restart_ = true;
     bool is_balanced_ = false;  // what is in contact, beside what penetrates elsewhere
     bool displacement_is_exact_ = false;
+    int iterations_before_ = 0;
     std::size_t n_contact_ = 0;
 };
 
@@ -253,6 +264,10 @@ NormalSolution NormalSolver::solve(const std::vector<double>& height, const Norm
     if (const NormalGrid* const grid = compliance_.normal_grid())
         if (NormalNewton(*grid, tolerance_).solve(height, control, start, solution))
             return solution;
+    PressedSurface near;
+    if (!active_set_ && !start.empty() && control.kind == NormalControl::Kind::force &&
+        PressureCorrection(compliance_, tolerance_).correct(height, control.value, start, near))
+        return Iteration(compliance_, height, control, std::move(near)).run(tolerance_);
     return Iteration(compliance_, height, control, start).run(tolerance_);
 }
 

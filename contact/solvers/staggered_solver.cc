@@ -50,6 +50,7 @@ void StaggeredSolver::release() {
     now_ = {};
     highest_ = 0;
     starts_.clear();
+    pressure_change_.clear();
     now_.normal = std::make_shared<NormalSolution>(
         NormalSolution{.pressure = std::vector<double>(n), .displacement = std::vector<double>(n)});
     now_.bound.assign(n, 0);
@@ -106,11 +107,33 @@ void StaggeredSolver::solve_uncoupled(const LoadStep& step, const StepStart& bef
     if (kept != normal_cache_.end()) {
         now_.normal = kept->second;
     } else {
+        if (substrate_.relaxes() && step.recurs) recall_pressure(step.phase);
         solve_normal(step.normal, update_height());
         keep_normal();
     }
     now_.tangential.shift_increment = {};
     solve_friction(step, before);
+}
+
+/// What relaxes further from one period to the next does so alike in neighbouring phases: pressures
+/// start from those one period before with what the last step's have gained since.
+void StaggeredSolver::recall_pressure(double phase) {
+    const auto found = starts_.find(key_of_phase(phase));
+    if (found == starts_.end() || !(found->second.normal->force > 0)) return;
+    NormalSolution start = *found->second.normal;
+    for (std::size_t i = 0; i < pressure_change_.size(); ++i)
+        if (start.pressure[i] > 0)
+            start.pressure[i] = std::max(0., start.pressure[i] + pressure_change_[i]);
+    now_.normal = std::make_shared<const NormalSolution>(std::move(start));
+}
+
+void StaggeredSolver::keep_pressure_change(long key) {
+    pressure_change_.clear();
+    const auto found = starts_.find(key);
+    if (found == starts_.end()) return;
+    pressure_change_ = now_.normal->pressure;
+    for (std::size_t i = 0; i < pressure_change_.size(); ++i)
+        pressure_change_[i] -= found->second.normal->pressure[i];
 }
 
 /// Of a relaxing substrate the same position is not the same problem.
@@ -133,9 +156,10 @@ void StaggeredSolver::recall_start(double phase) {
 }
 
 void StaggeredSolver::keep_start(double phase) {
-    if (coupling_.is_decoupled()) return;
+    if (coupling_.is_decoupled() && !substrate_.relaxes()) return;
     const std::size_t bytes = 4 * sizeof(double) * points().size();
     const long key = key_of_phase(phase);
+    if (coupling_.is_decoupled()) keep_pressure_change(key);
     if (starts_.contains(key) || (starts_.size() + 1) * bytes <= most_kept_bytes)
         starts_[key] = {now_.normal, now_.tangential.traction, now_.tangential.shift_increment,
                         highest_};

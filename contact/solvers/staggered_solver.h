@@ -86,6 +86,8 @@ class StaggeredSolver {
     void make_solvers();
     std::vector<double> update_height();
     void recall_start(double phase);
+    void recall_pressure(double phase);
+    void keep_pressure_change(long key);
     void solve_uncoupled(const LoadStep& step, const StepStart& before);
     void keep_normal();
     void solve_coupled(const LoadStep& step, const StepStart& before);
@@ -115,7 +117,10 @@ class StaggeredSolver {
     std::optional<TangentialSolver> tangential_solver_;
     ContactSolution now_;
     std::map<Key, std::shared_ptr<const NormalSolution>> normal_cache_;  // of uncoupled contact
-    std::map<long, PeriodStart> starts_;  // of coupled contact, by the phase
+    std::map<long, PeriodStart>
+        starts_;  // of coupled contact and relaxing substrates, by the phase
+    // Of the last step, over its phase one period before [Pa]; empty: that is not known.
+    std::vector<double> pressure_change_;
 };
 
 }  // namespace tricontact::contact

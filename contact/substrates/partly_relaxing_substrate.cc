@@ -1,6 +1,7 @@
 #include "contact/substrates/partly_relaxing_substrate.h"
 
 #include <algorithm>
+#include <array>
 #include <boost/math/special_functions/ellint_1.hpp>
 #include <boost/math/special_functions/jacobi_elliptic.hpp>
 #include <cmath>
@@ -52,15 +53,19 @@ void add(SurfaceField& sum, double factor, const SurfaceField& field) {
     }
 }
 
-SurfaceField displaced(const Compliance& compliance, const SurfaceField& t, bool coupled) {
-    const std::size_t n = t.down.size();
-    SurfaceField u(n), other(n);
-    compliance.tangential(t.in_surface, u.in_surface);
-    compliance.normal(t.down, u.down);
-    if (!coupled) return u;
+/// By what couples normal and tangential.
+void add_coupling(const Compliance& compliance, const SurfaceField& t, SurfaceField& u) {
+    SurfaceField other(t.down.size());
     compliance.tangential_from_normal(t.down, other.in_surface);
     compliance.normal_from_tangential(t.in_surface, other.down);
     add(u, 1, other);
+}
+
+SurfaceField displaced(const Compliance& compliance, const SurfaceField& t, bool coupled) {
+    SurfaceField u(t.down.size());
+    compliance.tangential(t.in_surface, u.in_surface);
+    compliance.normal(t.down, u.down);
+    if (coupled) add_coupling(compliance, t, u);
     return u;
 }
 
@@ -121,7 +126,7 @@ PartlyRelaxingSubstrate::PartlyRelaxingSubstrate(Parts parts, StieltjesInterpola
 /// Of the parts, or of their sum alone.
 void PartlyRelaxingSubstrate::set_weights(CombinedCompliance& compliance,
                                           const std::vector<double>& weights) const {
-    if (sum_) compliance = CombinedCompliance({sum_(weights)}, coupled_);
+    if (sum_) compliance = CombinedCompliance({sum_.of(weights)}, coupled_);
     compliance.set_weights(sum_ ? std::vector<double>{1} : weights);
 }
 
@@ -141,14 +146,15 @@ bool PartlyRelaxingSubstrate::begin(double duration, const SurfaceField& t, cons
     std::vector<double> weights(parts_.size());
     for (std::size_t m = 0; m < modes_.size(); ++m) {
         const Mode& mode = modes_[m];
-        double of_step = mode.creep.relaxed;
+        double of_step = mode.creep.relaxed, recovered = 0;
         for (std::size_t b = 0; b < mode.branches.size(); ++b) {
             const auto [compliance, time] = mode.creep.branches[b];
             const double mean = StepIntegrals(duration / time).mean;
             of_step -= compliance * mean;
+            recovered += compliance * mean;
             add(offset_, compliance * std::exp(-duration / time), mode.branches[b].displacement);
-            add(offset_, -compliance * mean, mode.displacement);
         }
+        add(offset_, -recovered, mode.displacement);
         for (std::size_t j = 0; j < parts_.size(); ++j)
             weights[j] += interpolation_.weight(m, j) * of_step;
     }
@@ -170,12 +176,32 @@ std::vector<SurfaceField*> PartlyRelaxingSubstrate::memory() {
 
 /// X_m t for each mode. They are sums of either sign, whose rounding goes with the magnitudes.
 std::vector<SurfaceField> PartlyRelaxingSubstrate::modal_displacements(const SurfaceField& t,
-                                                                       double& magnitude) const {
-    std::vector<SurfaceField> modal(modes_.size(), SurfaceField(n_));
+                                                                       double& magnitude) {
+    const std::size_t n_modes = modes_.size();
+    std::vector<SurfaceField> modal;
+    if (sum_) {
+        for (std::size_t m = modal_.size(); m < n_modes; ++m) {
+            const double* const row = interpolation_.weights.data() + m * n_modes;
+            modal_.push_back(sum_.of({row, row + n_modes}));
+        }
+        // The nodes' bodies are stiffer than the relaxed one, sum relaxed_m X_m.
+        double all_weights = 0, energy = 0;
+        modal = sum_.displacements(modal_, t);
+        for (std::size_t m = 0; m < n_modes; ++m) {
+            if (step_.is_coupled()) add_coupling(*modal_[m], t, modal[m]);
+            const double relaxed = modes_[m].creep.relaxed;
+            energy += relaxed * largest_energy(modal[m], t);
+            for (std::size_t j = 0; j < n_modes; ++j)
+                all_weights += relaxed * std::abs(interpolation_.weight(m, j));
+        }
+        magnitude += all_weights * energy;
+        return modal;
+    }
+    modal.assign(n_modes, SurfaceField(n_));
     for (std::size_t j = 0; j < parts_.size(); ++j) {
         const SurfaceField part = displaced(*parts_[j], t, step_.is_coupled());
         const double energy = largest_energy(part, t);
-        for (std::size_t m = 0; m < modes_.size(); ++m) {
+        for (std::size_t m = 0; m < n_modes; ++m) {
             const double weight = interpolation_.weight(m, j);
             add(modal[m], weight, part);
             magnitude += std::abs(weight) * modes_[m].creep.relaxed * energy;
@@ -217,61 +243,108 @@ Substrate::Energies PartlyRelaxingSubstrate::end(const SurfaceField& t, const Su
     energies.stored = all_stored.value();
     energies.work = all_work.value();
     const std::vector<SurfaceField> now = modal_displacements(t, energies.magnitude);
-    for (std::size_t m = 0; m < modes_.size(); ++m) advance(modes_[m], now[m], t, energies);
+    for (int d = 0; d < 3; ++d) {
+        const Loaded points = loaded(d, t);
+        for (std::size_t m = 0; m < modes_.size(); ++m)
+            advance(modes_[m], d, *components(now[m])[d], points, energies);
+    }
     return energies;
 }
 
-void PartlyRelaxingSubstrate::advance(Mode& mode, const SurfaceField& now, const SurfaceField& t,
-                                      Energies& energies) {
-    CompensatedSum all_stored, all_dissipated, all_work, all_magnitude;
-    for (int d = 0; d < 3; ++d)
-        for_each_block(0, static_cast<int>(n_), [&](int begin, int end) {
-            const Energies of_block = advance(mode, d, begin, end, now, t);
-            all_stored.add(of_block.stored);
-            all_dissipated.add(of_block.dissipated);
-            all_work.add(of_block.work);
-            all_magnitude.add(of_block.magnitude);
-        });
-    mode.displacement = now;
-    energies.stored += all_stored.value();
-    energies.dissipated += all_dissipated.value();
-    energies.work += all_work.value();
-    energies.magnitude += all_magnitude.value();
+PartlyRelaxingSubstrate::Loaded PartlyRelaxingSubstrate::loaded(int d,
+                                                                const SurfaceField& t) const {
+    const auto &t0 = *components(traction_)[d], &t1 = *components(t)[d];
+    Loaded loaded;
+    for (std::size_t i = 0; i < n_; ++i) {
+        if (t0[i] == 0 && t1[i] == 0) continue;
+        loaded.points.push_back(i);
+        loaded.area.push_back(step_.points().area[i]);
+        loaded.before.push_back(t0[i]);
+        loaded.after.push_back(t1[i]);
+        loaded.change.push_back(t1[i] - t0[i]);
+    }
+    return loaded;
 }
 
-/// The branches of a component d on the points [begin, end), whose energies are what is returned.
-Substrate::Energies PartlyRelaxingSubstrate::advance(Mode& mode, int d, int begin, int end,
-                                                     const SurfaceField& now,
-                                                     const SurfaceField& t) const {
-    const double *const area = step_.points().area.data(),
-                        *const t0 = components(traction_)[d]->data(),
-                        *const t1 = components(t)[d]->data(),
-                        *const x_t0 = components(std::as_const(mode.displacement))[d]->data(),
-                        *const x_t1 = components(now)[d]->data();
-    Energies sum;
-    for (int i = begin; i < end; ++i) {
-        sum.work -= area[i] * (t1[i] - t0[i]) * mode.creep.relaxed * (x_t0[i] + x_t1[i]) / 2;
-        sum.magnitude +=
-            area[i] * (std::abs(t0[i]) + std::abs(t1[i])) * (std::abs(x_t0[i]) + std::abs(x_t1[i]));
-    }
+namespace {
+
+/// sum `term(k)` over k < n, see for_each_block().
+template <class Term>
+double block_sum(std::size_t n, Term term) {
+    CompensatedSum all;
+    for_each_block(0, static_cast<int>(n), [&](int begin, int end) {
+        std::array<double, 4> sums{};  // which need not wait for each other
+        int k = begin;
+        for (; k + 4 <= end; k += 4)
+            for (int lane = 0; lane < 4; ++lane) sums[lane] += term(k + lane);
+        for (; k < end; ++k) sums[0] += term(k);
+        all.add((sums[0] + sums[1]) + (sums[2] + sums[3]));
+    });
+    return all.value();
+}
+
+}  // namespace
+
+/// A component d of a mode, whose displacement becomes `now`.
+void PartlyRelaxingSubstrate::advance(Mode& mode, int d, const std::vector<double>& now,
+                                      const Loaded& loaded, Energies& energies) const {
+    auto& displacement = *components(mode.displacement)[d];
+    const auto& [points, area, before, after, w] = loaded;
+    energies.work -= block_sum(points.size(), [&](int k) {
+        const std::size_t i = points[k];
+        return area[k] * w[k] * mode.creep.relaxed * (displacement[i] + now[i]) / 2;
+    });
+    energies.magnitude += block_sum(points.size(), [&](int k) {
+        const std::size_t i = points[k];
+        return area[k] * (std::abs(before[k]) + std::abs(after[k])) *
+               (std::abs(displacement[i]) + std::abs(now[i]));
+    });
+    std::vector<double> change(n_);
+    for (std::size_t i = 0; i < n_; ++i) change[i] = now[i] - displacement[i];
+    displacement = now;
     for (std::size_t b = 0; b < mode.branches.size(); ++b) {
-        const auto [compliance, time] = mode.creep.branches[b];
-        const StepIntegrals s(duration_ / time);
-        const double decay = std::exp(-duration_ / time);
-        double* const e = components(mode.branches[b].traction)[d]->data();
-        double* const x_e = components(mode.branches[b].displacement)[d]->data();
-        for (int i = begin; i < end; ++i) {
-            const double w = t1[i] - t0[i], x_w = x_t1[i] - x_t0[i], force = area[i] * compliance;
-            sum.dissipated +=
-                force * (e[i] * x_e[i] * s.ee + (e[i] * x_w + w * x_e[i]) * s.ew + w * x_w * s.ww);
-            sum.work += force * w * (x_e[i] * s.mean + x_w * s.drift);
-            e[i] = decay * e[i] + s.mean * w;
-            x_e[i] = decay * x_e[i] + s.mean * x_w;
-            sum.stored -= force / 2 * (t1[i] - e[i]) * x_e[i];
-            sum.magnitude += force * (std::abs(t0[i]) + std::abs(t1[i])) * std::abs(x_e[i]);
-        }
+        const Energies own = advance(mode.branches[b], mode.creep.branches[b], d, change, loaded);
+        energies.stored += own.stored;
+        energies.dissipated += own.dissipated;
+        energies.work += own.work;
+        energies.magnitude += own.magnitude;
     }
-    return sum;
+}
+
+/// The energies of a branch's component d, under a `change` of the displacement X t. With w = t1 -
+/// t0, which is zero but where points are loaded, and X self-adjoint, the new e X e is made of e X
+/// e, w X e and w X w: only the first is a sum over all points.
+Substrate::Energies PartlyRelaxingSubstrate::advance(Branch& branch,
+                                                     const Retardation::Branch& creep, int d,
+                                                     const std::vector<double>& change,
+                                                     const Loaded& loaded) const {
+    const StepIntegrals s(duration_ / creep.time);
+    const double decay = std::exp(-duration_ / creep.time);
+    const double *const areas = step_.points().area.data(), *const x_w = change.data();
+    double* const e = components(branch.traction)[d]->data();
+    double* const x_e = components(branch.displacement)[d]->data();
+    const auto& [points, area, before, after, w] = loaded;
+    const std::size_t n_loaded = points.size();
+    auto over_loaded = [&](const std::vector<double>& t, const double* x) {
+        return block_sum(n_loaded, [&](int k) { return area[k] * t[k] * x[points[k]]; });
+    };
+    const double old = block_sum(n_, [&](int i) { return areas[i] * e[i] * x_e[i]; });
+    const double w_x_e = over_loaded(w, x_e), w_x_w = over_loaded(w, x_w);
+    for (std::size_t i = 0; i < n_; ++i) {
+        e[i] *= decay;
+        x_e[i] = decay * x_e[i] + s.mean * x_w[i];
+    }
+    for (std::size_t k = 0; k < n_loaded; ++k) e[points[k]] += s.mean * w[k];
+    const double now = decay * decay * old + 2 * decay * s.mean * w_x_e + s.mean * s.mean * w_x_w;
+    Energies energies;
+    energies.dissipated = creep.compliance * (old * s.ee + 2 * w_x_e * s.ew + w_x_w * s.ww);
+    energies.work = creep.compliance * (w_x_e * s.mean + w_x_w * s.drift);
+    energies.stored = creep.compliance / 2 * (now - over_loaded(after, x_e));
+    energies.magnitude =
+        creep.compliance * block_sum(n_loaded, [&](int k) {
+            return area[k] * (std::abs(before[k]) + std::abs(after[k])) * std::abs(x_e[points[k]]);
+        });
+    return energies;
 }
 
 }  // namespace tricontact::contact

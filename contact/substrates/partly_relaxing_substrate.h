@@ -51,9 +51,16 @@ struct StieltjesInterpolation {
 class PartlyRelaxingSubstrate final : public Substrate {
   public:
     using Parts = CombinedCompliance::Parts;
-    /// The weighted sum of the parts as one compliance, whose products cost as much as one part's.
-    using Sum =
-        std::function<std::shared_ptr<const Compliance>(const std::vector<double>& weights)>;
+    /// Weighted sums of the parts.
+    struct Sum {
+        /// As one compliance, whose products cost as much as one part's.
+        std::function<std::shared_ptr<const Compliance>(const std::vector<double>& weights)> of;
+        /// What the same tractions [Pa] displace several of these [m], without what couples normal
+        /// and tangential.
+        std::function<std::vector<SurfaceField>(const Parts& sums, const SurfaceField& t)>
+            displacements;
+        explicit operator bool() const { return of != nullptr; }
+    };
 
     /// `parts`: elastic compliances with the relaxing part's moduli times interpolation.nodes.
     /// Not `coupled`: normal tractions displace normally alone. `sum` empty: products are summed.
@@ -87,12 +94,20 @@ class PartlyRelaxingSubstrate final : public Substrate {
         SurfaceField displacement;  // X t of the last step [m]
     };
 
+    /// Components of a step at the points that carry tractions before or after it, in their order.
+    struct Loaded {
+        std::vector<std::size_t> points;
+        std::vector<double> area, before, after, change;  // [m^2], t [Pa]
+    };
+
     void set_weights(CombinedCompliance& compliance, const std::vector<double>& weights) const;
-    std::vector<SurfaceField> modal_displacements(const SurfaceField& t, double& magnitude) const;
+    std::vector<SurfaceField> modal_displacements(const SurfaceField& t, double& magnitude);
     double largest_energy(const SurfaceField& u, const SurfaceField& t) const;
-    void advance(Mode& mode, const SurfaceField& now, const SurfaceField& t, Energies& energies);
-    Energies advance(Mode& mode, int d, int begin, int end, const SurfaceField& now,
-                     const SurfaceField& t) const;
+    Loaded loaded(int d, const SurfaceField& t) const;
+    void advance(Mode& mode, int d, const std::vector<double>& now, const Loaded& loaded,
+                 Energies& energies) const;
+    Energies advance(Branch& branch, const Retardation::Branch& creep, int d,
+                     const std::vector<double>& change, const Loaded& loaded) const;
 
     Parts parts_;
     StieltjesInterpolation interpolation_;
@@ -103,6 +118,7 @@ class PartlyRelaxingSubstrate final : public Substrate {
     std::vector<double> weights_;  // of step_
     CombinedCompliance step_, relaxed_;
     std::vector<Mode> modes_;
+    std::vector<std::shared_ptr<const Compliance>> modal_;  // X_m, where they are known; if needed
     double duration_ = 0;
     SurfaceField traction_, displacement_;  // at the beginning of the step
     SurfaceField offset_;

@@ -1,0 +1,151 @@
+#include "contact/solvers/pressure_correction.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include "contact/solvers/active_operator.h"
+#include "contact/special_values.h"
+
+namespace tricontact::contact {
+
+namespace {
+
+/// Largest gap of a start over the length that gaps are compared with: beyond it the contact is
+/// another one, and its set would be found one ring of points after the other.
+constexpr double near_enough = 1e-2;
+constexpr int most_steps = 8;
+constexpr int most_iterations = 60;
+/// Of the tolerance: what the conjugate gradients leave.
+constexpr double exactness = 0.3;
+
+/// The points in contact in one Newton step.
+class PointsInContact {
+  public:
+    PointsInContact(const Compliance& compliance, const std::vector<std::size_t>& points)
+        : points_(points), products_(compliance.among(points)) {
+        for (const std::size_t i : points) area_.push_back(compliance.points().area[i]);
+    }
+
+    bool is_known() const { return products_ && products_->has_normal(); }
+
+    /// Gaps under pressures p, less their mean, which is what it returns [m].
+    double gaps(const std::vector<double>& p, const std::vector<double>& height,
+                std::vector<double>& gap) const {
+        gap.resize(points_.size());
+        products_->normal(p, gap);
+        for (std::size_t k = 0; k < gap.size(); ++k) gap[k] += height[points_[k]];
+        const double mean = total(gap) / total(std::vector<double>(gap.size(), 1));
+        for (double& g : gap) g -= mean;
+        return mean;
+    }
+
+    /// Moves p so that the gaps, `residual` as handed over, are at most `target` [m], their mean
+    /// apart and the force as it is. The number of iterations.
+    int solve(std::vector<double>& residual, double target, std::vector<double>& p) const {
+        const std::size_t n = points_.size();
+        std::vector<double> z(n), direction(n), displaced(n), unit(n);
+        products_->precondition_normal(std::vector<double>(n, 1), unit);
+        const double total_unit = total(unit);
+        // The part of the residual that the mean can take, so that z is balanced.
+        const auto precondition = [&] {
+            products_->precondition_normal(residual, z);
+            const double mean = total(z) / total_unit;
+            for (std::size_t k = 0; k < n; ++k) {
+                residual[k] -= mean;
+                z[k] -= mean * unit[k];
+            }
+            return inner(residual, z);
+        };
+        double rho = precondition();
+        direction = z;
+        int iterations = 0;
+        while (iterations < most_iterations && largest(residual) > target && rho > 0) {
+            products_->normal(direction, displaced);
+            ++iterations;
+            const double step = rho / inner(direction, displaced);
+            for (std::size_t k = 0; k < n; ++k) {
+                p[k] -= step * direction[k];
+                residual[k] -= step * displaced[k];
+            }
+            const double last = rho;
+            rho = precondition();
+            for (std::size_t k = 0; k < n; ++k) direction[k] = z[k] + rho / last * direction[k];
+        }
+        return iterations;
+    }
+
+    double inner(const std::vector<double>& a, const std::vector<double>& b) const {
+        double sum = 0;
+        for (std::size_t k = 0; k < a.size(); ++k) sum += area_[k] * a[k] * b[k];
+        return sum;
+    }
+    double total(const std::vector<double>& f) const {
+        double sum = 0;
+        for (std::size_t k = 0; k < f.size(); ++k) sum += area_[k] * f[k];
+        return sum;
+    }
+    static double largest(const std::vector<double>& f) {
+        double largest = 0;
+        for (const double value : f) largest = larger(largest, std::abs(value));
+        return largest;
+    }
+
+  private:
+    const std::vector<std::size_t>& points_;
+    std::unique_ptr<const ActiveOperator> products_;
+    std::vector<double> area_;  // [m^2]
+};
+
+}  // namespace
+
+bool PressureCorrection::correct(const std::vector<double>& height, double force,
+                                 const std::vector<double>& start, PressedSurface& surface) const {
+    auto& [pressure, displacement, iterations] = surface;
+    pressure = start;
+    displacement.resize(start.size());
+    iterations = 0;
+    std::vector<std::uint8_t> is_in_contact(start.size());
+    for (std::size_t i = 0; i < start.size(); ++i) is_in_contact[i] = start[i] > 0;
+    std::vector<double> p, gap;
+    double length = 0;
+    for (int step = 0; step < most_steps; ++step) {
+        std::vector<std::size_t> points;
+        p.clear();
+        for (std::size_t i = 0; i < start.size(); ++i)
+            if (is_in_contact[i]) points.push_back(i), p.push_back(pressure[i]);
+        const PointsInContact contact(compliance_, points);
+        if (points.empty() || !contact.is_known()) return false;
+        const double factor = force / contact.total(p);
+        for (double& value : p) value *= factor;
+        const double mean = contact.gaps(p, height, gap);
+        ++iterations;
+        if (step == 0) {
+            if (!(mean > 0) || !(contact.largest(gap) <= near_enough * mean)) return false;
+            length = mean;
+        }
+        if (contact.largest(gap) > tolerance_ * length)
+            iterations += contact.solve(gap, exactness * tolerance_ * length, p);
+        bool changed = false;
+        for (std::size_t k = 0; k < p.size(); ++k) {
+            is_in_contact[points[k]] = p[k] > 0;
+            changed = changed || !(p[k] > 0);
+            pressure[points[k]] = std::max(0., p[k]);
+        }
+        if (changed) continue;
+        compliance_.normal(pressure, displacement);
+        ++iterations;
+        double indentation = 0;
+        for (const std::size_t i : points)
+            indentation += compliance_.points().area[i] * (displacement[i] + height[i]);
+        indentation /= contact.total(std::vector<double>(points.size(), 1));
+        for (std::size_t i = 0; i < start.size(); ++i)
+            if (!is_in_contact[i] &&
+                displacement[i] + height[i] - indentation < -tolerance_ * length)
+                is_in_contact[i] = changed = true;
+        if (!changed) return true;
+    }
+    return false;
+}
+
+}  // namespace tricontact::contact
