@@ -105,14 +105,6 @@ void use_large_pages(void* memory, std::size_t bytes) {
     if (first < end) madvise(reinterpret_cast<void*>(first), end - first, MADV_HUGEPAGE);
 }
 
-std::vector<double> large_field(std::size_t n) {
-    std::vector<double> field;
-    field.reserve(n);
-    use_large_pages(field.data(), n * sizeof(double));
-    field.resize(n);
-    return field;
-}
-
 void require_memory(const std::string& what, double bytes, const std::string& remedy) {
     const double available = available_bytes();
     if (bytes > available)

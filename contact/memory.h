@@ -14,9 +14,9 @@ double available_bytes();
 /// Throws InputError "<what> needs 12.3 GB of memory, 4.5 GB are there; <remedy>" where that is so.
 void require_memory(const std::string& what, double bytes, const std::string& remedy);
 
-/// Asks for large pages under memory that has not been touched yet: fields of large grids are
-/// passed over again and again, and each of their pages has to be found. No effect on small memory
-/// or where the system has none.
+/// Asks for large pages under memory that has not been touched yet: touching it for the first time
+/// takes a fault for each page, and fields of large grids are passed over again and again, where
+/// each page has to be found. No effect on small memory or where the system has none.
 void use_large_pages(void* memory, std::size_t bytes);
 
 /// Not initialised, on large pages.
@@ -27,7 +27,19 @@ std::unique_ptr<Number[]> large_memory(std::size_t n) {
     return memory;
 }
 
+/// Of an empty vector, on large pages.
+template <class T>
+void reserve_large(std::vector<T>& vector, std::size_t n) {
+    vector.reserve(n);
+    use_large_pages(vector.data(), n * sizeof(T));
+}
+
 /// `n` zeros, on large pages.
-std::vector<double> large_field(std::size_t n);
+inline std::vector<double> large_field(std::size_t n) {
+    std::vector<double> field;
+    reserve_large(field, n);
+    field.resize(n);
+    return field;
+}
 
 }  // namespace tricontact::contact

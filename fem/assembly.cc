@@ -56,7 +56,7 @@ SparseMatrix pattern(const Q2Space& space, const Unknowns& unknowns) {
             if (u >= 0) matrix.column_start[u + 1] = neighbours.end() - below(neighbours, u);
     });
     for (int u = 0; u < unknowns.n; ++u) matrix.column_start[u + 1] += matrix.column_start[u];
-    reserve_in_large_pages(matrix.row, matrix.column_start.back());
+    reserve_large(matrix.row, matrix.column_start.back());
     matrix.row.resize(matrix.column_start.back());
     for_neighbourhoods(space, unknowns, [&](int node, const std::vector<int>& neighbours) {
         for (const int u : unknowns.of_node[node])
@@ -64,7 +64,7 @@ SparseMatrix pattern(const Q2Space& space, const Unknowns& unknowns) {
                 std::copy(below(neighbours, u), neighbours.end(),
                           matrix.row.begin() + matrix.column_start[u]);
     });
-    reserve_in_large_pages(matrix.value, matrix.row.size());
+    reserve_large(matrix.value, matrix.row.size());
     matrix.value.assign(matrix.row.size(), 0.0);
     return matrix;
 }

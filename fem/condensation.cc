@@ -1,7 +1,6 @@
 #include "fem/condensation.h"
 
 #include <cholmod.h>
-#include <metis.h>
 #include <omp.h>
 
 #include <algorithm>
@@ -10,6 +9,7 @@
 #include <string>
 
 #include "contact/error.h"
+#include "fem/dissection_order.h"
 #include "fem/memory.h"
 
 extern "C" {
@@ -20,56 +20,6 @@ void dpotri_(const char* uplo, const int* n, double* a, const int* lda, int* inf
 namespace tricontact::fem {
 
 namespace {
-
-// Interior nodes with their unknowns, and which of them share an element.
-struct NodeGraph {
-    std::vector<int> first_unknown;  // unknowns of node i: first_unknown[i] to [i + 1], excluded
-    std::vector<idx_t> start, neighbour;
-
-    NodeGraph(const SparseMatrix& stiffness, std::span<const int> node_of_unknown, int n_interior) {
-        std::vector<int> graph_node(n_interior);
-        for (int u = 0; u < n_interior; ++u) {
-            if (u == 0 || node_of_unknown[u] != node_of_unknown[u - 1]) first_unknown.push_back(u);
-            graph_node[u] = static_cast<int>(first_unknown.size()) - 1;
-        }
-        first_unknown.push_back(n_interior);
-        // One unknown speaks for its node: all of two nodes couple or none.
-        const auto for_pairs = [&](auto visit) {
-            for (int i = 0; i < size(); ++i) {
-                const int u = first_unknown[i];
-                for (auto k = stiffness.column_start[u]; k < stiffness.column_start[u + 1]; ++k) {
-                    const auto r = stiffness.row[k];
-                    if (r >= n_interior) break;
-                    const int j = graph_node[r];
-                    if (j != i && first_unknown[j] == r) visit(i, j);
-                }
-            }
-        };
-        start.assign(size() + 1, 0);
-        for_pairs([&](int i, int j) { ++start[i + 1], ++start[j + 1]; });
-        for (int i = 0; i < size(); ++i) start[i + 1] += start[i];
-        reserve_in_large_pages(neighbour, start.back());
-        neighbour.resize(start.back());
-        std::vector<idx_t> next(start.begin(), start.end() - 1);
-        for_pairs([&](int i, int j) { neighbour[next[i]++] = j, neighbour[next[j]++] = i; });
-    }
-
-    int size() const { return static_cast<int>(first_unknown.size()) - 1; }
-};
-
-std::vector<idx_t> nested_dissection(NodeGraph& graph) {
-    std::vector<idx_t> order(graph.size()), position(graph.size());
-    idx_t options[METIS_NOPTIONS];
-    METIS_SetDefaultOptions(options);
-    options[METIS_OPTION_NUMBERING] = 0;
-    options[METIS_OPTION_SEED] = 1;  // the same order in every run
-    idx_t n = graph.size();
-    const int status = METIS_NodeND(&n, graph.start.data(), graph.neighbour.data(), nullptr,
-                                    options, order.data(), position.data());
-    if (status == METIS_ERROR_MEMORY) throw std::bad_alloc();
-    if (status != METIS_OK) throw std::logic_error("METIS_NodeND refuses the graph of the nodes");
-    return order;
-}
 
 using Index = SuiteSparse_long;
 static_assert(sizeof(Index) == sizeof(std::int64_t));
@@ -107,8 +57,8 @@ class Cholmod {
     cholmod_common common_{};
 };
 
-// CHOLMOD shares each supernode's loops among four threads, which wait for each other as long as they
-// work; the products between are threads of BLAS.
+// CHOLMOD shares each supernode's loops among four threads, which wait for each other as long as
+// they work; the products between are threads of BLAS.
 class OneThread {
   public:
     OneThread() { omp_set_max_active_levels(0); }
@@ -177,23 +127,6 @@ Sparse permuted(SparseMatrix matrix, std::vector<Index>& order, Cholmod& cholmod
         cholmod_l_ptranspose(&a, 2, order.data(), nullptr, 0, cholmod.get()), cholmod);
     matrix = {};
     return owned<Sparse>(cholmod_l_transpose(upper.get(), 2, cholmod.get()), cholmod);
-}
-
-// Order in which to eliminate the unknowns of a stiffness: the first `n_interior` ones by METIS'
-// nested dissection of the graph of their nodes, then the others as they are. Entry k is the
-// unknown to come k-th.
-std::vector<Index> dissection_order(const SparseMatrix& stiffness,
-                                    std::span<const int> node_of_unknown, int n_interior) {
-    std::vector<Index> order;
-    order.reserve(stiffness.n);
-    if (n_interior > 0) {
-        NodeGraph graph(stiffness, node_of_unknown, n_interior);
-        for (const idx_t node : nested_dissection(graph))
-            for (int u = graph.first_unknown[node]; u < graph.first_unknown[node + 1]; ++u)
-                order.push_back(u);
-    }
-    for (int u = n_interior; u < stiffness.n; ++u) order.push_back(u);
-    return order;
 }
 
 // The values of a numerical factor: supernode s has the columns super[s] to super[s + 1] and the
@@ -291,10 +224,7 @@ std::vector<double> Condensation::contact_factor(int ld) const {
     const auto [n_supernodes, super, row_start, value_start, row, value] =
         supernodes_of(*parts_->factor);
 
-    const std::size_t n_values = static_cast<std::size_t>(ld) * ld;
-    std::vector<double> lower;
-    reserve_in_large_pages(lower, n_values);
-    lower.resize(n_values);
+    std::vector<double> lower = large_field(static_cast<std::size_t>(ld) * ld);
     for (std::size_t s = 0; s < n_supernodes; ++s) {
         const Index n_rows = row_start[s + 1] - row_start[s];
         for (Index c = std::max<Index>(super[s], parts_->n_interior); c < super[s + 1]; ++c) {

@@ -1,9 +1,7 @@
 #include "fem/memory.h"
 
 #include <malloc.h>
-#include <sys/mman.h>
 
-#include <cstdint>
 #include <cstdlib>
 
 extern "C" int openblas_get_num_threads(void);
@@ -19,17 +17,9 @@ void return_freed_memory() {
     malloc_trim(0);
 }
 
-void advise_large_pages(void* memory, std::size_t bytes) {
-    constexpr std::uintptr_t page = 2 << 20;
-    if (bytes < 2 * page) return;
-    const auto begin = (reinterpret_cast<std::uintptr_t>(memory) + page - 1) / page * page;
-    const auto end = (reinterpret_cast<std::uintptr_t>(memory) + bytes) / page * page;
-    madvise(reinterpret_cast<void*>(begin), end - begin, MADV_HUGEPAGE);  // a wish: it may fail
-}
-
 void* allocate_in_large_pages(std::size_t bytes) {
     void* const memory = std::malloc(bytes);
-    if (memory) advise_large_pages(memory, bytes);
+    if (memory) contact::use_large_pages(memory, bytes);
     return memory;
 }
 

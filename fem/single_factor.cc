@@ -23,7 +23,7 @@ namespace tricontact::fem {
 
 SingleFactor::SingleFactor(std::vector<int> order, int n_interior, std::size_t n_values)
     : order_(std::move(order)), n_interior_(n_interior) {
-    reserve_in_large_pages(values_, n_values);
+    reserve_large(values_, n_values);
 }
 
 void SingleFactor::add(int n_columns, std::span<const std::int64_t> row, const double* column,

@@ -121,7 +121,7 @@ class NewtonIteration {
 
     /// d at which the mean gap of the contact is zero: of the last set's points that press.
     double indentation_of_contact() const {
-        const auto [sum, n] =
+        const auto [sum, pressed] =
             sum_over_set<Sums<2>>([&](const std::uint32_t* points, std::size_t, std::size_t n) {
                 Sums<2> part;
                 for (std::size_t j = 0; j < n; ++j) {
@@ -132,7 +132,7 @@ class NewtonIteration {
                 }
                 return part;
             }).values;
-        return sum / n;
+        return sum / pressed;
     }
 
     /// The residual, and the next set: points that press or penetrate.

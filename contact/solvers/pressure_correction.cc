@@ -14,7 +14,7 @@ namespace {
 /// Largest gap of a start over the length that gaps are compared with: beyond it the contact is
 /// another one, and its set would be found one ring of points after the other.
 constexpr double near_enough = 1e-2;
-constexpr int most_steps = 8;
+constexpr int most_corrections = 8;
 constexpr int most_iterations = 60;
 /// Of the tolerance: what the conjugate gradients leave.
 constexpr double exactness = 0.3;
@@ -109,7 +109,7 @@ bool PressureCorrection::correct(const std::vector<double>& height, double force
     for (std::size_t i = 0; i < start.size(); ++i) is_in_contact[i] = start[i] > 0;
     std::vector<double> p, gap;
     double length = 0;
-    for (int step = 0; step < most_steps; ++step) {
+    for (int step = 0; step < most_corrections; ++step) {
         std::vector<std::size_t> points;
         p.clear();
         for (std::size_t i = 0; i < start.size(); ++i)
