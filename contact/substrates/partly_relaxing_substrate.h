@@ -94,10 +94,11 @@ class PartlyRelaxingSubstrate final : public Substrate {
         SurfaceField displacement;  // X t of the last step [m]
     };
 
-    /// Components of a step at the points that carry tractions before or after it, in their order.
+    /// A component of the forces [N] at the points that carry tractions before or after the step:
+    /// their change, those after it, and the sum of both magnitudes.
     struct Loaded {
         std::vector<std::size_t> points;
-        std::vector<double> area, before, after, change;  // [m^2], t [Pa]
+        std::vector<double> change, after, magnitude;
     };
 
     void set_weights(CombinedCompliance& compliance, const std::vector<double>& weights) const;
