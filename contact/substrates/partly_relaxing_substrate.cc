@@ -257,11 +257,11 @@ PartlyRelaxingSubstrate::Loaded PartlyRelaxingSubstrate::loaded(int d,
     Loaded loaded;
     for (std::size_t i = 0; i < n_; ++i) {
         if (t0[i] == 0 && t1[i] == 0) continue;
-        const double area = step_.points().area[i];
         loaded.points.push_back(i);
-        loaded.change.push_back(area * (t1[i] - t0[i]));
-        loaded.after.push_back(area * t1[i]);
-        loaded.magnitude.push_back(area * (std::abs(t0[i]) + std::abs(t1[i])));
+        loaded.area.push_back(step_.points().area[i]);
+        loaded.before.push_back(t0[i]);
+        loaded.after.push_back(t1[i]);
+        loaded.change.push_back(t1[i] - t0[i]);
     }
     return loaded;
 }
@@ -289,14 +289,15 @@ double block_sum(std::size_t n, Term term) {
 void PartlyRelaxingSubstrate::advance(Mode& mode, int d, const std::vector<double>& now,
                                       const Loaded& loaded, Energies& energies) const {
     auto& displacement = *components(mode.displacement)[d];
-    const auto& [points, forces, after, magnitude] = loaded;
+    const auto& [points, area, before, after, w] = loaded;
     energies.work -= block_sum(points.size(), [&](int k) {
         const std::size_t i = points[k];
-        return forces[k] * mode.creep.relaxed * (displacement[i] + now[i]) / 2;
+        return area[k] * w[k] * mode.creep.relaxed * (displacement[i] + now[i]) / 2;
     });
     energies.magnitude += block_sum(points.size(), [&](int k) {
         const std::size_t i = points[k];
-        return magnitude[k] * (std::abs(displacement[i]) + std::abs(now[i]));
+        return area[k] * (std::abs(before[k]) + std::abs(after[k])) *
+               (std::abs(displacement[i]) + std::abs(now[i]));
     });
     std::vector<double> change(n_);
     for (std::size_t i = 0; i < n_; ++i) change[i] = now[i] - displacement[i];
@@ -322,27 +323,27 @@ Substrate::Energies PartlyRelaxingSubstrate::advance(Branch& branch,
     const double *const areas = step_.points().area.data(), *const x_w = change.data();
     double* const e = components(branch.traction)[d]->data();
     double* const x_e = components(branch.displacement)[d]->data();
-    const auto& [points, forces, after, magnitude] = loaded;
+    const auto& [points, area, before, after, w] = loaded;
     const std::size_t n_loaded = points.size();
-    auto over_loaded = [&](const std::vector<double>& f, const double* x) {
-        return block_sum(n_loaded, [&](int k) { return f[k] * x[points[k]]; });
+    auto over_loaded = [&](const std::vector<double>& t, const double* x) {
+        return block_sum(n_loaded, [&](int k) { return area[k] * t[k] * x[points[k]]; });
     };
     const double old = block_sum(n_, [&](int i) { return areas[i] * e[i] * x_e[i]; });
-    const double w_x_e = over_loaded(forces, x_e), w_x_w = over_loaded(forces, x_w);
+    const double w_x_e = over_loaded(w, x_e), w_x_w = over_loaded(w, x_w);
     for (std::size_t i = 0; i < n_; ++i) {
         e[i] *= decay;
         x_e[i] = decay * x_e[i] + s.mean * x_w[i];
     }
-    for (std::size_t k = 0; k < n_loaded; ++k)
-        e[points[k]] += s.mean * forces[k] / areas[points[k]];
+    for (std::size_t k = 0; k < n_loaded; ++k) e[points[k]] += s.mean * w[k];
     const double now = decay * decay * old + 2 * decay * s.mean * w_x_e + s.mean * s.mean * w_x_w;
     Energies energies;
     energies.dissipated = creep.compliance * (old * s.ee + 2 * w_x_e * s.ew + w_x_w * s.ww);
     energies.work = creep.compliance * (w_x_e * s.mean + w_x_w * s.drift);
     energies.stored = creep.compliance / 2 * (now - over_loaded(after, x_e));
-    energies.magnitude = creep.compliance * block_sum(n_loaded, [&](int k) {
-                             return magnitude[k] * std::abs(x_e[points[k]]);
-                         });
+    energies.magnitude =
+        creep.compliance * block_sum(n_loaded, [&](int k) {
+            return area[k] * (std::abs(before[k]) + std::abs(after[k])) * std::abs(x_e[points[k]]);
+        });
     return energies;
 }
 

@@ -94,11 +94,10 @@ class PartlyRelaxingSubstrate final : public Substrate {
         SurfaceField displacement;  // X t of the last step [m]
     };
 
-    /// A component of the forces [N] at the points that carry tractions before or after the step:
-    /// their change, those after it, and the sum of both magnitudes.
+    /// Components of a step at the points that carry tractions before or after it, in their order.
     struct Loaded {
         std::vector<std::size_t> points;
-        std::vector<double> change, after, magnitude;
+        std::vector<double> area, before, after, change;  // [m^2], t [Pa]
     };
 
     void set_weights(CombinedCompliance& compliance, const std::vector<double>& weights) const;
