@@ -217,16 +217,6 @@ std::unique_ptr<const contact::ActiveOperator> GridCompliance::among(
                                             static_cast<std::size_t>(size[0]) * size[1]);
 }
 
-std::vector<contact::SurfaceField> GridCompliance::displacements(
-    const std::vector<const GridCompliance*>& bodies, const contact::SurfaceField& t) {
-    ConvolvedProducts::Bodies products;
-    for (const GridCompliance* body : bodies) products.push_back(body->products_.get());
-    std::vector<contact::SurfaceField> u(bodies.size(), contact::SurfaceField(t.down.size()));
-    products.front()->normal_of(products, t.down, u);
-    products.front()->tangential_of(products, t.in_surface, u);
-    return u;
-}
-
 InfluenceTable GridCompliance::influence() const {
     InfluenceTable table{grid_.spacing[0], quadrants_.columns(), quadrants_.rows(), {}};
     for (int j = 0; j < table.n_y; ++j)

@@ -144,8 +144,10 @@ void MirroredConvolution::scatter_columns(const fftw_complex* columns, int first
     }
 }
 
-template <std::size_t n_in>
-void MirroredConvolution::rows_forward(const GridConvolution::ConstantFields<n_in>& in) const {
+template <std::size_t n_out, std::size_t n_in, Phase phase>
+void MirroredConvolution::apply(const GridConvolution::Kernels<n_out, n_in>& kernels,
+                                const GridConvolution::ConstantFields<n_in>& in,
+                                const GridConvolution::Fields<n_out>& out) const {
     for_each_piece(n_y_, [&](int first, int thread) {
         fftw_complex* const rows = workspaces_[thread].row.get();
         for (int j = first; j < std::min(first + lines, n_y_); ++j) {
@@ -158,10 +160,30 @@ void MirroredConvolution::rows_forward(const GridConvolution::ConstantFields<n_i
         }
         fftw_execute_dft(by_rows_.forward.get(), rows, row(first));
     });
-}
-
-template <std::size_t n_out>
-void MirroredConvolution::rows_backward(const GridConvolution::Fields<n_out>& out) const {
+    for_each_piece(n_kx_, [&](int first, int thread) {
+        const Workspace& work = workspaces_[thread];
+        fftw_complex* const spectra = work.column_spectrum.get();
+        const int n = std::min(lines, n_kx_ - first);
+        const Plans& plans = n == lines ? by_columns_ : by_last_columns_;
+        gather_columns(first, n, work.column.get());
+        fftw_execute_dft(plans.forward.get(), work.column.get(), spectra);
+        for (int i = 0; i < n; ++i) {
+            fftw_complex* const spectrum = spectra + static_cast<std::size_t>(i) * period_y_;
+            const double* symbols[n_out][n_in];
+            for (std::size_t a = 0; a < n_out; ++a)
+                for (std::size_t b = 0; b < n_in; ++b)
+                    symbols[a][b] =
+                        kernels[a][b]->data() + static_cast<std::size_t>(first + i) * n_ky_;
+            for (int k = 0; k < n_ky_; ++k) {
+                fftw_complex &here = spectrum[k], &there = spectrum[k == 0 ? 0 : period_y_ - k];
+                const Pair product = multiply<n_out, n_in>(symbols, k, {load(here), load(there)});
+                store(there, product.there);
+                store(here, product.here);
+            }
+        }
+        fftw_execute_dft(plans.backward.get(), spectra, work.column_back.get());
+        scatter_columns(work.column_back.get(), first, n);
+    });
     for_each_piece(n_y_, [&](int first, int thread) {
         fftw_complex* const rows = workspaces_[thread].row_back.get();
         fftw_execute_dft(by_rows_.backward.get(), row(first), rows);
@@ -174,77 +196,6 @@ void MirroredConvolution::rows_backward(const GridConvolution::Fields<n_out>& ou
             }
         }
     });
-}
-
-/// Of `n` columns, the first one `first`; `from` and `to` may be the same.
-template <std::size_t n_out, std::size_t n_in>
-void MirroredConvolution::multiply_columns(const GridConvolution::Kernels<n_out, n_in>& kernels,
-                                           int first, int n, const fftw_complex* from,
-                                           fftw_complex* to) const {
-    for (int i = 0; i < n; ++i, from += period_y_, to += period_y_) {
-        const double* symbols[n_out][n_in];
-        for (std::size_t a = 0; a < n_out; ++a)
-            for (std::size_t b = 0; b < n_in; ++b)
-                symbols[a][b] = kernels[a][b]->data() + static_cast<std::size_t>(first + i) * n_ky_;
-        for (int k = 0; k < n_ky_; ++k) {
-            const int mirrored = k == 0 ? 0 : period_y_ - k;
-            const Pair product =
-                multiply<n_out, n_in>(symbols, k, {load(from[k]), load(from[mirrored])});
-            store(to[mirrored], product.there);
-            store(to[k], product.here);
-        }
-    }
-}
-
-const MirroredConvolution::Plans& MirroredConvolution::columns_plans(int n) const {
-    return n == lines ? by_columns_ : by_last_columns_;
-}
-
-template <std::size_t n_out, std::size_t n_in, Phase phase>
-void MirroredConvolution::apply(const GridConvolution::Kernels<n_out, n_in>& kernels,
-                                const GridConvolution::ConstantFields<n_in>& in,
-                                const GridConvolution::Fields<n_out>& out) const {
-    rows_forward<n_in>(in);
-    for_each_piece(n_kx_, [&](int first, int thread) {
-        const Workspace& work = workspaces_[thread];
-        fftw_complex* const spectra = work.column_spectrum.get();
-        const int n = std::min(lines, n_kx_ - first);
-        const Plans& plans = columns_plans(n);
-        gather_columns(first, n, work.column.get());
-        fftw_execute_dft(plans.forward.get(), work.column.get(), spectra);
-        multiply_columns<n_out, n_in>(kernels, first, n, spectra, spectra);
-        fftw_execute_dft(plans.backward.get(), spectra, work.column_back.get());
-        scatter_columns(work.column_back.get(), first, n);
-    });
-    rows_backward<n_out>(out);
-}
-
-template <std::size_t n_out, std::size_t n_in>
-void MirroredConvolution::apply_each(std::span<const GridConvolution::Kernels<n_out, n_in>> kernels,
-                                     const GridConvolution::ConstantFields<n_in>& in,
-                                     std::span<const GridConvolution::Fields<n_out>> out) const {
-    if (!whole_spectrum_) whole_spectrum_ = zeros(static_cast<std::size_t>(n_kx_) * period_y_);
-    auto whole = [&](int first) {
-        return whole_spectrum_.get() + static_cast<std::size_t>(first) * period_y_;
-    };
-    rows_forward<n_in>(in);
-    for_each_piece(n_kx_, [&](int first, int thread) {
-        const int n = std::min(lines, n_kx_ - first);
-        fftw_complex* const columns = workspaces_[thread].column.get();
-        gather_columns(first, n, columns);
-        fftw_execute_dft(columns_plans(n).forward.get(), columns, whole(first));
-    });
-    for (std::size_t m = 0; m < kernels.size(); ++m) {
-        for_each_piece(n_kx_, [&](int first, int thread) {
-            const Workspace& work = workspaces_[thread];
-            fftw_complex* const spectra = work.column_spectrum.get();
-            const int n = std::min(lines, n_kx_ - first);
-            multiply_columns<n_out, n_in>(kernels[m], first, n, whole(first), spectra);
-            fftw_execute_dft(columns_plans(n).backward.get(), spectra, work.column_back.get());
-            scatter_columns(work.column_back.get(), first, n);
-        });
-        rows_backward<n_out>(out[m]);
-    }
 }
 
 using Mirrored = MirroredConvolution;
@@ -260,11 +211,5 @@ template void Mirrored::apply<2, 1, Phase::forward>(const GridConvolution::Kerne
 template void Mirrored::apply<1, 2, Phase::backward>(const GridConvolution::Kernels<1, 2>&,
                                                      const GridConvolution::ConstantFields<2>&,
                                                      const GridConvolution::Fields<1>&) const;
-template void Mirrored::apply_each<1, 1>(std::span<const GridConvolution::Kernels<1, 1>>,
-                                         const GridConvolution::ConstantFields<1>&,
-                                         std::span<const GridConvolution::Fields<1>>) const;
-template void Mirrored::apply_each<2, 2>(std::span<const GridConvolution::Kernels<2, 2>>,
-                                         const GridConvolution::ConstantFields<2>&,
-                                         std::span<const GridConvolution::Fields<2>>) const;
 
 }  // namespace tricontact::bem

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <functional>
-#include <span>
 #include <vector>
 
 #include "bem/grid_convolution.h"
@@ -34,11 +33,6 @@ class MirroredConvolution {
     void apply(const GridConvolution::Kernels<n_out, n_in>& kernels,
                const GridConvolution::ConstantFields<n_in>& in,
                const GridConvolution::Fields<n_out>& out) const;
-    /// The same of several kernels with one transform of what they have in common, `out` of each.
-    template <std::size_t n_out, std::size_t n_in>
-    void apply_each(std::span<const GridConvolution::Kernels<n_out, n_in>> kernels,
-                    const GridConvolution::ConstantFields<n_in>& in,
-                    std::span<const GridConvolution::Fields<n_out>> out) const;
 
   private:
     struct Plans {
@@ -51,24 +45,15 @@ class MirroredConvolution {
     fftw_complex* row(int j) const {
         return spectrum_.get() + static_cast<std::size_t>(j) * period_x_;
     }
-    template <std::size_t n_in>
-    void rows_forward(const GridConvolution::ConstantFields<n_in>& in) const;
-    template <std::size_t n_out>
-    void rows_backward(const GridConvolution::Fields<n_out>& out) const;
-    template <std::size_t n_out, std::size_t n_in>
-    void multiply_columns(const GridConvolution::Kernels<n_out, n_in>& kernels, int first, int n,
-                          const fftw_complex* from, fftw_complex* to) const;
-    const Plans& columns_plans(int n) const;
     void gather_columns(int first, int n, fftw_complex* columns) const;
     void scatter_columns(const fftw_complex* columns, int first, int n) const;
     template <typename Body>  // (first row or column, number of the thread)
     void for_each_piece(int n, Body body) const;
 
     const int n_x_, n_y_, period_x_, period_y_, n_threads_;
-    const int n_kx_, n_ky_;               // wave numbers >= 0
-    FftwComplex spectrum_;                // of the rows, whole pieces
-    mutable FftwComplex whole_spectrum_;  // column by column, where several kernels share it
-    std::vector<Workspace> workspaces_;   // per thread
+    const int n_kx_, n_ky_;                         // wave numbers >= 0
+    FftwComplex spectrum_;                          // of the rows, whole pieces
+    std::vector<Workspace> workspaces_;             // per thread
     Plans by_rows_, by_columns_, by_last_columns_;  // of a piece, or what is left of one
 };
 

@@ -37,8 +37,8 @@ contact::PartlyRelaxingSubstrate::Sum sum_of(const contact::CombinedCompliance::
     }
     const bool coupled =
         std::ranges::any_of(parts, [](const auto& part) { return part->is_coupled(); });
-    auto of = [tables, grid = parts.front()->points(), coupled,
-               n_threads](const std::vector<double>& weights) {
+    return [tables, grid = parts.front()->points(), coupled,
+            n_threads](const std::vector<double>& weights) {
         const auto sum = std::make_shared<const InfluenceTable>(weighted_sum(*tables, weights));
         const auto at = [sum, cell = grid.spacing](double x, double y) {
             return sum->at(static_cast<int>(std::lround(x / cell[0])),
@@ -46,14 +46,6 @@ contact::PartlyRelaxingSubstrate::Sum sum_of(const contact::CombinedCompliance::
         };
         return std::make_shared<const GridCompliance>(at, grid, coupled, n_threads);
     };
-    auto displacements = [](const contact::CombinedCompliance::Parts& sums,
-                            const contact::SurfaceField& t) {
-        std::vector<const GridCompliance*> bodies;
-        for (const auto& sum : sums)
-            bodies.push_back(static_cast<const GridCompliance*>(sum.get()));
-        return GridCompliance::displacements(bodies, t);
-    };
-    return {of, displacements};
 }
 
 }  // namespace tricontact::bem

@@ -53,19 +53,15 @@ void add(SurfaceField& sum, double factor, const SurfaceField& field) {
     }
 }
 
-/// By what couples normal and tangential.
-void add_coupling(const Compliance& compliance, const SurfaceField& t, SurfaceField& u) {
-    SurfaceField other(t.down.size());
+SurfaceField displaced(const Compliance& compliance, const SurfaceField& t, bool coupled) {
+    const std::size_t n = t.down.size();
+    SurfaceField u(n), other(n);
+    compliance.tangential(t.in_surface, u.in_surface);
+    compliance.normal(t.down, u.down);
+    if (!coupled) return u;
     compliance.tangential_from_normal(t.down, other.in_surface);
     compliance.normal_from_tangential(t.in_surface, other.down);
     add(u, 1, other);
-}
-
-SurfaceField displaced(const Compliance& compliance, const SurfaceField& t, bool coupled) {
-    SurfaceField u(t.down.size());
-    compliance.tangential(t.in_surface, u.in_surface);
-    compliance.normal(t.down, u.down);
-    if (coupled) add_coupling(compliance, t, u);
     return u;
 }
 
@@ -126,7 +122,7 @@ PartlyRelaxingSubstrate::PartlyRelaxingSubstrate(Parts parts, StieltjesInterpola
 /// Of the parts, or of their sum alone.
 void PartlyRelaxingSubstrate::set_weights(CombinedCompliance& compliance,
                                           const std::vector<double>& weights) const {
-    if (sum_) compliance = CombinedCompliance({sum_.of(weights)}, coupled_);
+    if (sum_) compliance = CombinedCompliance({sum_(weights)}, coupled_);
     compliance.set_weights(sum_ ? std::vector<double>{1} : weights);
 }
 
@@ -146,15 +142,14 @@ bool PartlyRelaxingSubstrate::begin(double duration, const SurfaceField& t, cons
     std::vector<double> weights(parts_.size());
     for (std::size_t m = 0; m < modes_.size(); ++m) {
         const Mode& mode = modes_[m];
-        double of_step = mode.creep.relaxed, recovered = 0;
+        double of_step = mode.creep.relaxed;
         for (std::size_t b = 0; b < mode.branches.size(); ++b) {
             const auto [compliance, time] = mode.creep.branches[b];
             const double mean = StepIntegrals(duration / time).mean;
             of_step -= compliance * mean;
-            recovered += compliance * mean;
             add(offset_, compliance * std::exp(-duration / time), mode.branches[b].displacement);
+            add(offset_, -compliance * mean, mode.displacement);
         }
-        add(offset_, -recovered, mode.displacement);
         for (std::size_t j = 0; j < parts_.size(); ++j)
             weights[j] += interpolation_.weight(m, j) * of_step;
     }
@@ -182,13 +177,12 @@ std::vector<SurfaceField> PartlyRelaxingSubstrate::modal_displacements(const Sur
     if (sum_) {
         for (std::size_t m = modal_.size(); m < n_modes; ++m) {
             const double* const row = interpolation_.weights.data() + m * n_modes;
-            modal_.push_back(sum_.of({row, row + n_modes}));
+            modal_.push_back(sum_({row, row + n_modes}));
         }
         // The nodes' bodies are stiffer than the relaxed one, sum relaxed_m X_m.
         double all_weights = 0, energy = 0;
-        modal = sum_.displacements(modal_, t);
         for (std::size_t m = 0; m < n_modes; ++m) {
-            if (step_.is_coupled()) add_coupling(*modal_[m], t, modal[m]);
+            modal.push_back(displaced(*modal_[m], t, step_.is_coupled()));
             const double relaxed = modes_[m].creep.relaxed;
             energy += relaxed * largest_energy(modal[m], t);
             for (std::size_t j = 0; j < n_modes; ++j)
@@ -312,8 +306,8 @@ void PartlyRelaxingSubstrate::advance(Mode& mode, int d, const std::vector<doubl
 }
 
 /// The energies of a branch's component d, under a `change` of the displacement X t. With w = t1 -
-/// t0, which is zero but where points are loaded, and X self-adjoint, the new e X e is made of e X
-/// e, w X e and w X w: only the first is a sum over all points.
+/// t0, which is zero but where points are loaded, the new e X e is made of e X e, e X w, w X e and
+/// w X w: only the first two are sums over all points.
 Substrate::Energies PartlyRelaxingSubstrate::advance(Branch& branch,
                                                      const Retardation::Branch& creep, int d,
                                                      const std::vector<double>& change,
@@ -330,14 +324,15 @@ Substrate::Energies PartlyRelaxingSubstrate::advance(Branch& branch,
     };
     const double old = block_sum(n_, [&](int i) { return areas[i] * e[i] * x_e[i]; });
     const double w_x_e = over_loaded(w, x_e), w_x_w = over_loaded(w, x_w);
+    const double mixed = w_x_e + block_sum(n_, [&](int i) { return areas[i] * e[i] * x_w[i]; });
     for (std::size_t i = 0; i < n_; ++i) {
         e[i] *= decay;
         x_e[i] = decay * x_e[i] + s.mean * x_w[i];
     }
     for (std::size_t k = 0; k < n_loaded; ++k) e[points[k]] += s.mean * w[k];
-    const double now = decay * decay * old + 2 * decay * s.mean * w_x_e + s.mean * s.mean * w_x_w;
+    const double now = decay * decay * old + decay * s.mean * mixed + s.mean * s.mean * w_x_w;
     Energies energies;
-    energies.dissipated = creep.compliance * (old * s.ee + 2 * w_x_e * s.ew + w_x_w * s.ww);
+    energies.dissipated = creep.compliance * (old * s.ee + mixed * s.ew + w_x_w * s.ww);
     energies.work = creep.compliance * (w_x_e * s.mean + w_x_w * s.drift);
     energies.stored = creep.compliance / 2 * (now - over_loaded(after, x_e));
     energies.magnitude =

@@ -51,16 +51,9 @@ struct StieltjesInterpolation {
 class PartlyRelaxingSubstrate final : public Substrate {
   public:
     using Parts = CombinedCompliance::Parts;
-    /// Weighted sums of the parts.
-    struct Sum {
-        /// As one compliance, whose products cost as much as one part's.
-        std::function<std::shared_ptr<const Compliance>(const std::vector<double>& weights)> of;
-        /// What the same tractions [Pa] displace several of these [m], without what couples normal
-        /// and tangential.
-        std::function<std::vector<SurfaceField>(const Parts& sums, const SurfaceField& t)>
-            displacements;
-        explicit operator bool() const { return of != nullptr; }
-    };
+    /// The weighted sum of the parts as one compliance, whose products cost as much as one part's.
+    using Sum =
+        std::function<std::shared_ptr<const Compliance>(const std::vector<double>& weights)>;
 
     /// `parts`: elastic compliances with the relaxing part's moduli times interpolation.nodes.
     /// Not `coupled`: normal tractions displace normally alone. `sum` empty: products are summed.

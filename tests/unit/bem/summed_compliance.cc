@@ -37,7 +37,7 @@ TEST(SummedCompliance, HasTheProductsOfItsPartsSummed) {
     const std::vector<double> weights = {.8, -.5, 1.3};
     CombinedCompliance products(parts, true);
     products.set_weights(weights);
-    const auto sum = bem::sum_of(parts, 1).of(weights);
+    const auto sum = bem::sum_of(parts, 1)(weights);
     EXPECT_TRUE(sum->is_coupled());
     EXPECT_NEAR(sum->local_tangential() / products.local_tangential(), 1, 1e-14);
     const std::size_t n = grid.size();
