@@ -89,6 +89,7 @@ class Iteration {
             const auto& u = solution_.displacement;
             const double factor = control_.value / (2 * *std::max_element(u.begin(), u.end()));
             for (double& value : p) value *= factor;
+            displacement_is_exact_ = false;
         }
     }
 
