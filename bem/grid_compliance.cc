@@ -145,9 +145,11 @@ const std::vector<Quadrants::Quadrant>& GridCompliance::tangential_quadrants() c
     return tangential_quadrants_;
 }
 
+/// Kept for the windows, whose number grows with the contact.
 GridConvolution::Symbol GridCompliance::normal_symbol(const auto& convolution) const {
-    const auto quadrant = quadrants_.of({&InfluenceCoefficients::zz});
-    return quadrants_.symbol(convolution, quadrant[0], 1, 1);
+    if (normal_quadrant_.empty())
+        normal_quadrant_ = std::move(quadrants_.of({&InfluenceCoefficients::zz})[0]);
+    return quadrants_.symbol(convolution, normal_quadrant_, 1, 1);
 }
 
 /// On the grid or a window on it.
@@ -176,6 +178,7 @@ std::unique_ptr<const ConvolvedProducts> GridCompliance::make_products(const Siz
     };
     if (!is_window) {
         auto normal = normal_symbol(linear);
+        if (grid_.size() >= cells_worth_levels) normal_quadrant_ = {};  // windows are few there
         return std::make_unique<ProductsBy<Convolution>>(std::move(linear), std::move(periodic),
                                                          std::move(normal), std::move(rest));
     }

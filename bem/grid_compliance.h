@@ -83,6 +83,7 @@ class GridCompliance final : public ConvolvedCompliance {
     const int n_threads_;
     const Quadrants quadrants_;
     std::optional<InteriorView> view_;
+    mutable Quadrants::Quadrant normal_quadrant_;                    // once asked for
     mutable std::vector<Quadrants::Quadrant> tangential_quadrants_;  // xx, xy, yy, coupled xz, yz
     mutable std::map<Size, std::shared_ptr<const ConvolvedProducts>> windows_;  // by their size
 };
