@@ -1,7 +1,6 @@
 // The command line program. Exit codes: 0 done, 1 did not converge (or failed), 2 bad input, 3 what
 // was kept is not reproduced.
 
-#include <malloc.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -17,6 +16,7 @@
 #ifdef TRICONTACT_WITH_FEM
 #include "app/fem_entries.h"
 #endif
+#include "contact/freed_memory.h"
 #include "io/keys/messages.h"
 
 namespace {
@@ -90,17 +90,6 @@ int flushed(int code) {
     return std::max(code, exit_failed);
 }
 
-/// Memory that is given back to the system comes anew page by page, which costs as much as what is
-/// computed on a small grid. These are the values that glibc by itself arrives at, at the most,
-/// once it has seen large blocks come and go.
-void keep_freed_memory() {
-#ifdef M_MMAP_THRESHOLD                          // of glibc
-    constexpr int largest_threshold = 32 << 20;  // [bytes]
-    ::mallopt(M_MMAP_THRESHOLD, largest_threshold);
-    ::mallopt(M_TRIM_THRESHOLD, 2 * largest_threshold);
-#endif
-}
-
 int run_program(int argc, char** argv) {
     CLI::App app{app::program_text};
     app.set_version_flag("--version", std::string("tricontact ") + files::version);
@@ -124,7 +113,7 @@ int run_program(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
-    keep_freed_memory();
+    tricontact::contact::keep_freed_memory();
     // A file size limit is then an error like a full disk, with a message, instead of a signal.
     std::signal(SIGXFSZ, SIG_IGN);
     try {

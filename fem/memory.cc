@@ -4,16 +4,16 @@
 
 #include <cstdlib>
 
+#include "contact/freed_memory.h"
+
 extern "C" int openblas_get_num_threads(void);
 
 namespace tricontact::fem {
 
 void return_freed_memory() {
-    // glibc's own values, the thresholds at the upper ends of where it lets them float.
-    constexpr int most_mapped_blocks = 65536, large_block = 32 << 20;
+    constexpr int most_mapped_blocks = 65536;  // glibc's own
     mallopt(M_MMAP_MAX, most_mapped_blocks);
-    mallopt(M_MMAP_THRESHOLD, large_block);
-    mallopt(M_TRIM_THRESHOLD, 2 * large_block);
+    contact::keep_freed_memory();
     malloc_trim(0);
 }
 
