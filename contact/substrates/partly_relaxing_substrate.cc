@@ -289,7 +289,9 @@ double block_sum(std::size_t n, Term term) {
 void PartlyRelaxingSubstrate::advance(Mode& mode, int d, const std::vector<double>& now,
                                       const Loaded& loaded, Energies& energies) const {
     auto& displacement = *components(mode.displacement)[d];
-    const auto& [points, area, before, after, w] = loaded;
+    const auto& points = loaded.points;
+    const auto &area = loaded.area, &before = loaded.before, &after = loaded.after,
+               &w = loaded.change;
     energies.work -= block_sum(points.size(), [&](int k) {
         const std::size_t i = points[k];
         return area[k] * w[k] * mode.creep.relaxed * (displacement[i] + now[i]) / 2;
@@ -323,7 +325,9 @@ Substrate::Energies PartlyRelaxingSubstrate::advance(Branch& branch,
     const double *const areas = step_.points().area.data(), *const x_w = change.data();
     double* const e = components(branch.traction)[d]->data();
     double* const x_e = components(branch.displacement)[d]->data();
-    const auto& [points, area, before, after, w] = loaded;
+    const auto& points = loaded.points;
+    const auto &area = loaded.area, &before = loaded.before, &after = loaded.after,
+               &w = loaded.change;
     const std::size_t n_loaded = points.size();
     auto over_loaded = [&](const std::vector<double>& t, const double* x) {
         return block_sum(n_loaded, [&](int k) { return area[k] * t[k] * x[points[k]]; });
