@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <new>
+#include <numeric>
 #include <stdexcept>
 #include <string>
 
@@ -105,28 +106,21 @@ cholmod_sparse view(SparseMatrix& lower) {
     return a;
 }
 
-// The order behind `order` in which children come right before their parents in the elimination
-// tree, which makes supernodes wide. Contact unknowns are a chain at the tree's top: they stay.
-std::vector<Index> postordered(cholmod_sparse& a, std::vector<Index> order, Cholmod& cholmod) {
-    const std::size_t n = a.nrow;
-    std::vector<Index> parent(n), post(n), count(n), first(n), level(n);
-    cholmod_l_analyze_ordering(&a, CHOLMOD_GIVEN, order.data(), nullptr, 0, parent.data(),
-                               post.data(), count.data(), first.data(), level.data(),
-                               cholmod.get());
+// The order in which children come right before their parents in the elimination tree of the
+// matrix, whose upper triangle is given; that makes supernodes wide.
+std::vector<Index> postorder(cholmod_sparse& upper, Cholmod& cholmod) {
+    std::vector<Index> parent(upper.ncol), post(upper.ncol);
+    cholmod_l_etree(&upper, parent.data(), cholmod.get());
     cholmod.check();
-    cholmod_l_postorder(parent.data(), n, count.data(), post.data(), cholmod.get());
+    cholmod_l_postorder(parent.data(), parent.size(), nullptr, post.data(), cholmod.get());
     cholmod.check();
-    for (Index& p : post) p = order[p];
     return post;
 }
 
-// Rows and columns in the given order. The matrix goes on the way: at most two exist at once.
-Sparse permuted(SparseMatrix matrix, std::vector<Index>& order, Cholmod& cholmod) {
-    auto a = view(matrix);
-    const auto upper = owned<Sparse>(
-        cholmod_l_ptranspose(&a, 2, order.data(), nullptr, 0, cholmod.get()), cholmod);
-    matrix = {};
-    return owned<Sparse>(cholmod_l_transpose(upper.get(), 2, cholmod.get()), cholmod);
+// The lower triangle becomes an upper one and the other way round, rows and columns in an order.
+Sparse transposed(cholmod_sparse& matrix, std::vector<Index>& order, Cholmod& cholmod) {
+    return owned<Sparse>(cholmod_l_ptranspose(&matrix, 2, order.data(), nullptr, 0, cholmod.get()),
+                         cholmod);
 }
 
 // The values of a numerical factor: supernode s has the columns super[s] to super[s + 1] and the
@@ -155,20 +149,27 @@ struct Condensation::Parts {
     Factor factor;
     int n_interior = 0, n_contact = 0;
 
-    Parts(SparseMatrix matrix, std::span<const int> node_of_unknown, int n_eliminated)
-        : n_interior(n_eliminated), n_contact(matrix.n - n_eliminated) {
-        choose_order(matrix, node_of_unknown);
-        stiffness = permuted(std::move(matrix), order, cholmod);
+    Parts(SparseMatrix matrix, std::vector<Index> dissection, int n_eliminated)
+        : order(std::move(dissection)),
+          n_interior(n_eliminated),
+          n_contact(matrix.n - n_eliminated) {
+        permute(std::move(matrix));
         factor = owned<Factor>(cholmod_l_analyze(stiffness.get(), cholmod.get()), cholmod);
         return_freed_memory();  // the analysis leaves many blocks too small to go by themselves
     }
 
-    void choose_order(SparseMatrix& matrix, std::span<const int> node_of_unknown) {
+    // Sets order and stiffness. The matrix goes on the way: at most two exist at once. Contact
+    // unknowns are a chain at the top of the elimination tree: they stay.
+    void permute(SparseMatrix matrix) {
         auto a = view(matrix);
-        order = dissection_order(matrix, node_of_unknown, n_interior);
-        auto better = postordered(a, order, cholmod);
-        if (std::equal(better.begin() + n_interior, better.end(), order.begin() + n_interior))
-            order = std::move(better);
+        const Sparse upper = transposed(a, order, cholmod);
+        matrix = {};
+        std::vector<Index> place = postorder(*upper, cholmod);
+        for (std::size_t k = n_interior; k < place.size(); ++k)
+            if (place[k] != static_cast<Index>(k)) std::iota(place.begin(), place.end(), 0);
+        stiffness = transposed(*upper, place, cholmod);
+        for (Index& k : place) k = order[k];
+        order = std::move(place);
     }
 
     void refuse_unfactorised() const {
@@ -194,18 +195,30 @@ struct Condensation::Parts {
 };
 
 Condensation::Condensation(SparseMatrix stiffness, std::span<const int> node_of_unknown,
-                           int n_interior)
-    : parts_(std::make_unique<Parts>(std::move(stiffness), node_of_unknown, n_interior)) {}
+                           int n_interior) {
+    auto order = dissection_order(stiffness, node_of_unknown, n_interior);
+    parts_ = std::make_unique<Parts>(std::move(stiffness), std::move(order), n_interior);
+}
+Condensation::Condensation(SparseMatrix stiffness, std::vector<std::int64_t> order, int n_interior)
+    : parts_(std::make_unique<Parts>(std::move(stiffness), std::move(order), n_interior)) {}
+Condensation::Condensation(Condensation&&) noexcept = default;
 Condensation::~Condensation() = default;
+
+int Condensation::n() const {
+    return static_cast<int>(parts_->order.size());
+}
+int Condensation::n_interior() const {
+    return parts_->n_interior;
+}
 
 double Condensation::matrix_bytes() const {
     const auto& matrix = *parts_->stiffness.get();
     return static_cast<double>(matrix.nzmax) * (sizeof(Index) + sizeof(double));
 }
 
-double Condensation::predicted_bytes(int ld) const {
+double Condensation::predicted_bytes() const {
     const auto& factor = *parts_->factor.get();
-    const double n_contact = std::max(ld, parts_->n_contact), n = static_cast<double>(factor.n);
+    const double n_contact = parts_->n_contact, n = static_cast<double>(factor.n);
     const double values = 8. * static_cast<double>(factor.xsize);
     const double update = 8. * static_cast<double>(factor.maxcsize), maps = 3 * 8. * n;
     return values + std::max(update + maps, 8 * n_contact * n_contact);
@@ -218,34 +231,34 @@ void Condensation::factorise() {
     cholmod.check();
 }
 
-/// The trailing block of the factor, lower, by columns of `ld` entries; the rest zero.
-std::vector<double> Condensation::contact_factor(int ld) const {
+/// The trailing block of the factor, lower, by columns; the rest zero.
+std::vector<double> Condensation::contact_factor() const {
     parts_->refuse_unfactorised();
     const auto [n_supernodes, super, row_start, value_start, row, value] =
         supernodes_of(*parts_->factor);
 
-    std::vector<double> lower = large_field(static_cast<std::size_t>(ld) * ld);
+    const std::size_t n = parts_->n_contact;
+    std::vector<double> lower = large_field(n * n);
     for (std::size_t s = 0; s < n_supernodes; ++s) {
         const Index n_rows = row_start[s + 1] - row_start[s];
         for (Index c = std::max<Index>(super[s], parts_->n_interior); c < super[s + 1]; ++c) {
             const Index local = c - super[s];
             const double* column = value + value_start[s] + local * n_rows;
-            double* to = lower.data() + (c - parts_->n_interior) * ld - parts_->n_interior;
+            double* to = lower.data() + (c - parts_->n_interior) * n - parts_->n_interior;
             for (Index r = local; r < n_rows; ++r) to[row[row_start[s] + r]] = column[r];
         }
     }
     return lower;
 }
 
-std::vector<double> Condensation::compliance(int ld) const {
+std::vector<double> Condensation::compliance() const {
     const int n = parts_->n_contact;
-    ld = std::max(ld, n);
-    std::vector<double> inverse = contact_factor(ld);
+    std::vector<double> inverse = contact_factor();
     int info = 0;
-    if (n > 0) dpotri_("L", &n, inverse.data(), &ld, &info);
+    if (n > 0) dpotri_("L", &n, inverse.data(), &n, &info);
     if (info != 0)
         throw contact::NotConverged("the condensed stiffness of the contact is singular");
-    mirror_lower(inverse, n, ld);
+    mirror_lower(inverse, n);
     return inverse;
 }
 

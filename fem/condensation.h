@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <span>
 #include <vector>
@@ -17,18 +18,24 @@ class Condensation {
     /// Symbolic analysis only. `node_of_unknown`: see Discretisation; the first `n_interior`
     /// unknowns are eliminated. Throws std::bad_alloc.
     Condensation(SparseMatrix stiffness, std::span<const int> node_of_unknown, int n_interior);
+    /// The same in an order that is known, see dissection_order().
+    Condensation(SparseMatrix stiffness, std::vector<std::int64_t> order, int n_interior);
+    Condensation(Condensation&&) noexcept;
     ~Condensation();
 
-    /// Peak of what `factorise` and `compliance` (`ld` rows) will take on top of now [bytes],
-    /// predicted from the symbolic factor.
-    double predicted_bytes(int ld = 0) const;
+    int n() const;  ///< unknowns
+    int n_interior() const;
+    int n_contact() const { return n() - n_interior(); }
+
+    /// Peak of what `factorise` and `compliance` will take on top of now [bytes], predicted from
+    /// the symbolic factor.
+    double predicted_bytes() const;
     double matrix_bytes() const;  ///< the stiffness, which is there already
     /// Throws std::bad_alloc; contact::NotConverged if the matrix is not positive definite.
     void factorise();
-    /// Displacements of the contact unknowns under unit forces on them [m/N], symmetric, by
-    /// columns of `ld` entries (0: as many as there are contact unknowns); both triangles filled,
-    /// the rest zero. After factorise().
-    std::vector<double> compliance(int ld = 0) const;
+    /// Displacements of the contact unknowns under unit forces on them [m/N], symmetric, both
+    /// triangles filled. After factorise().
+    std::vector<double> compliance() const;
     /// Solves for all unknowns, with one step of iterative refinement; `forces` [N] may hold
     /// several right-hand sides one after another. After factorise().
     std::vector<double> solve(std::span<const double> forces) const;
@@ -38,7 +45,7 @@ class Condensation {
 
   private:
     struct Parts;
-    std::vector<double> contact_factor(int ld) const;
+    std::vector<double> contact_factor() const;
 
     std::unique_ptr<Parts> parts_;
 };
