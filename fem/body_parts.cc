@@ -1,17 +1,24 @@
 #include "fem/body_parts.h"
 
+#include <algorithm>
+#include <iterator>
 #include <numeric>
 #include <optional>
 
 #include "fem/dissection_order.h"
-#include "fem/memory.h"
 #include "fem/mirror_symmetry.h"
 
 namespace tricontact::fem {
 
 namespace {
 
-BodyPart whole(const Discretisation& body) {
+// Interior unknowns are eliminated first; if the contact's are not to be the last, all are
+// interior.
+int n_interior(const Unknowns& unknowns, Elimination elimination) {
+    return elimination == Elimination::contact_last ? unknowns.n_interior : unknowns.n;
+}
+
+BodyPart whole(const Discretisation& body, Elimination elimination) {
     auto [matrix, held_rows] = body.assemble();
     const Unknowns& unknowns = body.unknowns;
     std::vector<int> own(unknowns.n);
@@ -19,7 +26,7 @@ BodyPart whole(const Discretisation& body) {
     return {.unknown = std::move(own),
             .sign = std::vector<std::int8_t>(unknowns.n, 1),
             .held_rows = std::move(held_rows),
-            .condensation = {std::move(matrix), unknowns.node_of_unknown, unknowns.n_interior}};
+            .condensation = {matrix, unknowns.node_of_unknown, n_interior(unknowns, elimination)}};
 }
 
 // The unknowns of the half, those on the plane included, in the body's order.
@@ -37,85 +44,52 @@ Unknowns half_of(const Unknowns& body, const MirrorSymmetry& mirror) {
     return half;
 }
 
-// Rows and columns that have a place, in that order.
-SparseMatrix restricted(const SparseMatrix& matrix, const std::vector<int>& place, int n) {
-    SparseMatrix part;
-    part.n = n;
-    part.column_start.push_back(0);
-    reserve_large(part.row, matrix.row.size());
-    reserve_large(part.value, matrix.row.size());
-    for (int c = 0; c < matrix.n; ++c) {
-        if (place[c] < 0) continue;
-        for (auto k = matrix.column_start[c]; k < matrix.column_start[c + 1]; ++k) {
-            const int row = place[matrix.row[k]];
-            if (row < 0) continue;
-            part.row.push_back(row);
-            part.value.push_back(matrix.value[k]);
-        }
-        part.column_start.push_back(static_cast<std::int64_t>(part.row.size()));
-    }
-    return part;
-}
+using Signs = std::array<bool, 3>;  // which displacements change it from one side to the other
 
 // A body of two halves: the stiffness of one serves both parts, which hold other displacements on
 // the plane.
 class Halves {
   public:
-    Halves(const Discretisation& body, const MirrorSymmetry& mirror)
+    Halves(const Discretisation& body, const MirrorSymmetry& mirror, Elimination elimination)
         : body_(body.unknowns),
           mirror_(mirror),
           half_(half_of(body.unknowns, mirror)),
+          n_interior_(n_interior(half_, elimination)),
           stiffness_(body.assemble(half_, mirror.half)),
-          order_(dissection_order(stiffness_.matrix, half_.node_of_unknown, half_.n_interior)) {}
+          order_(dissection_order(stiffness_.matrix, half_.node_of_unknown, n_interior_)) {}
 
-    // `changes_sign`: which displacements do so from one side to the other.
-    BodyPart part(std::array<bool, 3> changes_sign) const {
-        std::vector<int> place(half_.n, -1);
-        int n = 0, n_interior = 0;
-        for (int h = 0; h < half_.n; ++h) {
-            const bool on_plane = mirror_.side[half_.node_of_unknown[h]] == 0;
-            if (on_plane && changes_sign[half_.direction_of_unknown[h]]) continue;
-            place[h] = n++;
-            if (h < half_.n_interior) n_interior = n;
-        }
+    BodyPart part(const Signs& changes) const {
+        const auto is_held = [&](std::int64_t h) {
+            return mirror_.side[half_.node_of_unknown[h]] == 0 &&
+                   changes[half_.direction_of_unknown[h]];
+        };
         std::vector<std::int64_t> order;
-        for (const std::int64_t h : order_)
-            if (place[h] >= 0) order.push_back(place[h]);
+        std::ranges::remove_copy_if(order_, std::back_inserter(order), is_held);
+        const auto n_held = std::count_if(order_.begin(), order_.begin() + n_interior_, is_held);
         BodyPart part{.unknown = {},
                       .sign = {},
                       .share = .5,
-                      .held_rows = held_rows(place, changes_sign),
-                      .condensation = {restricted(stiffness_.matrix, place, n), std::move(order),
-                                       n_interior}};
-        extend(place, changes_sign, part);
+                      .held_rows = {},
+                      .condensation = {stiffness_.matrix, std::move(order),
+                                       n_interior_ - static_cast<int>(n_held)}};
+        // A motion of all that is held is even or odd itself: along x it is odd.
+        for (int direction = 0; direction < 3; ++direction)
+            if (!changes[direction]) part.held_rows[direction] = stiffness_.held_rows[direction];
+        for (int u = 0; u < body_.n; ++u) {
+            const int node = body_.node_of_unknown[u], direction = body_.direction_of_unknown[u];
+            const bool is_image = mirror_.side[node] < 0;
+            const int h = half_.of_node[is_image ? mirror_.image[node] : node][direction];
+            part.unknown.push_back(is_held(h) ? -1 : h);
+            part.sign.push_back(is_image && changes[direction] ? -1 : 1);
+        }
         return part;
     }
 
   private:
-    // A motion of all that is held is even or odd itself: along x it is odd.
-    std::array<std::vector<double>, 3> held_rows(const std::vector<int>& place,
-                                                 std::array<bool, 3> changes_sign) const {
-        std::array<std::vector<double>, 3> rows;
-        for (int direction = 0; direction < 3; ++direction)
-            for (int h = 0; h < half_.n && !changes_sign[direction]; ++h)
-                if (place[h] >= 0) rows[direction].push_back(stiffness_.held_rows[direction][h]);
-        return rows;
-    }
-
-    void extend(const std::vector<int>& place, std::array<bool, 3> changes_sign,
-                BodyPart& part) const {
-        for (int u = 0; u < body_.n; ++u) {
-            const int node = body_.node_of_unknown[u], direction = body_.direction_of_unknown[u];
-            const bool is_image = mirror_.side[node] < 0;
-            const int origin = is_image ? mirror_.image[node] : node;
-            part.unknown.push_back(place[half_.of_node[origin][direction]]);
-            part.sign.push_back(is_image && changes_sign[direction] ? -1 : 1);
-        }
-    }
-
     const Unknowns& body_;
     const MirrorSymmetry& mirror_;
     Unknowns half_;
+    int n_interior_;
     AssembledStiffness stiffness_;
     std::vector<std::int64_t> order_;
 };
@@ -131,14 +105,14 @@ void BodyPart::add_displacement(std::span<const double> forces, std::vector<doub
         if (unknown[u] >= 0) to[u] += sign[u] * displacement[unknown[u]];
 }
 
-std::vector<BodyPart> parts_of(const Discretisation& body) {
+std::vector<BodyPart> parts_of(const Discretisation& body, Elimination elimination) {
     std::vector<BodyPart> parts;
     if (const std::optional<MirrorSymmetry> mirror = mirror_symmetry(body.space)) {
-        const Halves halves(body, *mirror);
+        const Halves halves(body, *mirror, elimination);
         parts.push_back(halves.part({true, false, false}));
         parts.push_back(halves.part({false, true, true}));
     } else {
-        parts.push_back(whole(body));
+        parts.push_back(whole(body, elimination));
     }
     return parts;
 }

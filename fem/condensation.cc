@@ -91,19 +91,35 @@ Owned owned(typename Owned::pointer object, Cholmod& cholmod) {
     return Owned(object, {&cholmod});
 }
 
-cholmod_sparse view(SparseMatrix& lower) {
-    cholmod_sparse a{};
-    a.nrow = a.ncol = static_cast<std::size_t>(lower.n);
-    a.nzmax = lower.row.size();
-    a.p = lower.column_start.data();
-    a.i = lower.row.data();
-    a.x = lower.value.data();
-    a.stype = -1;
-    a.itype = CHOLMOD_LONG;
-    a.xtype = CHOLMOD_REAL;
-    a.dtype = CHOLMOD_DOUBLE;
-    a.sorted = a.packed = 1;
-    return a;
+// Rows and columns in an order, which may lack some; columns not sorted.
+Sparse upper_triangle(const SparseMatrix& lower, const std::vector<Index>& order,
+                      Cholmod& cholmod) {
+    std::vector<Index> place(lower.n, -1);
+    for (std::size_t k = 0; k < order.size(); ++k) place[order[k]] = static_cast<Index>(k);
+    const auto for_entries = [&](auto visit) {
+        for (int c = 0; c < lower.n; ++c) {
+            if (place[c] < 0) continue;
+            for (auto k = lower.column_start[c]; k < lower.column_start[c + 1]; ++k)
+                if (const Index r = place[lower.row[k]]; r >= 0)
+                    visit(std::min(r, place[c]), std::max(r, place[c]), lower.value[k]);
+        }
+    };
+    const std::size_t n = order.size();
+    std::vector<Index> next(n + 1, 0);
+    for_entries([&](Index, Index column, double) { ++next[column + 1]; });
+    std::partial_sum(next.begin(), next.end(), next.begin());
+    Sparse upper = owned<Sparse>(
+        cholmod_l_allocate_sparse(n, n, next.back(), 0, 1, 1, CHOLMOD_REAL, cholmod.get()),
+        cholmod);
+    std::ranges::copy(next, static_cast<Index*>(upper->p));
+    auto* const rows = static_cast<Index*>(upper->i);
+    auto* const values = static_cast<double*>(upper->x);
+    for_entries([&](Index row, Index column, double value) {
+        const Index at = next[column]++;
+        rows[at] = row;
+        values[at] = value;
+    });
+    return upper;
 }
 
 // The order in which children come right before their parents in the elimination tree of the
@@ -115,12 +131,6 @@ std::vector<Index> postorder(cholmod_sparse& upper, Cholmod& cholmod) {
     cholmod_l_postorder(parent.data(), parent.size(), nullptr, post.data(), cholmod.get());
     cholmod.check();
     return post;
-}
-
-// The lower triangle becomes an upper one and the other way round, rows and columns in an order.
-Sparse transposed(cholmod_sparse& matrix, std::vector<Index>& order, Cholmod& cholmod) {
-    return owned<Sparse>(cholmod_l_ptranspose(&matrix, 2, order.data(), nullptr, 0, cholmod.get()),
-                         cholmod);
 }
 
 // The values of a numerical factor: supernode s has the columns super[s] to super[s + 1] and the
@@ -147,27 +157,27 @@ struct Condensation::Parts {
     std::vector<Index> order;  // unknown that comes k-th
     Sparse stiffness;          // lower triangle in that order
     Factor factor;
-    int n_interior = 0, n_contact = 0;
+    int n_all = 0, n_interior = 0, n_contact = 0;  // unknowns: of the matrix, and in `order`
 
-    Parts(SparseMatrix matrix, std::vector<Index> dissection, int n_eliminated)
+    Parts(const SparseMatrix& matrix, std::vector<Index> dissection, int n_eliminated)
         : order(std::move(dissection)),
+          n_all(matrix.n),
           n_interior(n_eliminated),
-          n_contact(matrix.n - n_eliminated) {
-        permute(std::move(matrix));
+          n_contact(static_cast<int>(order.size()) - n_eliminated) {
+        permute(matrix);
         factor = owned<Factor>(cholmod_l_analyze(stiffness.get(), cholmod.get()), cholmod);
         return_freed_memory();  // the analysis leaves many blocks too small to go by themselves
     }
 
-    // Sets order and stiffness. The matrix goes on the way: at most two exist at once. Contact
-    // unknowns are a chain at the top of the elimination tree: they stay.
-    void permute(SparseMatrix matrix) {
-        auto a = view(matrix);
-        const Sparse upper = transposed(a, order, cholmod);
-        matrix = {};
+    // Sets `stiffness`, and children before their parents in `order`. Contact unknowns are a chain
+    // at the top of the elimination tree: they stay.
+    void permute(const SparseMatrix& matrix) {
+        const Sparse upper = upper_triangle(matrix, order, cholmod);
         std::vector<Index> place = postorder(*upper, cholmod);
         for (std::size_t k = n_interior; k < place.size(); ++k)
             if (place[k] != static_cast<Index>(k)) std::iota(place.begin(), place.end(), 0);
-        stiffness = transposed(*upper, place, cholmod);
+        stiffness = owned<Sparse>(
+            cholmod_l_ptranspose(upper.get(), 2, place.data(), nullptr, 0, cholmod.get()), cholmod);
         for (Index& k : place) k = order[k];
         order = std::move(place);
     }
@@ -194,21 +204,21 @@ struct Condensation::Parts {
     }
 };
 
-Condensation::Condensation(SparseMatrix stiffness, std::span<const int> node_of_unknown,
-                           int n_interior) {
-    auto order = dissection_order(stiffness, node_of_unknown, n_interior);
-    parts_ = std::make_unique<Parts>(std::move(stiffness), std::move(order), n_interior);
-}
-Condensation::Condensation(SparseMatrix stiffness, std::vector<std::int64_t> order, int n_interior)
-    : parts_(std::make_unique<Parts>(std::move(stiffness), std::move(order), n_interior)) {}
+Condensation::Condensation(const SparseMatrix& stiffness, std::span<const int> node_of_unknown,
+                           int n_interior)
+    : Condensation(stiffness, dissection_order(stiffness, node_of_unknown, n_interior),
+                   n_interior) {}
+Condensation::Condensation(const SparseMatrix& stiffness, std::vector<std::int64_t> order,
+                           int n_interior)
+    : parts_(std::make_unique<Parts>(stiffness, std::move(order), n_interior)) {}
 Condensation::Condensation(Condensation&&) noexcept = default;
 Condensation::~Condensation() = default;
 
 int Condensation::n() const {
-    return static_cast<int>(parts_->order.size());
+    return parts_->n_all;
 }
-int Condensation::n_interior() const {
-    return parts_->n_interior;
+std::span<const std::int64_t> Condensation::contact() const {
+    return std::span(parts_->order).subspan(parts_->n_interior);
 }
 
 double Condensation::matrix_bytes() const {
@@ -225,7 +235,7 @@ double Condensation::predicted_bytes() const {
 }
 
 void Condensation::factorise() {
-    auto& [cholmod, order, stiffness, factor, n_interior, n_contact] = *parts_;
+    auto& [cholmod, order, stiffness, factor, n_all, n_interior, n_contact] = *parts_;
     const OneThread one_thread;
     cholmod_l_factorize(stiffness.get(), factor.get(), cholmod.get());
     cholmod.check();
@@ -264,12 +274,12 @@ std::vector<double> Condensation::compliance() const {
 
 std::vector<double> Condensation::solve(std::span<const double> forces) const {
     parts_->refuse_unfactorised();
-    auto& [cholmod, order, stiffness, factor, n_interior, n_contact] = *parts_;
-    const std::size_t n = order.size(), n_columns = forces.size() / n;
+    const auto& order = parts_->order;
+    const std::size_t n = order.size(), n_all = parts_->n_all, n_columns = forces.size() / n_all;
     const Dense b = parts_->vectors(n_columns);
     auto* const rhs = static_cast<double*>(b->x);
     for (std::size_t c = 0; c < n_columns; ++c)
-        for (std::size_t k = 0; k < n; ++k) rhs[c * n + k] = forces[c * n + order[k]];
+        for (std::size_t k = 0; k < n; ++k) rhs[c * n + k] = forces[c * n_all + order[k]];
     const Dense x = parts_->solve(b.get());
     parts_->subtract_product(x.get(), b.get());
     const Dense correction = parts_->solve(b.get());
@@ -279,7 +289,7 @@ std::vector<double> Condensation::solve(std::span<const double> forces) const {
     const auto* second = static_cast<const double*>(correction->x);
     for (std::size_t c = 0; c < n_columns; ++c)
         for (std::size_t k = 0; k < n; ++k)
-            solution[c * n + order[k]] = first[c * n + k] + second[c * n + k];
+            solution[c * n_all + order[k]] = first[c * n + k] + second[c * n + k];
     return solution;
 }
 

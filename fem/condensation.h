@@ -17,15 +17,17 @@ class Condensation {
   public:
     /// Symbolic analysis only. `node_of_unknown`: see Discretisation; the first `n_interior`
     /// unknowns are eliminated. Throws std::bad_alloc.
-    Condensation(SparseMatrix stiffness, std::span<const int> node_of_unknown, int n_interior);
-    /// The same in an order that is known, see dissection_order().
-    Condensation(SparseMatrix stiffness, std::vector<std::int64_t> order, int n_interior);
+    Condensation(const SparseMatrix& stiffness, std::span<const int> node_of_unknown,
+                 int n_interior);
+    /// The same in an order that is known, see dissection_order(); the first `n_interior` of it are
+    /// eliminated. Unknowns that it lacks are held.
+    Condensation(const SparseMatrix& stiffness, std::vector<std::int64_t> order, int n_interior);
     Condensation(Condensation&&) noexcept;
     ~Condensation();
 
-    int n() const;  ///< unknowns
-    int n_interior() const;
-    int n_contact() const { return n() - n_interior(); }
+    int n() const;  ///< unknowns of the stiffness, held ones included
+    /// The contact unknowns that are not held, as they come in the compliance.
+    std::span<const std::int64_t> contact() const;
 
     /// Peak of what `factorise` and `compliance` will take on top of now [bytes], predicted from
     /// the symbolic factor.
@@ -36,8 +38,8 @@ class Condensation {
     /// Displacements of the contact unknowns under unit forces on them [m/N], symmetric, both
     /// triangles filled. After factorise().
     std::vector<double> compliance() const;
-    /// Solves for all unknowns, with one step of iterative refinement; `forces` [N] may hold
-    /// several right-hand sides one after another. After factorise().
+    /// Displacements [m] of all unknowns, zero where held, with one step of iterative refinement;
+    /// `forces` [N] may hold several right-hand sides one after another. After factorise().
     std::vector<double> solve(std::span<const double> forces) const;
 
     /// The factor in single precision, which has half the size. After factorise().

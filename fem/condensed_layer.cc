@@ -18,18 +18,20 @@ using ByDirection = std::array<std::vector<double>, 3>;
 // A component of the contact that moves with a part.
 struct PartComponent {
     std::size_t component;
-    int unknown;  // of the part's contact
+    int unknown;        // of the part
+    std::size_t place;  // in its compliance
     double sign;
 };
 
 std::vector<PartComponent> components_of(const BodyPart& part, const Unknowns& body) {
+    const auto contact = part.condensation.contact();
+    std::vector<std::size_t> place(part.condensation.n());
+    for (std::size_t k = 0; k < contact.size(); ++k) place[contact[k]] = k;
     std::vector<PartComponent> components;
     for (std::size_t c = 0; c < body.of_contact.size(); ++c) {
         if (body.of_contact[c] < 0) continue;
-        const int u = body.n_interior + body.of_contact[c];
-        if (part.unknown[u] < 0) continue;
-        components.push_back({c, part.unknown[u] - part.condensation.n_interior(),
-                              static_cast<double>(part.sign[u])});
+        const int u = body.n_interior + body.of_contact[c], own = part.unknown[u];
+        if (own >= 0) components.push_back({c, own, place[own], static_cast<double>(part.sign[u])});
     }
     return components;
 }
@@ -52,13 +54,12 @@ void subtract_motion(const ByDirection& held_rows, const Condensation& condensat
     for (const auto& row : held_rows)
         for (const double k : row) forces.push_back(-k);
     const auto moved = condensation.solve(forces);
-    const std::size_t n = condensation.n();
-    const double* contact = moved.data() + condensation.n_interior();
+    const double* of_direction = moved.data();
     for (std::size_t direction = 0; direction < 3; ++direction) {
         if (held_rows[direction].empty()) continue;
-        for (const auto& [component, unknown, sign] : components)
-            missing[direction][component] -= sign * contact[unknown];
-        contact += n;
+        for (const PartComponent& c : components)
+            missing[direction][c.component] -= c.sign * of_direction[c.unknown];
+        of_direction += condensation.n();
     }
 }
 
@@ -77,10 +78,10 @@ void add_compliance(const std::vector<double>& of_part, std::size_t n_contact, d
                     std::vector<double>& to) {
     if (to.empty()) to = large_field(n * n);
     for (const PartComponent& c : components) {
-        const double* const from = of_part.data() + c.unknown * n_contact;
+        const double* const from = of_part.data() + c.place * n_contact;
         double* const column = to.data() + c.component * n;
         for (const PartComponent& r : components)
-            column[r.component] += share * c.sign * r.sign * from[r.unknown];
+            column[r.component] += share * c.sign * r.sign * from[r.place];
     }
 }
 
@@ -103,7 +104,7 @@ double predicted_bytes(const std::vector<BodyPart>& parts, std::size_t n_compone
     const double compliance = 8. * static_cast<double>(n_components * n_components);
     double most = 0, kept = 0;
     for (const BodyPart& part : parts) {
-        const double of_part = 8. * std::pow(part.condensation.n_contact(), 2);
+        const double of_part = 8. * std::pow(part.condensation.contact().size(), 2);
         most = std::max({most, kept + part.condensation.predicted_bytes(), compliance + of_part});
         kept = compliance;
     }
@@ -116,14 +117,14 @@ void condense_parts(std::vector<BodyPart> parts, const Unknowns& unknowns, Conde
     layer.missing_reaction = unit_forces(unknowns.of_contact);
     for (BodyPart& part : parts) {
         const auto components = components_of(part, unknowns);
-        const std::size_t n_contact = part.condensation.n_contact();
+        const std::size_t n_contact = part.condensation.contact().size();
         const auto compliance = eliminate(part, components, layer.missing_reaction);
         add_compliance(compliance, n_contact, part.share, components, n, layer.compliance);
     }
 }
 
 CondensedLayer condense_discretised(const Discretisation& discretisation) {
-    std::vector<BodyPart> parts = parts_of(discretisation);
+    std::vector<BodyPart> parts = parts_of(discretisation, Elimination::contact_last);
     const Unknowns& unknowns = discretisation.unknowns;
     refuse_too_large(predicted_bytes(parts, unknowns.of_contact.size()) + blas_buffer_bytes());
     CondensedLayer layer;
@@ -174,7 +175,7 @@ CondensedLayer condense(const LayerProblem& problem) {
 
 double predicted_bytes(const LayerProblem& problem) {
     const Discretisation discretisation(problem);
-    const std::vector<BodyPart> parts = parts_of(discretisation);
+    const std::vector<BodyPart> parts = parts_of(discretisation, Elimination::contact_last);
     double bytes = predicted_bytes(parts, discretisation.unknowns.of_contact.size());
     for (const BodyPart& part : parts) bytes += part.condensation.matrix_bytes();
     return bytes;

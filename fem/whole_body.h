@@ -13,7 +13,7 @@ namespace tricontact::fem {
 class WholeBody {
   public:
     explicit WholeBody(const LayerProblem& problem)
-        : discretisation(problem), parts_(parts_of(discretisation)) {
+        : discretisation(problem), parts_(parts_of(discretisation, Elimination::cheapest)) {
         for (BodyPart& part : parts_) part.condensation.factorise();
     }
 
