@@ -89,19 +89,15 @@ class Order {
         auto problem = fem::problem_of(case_, fem::make_mesh(case_, say_plainly));
         key_ = fem::LayerCache::key(problem);
         n_elements_ = problem.mesh.hexes.size();
-        std::string why;
-        auto layer = cache_.load(key_, &why);
-        if (!layer) {
-            reservation_ = cache_.reserve(
-                key_, [] { say("another process condenses this layer, which is waited for"); });
-            layer = cache_.load(key_);
-        }
-        if (layer) {
+        auto claim = cache_.claim(
+            key_, [] { say("another process condenses this layer, which is waited for"); });
+        if (claim.layer) {
             say(fmt::format("condensed layer is there already: {} ({} contact nodes)",
-                            cache_.path_of(key_), layer->points.size()));
+                            cache_.path_of(key_), claim.layer->points.size()));
             return std::nullopt;
         }
-        if (!why.empty()) say(fmt::format("condensed layer recomputed: {}", why));
+        if (!claim.why.empty()) say(fmt::format("condensed layer recomputed: {}", claim.why));
+        reservation_ = std::move(claim.reservation);
         return problem;
     }
 

@@ -7,6 +7,7 @@
 #include <filesystem>
 
 #include "benchmarks/rig.h"
+#include "contact/load_path.h"
 #include "contact/run.h"
 #include "fem/model.h"
 
@@ -46,6 +47,15 @@ void from_cache(benchmark::State& state) {
     for (auto _ : state) benchmark::DoNotOptimize(fem::make_model(c, {}));
 }
 BENCHMARK(from_cache)->Arg(100)->Arg(50)->Unit(benchmark::kSecond)->Iterations(3);
+
+/// Displacements and stresses inside, for a section at the end of a run, the layer from the cache.
+void section(benchmark::State& state) {
+    const contact::Case c = layer(state, cache_folder());
+    const auto model = fem::make_model(c, {});
+    model->advance(contact::press_step(c));
+    for (auto _ : state) benchmark::DoNotOptimize(model->interior());
+}
+BENCHMARK(section)->Arg(100)->Arg(50)->Unit(benchmark::kSecond)->Iterations(1);
 
 /// 20 steps of pressing, then three periods; `ms_per_step` and `s_per_400_steps` of CPU time.
 void layer_rolling(benchmark::State& state) {

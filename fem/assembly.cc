@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "fem/discretisation.h"
 #include "fem/memory.h"
@@ -10,25 +11,26 @@ namespace {
 
 using Cell = std::array<int, 27>;
 
-// Cells of each node, by compressed rows.
+// Which of some cells each node has, by compressed rows.
 struct CellsOfNodes {
     std::vector<int> start, cell;
 
-    explicit CellsOfNodes(const Q2Space& space) : start(space.nodes.size() + 1, 0) {
-        for (const Cell& nodes : space.cells)
-            for (const int node : nodes) ++start[node + 1];
+    CellsOfNodes(const Q2Space& space, std::span<const int> some)
+        : start(space.nodes.size() + 1, 0) {
+        for (const int c : some)
+            for (const int node : space.cells[c]) ++start[node + 1];
         for (std::size_t i = 1; i < start.size(); ++i) start[i] += start[i - 1];
         cell.resize(start.back());
         std::vector<int> next(start.begin(), start.end() - 1);
-        for (std::size_t c = 0; c < space.cells.size(); ++c)
-            for (const int node : space.cells[c]) cell[next[node]++] = static_cast<int>(c);
+        for (const int c : some)
+            for (const int node : space.cells[c]) cell[next[node]++] = c;
     }
 };
 
-// Calls visit(node, sorted unknowns of all nodes that share a cell with it).
+// Calls visit(node, sorted unknowns of all nodes that share one of the cells with it).
 template <typename Visit>
-void for_neighbourhoods(const Q2Space& space, const Unknowns& unknowns, Visit visit) {
-    const CellsOfNodes cells(space);
+void for_neighbourhoods(const Q2Space& space, const Unknowns& unknowns, const CellsOfNodes& cells,
+                        Visit visit) {
     std::vector<int> seen_by(space.nodes.size(), -1), neighbours;
     for (int node = 0; node < static_cast<int>(seen_by.size()); ++node) {
         neighbours.clear();
@@ -44,21 +46,22 @@ void for_neighbourhoods(const Q2Space& space, const Unknowns& unknowns, Visit vi
     }
 }
 
-SparseMatrix pattern(const Q2Space& space, const Unknowns& unknowns) {
+SparseMatrix pattern(const Q2Space& space, const Unknowns& unknowns, std::span<const int> some) {
+    const CellsOfNodes cells(space, some);
     SparseMatrix matrix;
     matrix.n = unknowns.n;
     matrix.column_start.assign(unknowns.n + 1, 0);
     const auto below = [](const std::vector<int>& neighbours, int unknown) {
         return std::ranges::lower_bound(neighbours, unknown);
     };
-    for_neighbourhoods(space, unknowns, [&](int node, const std::vector<int>& neighbours) {
+    for_neighbourhoods(space, unknowns, cells, [&](int node, const std::vector<int>& neighbours) {
         for (const int u : unknowns.of_node[node])
             if (u >= 0) matrix.column_start[u + 1] = neighbours.end() - below(neighbours, u);
     });
     for (int u = 0; u < unknowns.n; ++u) matrix.column_start[u + 1] += matrix.column_start[u];
     reserve_large(matrix.row, matrix.column_start.back());
     matrix.row.resize(matrix.column_start.back());
-    for_neighbourhoods(space, unknowns, [&](int node, const std::vector<int>& neighbours) {
+    for_neighbourhoods(space, unknowns, cells, [&](int node, const std::vector<int>& neighbours) {
         for (const int u : unknowns.of_node[node])
             if (u >= 0)
                 std::copy(below(neighbours, u), neighbours.end(),
@@ -222,16 +225,23 @@ void average(std::vector<Stress>& sums, const std::vector<std::array<int, 27>>& 
 }  // namespace
 
 AssembledStiffness Discretisation::assemble() const {
+    std::vector<int> all(space.cells.size());
+    std::iota(all.begin(), all.end(), 0);
+    return assemble(unknowns, all);
+}
+
+AssembledStiffness Discretisation::assemble(const Unknowns& of_cells,
+                                            std::span<const int> cells) const {
     AssembledStiffness stiffness;
-    stiffness.matrix = pattern(space, unknowns);
-    for (auto& row : stiffness.held_rows) row.assign(unknowns.n, 0.0);
+    stiffness.matrix = pattern(space, of_cells, cells);
+    for (auto& row : stiffness.held_rows) row.assign(of_cells.n, 0.0);
     ElementValues values(space, 3);
     LocalUnknowns local;
     auto k = std::make_unique<ElementStiffness>();
-    for (std::size_t c = 0; c < space.cells.size(); ++c) {
+    for (const int c : cells) {
         values.reinit(c);
         element_stiffness(values, moduli[static_cast<int>(space.regions[c])], *k);
-        local.gather(space.cells[c], unknowns);
+        local.gather(space.cells[c], of_cells);
         add(*k, local, stiffness);
     }
     return stiffness;

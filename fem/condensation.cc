@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <new>
+#include <numeric>
 #include <stdexcept>
 #include <string>
 
@@ -90,43 +91,46 @@ Owned owned(typename Owned::pointer object, Cholmod& cholmod) {
     return Owned(object, {&cholmod});
 }
 
-cholmod_sparse view(SparseMatrix& lower) {
-    cholmod_sparse a{};
-    a.nrow = a.ncol = static_cast<std::size_t>(lower.n);
-    a.nzmax = lower.row.size();
-    a.p = lower.column_start.data();
-    a.i = lower.row.data();
-    a.x = lower.value.data();
-    a.stype = -1;
-    a.itype = CHOLMOD_LONG;
-    a.xtype = CHOLMOD_REAL;
-    a.dtype = CHOLMOD_DOUBLE;
-    a.sorted = a.packed = 1;
-    return a;
+// Rows and columns in an order, which may lack some; columns not sorted.
+Sparse upper_triangle(const SparseMatrix& lower, const std::vector<Index>& order,
+                      Cholmod& cholmod) {
+    std::vector<Index> place(lower.n, -1);
+    for (std::size_t k = 0; k < order.size(); ++k) place[order[k]] = static_cast<Index>(k);
+    const auto for_entries = [&](auto visit) {
+        for (int c = 0; c < lower.n; ++c) {
+            if (place[c] < 0) continue;
+            for (auto k = lower.column_start[c]; k < lower.column_start[c + 1]; ++k)
+                if (const Index r = place[lower.row[k]]; r >= 0)
+                    visit(std::min(r, place[c]), std::max(r, place[c]), lower.value[k]);
+        }
+    };
+    const std::size_t n = order.size();
+    std::vector<Index> next(n + 1, 0);
+    for_entries([&](Index, Index column, double) { ++next[column + 1]; });
+    std::partial_sum(next.begin(), next.end(), next.begin());
+    Sparse upper = owned<Sparse>(
+        cholmod_l_allocate_sparse(n, n, next.back(), 0, 1, 1, CHOLMOD_REAL, cholmod.get()),
+        cholmod);
+    std::ranges::copy(next, static_cast<Index*>(upper->p));
+    auto* const rows = static_cast<Index*>(upper->i);
+    auto* const values = static_cast<double*>(upper->x);
+    for_entries([&](Index row, Index column, double value) {
+        const Index at = next[column]++;
+        rows[at] = row;
+        values[at] = value;
+    });
+    return upper;
 }
 
-// The order behind `order` in which children come right before their parents in the elimination
-// tree, which makes supernodes wide. Contact unknowns are a chain at the tree's top: they stay.
-std::vector<Index> postordered(cholmod_sparse& a, std::vector<Index> order, Cholmod& cholmod) {
-    const std::size_t n = a.nrow;
-    std::vector<Index> parent(n), post(n), count(n), first(n), level(n);
-    cholmod_l_analyze_ordering(&a, CHOLMOD_GIVEN, order.data(), nullptr, 0, parent.data(),
-                               post.data(), count.data(), first.data(), level.data(),
-                               cholmod.get());
+// The order in which children come right before their parents in the elimination tree of the
+// matrix, whose upper triangle is given; that makes supernodes wide.
+std::vector<Index> postorder(cholmod_sparse& upper, Cholmod& cholmod) {
+    std::vector<Index> parent(upper.ncol), post(upper.ncol);
+    cholmod_l_etree(&upper, parent.data(), cholmod.get());
     cholmod.check();
-    cholmod_l_postorder(parent.data(), n, count.data(), post.data(), cholmod.get());
+    cholmod_l_postorder(parent.data(), parent.size(), nullptr, post.data(), cholmod.get());
     cholmod.check();
-    for (Index& p : post) p = order[p];
     return post;
-}
-
-// Rows and columns in the given order. The matrix goes on the way: at most two exist at once.
-Sparse permuted(SparseMatrix matrix, std::vector<Index>& order, Cholmod& cholmod) {
-    auto a = view(matrix);
-    const auto upper = owned<Sparse>(
-        cholmod_l_ptranspose(&a, 2, order.data(), nullptr, 0, cholmod.get()), cholmod);
-    matrix = {};
-    return owned<Sparse>(cholmod_l_transpose(upper.get(), 2, cholmod.get()), cholmod);
 }
 
 // The values of a numerical factor: supernode s has the columns super[s] to super[s + 1] and the
@@ -153,22 +157,29 @@ struct Condensation::Parts {
     std::vector<Index> order;  // unknown that comes k-th
     Sparse stiffness;          // lower triangle in that order
     Factor factor;
-    int n_interior = 0, n_contact = 0;
+    int n_all = 0, n_interior = 0, n_contact = 0;  // unknowns: of the matrix, and in `order`
 
-    Parts(SparseMatrix matrix, std::span<const int> node_of_unknown, int n_eliminated)
-        : n_interior(n_eliminated), n_contact(matrix.n - n_eliminated) {
-        choose_order(matrix, node_of_unknown);
-        stiffness = permuted(std::move(matrix), order, cholmod);
+    Parts(const SparseMatrix& matrix, std::vector<Index> dissection, int n_eliminated)
+        : order(std::move(dissection)),
+          n_all(matrix.n),
+          n_interior(n_eliminated),
+          n_contact(static_cast<int>(order.size()) - n_eliminated) {
+        permute(matrix);
         factor = owned<Factor>(cholmod_l_analyze(stiffness.get(), cholmod.get()), cholmod);
         return_freed_memory();  // the analysis leaves many blocks too small to go by themselves
     }
 
-    void choose_order(SparseMatrix& matrix, std::span<const int> node_of_unknown) {
-        auto a = view(matrix);
-        order = dissection_order(matrix, node_of_unknown, n_interior);
-        auto better = postordered(a, order, cholmod);
-        if (std::equal(better.begin() + n_interior, better.end(), order.begin() + n_interior))
-            order = std::move(better);
+    // Sets `stiffness`, and children before their parents in `order`. Contact unknowns are a chain
+    // at the top of the elimination tree: they stay.
+    void permute(const SparseMatrix& matrix) {
+        const Sparse upper = upper_triangle(matrix, order, cholmod);
+        std::vector<Index> place = postorder(*upper, cholmod);
+        for (std::size_t k = n_interior; k < place.size(); ++k)
+            if (place[k] != static_cast<Index>(k)) std::iota(place.begin(), place.end(), 0);
+        stiffness = owned<Sparse>(
+            cholmod_l_ptranspose(upper.get(), 2, place.data(), nullptr, 0, cholmod.get()), cholmod);
+        for (Index& k : place) k = order[k];
+        order = std::move(place);
     }
 
     void refuse_unfactorised() const {
@@ -193,70 +204,82 @@ struct Condensation::Parts {
     }
 };
 
-Condensation::Condensation(SparseMatrix stiffness, std::span<const int> node_of_unknown,
+Condensation::Condensation(const SparseMatrix& stiffness, std::span<const int> node_of_unknown,
                            int n_interior)
-    : parts_(std::make_unique<Parts>(std::move(stiffness), node_of_unknown, n_interior)) {}
+    : Condensation(stiffness, dissection_order(stiffness, node_of_unknown, n_interior),
+                   n_interior) {}
+Condensation::Condensation(const SparseMatrix& stiffness, std::vector<std::int64_t> order,
+                           int n_interior)
+    : parts_(std::make_unique<Parts>(stiffness, std::move(order), n_interior)) {}
+Condensation::Condensation(Condensation&&) noexcept = default;
 Condensation::~Condensation() = default;
+
+int Condensation::n() const {
+    return parts_->n_all;
+}
+std::span<const std::int64_t> Condensation::contact() const {
+    return std::span(parts_->order).subspan(parts_->n_interior);
+}
 
 double Condensation::matrix_bytes() const {
     const auto& matrix = *parts_->stiffness.get();
     return static_cast<double>(matrix.nzmax) * (sizeof(Index) + sizeof(double));
 }
 
-double Condensation::predicted_bytes(int ld) const {
+double Condensation::predicted_bytes() const {
     const auto& factor = *parts_->factor.get();
-    const double n_contact = std::max(ld, parts_->n_contact), n = static_cast<double>(factor.n);
+    const double n_contact = parts_->n_contact, n = static_cast<double>(factor.n);
     const double values = 8. * static_cast<double>(factor.xsize);
     const double update = 8. * static_cast<double>(factor.maxcsize), maps = 3 * 8. * n;
     return values + std::max(update + maps, 8 * n_contact * n_contact);
 }
 
 void Condensation::factorise() {
-    auto& [cholmod, order, stiffness, factor, n_interior, n_contact] = *parts_;
+    auto& [cholmod, order, stiffness, factor, n_all, n_interior, n_contact] = *parts_;
     const OneThread one_thread;
     cholmod_l_factorize(stiffness.get(), factor.get(), cholmod.get());
     cholmod.check();
 }
 
-/// The trailing block of the factor, lower, by columns of `ld` entries; the rest zero.
-std::vector<double> Condensation::contact_factor(int ld) const {
+/// The trailing block of the factor, lower, by columns; the rest zero.
+std::vector<double> Condensation::contact_factor() const {
     parts_->refuse_unfactorised();
     const auto [n_supernodes, super, row_start, value_start, row, value] =
         supernodes_of(*parts_->factor);
 
-    std::vector<double> lower = large_field(static_cast<std::size_t>(ld) * ld);
+    const std::size_t n = parts_->n_contact;
+    std::vector<double> lower = large_field(n * n);
     for (std::size_t s = 0; s < n_supernodes; ++s) {
         const Index n_rows = row_start[s + 1] - row_start[s];
         for (Index c = std::max<Index>(super[s], parts_->n_interior); c < super[s + 1]; ++c) {
             const Index local = c - super[s];
             const double* column = value + value_start[s] + local * n_rows;
-            double* to = lower.data() + (c - parts_->n_interior) * ld - parts_->n_interior;
+            double* to = lower.data() + (c - parts_->n_interior) * n - parts_->n_interior;
             for (Index r = local; r < n_rows; ++r) to[row[row_start[s] + r]] = column[r];
         }
     }
     return lower;
 }
 
-std::vector<double> Condensation::compliance(int ld) const {
+std::vector<double> Condensation::compliance() const {
     const int n = parts_->n_contact;
-    ld = std::max(ld, n);
-    std::vector<double> inverse = contact_factor(ld);
+    std::vector<double> inverse = contact_factor();
     int info = 0;
-    if (n > 0) dpotri_("L", &n, inverse.data(), &ld, &info);
+    if (n > 0) dpotri_("L", &n, inverse.data(), &n, &info);
     if (info != 0)
         throw contact::NotConverged("the condensed stiffness of the contact is singular");
-    mirror_lower(inverse, n, ld);
+    mirror_lower(inverse, n);
     return inverse;
 }
 
 std::vector<double> Condensation::solve(std::span<const double> forces) const {
     parts_->refuse_unfactorised();
-    auto& [cholmod, order, stiffness, factor, n_interior, n_contact] = *parts_;
-    const std::size_t n = order.size(), n_columns = forces.size() / n;
+    const auto& order = parts_->order;
+    const std::size_t n = order.size(), n_all = parts_->n_all, n_columns = forces.size() / n_all;
     const Dense b = parts_->vectors(n_columns);
     auto* const rhs = static_cast<double*>(b->x);
     for (std::size_t c = 0; c < n_columns; ++c)
-        for (std::size_t k = 0; k < n; ++k) rhs[c * n + k] = forces[c * n + order[k]];
+        for (std::size_t k = 0; k < n; ++k) rhs[c * n + k] = forces[c * n_all + order[k]];
     const Dense x = parts_->solve(b.get());
     parts_->subtract_product(x.get(), b.get());
     const Dense correction = parts_->solve(b.get());
@@ -266,7 +289,7 @@ std::vector<double> Condensation::solve(std::span<const double> forces) const {
     const auto* second = static_cast<const double*>(correction->x);
     for (std::size_t c = 0; c < n_columns; ++c)
         for (std::size_t k = 0; k < n; ++k)
-            solution[c * n + order[k]] = first[c * n + k] + second[c * n + k];
+            solution[c * n_all + order[k]] = first[c * n + k] + second[c * n + k];
     return solution;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <span>
 #include <vector>
@@ -16,21 +17,29 @@ class Condensation {
   public:
     /// Symbolic analysis only. `node_of_unknown`: see Discretisation; the first `n_interior`
     /// unknowns are eliminated. Throws std::bad_alloc.
-    Condensation(SparseMatrix stiffness, std::span<const int> node_of_unknown, int n_interior);
+    Condensation(const SparseMatrix& stiffness, std::span<const int> node_of_unknown,
+                 int n_interior);
+    /// The same in an order that is known, see dissection_order(); the first `n_interior` of it are
+    /// eliminated. Unknowns that it lacks are held.
+    Condensation(const SparseMatrix& stiffness, std::vector<std::int64_t> order, int n_interior);
+    Condensation(Condensation&&) noexcept;
     ~Condensation();
 
-    /// Peak of what `factorise` and `compliance` (`ld` rows) will take on top of now [bytes],
-    /// predicted from the symbolic factor.
-    double predicted_bytes(int ld = 0) const;
+    int n() const;  ///< unknowns of the stiffness, held ones included
+    /// The contact unknowns that are not held, as they come in the compliance.
+    std::span<const std::int64_t> contact() const;
+
+    /// Peak of what `factorise` and `compliance` will take on top of now [bytes], predicted from
+    /// the symbolic factor.
+    double predicted_bytes() const;
     double matrix_bytes() const;  ///< the stiffness, which is there already
     /// Throws std::bad_alloc; contact::NotConverged if the matrix is not positive definite.
     void factorise();
-    /// Displacements of the contact unknowns under unit forces on them [m/N], symmetric, by
-    /// columns of `ld` entries (0: as many as there are contact unknowns); both triangles filled,
-    /// the rest zero. After factorise().
-    std::vector<double> compliance(int ld = 0) const;
-    /// Solves for all unknowns, with one step of iterative refinement; `forces` [N] may hold
-    /// several right-hand sides one after another. After factorise().
+    /// Displacements of the contact unknowns under unit forces on them [m/N], symmetric, both
+    /// triangles filled. After factorise().
+    std::vector<double> compliance() const;
+    /// Displacements [m] of all unknowns, zero where held, with one step of iterative refinement;
+    /// `forces` [N] may hold several right-hand sides one after another. After factorise().
     std::vector<double> solve(std::span<const double> forces) const;
 
     /// The factor in single precision, which has half the size. After factorise().
@@ -38,7 +47,7 @@ class Condensation {
 
   private:
     struct Parts;
-    std::vector<double> contact_factor(int ld) const;
+    std::vector<double> contact_factor() const;
 
     std::unique_ptr<Parts> parts_;
 };

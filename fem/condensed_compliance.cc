@@ -101,7 +101,7 @@ const CorrectedBody& CondensedCompliance::corrected() const {
 std::unique_ptr<const contact::Interior> CondensedCompliance::interior(
     std::span<const double> p, const TangentialField& t) const {
     if (!whole_) whole_ = std::make_unique<const WholeBody>(*problem_);
-    const auto& [discretisation, condensation] = *whole_;
+    const Discretisation& discretisation = whole_->discretisation;
     const auto& unknown = discretisation.unknowns.of_contact;
     const std::size_t n = points().size();
     std::vector<double> force(discretisation.unknowns.n);
@@ -114,7 +114,7 @@ std::unique_ptr<const contact::Interior> CondensedCompliance::interior(
             if (const int u = unknown[c * nodes.size() + k]; u >= 0)
                 force[discretisation.unknowns.n_interior + u] = f[c];
     }
-    const std::vector<double> displacement = condensation->solve(force);
+    const std::vector<double> displacement = whole_->displacement(force);
     return std::make_unique<contact::Interior>(discretisation.interior(displacement, force));
 }
 

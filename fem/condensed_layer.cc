@@ -6,45 +6,83 @@
 #include <cmath>
 #include <new>
 
-#include "fem/condensation.h"
+#include "fem/body_parts.h"
 #include "fem/discretisation.h"
 
 namespace tricontact::fem {
 
 namespace {
 
+using ByDirection = std::array<std::vector<double>, 3>;
+
+// A component of the contact that moves with a part.
+struct PartComponent {
+    std::size_t component;
+    int unknown;        // of the part
+    std::size_t place;  // in its compliance
+    double sign;
+};
+
+std::vector<PartComponent> components_of(const BodyPart& part, const Unknowns& body) {
+    const auto contact = part.condensation.contact();
+    std::vector<std::size_t> place(part.condensation.n());
+    for (std::size_t k = 0; k < contact.size(); ++k) place[contact[k]] = k;
+    std::vector<PartComponent> components;
+    for (std::size_t c = 0; c < body.of_contact.size(); ++c) {
+        if (body.of_contact[c] < 0) continue;
+        const int u = body.n_interior + body.of_contact[c], own = part.unknown[u];
+        if (own >= 0) components.push_back({c, own, place[own], static_cast<double>(part.sign[u])});
+    }
+    return components;
+}
+
+// By direction, 1 on each free component in that direction.
+ByDirection unit_forces(const std::vector<int>& unknown_of_component) {
+    const std::size_t n = unknown_of_component.size();
+    ByDirection forces;
+    for (auto& force : forces) force.assign(n, 0);
+    for (std::size_t c = 0; c < n; ++c)
+        if (unknown_of_component[c] >= 0) forces[c / (n / 3)][c] = 1;
+    return forces;
+}
+
 // The ground's reaction to a unit force on a component is minus the displacement there when all
 // held components are moved by one (reciprocity): 1 in the direction moved, 0 in the others.
-std::array<std::vector<double>, 3> missing_reaction(
-    const Discretisation& discretisation, const Condensation& condensation,
-    const std::array<std::vector<double>, 3>& held_rows) {
-    const std::size_t n = discretisation.unknowns.n;
-    const auto& unknowns = discretisation.unknowns.of_contact;
+void subtract_motion(const ByDirection& held_rows, const Condensation& condensation,
+                     const std::vector<PartComponent>& components, ByDirection& missing) {
     std::vector<double> forces;
     for (const auto& row : held_rows)
         for (const double k : row) forces.push_back(-k);
     const auto moved = condensation.solve(forces);
-    std::array<std::vector<double>, 3> missing;
+    const double* of_direction = moved.data();
     for (std::size_t direction = 0; direction < 3; ++direction) {
-        missing[direction].assign(unknowns.size(), 0);
-        for (std::size_t c = 0; c < unknowns.size(); ++c) {
-            if (unknowns[c] < 0) continue;
-            const int u = discretisation.unknowns.n_interior + unknowns[c];
-            const double force = c / (unknowns.size() / 3) == direction ? 1 : 0;
-            missing[direction][c] = force - moved[direction * n + u];
-        }
+        if (held_rows[direction].empty()) continue;
+        for (const PartComponent& c : components)
+            missing[direction][c.component] -= c.sign * of_direction[c.unknown];
+        of_direction += condensation.n();
     }
-    return missing;
 }
 
-// Moves the leading square of the free unknowns to the places of all components; others are zero.
-void spread(const std::vector<int>& unknown, std::vector<double>& compliance) {
-    const std::size_t n = unknown.size();
-    for (std::size_t c = n; c-- > 0;)
-        for (std::size_t r = n; r-- > 0;) {
-            const bool held = unknown[c] < 0 || unknown[r] < 0;
-            compliance[c * n + r] = held ? 0 : compliance[unknown[c] * n + unknown[r]];
-        }
+// The compliance of the part's contact unknowns; its factor is gone afterwards.
+std::vector<double> eliminate(BodyPart& part, const std::vector<PartComponent>& components,
+                              ByDirection& missing) {
+    Condensation condensation = std::move(part.condensation);
+    condensation.factorise();
+    subtract_motion(part.held_rows, condensation, components, missing);
+    return condensation.compliance();
+}
+
+// To the compliance between all `n` components, that of a part's `n_contact` unknowns.
+void add_compliance(const std::vector<double>& of_part, std::size_t n_contact, double share,
+                    const std::vector<PartComponent>& components, std::size_t n,
+                    std::vector<double>& to) {
+    if (to.empty()) to = large_field(n * n);
+    for (const PartComponent& c : components) {
+        const double* const from = of_part.data() + c.place * n_contact;
+        double* const column = to.data() + c.component * n;
+        for (const PartComponent& r : components)
+            column[r.component] += share * c.sign * r.sign * from[r.place];
+    }
 }
 
 [[noreturn]] void refuse(const std::string& what, double needed, double available) {
@@ -61,24 +99,38 @@ void refuse_too_large(double needed) {
         refuse(fmt::format("{:.1f} GB of memory", needed / 1e9), needed, available);
 }
 
-Condensation analyse(const Discretisation& discretisation, AssembledStiffness& stiffness) {
-    return {std::move(stiffness.matrix), discretisation.unknowns.node_of_unknown,
-            discretisation.unknowns.n_interior};
+// Peak of what `condense_parts` will take on top of now.
+double predicted_bytes(const std::vector<BodyPart>& parts, std::size_t n_components) {
+    const double compliance = 8. * static_cast<double>(n_components * n_components);
+    double most = 0, kept = 0;
+    for (const BodyPart& part : parts) {
+        const double of_part = 8. * std::pow(part.condensation.contact().size(), 2);
+        most = std::max({most, kept + part.condensation.predicted_bytes(), compliance + of_part});
+        kept = compliance;
+    }
+    return most;
+}
+
+// One after another, so that but one factor exists at a time.
+void condense_parts(std::vector<BodyPart> parts, const Unknowns& unknowns, CondensedLayer& layer) {
+    const std::size_t n = unknowns.of_contact.size();
+    layer.missing_reaction = unit_forces(unknowns.of_contact);
+    for (BodyPart& part : parts) {
+        const auto components = components_of(part, unknowns);
+        const std::size_t n_contact = part.condensation.contact().size();
+        const auto compliance = eliminate(part, components, layer.missing_reaction);
+        add_compliance(compliance, n_contact, part.share, components, n, layer.compliance);
+    }
 }
 
 CondensedLayer condense_discretised(const Discretisation& discretisation) {
-    auto stiffness = discretisation.assemble();
-    Condensation condensation = analyse(discretisation, stiffness);
-    const auto& unknowns = discretisation.unknowns.of_contact;
-    const int n_components = static_cast<int>(unknowns.size());
-    refuse_too_large(condensation.predicted_bytes(n_components) + blas_buffer_bytes());
-    condensation.factorise();
+    std::vector<BodyPart> parts = parts_of(discretisation, Elimination::contact_last);
+    const Unknowns& unknowns = discretisation.unknowns;
+    refuse_too_large(predicted_bytes(parts, unknowns.of_contact.size()) + blas_buffer_bytes());
     CondensedLayer layer;
     layer.points = discretisation.surface.points;
     layer.contact_mass = discretisation.surface.mass;
-    layer.missing_reaction = missing_reaction(discretisation, condensation, stiffness.held_rows);
-    layer.compliance = condensation.compliance(n_components);
-    spread(unknowns, layer.compliance);
+    condense_parts(std::move(parts), unknowns, layer);
     return layer;
 }
 
@@ -123,10 +175,10 @@ CondensedLayer condense(const LayerProblem& problem) {
 
 double predicted_bytes(const LayerProblem& problem) {
     const Discretisation discretisation(problem);
-    auto stiffness = discretisation.assemble();
-    const Condensation condensation = analyse(discretisation, stiffness);
-    return condensation.matrix_bytes() + condensation.predicted_bytes(static_cast<int>(
-                                             discretisation.unknowns.of_contact.size()));
+    const std::vector<BodyPart> parts = parts_of(discretisation, Elimination::contact_last);
+    double bytes = predicted_bytes(parts, discretisation.unknowns.of_contact.size());
+    for (const BodyPart& part : parts) bytes += part.condensation.matrix_bytes();
+    return bytes;
 }
 
 CondensedLayer contact_line(const CondensedLayer& slice) {

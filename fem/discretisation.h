@@ -51,6 +51,8 @@ struct Discretisation {
 
     /// Recomputed by each call: the largest part of a discretisation, often needed but once.
     AssembledStiffness assemble() const;
+    /// That of some cells between some of their unknowns.
+    AssembledStiffness assemble(const Unknowns& of_cells, std::span<const int> cells) const;
     /// Sum over all held components of K u in each direction: the force of what holds them [N], for
     /// the displacement of every node [m].
     using NodalDisplacement = std::vector<std::array<double, 3>>;

@@ -227,6 +227,16 @@ std::unique_ptr<files::PartialFile> LayerCache::reserve(const std::string& key,
     }
 }
 
+LayerCache::Claim LayerCache::claim(const std::string& key,
+                                    const std::function<void()>& waits) const {
+    Claim claim;
+    claim.layer = load(key, &claim.why);
+    if (claim.layer) return claim;
+    claim.reservation = reserve(key, waits);
+    claim.layer = load(key);  // another process may have kept it meanwhile
+    return claim;
+}
+
 std::string LayerCache::key(const LayerProblem& problem) {
     KeyDigest digest;
     digest << condensing_sources_digest() << layer_file_version << problem.mesh.nodes

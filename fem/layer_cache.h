@@ -56,17 +56,24 @@ class LayerCache {
     /// folder), or stays empty when nothing is to be kept.
     bool store(const std::string& key, const CondensedLayer& layer,
                std::string* why = nullptr) const;
-    /// Says that this process makes a layer, which others wait for until what is returned is gone;
-    /// waits itself, after `waits` was called, while another one makes it. Either way it may be
-    /// there then. Null where nothing is to be kept or nobody can be told.
-    std::unique_ptr<files::PartialFile> reserve(const std::string& key,
-                                                const std::function<void()>& waits) const;
+    /// A layer that is there, or the task to make it.
+    struct Claim {
+        std::optional<CondensedLayer> layer;
+        std::string why;  ///< see `load`
+        /// Others wait for the layer until this is gone. Null where nothing is to be kept or nobody
+        /// can be told.
+        std::unique_ptr<files::PartialFile> reservation;
+    };
+    /// Waits, after `waits` was called, while another process makes the layer.
+    Claim claim(const std::string& key, const std::function<void()>& waits) const;
     const std::string& folder() const { return folder_; }
     /// Where `key` is kept.
     std::string path_of(const std::string& key) const;
 
   private:
     bool keeps_nothing() const { return folder_.empty(); }
+    std::unique_ptr<files::PartialFile> reserve(const std::string& key,
+                                                const std::function<void()>& waits) const;
 
     std::string folder_;   // empty: none
     std::uint64_t limit_;  // [bytes]

@@ -35,23 +35,17 @@ std::unique_ptr<CondensedCompliance> LayerCondenser::make(meshes::HexMesh mesh) 
         return std::make_unique<CondensedCompliance>(
             problem, case_.is_line_contact() ? contact_line(layer) : std::move(layer));
     };
-    std::string why;
-    auto kept_layer = cache_.load(key, &why);
-    std::unique_ptr<files::PartialFile> reservation;  // until this process has kept it
-    if (!kept_layer) {
-        reservation = cache_.reserve(
-            key, [&] { say("another process condenses this layer, which is waited for"); });
-        kept_layer = cache_.load(key);
-    }
-    if (kept_layer) {
+    LayerCache::Claim claim = cache_.claim(
+        key, [&] { say("another process condenses this layer, which is waited for"); });
+    if (claim.layer) {
         say(fmt::format("condensed layer reused from {} ({} contact nodes)", cache_.path_of(key),
-                        kept_layer->points.size()));
-        return compliance_of(std::move(*kept_layer));
+                        claim.layer->points.size()));
+        return compliance_of(std::move(*claim.layer));
     }
-    if (!why.empty()) say(fmt::format("condensed layer recomputed: {}", why));
+    if (!claim.why.empty()) say(fmt::format("condensed layer recomputed: {}", claim.why));
     const auto start = std::chrono::steady_clock::now();
     CondensedLayer layer = condense(*problem);
-    why.clear();
+    std::string why;
     const bool kept = cache_.store(key, layer, &why);
     if (!kept && !why.empty()) say(fmt::format("condensed layer not kept: {}", why));
     say(fmt::format("layer of {} elements condensed to {} contact nodes in {:.1f} s{}",

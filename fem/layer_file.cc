@@ -188,7 +188,7 @@ CondensedLayer read_layer(files::RegularFile& file, const std::string& key) {
     reader.raw(&digest, sizeof(digest));
     if (digest != reader.digest()) throw LayerFileError("is damaged");
     const std::size_t m = 3 * header.n_points;
-    mirror_lower(layer.compliance, m, m);
+    mirror_lower(layer.compliance, m);
     return layer;
 }
 

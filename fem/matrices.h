@@ -7,14 +7,14 @@
 
 namespace tricontact::fem {
 
-/// Copies the lower triangle of the leading n x n square to its upper one; columns of `ld` entries.
-inline void mirror_lower(std::vector<double>& matrix, std::size_t n, std::size_t ld) {
+/// Copies the lower triangle of an n x n matrix to its upper one.
+inline void mirror_lower(std::vector<double>& matrix, std::size_t n) {
     constexpr std::size_t block = 64;  // both squares stay in the first level cache
     for (std::size_t c0 = 0; c0 < n; c0 += block)
         for (std::size_t r0 = c0; r0 < n; r0 += block)
             for (std::size_t c = c0; c < std::min(c0 + block, n); ++c)
                 for (std::size_t r = std::max(r0, c + 1); r < std::min(r0 + block, n); ++r)
-                    matrix[r * ld + c] = matrix[c * ld + r];
+                    matrix[r * n + c] = matrix[c * n + r];
 }
 
 /// Lower triangle of a symmetric matrix by compressed columns, rows increasing in each column.
