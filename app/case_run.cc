@@ -107,7 +107,8 @@ contact::History run_model(const std::string& name, const Case& c, const std::st
                                            const contact::Progress& progress) {
         bar.update(progress.step, progress.steps_at_most);
         const auto* section = states.add(record, state, progress);
-        if (film) film->add(record, state, progress);
+        const auto surface = [&] { return states.surface() ? *states.surface() : state.surface(); };
+        if (film) film->add(record, surface, progress);
         if (film && section) film->add_section(*section, progress.step);
     };
     contact::History history;

@@ -55,6 +55,7 @@ RunStates::RunStates(const Case& c, const std::string& folder, const Say& say)
 
 const contact::Subsurface* RunStates::add(const contact::StepRecord& record, contact::Model& model,
                                           const contact::Progress& progress) {
+    surface_.reset();
     if (progress.step == 1) {
         surfaces_.clear();
         indenters_.clear();
@@ -83,10 +84,10 @@ bool RunStates::is_wanted(double phase, bool quarter) {
 }
 
 void RunStates::add_surface(const contact::StepRecord& record, contact::Model& model) {
-    const contact::Surface surface = model.surface();
-    if (!indenter_) indenter_ = shown_indenter(case_, surface);
+    surface_ = model.surface();
+    if (!indenter_) indenter_ = shown_indenter(case_, *surface_);
     const double time = time_of(record);
-    surfaces_.add(time, surface);
+    surfaces_.add(time, *surface_);
     indenters_.add(time, *indenter_, {record.offset, record.indentation, record.rotation});
 }
 

@@ -24,6 +24,8 @@ class RunStates {
                                    const contact::Progress& progress);
     /// The same after the last one.
     const contact::Subsurface* add_last(const contact::StepRecord& record, contact::Model& model);
+    /// Of the last step, where it was written.
+    const std::optional<contact::Surface>& surface() const { return surface_; }
     /// Of the last state whose inside was written.
     const std::optional<contact::Subsurface>& subsurface() const { return subsurface_; }
     void finish() const;
@@ -45,6 +47,7 @@ class RunStates {
     io::IndenterSeries indenters_;
     io::VtkSeries volumes_;
     std::optional<io::IndenterShape> indenter_;
+    std::optional<contact::Surface> surface_;
     std::optional<contact::Subsurface> subsurface_;
     double last_phase_ = 0;
     bool size_is_said_ = false;

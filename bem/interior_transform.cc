@@ -12,14 +12,38 @@ constexpr std::array<std::array<int, 2>, 3> of_displacement = {{{1, 0}, {0, 1}, 
 constexpr std::array<std::array<int, 2>, 6> of_stress = {
     {{2, 0}, {0, 2}, {0, 0}, {1, 1}, {0, 1}, {1, 0}}};
 
+/// Indices from `first` to `last`.
+struct Range {
+    int first, last;
+
+    void include(int i) {
+        first = std::min(first, i);
+        last = std::max(last, i);
+    }
+    /// From one of them to the farthest of 0 ... n - 1.
+    int reach(int n) const { return std::max({0, last, n - 1 - first}); }
+};
+
+bool is_free(const std::vector<double>& traction) {
+    return std::ranges::all_of(traction, [](double t) { return t == 0; });
+}
+
 }  // namespace
 
 InteriorTransform::InteriorTransform(int n_x, int n_y,
                                      const std::array<std::vector<double>, 3>& tractions)
-    : n_x_(n_x),
-      n_y_(n_y),
-      period_x_(good_fft_size(2 * n_x - 1)),
-      period_y_(good_fft_size(2 * n_y - 1)) {
+    : n_x_(n_x), n_y_(n_y) {
+    Range columns{n_x, -1}, rows{n_y, -1};
+    for (const auto& traction : tractions)
+        for (std::size_t k = 0; k < traction.size(); ++k)
+            if (traction[k] != 0) {
+                columns.include(static_cast<int>(k) % n_x);
+                rows.include(static_cast<int>(k) / n_x);
+            }
+    if (columns.last >= 0) reach_x_ = columns.reach(n_x), reach_y_ = rows.reach(n_y);
+    period_x_ = good_fft_size(std::max(n_x, 2 * reach_x_ + 1));
+    period_y_ = good_fft_size(std::max(n_y, 2 * reach_y_ + 1));
+
     const auto padded = contact::fftw_zeros<FftwReal>(n_real());
     const auto spectrum = contact::fftw_zeros<FftwComplex>(n_complex());
     forward_.reset(
@@ -28,8 +52,7 @@ InteriorTransform::InteriorTransform(int n_x, int n_y,
         fftw_plan_dft_c2r_2d(period_y_, period_x_, spectrum.get(), padded.get(), FFTW_ESTIMATE));
     for (int d = 0; d < 3; ++d) {
         const auto& traction = tractions[d];
-        if (std::all_of(traction.begin(), traction.end(), [](double t) { return t == 0; }))
-            continue;
+        if (is_free(traction)) continue;
         std::fill_n(padded.get(), n_real(), 0.0);
         for (int j = 0; j < n_y; ++j)
             std::copy_n(traction.data() + static_cast<std::size_t>(j) * n_x, n_x,
@@ -44,45 +67,71 @@ InteriorTransform::Level::Level(const InteriorTransform& transform, const Influe
       kernel_(contact::fftw_zeros<FftwReal>(transform.n_real())),
       spectrum_(contact::fftw_zeros<FftwComplex>(transform.n_complex())),
       sum_(contact::fftw_zeros<FftwComplex>(transform.n_complex())) {
-    for (int j = 0; j < transform.n_y_; ++j)
-        for (int i = 0; i < transform.n_x_; ++i) quadrant_.push_back(influence(i, j));
-    out_.resize(quadrant_.size());
+    for (int j = 0; j <= transform.reach_y_; ++j)
+        for (int i = 0; i <= transform.reach_x_; ++i) quadrant_.push_back(influence(i, j));
+    out_.resize(static_cast<std::size_t>(transform.n_x_) * transform.n_y_);
 }
 
-void InteriorTransform::Level::fill_kernel(const Coefficient& coefficient, int direction,
-                                           double sign_x, double sign_y) {
+/// Odd in x or y: of the other sign on the other side, so zero on the axis.
+template <class Coefficient>
+void InteriorTransform::Level::add_to_kernel(const Coefficient& coefficient, int direction,
+                                             bool odd_x, bool odd_y) {
     const auto& of = transform_;
-    std::fill_n(kernel_.get(), of.n_real(), 0.0);
-    auto row = [&](int j) { return kernel_.get() + static_cast<std::size_t>(j) * of.period_x_; };
+    const double sign_x = odd_x ? -1 : 1, sign_y = odd_y ? -1 : 1;
+    const auto row = [&](int j) {
+        return kernel_.get() + static_cast<std::size_t>(j) * of.period_x_;
+    };
     auto at = quadrant_.begin();
-    for (int j = 0; j < of.n_y_; ++j) {
+    for (int j = 0; j <= of.reach_y_; ++j) {
         double *here = row(j), *opposite = row(j > 0 ? of.period_y_ - j : 0);
-        for (int i = 0; i < of.n_x_; ++i) {
-            const double value = coefficient(*at++, direction);
-            const int mirrored = i > 0 ? of.period_x_ - i : 0;
-            opposite[mirrored] = (i > 0 ? sign_x : 1) * (j > 0 ? sign_y : 1) * value;
-            opposite[i] = (j > 0 ? sign_y : 1) * value;
-            here[mirrored] = (i > 0 ? sign_x : 1) * value;
-            here[i] = value;
+        for (int i = 0; i <= of.reach_x_; ++i, ++at) {
+            if ((i == 0 && odd_x) || (j == 0 && odd_y)) continue;
+            const double value = coefficient(*at, direction);
+            const int mirrored = of.period_x_ - i;
+            here[i] += value;
+            if (i > 0) here[mirrored] += sign_x * value;
+            if (j > 0) opposite[i] += sign_y * value;
+            if (i > 0 && j > 0) opposite[mirrored] += sign_x * sign_y * value;
         }
     }
 }
 
+/// Of a kernel's even part, whose spectrum is real, and its odd one, whose is imaginary, each with
+/// a traction of its own, or none.
+void InteriorTransform::Level::add_product(const fftw_complex* even, const fftw_complex* odd) {
+    const std::size_t n = transform_.n_complex();
+    if (even)
+        for (std::size_t k = 0; k < n; ++k) {
+            sum_[k][0] += spectrum_[k][0] * even[k][0];
+            sum_[k][1] += spectrum_[k][0] * even[k][1];
+        }
+    if (odd)
+        for (std::size_t k = 0; k < n; ++k) {
+            sum_[k][0] -= spectrum_[k][1] * odd[k][1];
+            sum_[k][1] += spectrum_[k][1] * odd[k][0];
+        }
+}
+
+template <class Coefficient>
 std::span<const double> InteriorTransform::Level::field(const Coefficient& coefficient, int n_x,
                                                         int n_y) {
     const auto& of = transform_;
     std::memset(sum_.get(), 0, of.n_complex() * sizeof(fftw_complex));
-    for (int d = 0; d < 3; ++d) {
-        const fftw_complex* traction = of.tractions_[d].get();
-        if (!traction) continue;
-        fill_kernel(coefficient, d, (n_x + (d == 0)) % 2 == 0 ? 1 : -1,
-                    (n_y + (d == 1)) % 2 == 0 ? 1 : -1);
-        fftw_execute_dft_r2c(of.forward_.get(), kernel_.get(), spectrum_.get());
-        for (std::size_t k = 0; k < of.n_complex(); ++k) {
-            const auto &a = spectrum_[k], &b = traction[k];
-            sum_[k][0] += a[0] * b[0] - a[1] * b[1];
-            sum_[k][1] += a[0] * b[1] + a[1] * b[0];
+    // What a force along x or y makes is odd where that of a pressing one is even: both in one
+    // transform.
+    constexpr std::array<std::array<int, 2>, 2> pairs{{{0, 2}, {1, -1}}};
+    for (const auto& pair : pairs) {
+        std::array<const fftw_complex*, 2> of_parity{};
+        std::fill_n(kernel_.get(), of.n_real(), 0.0);
+        for (const int d : pair) {
+            if (d < 0 || !of.tractions_[d]) continue;
+            const bool odd_x = (n_x + (d == 0)) % 2 == 1, odd_y = (n_y + (d == 1)) % 2 == 1;
+            add_to_kernel(coefficient, d, odd_x, odd_y);
+            of_parity[odd_x != odd_y] = of.tractions_[d].get();
         }
+        if (!of_parity[0] && !of_parity[1]) continue;
+        fftw_execute_dft_r2c(of.forward_.get(), kernel_.get(), spectrum_.get());
+        add_product(of_parity[0], of_parity[1]);
     }
     fftw_execute_dft_c2r(of.backward_.get(), sum_.get(), kernel_.get());
     const double scale = 1.0 / static_cast<double>(of.n_real());

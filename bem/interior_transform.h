@@ -10,8 +10,9 @@
 
 namespace tricontact::bem {
 
-/// Zero-padded FFT convolution of three tractions on an n_x * n_y grid (x fastest) with the
-/// coefficients of one depth after the other.
+/// FFT convolution of three tractions on an n_x * n_y grid (x fastest) with the coefficients of one
+/// depth after the other. A period holds the distances from the loaded cells to all others, both
+/// ways: less than twice the grid where its edges are free of load.
 class InteriorTransform {
   public:
     /// Tractions along x, y and pressing; those that are zero everywhere cost nothing.
@@ -30,11 +31,13 @@ class InteriorTransform {
         std::span<const double> stress(int component);
 
       private:
-        using Coefficient = std::function<double(const theory::InteriorResponse&, int direction)>;
-        /// `n_x`, `n_y`: how often x and y occur among the indices of the component.
+        /// Of `coefficient(response, direction)`; `n_x`, `n_y`: how often x and y occur among the
+        /// indices of the component.
+        template <class Coefficient>
         std::span<const double> field(const Coefficient& coefficient, int n_x, int n_y);
-        void fill_kernel(const Coefficient& coefficient, int direction, double sign_x,
-                         double sign_y);
+        template <class Coefficient>
+        void add_to_kernel(const Coefficient& coefficient, int direction, bool odd_x, bool odd_y);
+        void add_product(const fftw_complex* even, const fftw_complex* odd);
 
         const InteriorTransform& transform_;
         std::vector<theory::InteriorResponse> quadrant_;
@@ -49,7 +52,9 @@ class InteriorTransform {
         return (static_cast<std::size_t>(period_x_) / 2 + 1) * period_y_;
     }
 
-    int n_x_, n_y_, period_x_, period_y_;
+    int n_x_, n_y_;
+    int reach_x_ = 0, reach_y_ = 0;  // cells between a loaded one and the farthest
+    int period_x_ = 0, period_y_ = 0;
     std::array<FftwComplex, 3> tractions_;  // spectra; null: zero everywhere
     FftwPlan forward_, backward_;
 };

@@ -1,5 +1,6 @@
 #include "contact/mirrored_surface.h"
 
+#include <type_traits>
 #include <utility>
 
 namespace tricontact::contact {
@@ -39,33 +40,59 @@ Image image_of(int n, int n_x, const std::vector<double>& y) {
     return image;
 }
 
+/// Of all fields of a surface: whether they are odd in y.
+template <class Reflect>
+void reflect_fields(Surface& s, const Reflect& reflect) {
+    for (auto* even :
+         {&s.node_x, &s.normal_traction, &s.tangential_traction_x, &s.friction_bound,
+          &s.displacement_x, &s.displacement_z, &s.gap, &s.slip_x, &s.dissipation, &s.slip_path,
+          &s.friction_work, &s.normal_traction_consistent, &s.tangential_traction_x_consistent})
+        reflect(*even, false);
+    for (auto* odd : {&s.node_y, &s.tangential_traction_y, &s.displacement_y, &s.slip_y,
+                      &s.tangential_traction_y_consistent})
+        reflect(*odd, true);
+    reflect(s.contact_state, false);
+}
+
+// Rows one after the other, as there are many surfaces of a run.
+Surface mirrored_grid(Surface half) {
+    const std::size_t n_half = half.size();
+    const auto n_x = static_cast<std::ptrdiff_t>(half.n_x);
+    const auto reflect = [&](auto& values, bool odd) {
+        if (values.empty()) return;
+        auto all = std::remove_reference_t<decltype(values)>();
+        all.reserve(2 * n_half - half.n_x);
+        for (auto end = values.end(); end - values.begin() > n_x; end -= n_x)
+            all.insert(all.end(), end - n_x, end);
+        if constexpr (std::is_arithmetic_v<typename decltype(all)::value_type>)
+            if (odd)
+                for (auto& value : all) value = -value;
+        all.insert(all.end(), values.begin(), values.end());
+        values = std::move(all);
+    };
+    reflect_fields(half, reflect);
+    half.first[1] = -(half.n_y - 1) * half.spacing[1];
+    half.n_y = 2 * half.n_y - 1;
+    return half;
+}
+
 }  // namespace
 
 Surface mirrored(Surface half) {
+    if (half.n_x > 0 && half.layout == Surface::Layout::grid) return mirrored_grid(std::move(half));
     const std::size_t n_half = half.size();
     const Image image = image_of(static_cast<int>(n_half), half.n_x, half.node_y);
     const std::size_t n = image.source.size();
     Surface whole = std::move(half);
-    auto reflect = [&](std::vector<double>& values, bool odd) {
+    reflect_fields(whole, [&](auto& values, bool odd) {
         if (values.empty()) return;
-        std::vector<double> all(n);
+        auto all = std::remove_reference_t<decltype(values)>(n);
         for (std::size_t i = 0; i < n; ++i) all[i] = values[image.source[i]];
-        if (odd)
-            for (std::size_t i = 0; i < n; ++i) all[i] *= image.sign[i];
+        if constexpr (std::is_arithmetic_v<typename decltype(all)::value_type>)
+            if (odd)
+                for (std::size_t i = 0; i < n; ++i) all[i] *= image.sign[i];
         values = std::move(all);
-    };
-    for (auto* even :
-         {&whole.node_x, &whole.normal_traction, &whole.tangential_traction_x,
-          &whole.friction_bound, &whole.displacement_x, &whole.displacement_z, &whole.gap,
-          &whole.slip_x, &whole.dissipation, &whole.slip_path, &whole.friction_work,
-          &whole.normal_traction_consistent, &whole.tangential_traction_x_consistent})
-        reflect(*even, false);
-    for (auto* odd : {&whole.node_y, &whole.tangential_traction_y, &whole.displacement_y,
-                      &whole.slip_y, &whole.tangential_traction_y_consistent})
-        reflect(*odd, true);
-    std::vector<ContactState> states(n);
-    for (std::size_t i = 0; i < n; ++i) states[i] = whole.contact_state[image.source[i]];
-    whole.contact_state = std::move(states);
+    });
 
     std::vector<int> original(n_half);
     for (std::size_t i = 0; i < n; ++i)

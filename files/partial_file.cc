@@ -74,15 +74,39 @@ bool keep(int descriptor) {
     return ::fstat(descriptor, &status) == 0 && status.st_nlink > 0;
 }
 
+// Gives the file at the target the other name, unless that is taken, and opens it; -1 where that
+// cannot be. A file that has further names is somebody's copy.
+int take_over(const std::string& target, const std::string& path) {
+    struct stat status {};
+    if (::lstat(target.c_str(), &status) != 0 || !S_ISREG(status.st_mode) || status.st_nlink != 1)
+        return -1;
+    if (::renameat2(AT_FDCWD, target.c_str(), AT_FDCWD, path.c_str(), RENAME_NOREPLACE) != 0)
+        return -1;
+    const int descriptor = ::open(path.c_str(), O_WRONLY | O_NONBLOCK | O_NOFOLLOW | O_CLOEXEC);
+    if (descriptor < 0) ::unlink(path.c_str());  // it may be replaced, if not written
+    return descriptor;
+}
+
+// Ends a file where the descriptor stands.
+void cut(int descriptor) {
+    const off_t end = ::lseek(descriptor, 0, SEEK_CUR);
+    struct stat status {};
+    if (end < 0 || ::fstat(descriptor, &status) != 0) fail(errno);
+    if (status.st_size > end && ::ftruncate(descriptor, end) != 0) fail(errno);
+}
+
 }  // namespace
 
-PartialFile::PartialFile(std::string target, const std::string& ending)
+PartialFile::PartialFile(std::string target, const std::string& ending, OldFile old)
     : target_(std::move(target)) {
     int number = 0;
     while (descriptor_ < 0) {
         path_ = path_of(target_, number, ending);
+        if (old == OldFile::is_overwritten) descriptor_ = take_over(target_, path_);
+        is_overwriting_ = descriptor_ >= 0;
         // 0666 less the umask: the mode of any new file.
-        descriptor_ = ::open(path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+        if (descriptor_ < 0)
+            descriptor_ = ::open(path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
         if (descriptor_ >= 0 && !keep(descriptor_))
             ::close(std::exchange(descriptor_, -1));
         else if (descriptor_ < 0 && (errno != EEXIST || number == most_writers))
@@ -108,6 +132,7 @@ void write_all(int descriptor, std::string_view bytes) {
 
 // The lock goes with the descriptor, so the file has its final name before it is closed.
 void PartialFile::move_to_target(bool synced) {
+    if (is_overwriting_) cut(descriptor_);
     if (synced && ::fsync(descriptor_) != 0) fail(errno);
     if (std::rename(path_.c_str(), target_.c_str()) != 0) fail(errno);
     path_.clear();

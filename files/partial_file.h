@@ -8,6 +8,10 @@ namespace tricontact::files {
 /// Writes all of the bytes to where the descriptor stands. Throws std::system_error.
 void write_all(int descriptor, std::string_view bytes);
 
+/// What becomes of the file that stands at a target: it stays until the new one takes its place, or
+/// its space is written over, which costs less than making a file and removing another.
+enum class OldFile { stays, is_overwritten };
+
 /// A file on its way: under a name of its own beside `target`, locked while it is written, moved
 /// onto the target when it is whole, removed when it does not get there. What a killed process
 /// leaves has no lock any more: the next one that writes the same target removes it, and so does
@@ -15,7 +19,8 @@ void write_all(int descriptor, std::string_view bytes);
 class PartialFile {
   public:
     /// `ending` of the temporary name, for programs that go by it: ".msh".
-    explicit PartialFile(std::string target, const std::string& ending = {});
+    explicit PartialFile(std::string target, const std::string& ending = {},
+                         OldFile old = OldFile::stays);
     ~PartialFile();
     PartialFile(const PartialFile&) = delete;
     PartialFile& operator=(const PartialFile&) = delete;
@@ -32,6 +37,7 @@ class PartialFile {
     std::string target_, path_;
     int descriptor_ = -1;
     bool is_first_ = true;
+    bool is_overwriting_ = false;
 };
 
 /// Waits until the first process that writes the target has moved or removed its file, or has

@@ -140,6 +140,13 @@ FigureAxis filled(FigureAxis axis, const std::vector<double>& values) {
     return axis;
 }
 
+/// Lines of equal value that have as many points would be joined to a net: two empty lines between
+/// them, not one, make them strangers.
+constexpr const char* lines_apart =
+    "set print $apart\n"
+    "do for [k=1:|$lines|] { print $lines[k]; if (strlen($lines[k]) < 2) { print '' } }\n"
+    "set print\n";
+
 Picture map_picture(Figure figure, const PictureLayout& layout) {
     // Around the frame [CSS pixels]: labels of the axes, the bar of colours, the key.
     constexpr int left = 84, right = 116, foot = 70, head = 16;
@@ -154,7 +161,7 @@ Picture map_picture(Figure figure, const PictureLayout& layout) {
     if (has_values) {
         parts.plots.emplace_back("$map using 1:2:3 with pm3d notitle");
         parts.plots.emplace_back(
-            "$lines using 1:2:(0) with lines linewidth 0.7 linecolor rgb '#1a1a1a' notitle");
+            "$apart using 1:2:(0) with lines linewidth 0.7 linecolor rgb '#1a1a1a' notitle");
     }
     add_curves(figure.curves, styles, true, true, parts);
     const auto length = [](const FigureAxis& axis) { return std::abs(*axis.high - *axis.low); };
@@ -170,8 +177,8 @@ Picture map_picture(Figure figure, const PictureLayout& layout) {
         grid_data(map) + parts.data + plot_style() + axes(figure) +
             (has_values ? fmt::format("set contour base\nset cntrparam levels {}\nunset "
                                       "surface\nset table $lines\nsplot $map using 1:2:3\n"
-                                      "unset table\nset surface\nunset contour\n",
-                                      levels)
+                                      "unset table\nset surface\nunset contour\n{}",
+                                      levels, lines_apart)
                         : "") +
             fmt::format("set border 15\nunset grid\nset pm3d map interpolate 2,2\n{}"
                         "set lmargin at screen {:.4g}\nset rmargin at screen {:.4g}\n"

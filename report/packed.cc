@@ -13,7 +13,7 @@ std::string packed(std::string_view bytes) {
     std::string stream(size, '\0');
     const int code =
         compress2(reinterpret_cast<Bytef*>(stream.data()), &size,
-                  reinterpret_cast<const Bytef*>(bytes.data()), bytes.size(), Z_BEST_COMPRESSION);
+                  reinterpret_cast<const Bytef*>(bytes.data()), bytes.size(), Z_DEFAULT_COMPRESSION);
     if (code != Z_OK) throw std::runtime_error("zlib: error " + std::to_string(code));
     return base64({stream.data(), size});
 }

@@ -73,9 +73,9 @@ void add_body(const contact::Case& c, report::Player& player) {
 ContactFilm::ContactFilm(const contact::Case& c)
     : is_path_(c.prescribed_path.has_value()), direction_(contact::path_direction(c)) {}
 
-std::optional<Shot> ContactFilm::shot_of(const StepRecord& record, const contact::Model& model,
+std::optional<Shot> ContactFilm::shot_of(const StepRecord& record, const SurfaceOfStep& surface_of,
                                          const contact::Progress& progress) {
-    Surface surface = model.surface();
+    Surface surface = surface_of();
     is_playable_ = surface.size() <= most_points;
     if (!is_playable_) return {};
     is_springs_ = surface.layout == Surface::Layout::line;
@@ -91,33 +91,33 @@ std::optional<Shot> ContactFilm::shot_of(const StepRecord& record, const contact
     return shot;
 }
 
-void ContactFilm::keep(ShotRow& row, const StepRecord& record, const contact::Model& model,
+void ContactFilm::keep(ShotRow& row, const StepRecord& record, const SurfaceOfStep& surface,
                        const contact::Progress& progress) {
     if (!row.wants(is_path_ ? progress.step == progress.steps_at_most : progress.quarter)) return;
-    if (auto shot = shot_of(record, model, progress)) row.add(std::move(*shot));
+    if (auto shot = shot_of(record, surface, progress)) row.add(std::move(*shot));
 }
 
-void ContactFilm::add(const StepRecord& record, const contact::Model& model,
+void ContactFilm::add(const StepRecord& record, const SurfaceOfStep& surface,
                       const contact::Progress& progress) {
     if (progress.step == 1) {  // all before is void
         pressed_.reset(), loaded_.reset(), resampling_.reset();
         first_ = recent_ = {};
     }
     if (!is_playable_) return;
-    if (is_path_) return keep(first_, record, model, progress);
+    if (is_path_) return keep(first_, record, surface, progress);
     if (record.phase == 0) {
-        auto shot = shot_of(record, model, progress);
+        auto shot = shot_of(record, surface, progress);
         if (!shot) return;
         const bool is_loaded = record.tangential_force[0] != 0 || record.tangential_force[1] != 0;
         shot->label = is_loaded ? "loaded" : "pressed";
         (is_loaded ? loaded_ : pressed_) = std::move(shot);
         return;
     }
-    if (record.phase <= 1) return keep(first_, record, model, progress);
+    if (record.phase <= 1) return keep(first_, record, surface, progress);
     const double period = std::ceil(record.phase - 1e-9);  // phases are sums of rounded fractions
     if (period != recent_period_) recent_.clear();
     recent_period_ = period;
-    keep(recent_, record, model, progress);
+    keep(recent_, record, surface, progress);
 }
 
 void ContactFilm::add_section(const contact::Subsurface& section, int step) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -16,8 +17,9 @@ class ContactFilm {
   public:
     explicit ContactFilm(const contact::Case& c);
 
-    /// After each step.
-    void add(const contact::StepRecord& record, const contact::Model& model,
+    /// After each step, with a way to its surface, which is asked for where it may be played.
+    using SurfaceOfStep = std::function<contact::Surface()>;
+    void add(const contact::StepRecord& record, const SurfaceOfStep& surface,
              const contact::Progress& progress);
     /// A section through the inside in the state after `step` steps.
     void add_section(const contact::Subsurface& section, int step);
@@ -27,9 +29,9 @@ class ContactFilm {
     std::optional<report::Film> film(const contact::History& history, int style) const;
 
   private:
-    std::optional<Shot> shot_of(const contact::StepRecord& record, const contact::Model& model,
+    std::optional<Shot> shot_of(const contact::StepRecord& record, const SurfaceOfStep& surface,
                                 const contact::Progress& progress);
-    void keep(ShotRow& row, const contact::StepRecord& record, const contact::Model& model,
+    void keep(ShotRow& row, const contact::StepRecord& record, const SurfaceOfStep& surface,
               const contact::Progress& progress);
     std::vector<const Shot*> chosen() const;
 

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <filesystem>
@@ -147,9 +148,17 @@ std::vector<InputLog::File> InputLog::files() const {
 }
 
 bool is_input_file(const std::string& path) {
-    const std::string real = canonical(path);
     const std::scoped_lock lock(inputs_of_process().mutex);
-    return !real.empty() && inputs_of_process().paths.contains(real);
+    const auto& inputs = inputs_of_process().paths;
+    // Most are told by their names: finding the way to a file costs more than making it.
+    const auto name = std::filesystem::path(path).filename();
+    std::error_code ignored;
+    const bool has_name = std::ranges::any_of(inputs, [&](const std::string& input) {
+        return std::filesystem::path(input).filename() == name;
+    });
+    if (!has_name && !std::filesystem::is_symlink(path, ignored)) return false;
+    const std::string real = canonical(path);
+    return !real.empty() && inputs.contains(real);
 }
 
 std::string read_input_file(const std::string& path, std::string_view what, std::size_t most_mb) {

@@ -20,13 +20,14 @@ namespace {
 namespace fs = std::filesystem;
 
 enum class Kept { no, unsynced, synced };
+using files::OldFile;
 
 // Writes the file; `blamed` and `what` begin the message of any failure: "<blamed>: <what> (Disk
 // full)".
 void write_or_refuse(const std::string& path, std::string_view bytes, const std::string& blamed,
-                     const char* what, Kept kept) {
+                     const char* what, Kept kept, OldFile old = OldFile::stays) {
     try {
-        files::PartialFile file(path);
+        files::PartialFile file(path, {}, old);
         file.write(bytes);
         if (kept != Kept::no) file.move_to_target(kept == Kept::synced);
     } catch (const std::system_error& error) {
@@ -42,11 +43,12 @@ const char* kind_of(fs::file_type type) {
                             : "is a device, not a regular file";
 }
 
-void write_checked(const std::string& path, std::string_view bytes, Kept kept) {
+void write_checked(const std::string& path, std::string_view bytes, Kept kept,
+                   OldFile old = OldFile::stays) {
     if (fs::path(path).filename().empty())
         fail(path, "", "names no file to write", "add a file name");
     check_replaceable(path);
-    write_or_refuse(path, bytes, path, "cannot be written", kept);
+    write_or_refuse(path, bytes, path, "cannot be written", kept, old);
 }
 
 // The drawing goes last: a removal that is interrupted is made up for.
@@ -76,6 +78,17 @@ void write_file(const std::string& path, std::string_view bytes) {
 
 void write_unsynced(const std::string& path, std::string_view bytes) {
     write_checked(path, bytes, Kept::unsynced);
+}
+
+void write_over(const std::string& path, std::string_view bytes) {
+    write_checked(path, bytes, Kept::unsynced, OldFile::is_overwritten);
+}
+
+void remove_file(const std::string& path) {
+    check_replaceable(path);
+    std::error_code error;
+    fs::remove(path, error);
+    if (error) refuse_output(path, "cannot be replaced", error.value());
 }
 
 void sync_files(const std::string& folder) {

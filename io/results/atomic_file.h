@@ -12,9 +12,15 @@ namespace tricontact::io {
 /// system's reason and a remedy.
 void write_file(const std::string& path, std::string_view bytes);
 /// The same but for the fsync, for files of a series: whole whenever the process ends, but on the
-/// disk after `sync_files` of their folder only. Both throw contact::InputError.
+/// disk after `sync_files` of their folder only. All throw contact::InputError.
 void write_unsynced(const std::string& path, std::string_view bytes);
+/// As write_unsynced for a file to which nothing refers any more: none stands there meanwhile.
+void write_over(const std::string& path, std::string_view bytes);
 void sync_files(const std::string& folder);
+
+/// Removes a file that is to be written anew. Refuses what check_replaceable does; throws
+/// contact::InputError also if it stays.
+void remove_file(const std::string& path);
 
 /// Makes the folder (with parents) if it is missing and proves that a file can be written there.
 /// Throws contact::InputError if it is a file, or cannot be made or written to.

@@ -49,9 +49,10 @@ void add_fields(VtkXml& xml, const Surface& s) {
     xml.add_scalar("dissipation_J_per_m2", s.dissipation, n);
     xml.add_scalar("slip_path_m", s.slip_path, n);
     xml.add_scalar("friction_work_J_per_m2", s.friction_work, n);
-    std::vector<std::uint8_t> states;
-    for (const auto state : s.contact_state) states.push_back(static_cast<std::uint8_t>(state));
-    xml.add_bytes("contact_state", states, n);
+    static_assert(sizeof(contact::ContactState) == 1);
+    xml.add_bytes(
+        "contact_state",
+        {reinterpret_cast<const std::uint8_t*>(s.contact_state.data()), s.contact_state.size()}, n);
 }
 
 // The state that has the largest share of each element, by Simpson's weights of its nodes.
@@ -167,6 +168,7 @@ void add_point_fields(VtkXml& xml, const Interior& interior, std::size_t n) {
     xml.add_vector("displacement_m", interior.displacement, n);
     xml.add_tensor("stress_Pa", interior.stress, n);
     std::vector<double> mises, pressure;
+    mises.reserve(n), pressure.reserve(n);
     for (const auto& stress : interior.stress) {
         mises.push_back(contact::von_mises(stress));
         pressure.push_back(contact::mean_pressure(stress));
@@ -257,10 +259,10 @@ VtkFile vtk_file(const Instant& instant, const Surface& surface, const Provenanc
 
 VtkFile vtk_file(const Instant& instant, const Interior& interior, const Provenance& provenance) {
     if (!interior.is_grid()) {
-        VtkXml xml("UnstructuredGrid", {}, Compression::small);
+        VtkXml xml("UnstructuredGrid", {}, Compression::quick);
         return file_of(xml, instant, interior, provenance, write_elements);
     }
-    VtkXml xml("RectilinearGrid", {{"WholeExtent", extent_of(interior)}}, Compression::small);
+    VtkXml xml("RectilinearGrid", {{"WholeExtent", extent_of(interior)}}, Compression::quick);
     return file_of(xml, instant, interior, provenance, write_grid);
 }
 

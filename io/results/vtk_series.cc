@@ -50,9 +50,11 @@ std::vector<double> times_apart(const std::vector<double>& times) {
     return apart;
 }
 
+// The collection of an earlier run goes first: it lists files that are written over.
 void VtkSeries::add(double time, const VtkFile& file) {
     const std::string name = fmt::format("{}_{:06}{}", name_, files_.size(), file.extension);
-    write_unsynced(path_of(name), file.bytes);
+    if (files_.empty()) remove_file(path_of(name_ + ".pvd"));
+    write_over(path_of(name), file.bytes);
     last_size_ = file.bytes.size();
     files_.push_back(name);
     add_again(time, files_.size() - 1);

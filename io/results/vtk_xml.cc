@@ -34,7 +34,9 @@ std::size_t append_compressed(std::string& out, std::span<const char> bytes,
     if (compression == Compression::quick) {
         const int n = static_cast<int>(bytes.size()), space = LZ4_compressBound(n);
         out.resize(used + static_cast<std::size_t>(space));
-        size = static_cast<std::size_t>(LZ4_compress_default(bytes.data(), &out[used], n, space));
+        constexpr int acceleration = 8;  // half the time of 1; a fifth more of a surface
+        size = static_cast<std::size_t>(
+            LZ4_compress_fast(bytes.data(), &out[used], n, space, acceleration));
     } else {
         constexpr int level = 1;  // the others take twice the time for 4 % of the size
         uLongf space = ::compressBound(bytes.size());
@@ -47,15 +49,6 @@ std::size_t append_compressed(std::string& out, std::span<const char> bytes,
     if (size == 0) throw std::bad_alloc();
     out.resize(used + size);
     return size;
-}
-
-template <std::size_t N>
-void copy_into(std::vector<float>& field, std::string_view name,
-               std::span<const std::array<double, N>> values, std::size_t n) {
-    check_size(name, values.size(), n);
-    field.resize(N * n);
-    auto out = field.begin();
-    for (const auto& value : values) out = std::copy(value.begin(), value.end(), out);
 }
 
 }  // namespace
@@ -110,8 +103,9 @@ void VtkXml::add_provenance(const Provenance& provenance) {
 void VtkXml::add_scalar(std::string_view name, std::span<const double> values, std::size_t n) {
     if (values.empty()) return;
     check_size(name, values.size(), n);
-    field_.assign(values.begin(), values.end());
-    add_field(name, 1);
+    const std::span<float> field = room(n);
+    std::ranges::copy(values, field.begin());
+    add_field(name, 1, field);
 }
 
 void VtkXml::add_vector(std::string_view name,
@@ -119,32 +113,33 @@ void VtkXml::add_vector(std::string_view name,
                         double z_sign) {
     for (const auto& component : components)
         if (!component.empty()) check_size(name, component.size(), n);
-    const auto value = [&](std::size_t k, std::size_t i) {
-        return components[k].empty() ? 0 : components[k][i];
-    };
-    field_.resize(3 * n);
-    for (std::size_t i = 0; i < n; ++i) {
-        field_[3 * i] = static_cast<float>(value(0, i));
-        field_[3 * i + 1] = static_cast<float>(value(1, i));
-        field_[3 * i + 2] = static_cast<float>(z_sign * value(2, i));
+    const std::span<float> field = room(3 * n);
+    for (std::size_t k = 0; k < 3; ++k) {
+        const std::span<const double> values = components[k];
+        const double sign = k == 2 ? z_sign : 1;
+        if (values.empty())
+            for (std::size_t i = 0; i < n; ++i) field[3 * i + k] = 0;
+        else
+            for (std::size_t i = 0; i < n; ++i)
+                field[3 * i + k] = static_cast<float>(sign * values[i]);
     }
-    add_field(name, 3);
+    add_field(name, 3, field);
 }
 
 void VtkXml::add_vector(std::string_view name, std::span<const std::array<double, 3>> values,
                         std::size_t n) {
-    copy_into(field_, name, values, n);
-    add_field(name, 3);
+    check_size(name, values.size(), n);
+    add_field(name, 3, flat(values));
 }
 
 void VtkXml::add_tensor(std::string_view name, std::span<const std::array<double, 6>> values,
                         std::size_t n) {
-    copy_into(field_, name, values, n);
+    check_size(name, values.size(), n);
     std::string names;
     int k = 0;
     for (const char* component : {"XX", "YY", "ZZ", "XY", "YZ", "XZ"})
         names += fmt::format(" ComponentName{}=\"{}\"", k++, component);
-    add_field(name, 6, names);
+    add_field(name, 6, flat(values), names);
 }
 
 void VtkXml::add_bytes(std::string_view name, std::span<const std::uint8_t> values, std::size_t n) {
@@ -169,6 +164,7 @@ void VtkXml::add_cells(std::span<const std::int64_t> points, std::span<const std
 
 VtkFile VtkXml::file() {
     while (open_.size() > 1) end();
+    head_.reserve(head_.size() + blocks_.size() + 100);
     head_ += "  <AppendedData encoding=\"raw\">\n   _";
     head_ += blocks_;
     head_ += "\n  </AppendedData>\n";
@@ -176,9 +172,22 @@ VtkFile VtkXml::file() {
     return {extension_, std::move(head_)};
 }
 
-void VtkXml::add_field(std::string_view name, int n_components, std::string_view attributes) {
-    add_array("Float32", name, n_components, attributes, field_.data(),
-              field_.size() * sizeof(float));
+std::span<float> VtkXml::room(std::size_t n) {
+    if (field_.size() < n) field_.resize(n);
+    return {field_.data(), n};
+}
+
+template <std::size_t N>
+std::span<const float> VtkXml::flat(std::span<const std::array<double, N>> values) {
+    const std::span<float> field = room(N * values.size());
+    auto out = field.begin();
+    for (const auto& value : values) out = std::ranges::copy(value, out).out;
+    return field;
+}
+
+void VtkXml::add_field(std::string_view name, int n_components, std::span<const float> field,
+                       std::string_view attributes) {
+    add_array("Float32", name, n_components, attributes, field.data(), field.size_bytes());
 }
 
 void VtkXml::add_array(std::string_view type, std::string_view name, int n_components,

@@ -38,9 +38,8 @@ Loads some_loads(int n_x, int n_y, double spacing) {
     return loads;
 }
 
-// The sum over cells, one by one.
-TEST(GridInterior, IsTheSumOverAllCells) {
-    const Loads loads = some_loads(9, 6, h);
+/// The fields are the sum over cells, one by one.
+void expect_sum_over_cells(const Loads& loads) {
     const std::vector<double> depths{0, .4e-3, 2e-3};
     const InteriorView view{
         InteriorBody(theory::LayerStack{{{rubber, 3e-3}}, theory::LayerBase::bonded, {}}), depths,
@@ -67,6 +66,28 @@ TEST(GridInterior, IsTheSumOverAllCells) {
         for (int c = 0; c < 6; ++c)
             EXPECT_NEAR(fields.stress[k][c], (c >= 4 ? -1 : 1) * due.stress[c][0], 1e-11 * 1e5);
     }
+}
+
+TEST(GridInterior, IsTheSumOverAllCells) {
+    expect_sum_over_cells(some_loads(9, 6, h));
+}
+
+// Periods are shorter where edges are free of load, on one side more than on the other.
+TEST(GridInterior, OfALoadBesideTheMiddle) {
+    Loads loads = some_loads(9, 6, h);
+    for (int i = 0; i < 54; ++i)
+        if (i % 9 < 5 || i % 9 > 7 || i / 9 < 1 || i / 9 > 2)
+            loads.p[i] = loads.t.x[i] = loads.t.y[i] = 0;
+    expect_sum_over_cells(loads);
+}
+
+TEST(GridInterior, WithoutLoadNothingMoves) {
+    Loads loads = some_loads(9, 6, h);
+    for (auto* field : {&loads.p, &loads.t.x, &loads.t.y}) std::ranges::fill(*field, 0);
+    const auto fields =
+        grid_interior({InteriorBody(rubber), {0, 1e-3}, 1}, loads.grid, loads.p, loads.t);
+    for (const auto& u : fields.displacement) EXPECT_EQ(u, (std::array<double, 3>{}));
+    for (const auto& stress : fields.stress) EXPECT_EQ(stress, (std::array<double, 6>{}));
 }
 
 // Half the work of the tractions, by the contact's own coefficients.

@@ -4,6 +4,7 @@
 #include <pthread.h>
 
 #include <cmath>
+#include <sstream>
 #include <system_error>
 #include <thread>
 
@@ -113,6 +114,27 @@ TEST(GnuplotFigure, AMapEndsWhereItsValuesDo) {
     EXPECT_TRUE(contains(script, "set xrange [0:2]"));
     EXPECT_TRUE(contains(script, "set yrange [0:1]"));
     EXPECT_TRUE(contains(script, "set ylabel 'y/a'"));
+}
+
+// y^2 = 2: two lines along x with as many points.
+TEST(GnuplotFigure, LinesOfEqualValueAreNotJoined) {
+    Figure figure = map();
+    figure.map = ContourMap{
+        "y^2", {0, 1, 2}, {-2, -1, 0, 1, 2}, {4, 4, 4, 1, 1, 1, 0, 0, 0, 1, 1, 1, 4, 4, 4}, {2}};
+    const std::string svg = draw_all({figure}).front().svg;
+    const std::string line = "stroke='rgb( 26,  26,  26)'  d='";
+    int n_lines = 0;
+    for (auto at = svg.find(line); at != std::string::npos; at = svg.find(line, at)) {
+        at += line.size();
+        std::istringstream path(svg.substr(at, svg.find('\'', at) - at));
+        std::string point, height;
+        while (path >> point) {  // "M74.96,341.73", then "L290.57,341.73"
+            const std::string here = point.substr(point.find(',') + 1);
+            if (point.front() == 'M') ++n_lines, height = here;
+            EXPECT_EQ(here, height);
+        }
+    }
+    EXPECT_EQ(n_lines, 2);
 }
 
 // Where the system gives no further thread - here none whose stack is larger than all addresses -

@@ -45,7 +45,8 @@ Played played(const contact::Case& c) {
     ContactFilm film(c);
     result.history =
         contact::run(c, *model, [&](const auto& record, auto& state, const auto& progress) {
-            film.add(record, state, progress);
+            film.add(
+                record, [&] { return state.surface(); }, progress);
             result.last = state.surface();
         });
     result.film = film.film(result.history, 1);
@@ -119,7 +120,8 @@ TEST(ContactFilm, LinesOfSprings) {
     std::size_t n_stick = 0;
     const auto history =
         contact::run(c, *model, [&](const auto& record, auto& state, const auto& progress) {
-            film.add(record, state, progress);
+            film.add(
+                record, [&] { return state.surface(); }, progress);
             n_stick = static_cast<std::size_t>(
                 std::ranges::count(state.contact_states(), ContactState::stick));
         });
@@ -186,7 +188,8 @@ TEST(ContactFilm, SectionsAreTheStresses) {
         for (const double x : section.x) section.stress.push_back({0, 0, stress(x, -z), 0, 0, 0});
     const auto history =
         contact::run(c, *model, [&](const auto& record, auto& state, const auto& progress) {
-            film.add(record, state, progress);
+            film.add(
+                record, [&] { return state.surface(); }, progress);
             if (record.phase == 3) film.add_section(section, progress.step);
         });
     const report::Film made = *film.film(history, 0);
@@ -219,7 +222,8 @@ TEST(ContactFilm, LongPeriodsAreThinned) {
     ContactFilm film(c);
     const auto history =
         contact::run(c, *model, [&](const auto& record, auto& state, const auto& progress) {
-            film.add(record, state, progress);
+            film.add(
+                record, [&] { return state.surface(); }, progress);
         });
     const auto line = film.film(history, 0);
     ASSERT_TRUE(line);

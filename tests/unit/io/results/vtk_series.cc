@@ -181,6 +181,25 @@ TEST_F(Vtk, TheCollectionListsFilesByPhase) {
               "</VTKFile>\n");
 }
 
+// A rerun writes over the files; what it has not come to is listed no more.
+TEST_F(Vtk, ARerunGivesTheSameFiles) {
+    const Surface large = surface_of(Surface::Layout::grid, 64, 48);
+    const Surface small = surface_of(Surface::Layout::grid, 5, 4);
+    VtkSeries before = series("surface"), other = series("other");
+    for (const double time : {0., 1., 2.}) before.add(time, large);
+    before.finish();
+    VtkSeries rerun = series("surface");
+    for (auto* out : {&rerun, &other}) {
+        out->add(0, small);
+        out->add(1, large);
+    }
+    rerun.finish();
+    for (const std::string number : {"0", "1"})
+        EXPECT_EQ(content("surface_00000" + number + ".vti"),
+                  content("other_00000" + number + ".vti"));
+    EXPECT_EQ(content("surface.pvd").find("surface_000002"), std::string::npos);
+}
+
 // A body that comes back to a place, in any period, is in the file of that place.
 TEST_F(Vtk, TheIndenterHasAFileForEachPlace) {
     const IndenterShape shape(contact::Paraboloid(0.04), {.radius = 0.005});
