@@ -138,8 +138,9 @@ Response response_of(const InteriorView& view, const std::array<Side, 2>& sides)
 
 void fill_level(const Response& response, std::size_t level, Problem& problem,
                 std::array<double, 3>& surface_work) {
-    InteriorTransform::Level transform(problem.transform,
-                                       [&](int i, int j) { return response(level, i, j); });
+    const bool square = problem.sides[0].spacing == problem.sides[1].spacing;
+    InteriorTransform::Level transform(
+        problem.transform, [&](int i, int j) { return response(level, i, j); }, square);
     auto& interior = problem.interior;
     for (int c = 0; c < 3; ++c) {
         const double sign = c == 2 ? -1 : 1;

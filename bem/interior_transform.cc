@@ -24,6 +24,20 @@ struct Range {
     int reach(int n) const { return std::max({0, last, n - 1 - first}); }
 };
 
+/// At (y, x), of a body for which x and y are alike.
+theory::InteriorResponse with_axes_swapped(const theory::InteriorResponse& r) {
+    constexpr std::array<std::size_t, 3> direction{1, 0, 2};
+    constexpr std::array<std::size_t, 6> component{1, 0, 2, 3, 5, 4};  // XX YY ZZ XY YZ XZ
+    theory::InteriorResponse swapped;
+    for (std::size_t load = 0; load < 3; ++load) {
+        for (std::size_t c = 0; c < 3; ++c)
+            swapped.displacement[c][load] = r.displacement[direction[c]][direction[load]];
+        for (std::size_t c = 0; c < 6; ++c)
+            swapped.stress[c][load] = r.stress[component[c]][direction[load]];
+    }
+    return swapped;
+}
+
 bool is_free(const std::vector<double>& traction) {
     return std::ranges::all_of(traction, [](double t) { return t == 0; });
 }
@@ -62,13 +76,20 @@ InteriorTransform::InteriorTransform(int n_x, int n_y,
     }
 }
 
-InteriorTransform::Level::Level(const InteriorTransform& transform, const Influence& influence)
+InteriorTransform::Level::Level(const InteriorTransform& transform, const Influence& influence,
+                                bool square)
     : transform_(transform),
       kernel_(contact::fftw_zeros<FftwReal>(transform.n_real())),
       spectrum_(contact::fftw_zeros<FftwComplex>(transform.n_complex())),
       sum_(contact::fftw_zeros<FftwComplex>(transform.n_complex())) {
+    const int width = transform.reach_x_ + 1;
+    quadrant_.reserve(static_cast<std::size_t>(width) * (transform.reach_y_ + 1));
     for (int j = 0; j <= transform.reach_y_; ++j)
-        for (int i = 0; i <= transform.reach_x_; ++i) quadrant_.push_back(influence(i, j));
+        for (int i = 0; i < width; ++i) {
+            const bool is_known = square && i < j && j < width;
+            quadrant_.push_back(is_known ? with_axes_swapped(quadrant_[i * width + j])
+                                         : influence(i, j));
+        }
     out_.resize(static_cast<std::size_t>(transform.n_x_) * transform.n_y_);
 }
 

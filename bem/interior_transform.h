@@ -21,9 +21,10 @@ class InteriorTransform {
     /// What one depth needs; several may work at a time.
     class Level {
       public:
-        /// Response at i, j >= 0 cells from the loaded one; of isotropic bodies the rest follows.
+        /// Response at i, j >= 0 cells from the loaded one; of isotropic bodies the rest follows,
+        /// with `square` cells also that at j, i.
         using Influence = std::function<theory::InteriorResponse(int i, int j)>;
-        Level(const InteriorTransform& transform, const Influence& influence);
+        Level(const InteriorTransform& transform, const Influence& influence, bool square);
 
         /// Component 0, 1, 2: x, y, into the body [m]; valid until the next call.
         std::span<const double> displacement(int component);

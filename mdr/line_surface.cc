@@ -131,9 +131,11 @@ contact::Surface make_line_surface(const PointRow& row, int n, double position,
     s.contact_state.assign(s.size(), contact::ContactState::open);
     for (int k = 0; k < s.n_x; ++k) {
         const double r = std::abs(s.x(k) - position);
-        const std::vector<double> weights = abel_weights(loads.positions, r);
-        s.normal_traction[k] = back_transform(loads.positions, loads.normal, weights);
-        s.tangential_traction_x[k] = back_transform(loads.positions, loads.tangential, weights);
+        if (r < loads.positions.back()) {
+            const std::vector<double> weights = abel_weights(loads.positions, r);
+            s.normal_traction[k] = back_transform(loads.positions, loads.normal, weights);
+            s.tangential_traction_x[k] = back_transform(loads.positions, loads.tangential, weights);
+        }
         s.friction_bound[k] = friction_coefficient * s.normal_traction[k];
         show(k * stride, k, s);
         s.dissipation[k] = std::abs(s.tangential_traction_x[k] * s.slip_x[k]);
