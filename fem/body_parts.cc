@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "fem/dissection_order.h"
+#include "fem/memory.h"
 #include "fem/mirror_symmetry.h"
 
 namespace tricontact::fem {
@@ -114,6 +115,7 @@ std::vector<BodyPart> parts_of(const Discretisation& body, Elimination eliminati
     } else {
         parts.push_back(whole(body, elimination));
     }
+    trim_freed_memory();  // the analysis leaves many blocks too small to go by themselves
     return parts;
 }
 

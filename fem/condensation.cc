@@ -166,7 +166,6 @@ struct Condensation::Parts {
           n_contact(static_cast<int>(order.size()) - n_eliminated) {
         permute(matrix);
         factor = owned<Factor>(cholmod_l_analyze(stiffness.get(), cholmod.get()), cholmod);
-        return_freed_memory();  // the analysis leaves many blocks too small to go by themselves
     }
 
     // Sets `stiffness`, and children before their parents in `order`. Contact unknowns are a chain
@@ -239,6 +238,17 @@ void Condensation::factorise() {
     const OneThread one_thread;
     cholmod_l_factorize(stiffness.get(), factor.get(), cholmod.get());
     cholmod.check();
+}
+
+void Condensation::forget_factor() {
+    constexpr int ll = 1, supernodal = 1, packed = 1, monotonic = 1;
+    cholmod_l_change_factor(CHOLMOD_PATTERN, ll, supernodal, packed, monotonic,
+                            parts_->factor.get(), parts_->cholmod.get());
+    parts_->cholmod.check();
+}
+
+bool Condensation::is_factorised() const {
+    return parts_->factor->xtype != CHOLMOD_PATTERN;
 }
 
 /// The trailing block of the factor, lower, by columns; the rest zero.

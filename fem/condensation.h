@@ -35,6 +35,8 @@ class Condensation {
     double matrix_bytes() const;  ///< the stiffness, which is there already
     /// Throws std::bad_alloc; contact::NotConverged if the matrix is not positive definite.
     void factorise();
+    void forget_factor();  ///< what was analysed stays
+    bool is_factorised() const;
     /// Displacements of the contact unknowns under unit forces on them [m/N], symmetric, both
     /// triangles filled. After factorise().
     std::vector<double> compliance() const;

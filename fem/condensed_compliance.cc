@@ -100,7 +100,7 @@ const CorrectedBody& CondensedCompliance::corrected() const {
 
 std::unique_ptr<const contact::Interior> CondensedCompliance::interior(
     std::span<const double> p, const TangentialField& t) const {
-    if (!whole_) whole_ = std::make_unique<const WholeBody>(*problem_);
+    if (!whole_) whole_ = std::make_unique<WholeBody>(*problem_);
     const Discretisation& discretisation = whole_->discretisation;
     const auto& unknown = discretisation.unknowns.of_contact;
     const std::size_t n = points().size();

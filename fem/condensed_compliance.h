@@ -22,7 +22,7 @@ class CondensedCompliance final : public DenseCompliance {
     std::optional<std::array<double, 3>> missing_reaction(
         std::span<const double> p, const contact::TangentialField& t) const override;
     double allowed_missing_reaction() const override;
-    /// Factorises the whole body when first asked for: as long as a condensation.
+    /// Factorises the whole body, see WholeBody.
     std::unique_ptr<const contact::Interior> interior(
         std::span<const double> p, const contact::TangentialField& t) const override;
 
@@ -35,7 +35,7 @@ class CondensedCompliance final : public DenseCompliance {
     std::shared_ptr<const LayerProblem> problem_;
     SparseMatrix mass_;
     std::array<std::vector<double>, 3> missing_reaction_;  // see CondensedLayer
-    mutable std::unique_ptr<const WholeBody> whole_;
+    mutable std::unique_ptr<WholeBody> whole_;
     mutable std::unique_ptr<const CorrectedBody> corrected_;
     mutable std::unique_ptr<SurfaceMass> surface_mass_;
 };

@@ -166,6 +166,7 @@ double CondensedLayer::reaction_error() const {
 
 CondensedLayer condense(const LayerProblem& problem) {
     const double available = available_bytes();
+    const FreedMemoryStays stays;
     try {
         return condense_discretised(Discretisation(problem));
     } catch (const std::bad_alloc&) {  // not even the matrix fitted, or others took the memory

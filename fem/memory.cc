@@ -3,6 +3,7 @@
 #include <malloc.h>
 
 #include <cstdlib>
+#include <limits>
 
 #include "contact/freed_memory.h"
 
@@ -15,6 +16,18 @@ void return_freed_memory() {
     mallopt(M_MMAP_MAX, most_mapped_blocks);
     contact::keep_freed_memory();
     malloc_trim(0);
+}
+
+void trim_freed_memory() {
+    malloc_trim(0);
+}
+
+FreedMemoryStays::FreedMemoryStays() {
+    mallopt(M_MMAP_MAX, 0);  // blocks of their own go at once
+    mallopt(M_TRIM_THRESHOLD, std::numeric_limits<int>::max());
+}
+FreedMemoryStays::~FreedMemoryStays() {
+    return_freed_memory();
 }
 
 void* allocate_in_large_pages(std::size_t bytes) {

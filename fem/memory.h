@@ -17,6 +17,19 @@ double blas_buffer_bytes();
 /// malloc() on large pages, for CHOLMOD: small ones took a third of a condensation's time.
 void* allocate_in_large_pages(std::size_t bytes);
 
+/// What was freed by now goes back to the system.
+void trim_freed_memory();
+
+/// While it lives freed memory stays for the next large block: memory that is touched for the first
+/// time costs as much as what is computed in it.
+class FreedMemoryStays {
+  public:
+    FreedMemoryStays();
+    ~FreedMemoryStays();
+    FreedMemoryStays(const FreedMemoryStays&) = delete;
+    FreedMemoryStays& operator=(const FreedMemoryStays&) = delete;
+};
+
 /// Lets freed memory go back to the system: a library that comes with deal.II (SuperLU_DIST) turns
 /// that off for the whole process when it is loaded.
 void return_freed_memory();

@@ -5,22 +5,29 @@
 
 #include "fem/body_parts.h"
 #include "fem/discretisation.h"
+#include "fem/memory.h"
 
 namespace tricontact::fem {
 
-/// All of a layer: its discretisation and the factors of its stiffness. Made as long as a
-/// condensation; throws contact::InputError, contact::NotConverged, std::bad_alloc.
+/// All of a layer: its discretisation and its stiffness, analysed. Throws contact::InputError,
+/// std::bad_alloc.
 class WholeBody {
   public:
     explicit WholeBody(const LayerProblem& problem)
-        : discretisation(problem), parts_(parts_of(discretisation, Elimination::cheapest)) {
-        for (BodyPart& part : parts_) part.condensation.factorise();
-    }
+        : discretisation(problem), parts_(parts_of(discretisation, Elimination::cheapest)) {}
 
-    /// Displacements [m] under the forces [N] on all unknowns.
-    std::vector<double> displacement(std::span<const double> forces) const {
+    /// Displacements [m] under the forces [N] on all unknowns. Most bodies are asked once: factors
+    /// are kept from the second time on. Until then it takes as long as a condensation; throws
+    /// contact::NotConverged, std::bad_alloc.
+    std::vector<double> displacement(std::span<const double> forces) {
+        const FreedMemoryStays stays;
         std::vector<double> sum(forces.size(), 0.);
-        for (const BodyPart& part : parts_) part.add_displacement(forces, sum);
+        for (BodyPart& part : parts_) {
+            if (!part.condensation.is_factorised()) part.condensation.factorise();
+            part.add_displacement(forces, sum);
+            if (!was_asked_) part.condensation.forget_factor();
+        }
+        was_asked_ = true;
         return sum;
     }
 
@@ -28,6 +35,7 @@ class WholeBody {
 
   private:
     std::vector<BodyPart> parts_;
+    bool was_asked_ = false;
 };
 
 /// All of a layer, for corrections.

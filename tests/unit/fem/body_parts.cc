@@ -68,7 +68,7 @@ void expect_condensed(const fem::LayerProblem& problem) {
 
 // Forces on all unknowns, of no symmetry.
 void expect_solved(const fem::LayerProblem& problem) {
-    const fem::WholeBody body(problem);
+    fem::WholeBody body(problem);
     std::vector<double> forces(body.discretisation.unknowns.n);
     for (std::size_t u = 0; u < forces.size(); ++u)
         forces[u] = std::sin(static_cast<double>(u * u) + .5);
@@ -80,6 +80,8 @@ void expect_solved(const fem::LayerProblem& problem) {
         size = std::hypot(size, expected[u]);
     }
     EXPECT_LT(off, rounding * size);
+    EXPECT_EQ(body.displacement(forces), found);  // factors are kept or not
+    EXPECT_EQ(body.displacement(forces), found);
 }
 
 std::vector<fem::BodyPart> parts_of(const Discretisation& layer) {
