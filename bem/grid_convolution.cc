@@ -6,6 +6,8 @@
 #include <cmath>
 #include <cstring>
 
+#include "contact/solvers/blocks.h"
+
 namespace tricontact::bem {
 
 namespace {
@@ -262,10 +264,10 @@ GridConvolution::Symbol fourier_coefficients(int period_x, int period_y,
     return result;
 }
 
-GridConvolution::Symbol2 inverse(GridConvolution::Symbol2 symbol) {
-    for (std::size_t k = 0; k < symbol.xx.size(); ++k) {
+GridConvolution::Symbol2 inverse(GridConvolution::Symbol2 symbol, int n_threads) {
+    contact::Blocks(symbol.xx.size(), n_threads).for_points([&](std::size_t k) {
         double &xx = symbol.xx[k], &xy = symbol.xy[k], &yy = symbol.yy[k];
-        if (xx == 0 && yy == 0) continue;  // padding of the spectrum's rows
+        if (xx == 0 && yy == 0) return;  // padding of the spectrum's rows
         if (!(xx > 0 && yy > 0 && xx * yy > xy * xy)) {
             xx = std::abs(xx);
             yy = std::abs(yy);
@@ -275,7 +277,7 @@ GridConvolution::Symbol2 inverse(GridConvolution::Symbol2 symbol) {
         xx = yy / determinant;
         yy = old_xx / determinant;
         xy = -xy / determinant;
-    }
+    });
     return symbol;
 }
 

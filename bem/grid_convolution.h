@@ -116,6 +116,6 @@ GridConvolution::Symbol fourier_coefficients(int period_x, int period_y,
                                              GridConvolution::Parity parity, int n_threads);
 
 /// Inverse matrix per wave vector; where a truncated kernel is not positive definite, its diagonal.
-GridConvolution::Symbol2 inverse(GridConvolution::Symbol2 symbol);
+GridConvolution::Symbol2 inverse(GridConvolution::Symbol2 symbol, int n_threads = 1);
 
 }  // namespace tricontact::bem

@@ -114,7 +114,8 @@ bool covers(const contact::Compliance& compliance, const contact::Case& c,
             const contact::Vector2& extent, bool with_friction) {
     contact::NormalControl hardest = contact::press_step(c).normal;
     hardest.value *= contact::crest_factor(c) * (compliance.is_coupled() ? harder_if_coupled : 1);
-    const auto height = heights_over(compliance.points(), *indenter, extent);
+    const auto height =
+        heights_over(compliance.points(), *indenter, extent, compliance.n_threads());
     const auto probe = contact::NormalSolver(compliance, probe_tolerance).solve(height, hardest);
     if (c.indenter.roughness && !is_clear_of_edge(compliance.points(), height, probe.indentation))
         return false;

@@ -42,4 +42,18 @@ inline std::vector<double> large_field(std::size_t n) {
     return field;
 }
 
+/// A copy, on large pages where it is new memory.
+inline void copy_large(const std::vector<double>& from, std::vector<double>& to) {
+    if (to.capacity() < from.size()) {
+        to = {};
+        reserve_large(to, from.size());
+    }
+    to.assign(from.begin(), from.end());
+}
+inline std::vector<double> large_copy(const std::vector<double>& field) {
+    std::vector<double> copy;
+    copy_large(field, copy);
+    return copy;
+}
+
 }  // namespace tricontact::contact

@@ -9,7 +9,7 @@
 #include "contact/memory.h"
 #include "contact/solvers/blocks.h"
 #include "contact/solvers/grid_transfer.h"
-#include "contact/solvers/normal_sums.h"
+#include "contact/solvers/point_sums.h"
 #include "contact/special_values.h"
 
 namespace tricontact::contact {
