@@ -209,13 +209,12 @@ std::unique_ptr<const contact::ActiveOperator> GridCompliance::among(
                                                n_threads_worth(n_cells, n_threads_)));
 }
 
-std::vector<contact::SurfaceField> GridCompliance::displacements(
-    const std::vector<const GridCompliance*>& bodies, const contact::SurfaceField& t) {
+void GridCompliance::displacements(const std::vector<const GridCompliance*>& bodies,
+                                   const contact::SurfaceField& t,
+                                   std::span<contact::SurfaceField> u) {
     ConvolvedProducts::Bodies products;
     for (const GridCompliance* body : bodies) products.push_back(body->products_.get());
-    std::vector<contact::SurfaceField> u(bodies.size(), contact::SurfaceField(t.down.size()));
     products.front()->displacements(products, t, u);
-    return u;
 }
 
 InfluenceTable GridCompliance::influence() const {

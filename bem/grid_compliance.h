@@ -68,10 +68,10 @@ class GridCompliance final : public ConvolvedCompliance {
     /// Products on the smallest box around them, where it is much smaller than the grid.
     std::unique_ptr<const contact::ActiveOperator> among(
         const std::vector<std::size_t>& active) const override;
-    /// Normal and tangential displacements [m] of several such bodies on one grid under the same
-    /// tractions [Pa], without what couples the two.
-    static std::vector<contact::SurfaceField> displacements(
-        const std::vector<const GridCompliance*>& bodies, const contact::SurfaceField& t);
+    /// Normal and tangential displacements `u` [m] of several such bodies on one grid under the
+    /// same tractions [Pa], without what couples the two.
+    static void displacements(const std::vector<const GridCompliance*>& bodies,
+                              const contact::SurfaceField& t, std::span<contact::SurfaceField> u);
     /// The coefficients of square cells at all relative positions that are asked for.
     InfluenceTable influence() const;
     /// What is below the surface, for `interior`, which knows nothing without.

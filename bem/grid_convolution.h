@@ -48,7 +48,7 @@ class GridConvolution {
     int n_threads() const { return n_threads_; }
 
     Symbol zero_symbol() const {
-        return contact::large_field(static_cast<std::size_t>(period_y_) * pitch_);
+        return contact::large_field(static_cast<std::size_t>(period_y_) * pitch_, n_threads_);
     }
 
     /// Symbol of the kernel with values coefficient(i, j) at the relative position of i, j cells

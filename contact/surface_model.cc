@@ -52,7 +52,7 @@ void SurfaceModel::enlarge(const ContactAtEdge& reached) {
 void SurfaceModel::release() {
     const std::size_t n = points().size();
     solver_->release();
-    slip_ = TangentialField(n);
+    slip_ = TangentialField(n, substrate_->compliance().n_threads());
     contact_state_.assign(n, ContactState::open);
     for (auto* kept : {&least_pressure_, &slip_path_, &friction_work_}) kept->clear();
     energy_ = material_dissipation_ = rotation_ = 0;

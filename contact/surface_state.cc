@@ -28,7 +28,9 @@ struct Nearest {
 
 Scales SurfaceModel::scales() const {
     const ContactPoints& points = this->points();
-    TangentialField sliding(now().bound.size()), displacement(now().bound.size());
+    const int n_threads = substrate_->compliance().n_threads();
+    TangentialField sliding(now().bound.size(), n_threads);
+    TangentialField displacement(now().bound.size(), n_threads);
     const Blocks all = blocks(now().bound.size());
     all.for_points(
         [&](std::size_t i) { sliding.x[i] = friction_coefficient_ * now().normal->pressure[i]; });
@@ -58,15 +60,18 @@ Surface SurfaceModel::surface() const {
     s.first = points.first;
     s.spacing = points.spacing;
     s.offset = now().offset;
-    s.normal_traction = large_copy(now().normal->pressure);
-    s.tangential_traction_x = large_copy(now().tangential.traction.x);
-    s.tangential_traction_y = large_copy(now().tangential.traction.y);
-    s.friction_bound = large_copy(now().bound);
-    s.displacement_x = large_copy(now().displacement.in_surface.x);
-    s.displacement_y = large_copy(now().displacement.in_surface.y);
-    s.displacement_z = large_copy(now().displacement.down);
+    const auto copy = [n_threads = substrate_->compliance().n_threads()](const auto& field) {
+        return large_copy(field, n_threads);
+    };
+    s.normal_traction = copy(now().normal->pressure);
+    s.tangential_traction_x = copy(now().tangential.traction.x);
+    s.tangential_traction_y = copy(now().tangential.traction.y);
+    s.friction_bound = copy(now().bound);
+    s.displacement_x = copy(now().displacement.in_surface.x);
+    s.displacement_y = copy(now().displacement.in_surface.y);
+    s.displacement_z = copy(now().displacement.down);
     for (auto* field : {&s.gap, &s.slip_x, &s.slip_y, &s.dissipation})
-        *field = large_field(now().bound.size());
+        *field = large_field(now().bound.size(), substrate_->compliance().n_threads());
     blocks(now().bound.size()).for_points([&](std::size_t i) {
         s.gap[i] = solver_->coupling().bare_height()[i] + now().displacement.down[i] -
                    now().normal->indentation;

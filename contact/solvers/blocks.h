@@ -35,10 +35,11 @@ class Blocks {
         for (std::ptrdiff_t k = 0; k < n_blocks; ++k) one(k);
     }
 
-    /// body(number of the point)
+    /// body(number of the point): no point depends on another.
     template <class Body>
     void for_points(Body body) const {
         for_each([&](std::size_t, std::size_t begin, std::size_t end) {
+#pragma GCC ivdep
             for (std::size_t i = begin; i < end; ++i) body(i);
         });
     }

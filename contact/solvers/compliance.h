@@ -18,7 +18,9 @@ struct TangentialField {
     std::vector<double> x, y;
 
     TangentialField() = default;
-    explicit TangentialField(std::size_t n) : x(large_field(n)), y(large_field(n)) {}
+    /// Zeros, first touched by so many threads.
+    explicit TangentialField(std::size_t n, int n_threads = 1)
+        : x(large_field(n, n_threads)), y(large_field(n, n_threads)) {}
     TangentialField(const TangentialField& other)
         : x(large_copy(other.x)), y(large_copy(other.y)) {}
     TangentialField& operator=(const TangentialField& other) {

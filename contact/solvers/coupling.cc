@@ -9,9 +9,9 @@ Coupling::Coupling(const Compliance& compliance, const Indenter& indenter,
     : compliance_(&compliance),
       indenter_(&indenter),
       is_coupled_(options.coupling && compliance.is_coupled()),
-      bare_height_(large_field(compliance.points().size())),
-      lowering_(large_field(bare_height_.size())),
-      displacement_(bare_height_.size()) {}
+      bare_height_(large_field(compliance.points().size(), compliance.n_threads())),
+      lowering_(large_field(bare_height_.size(), compliance.n_threads())),
+      displacement_(bare_height_.size(), compliance.n_threads()) {}
 
 void Coupling::place(const Vector2& offset) {
     const ContactPoints& points = compliance_->points();

@@ -16,8 +16,8 @@ class ScatteredPoints {
     ScatteredPoints(std::vector<std::size_t> positions, std::size_t n_all, int n_threads)
         : positions_(std::move(positions)),
           points_(positions_.size(), n_threads),
-          in_(n_all),
-          out_(n_all) {}
+          in_(n_all, n_threads),
+          out_(n_all, n_threads) {}
 
     /// product(field of all, what becomes of it)
     template <class Product>

@@ -52,12 +52,12 @@ void StaggeredSolver::release() {
     highest_ = 0;
     starts_.clear();
     pressure_change_.clear();
-    now_.normal = std::make_shared<NormalSolution>(
-        NormalSolution{.pressure = large_field(n), .displacement = large_field(n)});
-    now_.bound = large_field(n);
-    now_.tangential.traction = TangentialField(n);
-    now_.tangential.displacement = TangentialField(n);
-    now_.displacement = SurfaceField(n);
+    now_.normal = std::make_shared<NormalSolution>(NormalSolution{
+        .pressure = large_field(n, n_threads()), .displacement = large_field(n, n_threads())});
+    now_.bound = large_field(n, n_threads());
+    now_.tangential.traction = TangentialField(n, n_threads());
+    now_.tangential.displacement = TangentialField(n, n_threads());
+    now_.displacement = SurfaceField(n, n_threads());
 }
 
 void StaggeredSolver::make_solvers() {
@@ -75,7 +75,7 @@ Vector2 StaggeredSolver::rotated(const StepStart& before, std::size_t i) const {
 }
 
 SurfaceField StaggeredSolver::tractions() const {
-    return {now_.tangential.traction, large_copy(now_.normal->pressure)};
+    return {now_.tangential.traction, large_copy(now_.normal->pressure, n_threads())};
 }
 
 void StaggeredSolver::solve(const LoadStep& step, const StepStart& before) {
@@ -95,15 +95,12 @@ void StaggeredSolver::solve(const LoadStep& step, const StepStart& before) {
 /// displacements [m]; infinite beside the focus.
 std::vector<double> StaggeredSolver::update_height() {
     coupling_.update_lowering(now_.tangential.traction);
-    std::vector<double> height = large_copy(coupling_.bare_height());
-    const bool lowers = !coupling_.is_decoupled(), relaxes = substrate_.relaxes();
+    std::vector<double> height = large_copy(coupling_.bare_height(), n_threads());
+    const auto& lowering = coupling_.lowering();
     const double stiffness = substrate_.stiffness();
-    if (lowers || relaxes)
-        blocks().for_points([&](std::size_t i) {
-            if (relaxes) height[i] *= stiffness;
-            if (lowers) height[i] += coupling_.lowering()[i];
-            if (relaxes) height[i] -= substrate_.offset().down[i];
-        });
+    blocks().for_points([&](std::size_t i) { height[i] = stiffness * height[i] + lowering[i]; });
+    if (substrate_.relaxes())
+        blocks().for_points([&](std::size_t i) { height[i] -= substrate_.offset().down[i]; });
     for (std::size_t i = 0; i < focus_.size(); ++i)
         if (!focus_[i]) height[i] = infinity;
     return height;
@@ -299,7 +296,7 @@ TangentialField StaggeredSolver::displaced_before(const StepStart& before) const
 void StaggeredSolver::find_shift_factor() {
     constexpr double of_half_spaces = 1.5;
     const auto& bound = now_.bound;
-    TangentialField sliding(bound.size()), displacement(bound.size());
+    TangentialField sliding(bound.size(), n_threads()), displacement(bound.size(), n_threads());
     sliding.x = bound;
     substrate_.compliance().tangential(sliding, displacement);
     const auto [work, force] = blocks()

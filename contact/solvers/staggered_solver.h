@@ -84,7 +84,8 @@ class StaggeredSolver {
 
     const Compliance& compliance() const { return focused_ ? *focused_ : substrate_.compliance(); }
     const ContactPoints& points() const { return substrate_.compliance().points(); }
-    Blocks blocks() const { return {points().size(), substrate_.compliance().n_threads()}; }
+    int n_threads() const { return substrate_.compliance().n_threads(); }
+    Blocks blocks() const { return {points().size(), n_threads()}; }
     void make_solvers();
     std::vector<double> update_height();
     void recall_start(double phase);

@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <utility>
+
+#include "contact/solvers/conjugate_gradients.h"
 
 namespace tricontact::contact {
 
@@ -71,10 +74,6 @@ bool TangentialSystem::set_zones(const std::vector<std::uint8_t>& slipping,
     return determinant > 1e-10 * schur[0][0] * schur[1][1];
 }
 
-Vector2 TangentialSystem::projected(std::size_t k, const Vector2& f) const {
-    return slipping_[k] ? dot(tangent_[k], f) * tangent_[k] : f;
-}
-
 void TangentialSystem::precondition(const TangentialField& r, TangentialField& z) {
     points_.for_points([&](std::size_t k) { scaled_.set(k, scaling_[k] * r.at(k)); });
     products_.precondition(scaled_, z);
@@ -111,18 +110,24 @@ const TangentialSystem::Result& TangentialSystem::solve(const TangentialField& r
                                                         const Limits& limits) {
     start(r);
     carry(c);
-    precondition_balanced();
-    const double target = std::max(limits.absolute, limits.relative * rms_residual());
-    double rho = inner(residual_, z_);
-    turn(0);
-    while (result_.iterations < limits.iterations && rms_residual() > target && rho > 0) {
-        apply();
-        move(rho / inner(direction_, h_direction_));
-        precondition_balanced();
-        const double rho_new = inner(residual_, z_);
-        turn(rho_new / rho);
-        rho = rho_new;
-    }
+    std::optional<double> target;
+    ConjugateGradients{.is_solved =
+                           [&] {
+                               precondition_balanced();
+                               if (!target)
+                                   target =
+                                       std::max(limits.absolute, limits.relative * rms_residual());
+                               return rms_residual() <= *target;
+                           },
+                       .precondition = [&] { return inner(residual_, z_); },
+                       .turn = [&](double beta) { turn(beta); },
+                       .apply =
+                           [&] {
+                               apply();
+                               return inner(direction_, h_direction_);
+                           },
+                       .move = [&](double step) { move(step); }}
+        .run(limits.iterations - result_.iterations);
     return result_;
 }
 

@@ -71,7 +71,9 @@ class TangentialSystem {
     const Result& solve(const TangentialField& r, const Vector2& c, const Limits& limits);
 
   private:
-    Vector2 projected(std::size_t k, const Vector2& f) const;
+    Vector2 projected(std::size_t k, const Vector2& f) const {
+        return slipping_[k] ? dot(tangent_[k], f) * tangent_[k] : f;
+    }
     void precondition(const TangentialField& r, TangentialField& z);
     double inner(const TangentialField& a, const TangentialField& b) const;
     Vector2 total(const TangentialField& z) const;

@@ -16,7 +16,8 @@ struct SurfaceField {
     std::vector<double> down;
 
     SurfaceField() = default;
-    explicit SurfaceField(std::size_t n) : in_surface(n), down(large_field(n)) {}
+    explicit SurfaceField(std::size_t n, int n_threads = 1)
+        : in_surface(n, n_threads), down(large_field(n, n_threads)) {}
     SurfaceField(TangentialField surface, std::vector<double> downward)
         : in_surface(std::move(surface)), down(std::move(downward)) {}
     SurfaceField(const SurfaceField& other)
