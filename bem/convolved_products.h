@@ -35,9 +35,7 @@ class ConvolvedProducts {
     /// `normal` and `tangential` of several bodies like this one on the same grid under the same
     /// tractions: with one transform of these where y = 0 mirrors.
     using Bodies = std::vector<const ConvolvedProducts*>;
-    virtual void normal_of(const Bodies& bodies, std::span<const double> p,
-                           std::span<contact::SurfaceField> u) const = 0;
-    virtual void tangential_of(const Bodies& bodies, const contact::TangentialField& t,
+    virtual void displacements(const Bodies& bodies, const contact::SurfaceField& t,
                                std::span<contact::SurfaceField> u) const = 0;
     /// The same of `normal`, on a window alone.
     virtual void precondition_normal(std::span<const double> r, std::span<double> z) const = 0;
@@ -118,34 +116,29 @@ class ProductsBy final : public ConvolvedProducts {
         const auto& s = rest().inverse;
         bare().template apply<2, 2>({{{&s.xx, &s.xy}, {&s.xy, &s.yy}}}, {r.x, r.y}, {z.x, z.y});
     }
-    void normal_of(const Bodies& bodies, std::span<const double> p,
-                   std::span<contact::SurfaceField> u) const override {
-        if constexpr (shares_transforms) {
-            std::vector<GridConvolution::Kernels<1, 1>> kernels;
-            std::vector<GridConvolution::Fields<1>> out;
-            for (std::size_t m = 0; m < bodies.size(); ++m) {
-                kernels.push_back({{{&like_this(bodies[m]).normal_symbols().normal}}});
-                out.push_back({u[m].down});
-            }
-            convolution_.template apply_each<1, 1>(kernels, {p}, out);
-        } else {
-            for (std::size_t m = 0; m < bodies.size(); ++m) bodies[m]->normal(p, u[m].down);
-        }
-    }
-    void tangential_of(const Bodies& bodies, const contact::TangentialField& t,
+    void displacements(const Bodies& bodies, const contact::SurfaceField& t,
                        std::span<contact::SurfaceField> u) const override {
-        if constexpr (shares_transforms) {
-            std::vector<GridConvolution::Kernels<2, 2>> kernels;
-            std::vector<GridConvolution::Fields<2>> out;
+        if constexpr (std::is_same_v<Convolution, MirroredConvolution>) {
+            std::vector<GridConvolution::Kernels<1, 1>> normal;
+            std::vector<GridConvolution::Kernels<2, 2>> tangential;
+            std::vector<GridConvolution::Fields<1>> down;
+            std::vector<GridConvolution::Fields<2>> in_surface;
             for (std::size_t m = 0; m < bodies.size(); ++m) {
-                const auto& s = like_this(bodies[m]).rest().tangential;
-                kernels.push_back({{{&s.xx, &s.xy}, {&s.xy, &s.yy}}});
-                out.push_back({u[m].in_surface.x, u[m].in_surface.y});
+                const auto& body = static_cast<const ProductsBy&>(*bodies[m]);
+                const auto& s = body.rest().tangential;
+                normal.push_back({{{&body.normal_symbols().normal}}});
+                tangential.push_back({{{&s.xx, &s.xy}, {&s.xy, &s.yy}}});
+                down.push_back({u[m].down});
+                in_surface.push_back({u[m].in_surface.x, u[m].in_surface.y});
             }
-            convolution_.template apply_each<2, 2>(kernels, {t.x, t.y}, out);
+            convolution_.template apply_each<1, 1>(normal, {t.down}, down);
+            convolution_.template apply_each<2, 2>(tangential, {t.in_surface.x, t.in_surface.y},
+                                                   in_surface);
         } else {
-            for (std::size_t m = 0; m < bodies.size(); ++m)
-                bodies[m]->tangential(t, u[m].in_surface);
+            for (std::size_t m = 0; m < bodies.size(); ++m) {
+                bodies[m]->normal(t.down, u[m].down);
+                bodies[m]->tangential(t.in_surface, u[m].in_surface);
+            }
         }
     }
     void precondition_normal(std::span<const double> r, std::span<double> z) const override {
@@ -153,10 +146,6 @@ class ProductsBy final : public ConvolvedProducts {
     }
 
   private:
-    static constexpr bool shares_transforms = std::is_same_v<Convolution, MirroredConvolution>;
-    static const ProductsBy& like_this(const ConvolvedProducts* body) {
-        return *static_cast<const ProductsBy*>(body);
-    }
     const Convolution& bare() const { return bare_ ? *bare_ : convolution_; }
     const TangentialSymbols& rest() const {
         if (!rest_) rest_ = make_rest_(convolution_, bare());

@@ -10,13 +10,11 @@
 #include "bem/plane_layer_influence.h"
 #include "contact/error.h"
 #include "contact/solvers/active_operator.h"
+#include "contact/solvers/scattered_points.h"
 
 namespace tricontact::bem {
 
 namespace {
-
-/// Below this many cells a thread costs more than it brings.
-constexpr std::size_t cells_worth_threads = 100000;
 
 /// Below this many cells normal contact takes less time than it is worth to shorten.
 constexpr std::size_t cells_worth_levels = 100000;
@@ -54,58 +52,39 @@ int cells_in(int period) {
 /// Among the points of a window on a grid.
 class WindowOperator final : public contact::ActiveOperator {
   public:
-    /// `positions`: of the active points within the window of `n_cells`.
+    /// `points`: the active ones within the window.
     WindowOperator(std::shared_ptr<const ConvolvedProducts> products,
-                   std::vector<std::size_t> positions, std::size_t n_cells)
-        : products_(std::move(products)),
-          positions_(std::move(positions)),
-          in_(n_cells),
-          out_(n_cells) {}
+                   contact::ScatteredPoints points)
+        : products_(std::move(products)), points_(std::move(points)) {}
 
     void apply(const contact::TangentialField& t, contact::TangentialField& u) const override {
-        scatter(t);
-        products_->tangential(in_, out_);
-        gather(u);
+        points_.apply(t, u, [&](const auto& in, auto& out) { products_->tangential(in, out); });
     }
     void precondition(const contact::TangentialField& r,
                       contact::TangentialField& z) const override {
-        scatter(r);
-        products_->precondition_tangential(in_, out_);
-        gather(z);
+        points_.apply(
+            r, z, [&](const auto& in, auto& out) { products_->precondition_tangential(in, out); });
     }
 
     bool has_normal() const override { return true; }
     void normal(std::span<const double> p, std::span<double> u_z) const override {
-        scatter(p);
-        products_->normal(in_.x, out_.x);
-        gather(u_z);
+        points_.apply(p, u_z, [&](auto in, auto out) { products_->normal(in, out); });
     }
     void precondition_normal(std::span<const double> r, std::span<double> z) const override {
-        scatter(r);
-        products_->precondition_normal(in_.x, out_.x);
-        gather(z);
+        points_.apply(r, z, [&](auto in, auto out) { products_->precondition_normal(in, out); });
     }
 
   private:
-    void scatter(std::span<const double> f) const {
-        for (std::size_t k = 0; k < positions_.size(); ++k) in_.x[positions_[k]] = f[k];
-    }
-    void gather(std::span<double> f) const {
-        for (std::size_t k = 0; k < positions_.size(); ++k) f[k] = out_.x[positions_[k]];
-    }
-    void scatter(const contact::TangentialField& f) const {
-        for (std::size_t k = 0; k < positions_.size(); ++k) in_.set(positions_[k], f.at(k));
-    }
-    void gather(contact::TangentialField& f) const {
-        for (std::size_t k = 0; k < positions_.size(); ++k) f.set(k, out_.at(positions_[k]));
-    }
-
     std::shared_ptr<const ConvolvedProducts> products_;
-    std::vector<std::size_t> positions_;
-    mutable contact::TangentialField in_, out_;
+    contact::ScatteredPoints points_;
 };
 
 }  // namespace
+
+int n_threads_worth(std::size_t n_cells, int n_threads) {
+    constexpr std::size_t worth_threads = 100000;  // below, one costs more than it brings
+    return n_cells < worth_threads ? 1 : n_threads;
+}
 
 const contact::NormalGrid* ConvolvedCompliance::normal_grid() const {
     if (grid_.mirrored || grid_.size() < cells_worth_levels) return nullptr;
@@ -126,8 +105,7 @@ void ConvolvedCompliance::normal_from_tangential(const contact::TangentialField&
 
 GridCompliance::GridCompliance(CellInfluence influence, contact::ContactPoints grid, bool coupled,
                                int n_threads)
-    : ConvolvedCompliance(std::move(grid), coupled),
-      n_threads_(grid_.size() < cells_worth_threads ? 1 : n_threads),
+    : ConvolvedCompliance(std::move(grid), coupled, n_threads),
       quadrants_(std::move(influence), positions(grid_.n_x), positions(all_rows(grid_, grid_.n_y)),
                  grid_.spacing, n_threads_) {
     const Size whole{grid_.n_x, grid_.n_y};
@@ -158,7 +136,7 @@ std::unique_ptr<const ConvolvedProducts> GridCompliance::make_products(const Siz
                                                                        bool is_window) const {
     const auto [n_x, n_y] = size;
     const int n_all = all_rows(grid_, n_y);
-    const int n_threads = is_window ? 1 : n_threads_;
+    const int n_threads = n_threads_worth(static_cast<std::size_t>(n_x) * n_y, n_threads_);
     Convolution linear(n_x, n_y, Convolution::row_period(2 * n_x - 1), padded(n_all), n_threads);
     Convolution periodic(n_x, n_y, Convolution::row_period(n_x), good_complex_fft_size(n_all),
                          n_threads);
@@ -170,7 +148,7 @@ std::unique_ptr<const ConvolvedProducts> GridCompliance::make_products(const Siz
                                             quadrants_.symbol(by, k[2], 1, 1)};
         };
         TangentialSymbols made{.tangential = symbol2(convolution),
-                               .inverse = inverse(symbol2(bare))};
+                               .inverse = inverse(symbol2(bare), bare.n_threads())};
         if (!coupled_ || is_window) return made;
         made.from_normal_x = quadrants_.symbol(convolution, k[3], -1, 1);
         made.from_normal_y = quadrants_.symbol(convolution, k[4], 1, -1);
@@ -185,8 +163,9 @@ std::unique_ptr<const ConvolvedProducts> GridCompliance::make_products(const Siz
     auto normal = [this](const Convolution& convolution, const Convolution& bare) {
         const GridConvolution::Symbol periodic_normal = normal_symbol(bare);
         const GridConvolution::Symbol none(periodic_normal.size(), 0);
-        return NormalSymbols{normal_symbol(convolution),
-                             inverse({periodic_normal, none, periodic_normal}).xx};
+        return NormalSymbols{
+            normal_symbol(convolution),
+            inverse({periodic_normal, none, periodic_normal}, bare.n_threads()).xx};
     };
     return std::make_unique<ProductsBy<Convolution>>(std::move(linear), std::move(periodic),
                                                      std::move(normal), std::move(rest));
@@ -224,18 +203,18 @@ std::unique_ptr<const contact::ActiveOperator> GridCompliance::among(
         const std::size_t i = point % grid_.n_x - low_x, j = point / grid_.n_x - low_y;
         positions.push_back(j * size[0] + i);
     }
-    return std::make_unique<WindowOperator>(window(size), std::move(positions),
-                                            static_cast<std::size_t>(size[0]) * size[1]);
+    const std::size_t n_cells = static_cast<std::size_t>(size[0]) * size[1];
+    return std::make_unique<WindowOperator>(
+        window(size), contact::ScatteredPoints(std::move(positions), n_cells,
+                                               n_threads_worth(n_cells, n_threads_)));
 }
 
-std::vector<contact::SurfaceField> GridCompliance::displacements(
-    const std::vector<const GridCompliance*>& bodies, const contact::SurfaceField& t) {
+void GridCompliance::displacements(const std::vector<const GridCompliance*>& bodies,
+                                   const contact::SurfaceField& t,
+                                   std::span<contact::SurfaceField> u) {
     ConvolvedProducts::Bodies products;
     for (const GridCompliance* body : bodies) products.push_back(body->products_.get());
-    std::vector<contact::SurfaceField> u(bodies.size(), contact::SurfaceField(t.down.size()));
-    products.front()->normal_of(products, t.down, u);
-    products.front()->tangential_of(products, t.in_surface, u);
-    return u;
+    products.front()->displacements(products, t, u);
 }
 
 InfluenceTable GridCompliance::influence() const {

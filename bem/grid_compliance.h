@@ -17,10 +17,14 @@
 
 namespace tricontact::bem {
 
+/// Threads that a grid of so many cells is worth.
+int n_threads_worth(std::size_t n_cells, int n_threads);
+
 /// Compliances whose products are convolutions on a regular grid.
 class ConvolvedCompliance : public contact::Compliance {
   public:
     const contact::ContactPoints& points() const override { return grid_; }
+    int n_threads() const override { return n_threads_; }
     bool is_coupled() const override { return coupled_; }
     void normal(std::span<const double> p, std::span<double> u_z) const override {
         products_->normal(p, u_z);
@@ -39,11 +43,14 @@ class ConvolvedCompliance : public contact::Compliance {
     }
 
   protected:
-    ConvolvedCompliance(contact::ContactPoints grid, bool coupled)
-        : grid_(std::move(grid)), coupled_(coupled) {}
+    ConvolvedCompliance(contact::ContactPoints grid, bool coupled, int n_threads)
+        : grid_(std::move(grid)),
+          coupled_(coupled),
+          n_threads_(n_threads_worth(grid_.size(), n_threads)) {}
 
     contact::ContactPoints grid_;
     bool coupled_;
+    int n_threads_;
     std::unique_ptr<const ConvolvedProducts> products_;
 };
 
@@ -61,10 +68,10 @@ class GridCompliance final : public ConvolvedCompliance {
     /// Products on the smallest box around them, where it is much smaller than the grid.
     std::unique_ptr<const contact::ActiveOperator> among(
         const std::vector<std::size_t>& active) const override;
-    /// Normal and tangential displacements [m] of several such bodies on one grid under the same
-    /// tractions [Pa], without what couples the two.
-    static std::vector<contact::SurfaceField> displacements(
-        const std::vector<const GridCompliance*>& bodies, const contact::SurfaceField& t);
+    /// Normal and tangential displacements `u` [m] of several such bodies on one grid under the
+    /// same tractions [Pa], without what couples the two.
+    static void displacements(const std::vector<const GridCompliance*>& bodies,
+                              const contact::SurfaceField& t, std::span<contact::SurfaceField> u);
     /// The coefficients of square cells at all relative positions that are asked for.
     InfluenceTable influence() const;
     /// What is below the surface, for `interior`, which knows nothing without.
@@ -80,7 +87,6 @@ class GridCompliance final : public ConvolvedCompliance {
     std::shared_ptr<const ConvolvedProducts> window(const Size& size) const;
     const std::vector<Quadrants::Quadrant>& tangential_quadrants() const;
 
-    const int n_threads_;
     const Quadrants quadrants_;
     std::optional<InteriorView> view_;
     mutable Quadrants::Quadrant normal_quadrant_;                    // once asked for

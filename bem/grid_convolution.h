@@ -48,7 +48,7 @@ class GridConvolution {
     int n_threads() const { return n_threads_; }
 
     Symbol zero_symbol() const {
-        return contact::large_field(static_cast<std::size_t>(period_y_) * pitch_);
+        return contact::large_field(static_cast<std::size_t>(period_y_) * pitch_, n_threads_);
     }
 
     /// Symbol of the kernel with values coefficient(i, j) at the relative position of i, j cells
@@ -116,6 +116,6 @@ GridConvolution::Symbol fourier_coefficients(int period_x, int period_y,
                                              GridConvolution::Parity parity, int n_threads);
 
 /// Inverse matrix per wave vector; where a truncated kernel is not positive definite, its diagonal.
-GridConvolution::Symbol2 inverse(GridConvolution::Symbol2 symbol);
+GridConvolution::Symbol2 inverse(GridConvolution::Symbol2 symbol, int n_threads = 1);
 
 }  // namespace tricontact::bem

@@ -92,11 +92,11 @@ constexpr double number_bytes = sizeof(double);
 
 // Numbers of all that a GridCompliance makes, at the making of its last symbol: rows and spectra of
 // two fields each on the padded and on the plain grid, symbols over half of the wave numbers,
-// influence coefficients at a quarter of the padded positions, the kernel transformed and its
-// spectrum. On a period the padded grid is the plain one. A mirrored grid transforms two fields as
-// one and keeps half of the symbols.
+// influence coefficients at a quarter of the padded positions, the spectrum of a kernel. On a
+// period the padded grid is the plain one. A mirrored grid transforms two fields as one and keeps
+// half of the symbols.
 double compliance_numbers(const contact::ContactPoints& grid, bool padded, bool coupled) {
-    constexpr double tangential = 3, both_ways = 2, quadrants = 5, kernel = 2;
+    constexpr double tangential = 3, both_ways = 2, quadrants = 5, kernel = 1;
     const double two_fields = grid.mirrored ? 2 : 4, half = grid.mirrored ? .25 : .5;
     const int n_y = grid.mirrored ? 2 * grid.n_y - 1 : grid.n_y;
     const double cells = static_cast<double>(grid.n_x) * grid.n_y;
@@ -114,7 +114,8 @@ bool covers(const contact::Compliance& compliance, const contact::Case& c,
             const contact::Vector2& extent, bool with_friction) {
     contact::NormalControl hardest = contact::press_step(c).normal;
     hardest.value *= contact::crest_factor(c) * (compliance.is_coupled() ? harder_if_coupled : 1);
-    const auto height = heights_over(compliance.points(), *indenter, extent);
+    const auto height =
+        heights_over(compliance.points(), *indenter, extent, compliance.n_threads());
     const auto probe = contact::NormalSolver(compliance, probe_tolerance).solve(height, hardest);
     if (c.indenter.roughness && !is_clear_of_edge(compliance.points(), height, probe.indentation))
         return false;
@@ -127,7 +128,7 @@ double predicted_bytes(const contact::Case& c, Body body, Surroundings surroundi
                        const contact::ContactPoints& grid) {
     // Fields beside, counted by what runs take of 100 to 650 cells along a side. Steady rolling
     // keeps a direction of search per iteration.
-    constexpr double elastic = 72, coupling = 18, relaxing = 9, branch = 6, steady = 400;
+    constexpr double elastic = 62, coupling = 18, relaxing = 9, branch = 6, steady = 400;
     const bool coupled = c.contact.coupling && (body == Body::layer || is_coupled(c.materials()));
     double fields = elastic + (coupled ? coupling : 0);
     if (c.tractive_rolling) fields += steady;

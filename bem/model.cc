@@ -297,7 +297,7 @@ void check_influence_file(const contact::Case& c) {
 std::unique_ptr<contact::Substrate> make_substrate(const contact::Case& c, int n_threads, Body body,
                                                    double aside, bool mirrored) {
     auto relaxed = case_compliance(c, n_threads, body, aside, mirrored);
-    const contact::ContactPoints grid = relaxed->points();
+    const contact::ContactPoints& grid = relaxed->points();  // which the call keeps alive
     return contact::make_substrate(
         body == Body::layer ? c : contact::without_layer(c), std::move(relaxed),
         [&](const contact::Case& elastic) {

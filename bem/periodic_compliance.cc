@@ -192,19 +192,19 @@ InfluenceCoefficients PeriodicInfluence::at(int m_x, int m_y) const {
 
 PeriodicCompliance::PeriodicCompliance(const theory::LayerStack& stack, contact::ContactPoints grid,
                                        int n_threads)
-    : PeriodicCompliance(PeriodicInfluence(stack, grid.spacing[0], grid.n_x, n_threads), grid, true,
-                         n_threads) {}
+    : PeriodicCompliance(PeriodicInfluence(stack, grid.spacing[0], grid.n_x, n_threads),
+                         std::move(grid), true, n_threads) {}
 
 PeriodicCompliance::PeriodicCompliance(const contact::MaterialPair& half_spaces,
                                        contact::ContactPoints grid, int n_threads)
-    : PeriodicCompliance(PeriodicInfluence(half_spaces, grid.spacing[0], grid.n_x, n_threads), grid,
-                         bem::is_coupled(half_spaces), n_threads) {}
+    : PeriodicCompliance(PeriodicInfluence(half_spaces, grid.spacing[0], grid.n_x, n_threads),
+                         std::move(grid), bem::is_coupled(half_spaces), n_threads) {}
 
 PeriodicCompliance::PeriodicCompliance(const PeriodicInfluence& influence,
                                        contact::ContactPoints grid, bool coupled, int n_threads)
-    : ConvolvedCompliance(std::move(grid), coupled) {
+    : ConvolvedCompliance(std::move(grid), coupled, n_threads) {
     grid_.periodic = true;
-    GridConvolution convolution(grid_.n_x, grid_.n_y, grid_.n_x, grid_.n_y, n_threads);
+    GridConvolution convolution(grid_.n_x, grid_.n_y, grid_.n_x, grid_.n_y, n_threads_);
     const auto symbol = [&](double InfluenceCoefficients::*which) {
         return convolution.symbol_of_coefficients(
             [&](int m_x, int m_y) { return influence.at(m_x, m_y).*which; });
@@ -216,7 +216,7 @@ PeriodicCompliance::PeriodicCompliance(const PeriodicInfluence& influence,
         symbols.from_normal_x = symbol(&K::xz);
         symbols.from_normal_y = symbol(&K::yz);
     }
-    auto& stiff = symbols.inverse = inverse(symbols.tangential);
+    auto& stiff = symbols.inverse = inverse(symbols.tangential, n_threads_);
     if (stiff.xx[0] == 0)  // of half-spaces the mean's: any positive one will do
         stiff.xx[0] = stiff.yy[0] = std::min(stiff.xx[1], stiff.yy[1]);
     auto normal = symbol(&K::zz);

@@ -47,11 +47,11 @@ contact::PartlyRelaxingSubstrate::Sum sum_of(const contact::CombinedCompliance::
         return std::make_shared<const GridCompliance>(at, grid, coupled, n_threads);
     };
     auto displacements = [](const contact::CombinedCompliance::Parts& sums,
-                            const contact::SurfaceField& t) {
+                            const contact::SurfaceField& t, std::vector<contact::SurfaceField>& u) {
         std::vector<const GridCompliance*> bodies;
         for (const auto& sum : sums)
             bodies.push_back(static_cast<const GridCompliance*>(sum.get()));
-        return GridCompliance::displacements(bodies, t);
+        GridCompliance::displacements(bodies, t, u);
     };
     return {of, displacements};
 }

@@ -105,6 +105,24 @@ void use_large_pages(void* memory, std::size_t bytes) {
     if (first < end) madvise(reinterpret_cast<void*>(first), end - first, MADV_HUGEPAGE);
 }
 
+void touch(void* memory, std::size_t bytes, int n_threads) {
+#ifdef MADV_POPULATE_WRITE
+    constexpr std::ptrdiff_t piece = std::ptrdiff_t{1} << 21;
+    const auto page = static_cast<std::uintptr_t>(sysconf(_SC_PAGESIZE));
+    const auto begin = reinterpret_cast<std::uintptr_t>(memory);
+    const std::uintptr_t first = (begin + page - 1) / page * page;
+    const auto whole = static_cast<std::ptrdiff_t>((begin + bytes) / page * page) -
+                       static_cast<std::ptrdiff_t>(first);
+    if (whole < piece) return;
+#pragma omp parallel for num_threads(n_threads) schedule(static)
+    for (std::ptrdiff_t at = 0; at < whole; at += piece)
+        madvise(reinterpret_cast<void*>(first + at),
+                static_cast<std::size_t>(std::min(piece, whole - at)), MADV_POPULATE_WRITE);
+#else
+    static_cast<void>(memory), static_cast<void>(bytes), static_cast<void>(n_threads);
+#endif
+}
+
 void require_memory(const std::string& what, double bytes, const std::string& remedy) {
     const double available = available_bytes();
     if (bytes > available)

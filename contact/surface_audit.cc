@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "contact/solvers/blocks.h"
+#include "contact/solvers/point_sums.h"
 #include "contact/special_values.h"
 #include "contact/surface_model.h"
 
@@ -14,17 +16,46 @@ namespace {
 
 constexpr double product_rounding = 1e-13;
 
+struct NormalExtremes {
+    double peak = 0, least = 0, force = 0;
+    void add(double highest, double lowest, double part) {
+        peak = larger(peak, highest);
+        least = -larger(-least, -lowest);
+        force += part;
+    }
+    NormalExtremes& operator+=(const NormalExtremes& other) {
+        add(other.peak, other.least, other.force);
+        return *this;
+    }
+};
+
+/// What the points have in the worst case, and together.
+struct TangentialExtremes {
+    double total_bound = 0, contact_area = 0;
+    double excess = 0, stick = 0, across = 0, backward = 0, largest_slip = 0;
+    Vector2 force{};
+    TangentialExtremes& operator+=(const TangentialExtremes& other) {
+        total_bound += other.total_bound;
+        contact_area += other.contact_area;
+        excess = larger(excess, other.excess);
+        stick = larger(stick, other.stick);
+        across = larger(across, other.across);
+        backward = larger(backward, other.backward);
+        largest_slip = larger(largest_slip, other.largest_slip);
+        force = force + other.force;
+        return *this;
+    }
+};
+
 }  // namespace
 
 void audit_normal(const NormalSolution& solution, const NormalControl& control,
-                  const std::vector<double>& area, double tolerance, Audit& audit) {
+                  const std::vector<double>& area, double tolerance, Audit& audit, int n_threads) {
     const auto& p = solution.pressure;
-    double peak = 0, least = 0, force = 0;
-    for (std::size_t i = 0; i < p.size(); ++i) {
-        peak = larger(peak, p[i]);
-        least = -larger(-least, -p[i]);
-        force += area[i] * p[i];
-    }
+    const auto [peak, least, force] =
+        Blocks(p.size(), n_threads)
+            .sum_points<NormalExtremes>(
+                [&](NormalExtremes& all, std::size_t i) { all.add(p[i], p[i], area[i] * p[i]); });
     audit.record("pressure_nonnegative", -least / peak, 0);
     audit.record("gap_and_complementarity", solution.residual, tolerance);
     if (control.kind == NormalControl::Kind::force)
@@ -32,25 +63,24 @@ void audit_normal(const NormalSolution& solution, const NormalControl& control,
 }
 
 void audit_tangential(const TangentialFacts& facts, double tolerance, Audit& audit) {
-    double total_bound = 0, mean_bound = 0, contact_area = 0;
-    double excess = 0, stick = 0, across = 0, backward = 0, largest_slip = 0;
-    Vector2 force{};
-    for (std::size_t i = 0; i < facts.bound.size(); ++i) {
+    const auto add = [&](TangentialExtremes& all, std::size_t i) {
         const Vector2 t = facts.traction.at(i), s = facts.slip.at(i);
-        force = force + facts.area[i] * t;
-        total_bound += facts.area[i] * facts.bound[i];
-        excess = larger(excess, norm(t) - facts.bound[i]);
-        if (facts.contact_state[i] == ContactState::open) continue;
-        contact_area += facts.area[i];
-        largest_slip = larger(largest_slip, norm(s));
+        all.force = all.force + facts.area[i] * t;
+        all.total_bound += facts.area[i] * facts.bound[i];
+        all.excess = larger(all.excess, norm(t) - facts.bound[i]);
+        if (facts.contact_state[i] == ContactState::open) return;
+        all.contact_area += facts.area[i];
+        all.largest_slip = larger(all.largest_slip, norm(s));
         if (facts.contact_state[i] == ContactState::stick) {
-            stick = larger(stick, norm(s));
+            all.stick = larger(all.stick, norm(s));
         } else {
-            across = larger(across, std::abs(s[0] * t[1] - s[1] * t[0]) / norm(t));
-            backward = larger(backward, -dot(s, t) / norm(t));
+            all.across = larger(all.across, std::abs(s[0] * t[1] - s[1] * t[0]) / norm(t));
+            all.backward = larger(all.backward, -dot(s, t) / norm(t));
         }
-    }
-    mean_bound = total_bound / contact_area;
+    };
+    const auto [total_bound, contact_area, excess, stick, across, backward, largest_slip, force] =
+        Blocks(facts.bound.size(), facts.n_threads).sum_points<TangentialExtremes>(add);
+    const double mean_bound = total_bound / contact_area;
     audit.record("friction_bound", excess / mean_bound, facts.excess_allowed);
     // `stick` counts points at the bound whose slip is below the threshold of the classification.
     audit.record("no_slip_where_stick", stick / facts.length, 10 * tolerance);
@@ -76,27 +106,33 @@ StepRecord SurfaceModel::record(const LoadStep& step) const {
     r.indentation = now().normal->indentation;
     r.shift = now().shift;
     r.rotation = rotation_;
-    for (std::size_t i = 0; i < now().bound.size(); ++i) {
-        r.normal_force += area[i] * p[i];
-        r.tangential_force[0] += area[i] * t.x[i];
-        if (!mirrored) {
-            r.tangential_force[1] += area[i] * t.y[i];
-            const Vector2 from{points().x[i] - step.offset[0], points().y[i] - step.offset[1]};
-            r.torque += area[i] * (from[0] * t.y[i] - from[1] * t.x[i]);
-        }
-        switch (contact_state_[i]) {
-            case ContactState::open:
-                r.open_area += area[i];
-                break;
-            case ContactState::stick:
-                r.stick_area += area[i];
-                break;
-            case ContactState::slip:
-                r.slip_area += area[i];
-                r.dissipation += area[i] * friction_work(i);
-                break;
-        }
-    }
+    using Forces = Sums<5>;  // normal, tangential, torque; dissipation
+    using Areas = Sums<3>;   // open, stick, slip
+    const Blocks all = blocks(now().bound.size());
+    const auto forces = all.sum_points<Forces>([&](Forces& sum, std::size_t i) {
+                               sum[0] += area[i] * p[i];
+                               sum[1] += area[i] * t.x[i];
+                               if (!mirrored) {
+                                   sum[2] += area[i] * t.y[i];
+                                   const Vector2 from{points().x[i] - step.offset[0],
+                                                      points().y[i] - step.offset[1]};
+                                   sum[3] += area[i] * (from[0] * t.y[i] - from[1] * t.x[i]);
+                               }
+                               if (contact_state_[i] == ContactState::slip)
+                                   sum[4] += area[i] * friction_work(i);
+                           })
+                            .values;
+    r.normal_force = forces[0];
+    r.tangential_force = {forces[1], forces[2]};
+    r.torque = forces[3];
+    r.dissipation = forces[4];
+    const auto areas = all.sum_points<Areas>([&](Areas& sum, std::size_t i) {
+                              sum[static_cast<std::size_t>(contact_state_[i])] += area[i];
+                          })
+                           .values;
+    r.open_area = areas[0];
+    r.stick_area = areas[1];
+    r.slip_area = areas[2];
     r.material_dissipation = material_dissipation_;
     r.stored_energy = energy_;
     r.contact_area = r.stick_area + r.slip_area;
@@ -116,10 +152,11 @@ void SurfaceModel::audit_step(const LoadStep& step, bool advected) {
     const EnergyBalance energy = update_energy();
     if (now().normal->force == 0) return;  // withdrawn: nothing to compare errors with
     audit_normal(*now().normal, step.normal, points.area,
-                 std::max(tolerance_, now().normal->rounding), audit_);
+                 std::max(tolerance_, now().normal->rounding), audit_,
+                 substrate_->compliance().n_threads());
     if (is_coupled()) audit_.record("normal_and_tangential_agree", now().gap_residual, tolerance_);
-    const SurfaceField all = solver_->tractions();
-    const auto missing = substrate_->compliance().missing_reaction(all.down, all.in_surface);
+    const auto missing = substrate_->compliance().missing_reaction(now().normal->pressure,
+                                                                   now().tangential.traction);
     if (missing)
         audit_.record("base_reaction",
                       std::hypot((*missing)[0], (*missing)[1], (*missing)[2]) / now().normal->force,
@@ -135,7 +172,8 @@ void SurfaceModel::audit_step(const LoadStep& step, bool advected) {
              .slip = slip_,
              .contact_state = contact_state_,
              .control = tangential,
-             .length = now().shift_factor * friction_coefficient_ * now().normal->length},
+             .length = now().shift_factor * friction_coefficient_ * now().normal->length,
+             .n_threads = substrate_->compliance().n_threads()},
             tolerance_, audit_);
     }
     // What relaxes takes energy out of a frame that leaves it behind.

@@ -19,7 +19,8 @@ constexpr double rounding_allowed = 1e-12;
 
 /// p >= 0, gap >= 0, p gap = 0, force prescribed: from the fields, not from the solver's word.
 void audit_normal(const NormalSolution& solution, const NormalControl& control,
-                  const std::vector<double>& area, double tolerance, Audit& audit);
+                  const std::vector<double>& area, double tolerance, Audit& audit,
+                  int n_threads = 1);
 
 struct TangentialFacts {
     const std::vector<double>& bound;  ///< mu p [Pa]
@@ -30,6 +31,7 @@ struct TangentialFacts {
     std::array<TangentialControl, 2> control;
     double length;                             ///< what slips are compared with [m], mu d
     double excess_allowed = rounding_allowed;  ///< of traction above the bound, over its mean
+    int n_threads = 1;
 };
 /// Friction bound, no slip where it sticks, slip along the traction where it slips, forces.
 void audit_tangential(const TangentialFacts& facts, double tolerance, Audit& audit);

@@ -52,7 +52,7 @@ void SurfaceModel::enlarge(const ContactAtEdge& reached) {
 void SurfaceModel::release() {
     const std::size_t n = points().size();
     solver_->release();
-    slip_ = TangentialField(n);
+    slip_ = TangentialField(n, substrate_->compliance().n_threads());
     contact_state_.assign(n, ContactState::open);
     for (auto* kept : {&least_pressure_, &slip_path_, &friction_work_}) kept->clear();
     energy_ = material_dissipation_ = rotation_ = 0;
@@ -79,14 +79,15 @@ StepRecord SurfaceModel::take(const LoadStep& step, const StepStart& before) {
             "{}: the contact reaches the edge of the meshed contact patch at phase {:.4g}", name_,
             step.phase));
     update_slip(before);
-    for (std::size_t i = 0; i < slip_path_.size(); ++i) {
+    blocks(slip_path_.size()).for_points([&](std::size_t i) {
         slip_path_[i] += norm(slip(i));
         friction_work_[i] += friction_work(i);
-    }
+    });
     solver_->keep_start(phase_);
     audit_step(step, before.advected);
-    for (std::size_t i = 0; i < least_pressure_.size(); ++i)
+    blocks(least_pressure_.size()).for_points([&](std::size_t i) {
         least_pressure_[i] = std::min(least_pressure_[i], now().normal->pressure[i]);
+    });
     return record(step);
 }
 
@@ -95,24 +96,26 @@ void SurfaceModel::update_slip(const StepStart& before) {
     const double unit = std::max(s.shift_factor, 1.) * friction_coefficient_ * s.normal->length;
     const Vector2 moved = s.shift - before.shift;
     const TangentialField &u = s.displacement.in_surface, &old = before.displacement.in_surface;
-    for (std::size_t i = 0; i < s.bound.size(); ++i) {
-        slip_.set(i, moved + solver_->rotated(before, i) - (u.at(i) - old.at(i)));
+    blocks(s.bound.size()).for_points([&](std::size_t i) {
         if (!(s.normal->pressure[i] > 0)) {
             slip_.set(i, {0, 0});
             contact_state_[i] = ContactState::open;
-            continue;
+            return;
         }
+        slip_.set(i, moved + solver_->rotated(before, i) - (u.at(i) - old.at(i)));
         // On the bound without having moved is stick; 10 tolerances: the solver's noise.
         const bool moves = std::hypot(slip_.x[i], slip_.y[i]) > 10 * tolerance_ * unit;
         const bool at_bound = norm(s.tangential.traction.at(i)) >= s.bound[i] * (1 - 1e-9);
         contact_state_[i] = at_bound && moves ? ContactState::slip : ContactState::stick;
-    }
+    });
 }
 
 double SurfaceModel::limit_tangential_ratio() const {
     const auto& area = points().area;
-    double sum = 0;
-    for (std::size_t i = 0; i < least_pressure_.size(); ++i) sum += area[i] * least_pressure_[i];
+    const auto sum =
+        blocks(least_pressure_.size()).sum_points<double>([&](double& part, std::size_t i) {
+            part += area[i] * least_pressure_[i];
+        });
     return sum / least_pressure_force_;
 }
 

@@ -72,6 +72,7 @@ class SurfaceModel final : public Model {
     StepRecord take(const LoadStep& step, const StepStart& before);
     const ContactSolution& now() const { return solver_->now(); }
     const ContactPoints& points() const { return substrate_->compliance().points(); }
+    Blocks blocks(std::size_t n) const { return {n, substrate_->compliance().n_threads()}; }
     void make_solver();
     void update_slip(const StepStart& before);
     // Of the last step, as results tell it [m], [J/m^2].

@@ -5,24 +5,42 @@
 
 #include "contact/mirrored_surface.h"
 #include "contact/solvers/contact_region.h"
+#include "contact/special_values.h"
 #include "contact/state_bytes.h"
 #include "contact/surface.h"
 #include "contact/surface_model.h"
 
 namespace tricontact::contact {
 
+namespace {
+
+/// The first of the points at the least distance.
+struct Nearest {
+    std::size_t point = 0;
+    double distance = infinity;
+    Nearest& operator+=(const Nearest& other) {
+        if (other.distance < distance) *this = other;
+        return *this;
+    }
+};
+
+}  // namespace
+
 Scales SurfaceModel::scales() const {
     const ContactPoints& points = this->points();
-    TangentialField sliding(now().bound.size()), displacement(now().bound.size());
-    for (std::size_t i = 0; i < now().bound.size(); ++i)
-        sliding.x[i] = friction_coefficient_ * now().normal->pressure[i];
+    const int n_threads = substrate_->compliance().n_threads();
+    TangentialField sliding(now().bound.size(), n_threads);
+    TangentialField displacement(now().bound.size(), n_threads);
+    const Blocks all = blocks(now().bound.size());
+    all.for_points(
+        [&](std::size_t i) { sliding.x[i] = friction_coefficient_ * now().normal->pressure[i]; });
     substrate_->relaxed().tangential(sliding, displacement);
-    std::size_t centre = 0;
-    auto distance = [&](std::size_t i) {
-        return std::hypot(points.x[i] - now().offset[0], points.y[i] - now().offset[1]);
-    };
-    for (std::size_t i = 1; i < now().bound.size(); ++i)
-        if (distance(i) < distance(centre)) centre = i;
+    const auto centre =
+        all.sum_points<Nearest>([&](Nearest& nearest, std::size_t i) {
+               nearest +=
+                   {i, std::hypot(points.x[i] - now().offset[0], points.y[i] - now().offset[1])};
+           })
+            .point;
     return {.normal_force = now().normal->force,
             .contact_radius = indenter_->presses_like_a_ball()
                                   ? contact_radius(points, now().normal->pressure, now().offset)
@@ -42,23 +60,26 @@ Surface SurfaceModel::surface() const {
     s.first = points.first;
     s.spacing = points.spacing;
     s.offset = now().offset;
-    s.normal_traction = now().normal->pressure;
-    s.tangential_traction_x = now().tangential.traction.x;
-    s.tangential_traction_y = now().tangential.traction.y;
-    s.friction_bound = now().bound;
-    s.displacement_x = now().displacement.in_surface.x;
-    s.displacement_y = now().displacement.in_surface.y;
-    s.displacement_z = now().displacement.down;
-    s.gap.resize(now().bound.size());
-    for (auto* field : {&s.slip_x, &s.slip_y, &s.dissipation}) field->resize(now().bound.size());
-    for (std::size_t i = 0; i < now().bound.size(); ++i) {
+    const auto copy = [n_threads = substrate_->compliance().n_threads()](const auto& field) {
+        return large_copy(field, n_threads);
+    };
+    s.normal_traction = copy(now().normal->pressure);
+    s.tangential_traction_x = copy(now().tangential.traction.x);
+    s.tangential_traction_y = copy(now().tangential.traction.y);
+    s.friction_bound = copy(now().bound);
+    s.displacement_x = copy(now().displacement.in_surface.x);
+    s.displacement_y = copy(now().displacement.in_surface.y);
+    s.displacement_z = copy(now().displacement.down);
+    for (auto* field : {&s.gap, &s.slip_x, &s.slip_y, &s.dissipation})
+        *field = large_field(now().bound.size(), substrate_->compliance().n_threads());
+    blocks(now().bound.size()).for_points([&](std::size_t i) {
         s.gap[i] = solver_->coupling().bare_height()[i] + now().displacement.down[i] -
                    now().normal->indentation;
         const Vector2 told = slip(i);
         s.slip_x[i] = told[0];
         s.slip_y[i] = told[1];
         s.dissipation[i] = friction_work(i);
-    }
+    });
     s.slip_path = slip_path_;
     s.friction_work = friction_work_;
     s.contact_state = contact_state_;

@@ -46,9 +46,9 @@ class StaggeredIteration {
             solve_normal(height);
             solve_tangential();
             if (coupling_.is_decoupled()) return;
-            coupling_.update_height(steady_.traction);
+            coupling_.update_lowering(steady_.traction);
             // What an iteration changed under the indenter is how far the pressures are off.
-            const std::vector<double> now = coupling_.height();
+            const std::vector<double> now = total(coupling_.bare_height(), coupling_.lowering());
             double change = 0;
             for (std::size_t i = 0; i < now.size(); ++i)
                 if (normal_.pressure[i] > 0)

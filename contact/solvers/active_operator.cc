@@ -7,6 +7,7 @@
 #include "contact/error.h"
 #include "contact/solvers/dense_products.h"
 #include "contact/solvers/point_runs.h"
+#include "contact/solvers/scattered_points.h"
 
 namespace tricontact::contact {
 
@@ -17,31 +18,18 @@ class ProductOperator final : public ActiveOperator {
   public:
     ProductOperator(const Compliance& compliance, const std::vector<std::size_t>& active)
         : compliance_(compliance),
-          active_(active),
-          in_(compliance.points().size()),
-          out_(compliance.points().size()) {}
+          points_(active, compliance.points().size(), compliance.n_threads()) {}
     void apply(const TangentialField& t, TangentialField& u) const override {
-        scatter(t);
-        compliance_.tangential(in_, out_);
-        gather(u);
+        points_.apply(t, u, [&](const auto& in, auto& out) { compliance_.tangential(in, out); });
     }
     void precondition(const TangentialField& r, TangentialField& z) const override {
-        scatter(r);
-        compliance_.precondition_tangential(in_, out_);
-        gather(z);
+        points_.apply(
+            r, z, [&](const auto& in, auto& out) { compliance_.precondition_tangential(in, out); });
     }
 
   private:
-    void scatter(const TangentialField& f) const {
-        for (std::size_t k = 0; k < active_.size(); ++k) in_.set(active_[k], f.at(k));
-    }
-    void gather(TangentialField& f) const {
-        for (std::size_t k = 0; k < active_.size(); ++k) f.set(k, out_.at(active_[k]));
-    }
-
     const Compliance& compliance_;
-    const std::vector<std::size_t> active_;
-    mutable TangentialField in_, out_;
+    const ScatteredPoints points_;
 };
 
 /// The matrix of the active points by itself: a fraction of all, and small enough to factorise.

@@ -21,14 +21,14 @@ ContactPoints ContactPoints::grid(int n_x, int n_y, Vector2 first, Vector2 spaci
     points.n_y = n_y;
     points.first = first;
     points.spacing = spacing;
-    points.x.reserve(n);
-    points.y.reserve(n);
-    for (int j = 0; j < n_y; ++j)
-        for (int i = 0; i < n_x; ++i) {
-            points.x.push_back(first[0] + i * spacing[0]);
-            points.y.push_back(first[1] + j * spacing[1]);
-        }
-    points.area.assign(n, spacing[0] * spacing[1]);
+    points.x = large_field(n);
+    points.y = large_field(n);
+    points.area = large_field(n);
+    for (std::size_t k = 0; k < n; ++k) {
+        points.x[k] = first[0] + static_cast<double>(k % n_x) * spacing[0];
+        points.y[k] = first[1] + static_cast<double>(k / n_x) * spacing[1];
+        points.area[k] = spacing[0] * spacing[1];
+    }
     return points;
 }
 

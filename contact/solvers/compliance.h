@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "contact/memory.h"
 #include "contact/solvers/interior.h"
 #include "contact/vector2.h"
 
@@ -17,7 +18,19 @@ struct TangentialField {
     std::vector<double> x, y;
 
     TangentialField() = default;
-    explicit TangentialField(std::size_t n) : x(n, 0.0), y(n, 0.0) {}
+    /// Zeros, first touched by so many threads.
+    explicit TangentialField(std::size_t n, int n_threads = 1)
+        : x(large_field(n, n_threads)), y(large_field(n, n_threads)) {}
+    TangentialField(const TangentialField& other)
+        : x(large_copy(other.x)), y(large_copy(other.y)) {}
+    TangentialField& operator=(const TangentialField& other) {
+        copy_large(other.x, x);
+        copy_large(other.y, y);
+        return *this;
+    }
+    TangentialField(TangentialField&&) = default;
+    TangentialField& operator=(TangentialField&&) = default;
+    ~TangentialField() = default;
     std::size_t size() const { return x.size(); }
     Vector2 at(std::size_t i) const { return {x[i], y[i]}; }
     void set(std::size_t i, const Vector2& value) {
@@ -63,6 +76,8 @@ class Compliance {
     virtual ~Compliance() = default;
 
     virtual const ContactPoints& points() const = 0;
+    /// That loops over all points are worth.
+    virtual int n_threads() const { return 1; }
     /// Normal traction displaces tangentially and vice versa.
     virtual bool is_coupled() const = 0;
 
@@ -128,6 +143,7 @@ class CombinedCompliance final : public Compliance {
     const std::vector<double>& weights() const { return weights_; }
 
     const ContactPoints& points() const override { return parts_.front()->points(); }
+    int n_threads() const override { return parts_.front()->n_threads(); }
     bool is_coupled() const override { return coupled_; }
     void normal(std::span<const double> p, std::span<double> u_z) const override;
     void tangential(const TangentialField& t, TangentialField& u) const override;

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "contact/memory.h"
+#include "contact/solvers/blocks.h"
 
 namespace tricontact::contact {
 
@@ -84,10 +85,11 @@ double contact_radius(const ContactPoints& points, const std::vector<double>& pr
 }
 
 std::vector<double> heights_over(const ContactPoints& points, const Indenter& indenter,
-                                 const Vector2& offset) {
+                                 const Vector2& offset, int n_threads) {
     std::vector<double> height = large_field(points.size());
-    for (std::size_t i = 0; i < height.size(); ++i)
+    Blocks(height.size(), n_threads).for_points([&](std::size_t i) {
         height[i] = indenter.height(points.x[i] - offset[0], points.y[i] - offset[1]);
+    });
     return height;
 }
 

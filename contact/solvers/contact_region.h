@@ -21,7 +21,7 @@ double counted_radius(const ContactPoints& points, const std::vector<double>& pr
 
 /// Height of the indenter, its lowest point at `offset`, over each contact point [m].
 std::vector<double> heights_over(const ContactPoints& points, const Indenter& indenter,
-                                 const Vector2& offset);
+                                 const Vector2& offset, int n_threads = 1);
 
 /// Some point at the edge of the grid or element surface carries pressure: the contact may go on
 /// outside. A periodic grid has no edge.

@@ -19,11 +19,10 @@ class Coupling {
     /// Takes the heights of the indenter at this offset [m] of the rolling.
     void place(const Vector2& offset);
 
-    /// Height of the indenter over the points [m] plus what friction moves them down.
-    void update_height(const TangentialField& t);
-    const std::vector<double>& height() const { return height_; }
-    const std::vector<double>& bare_height() const { return bare_height_; }  ///< the first part [m]
-    /// The second part [m].
+    /// Height of the indenter over the points [m].
+    const std::vector<double>& bare_height() const { return bare_height_; }
+    /// What friction moves the points down [m]; none where nothing is coupled.
+    void update_lowering(const TangentialField& t);
     const std::vector<double>& lowering() const { return lowering_; }
     /// Displacement in the surface by the pressure [m]; none where nothing is coupled.
     void update_displacement(std::span<const double> p);
@@ -33,7 +32,7 @@ class Coupling {
     const Compliance* compliance_;
     const Indenter* indenter_;
     bool is_coupled_;
-    std::vector<double> bare_height_, lowering_, height_;
+    std::vector<double> bare_height_, lowering_;
     TangentialField displacement_;
 };
 

@@ -1,6 +1,7 @@
 #include "contact/solvers/normal_newton.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <memory>
@@ -8,8 +9,9 @@
 
 #include "contact/memory.h"
 #include "contact/solvers/blocks.h"
+#include "contact/solvers/conjugate_gradients.h"
 #include "contact/solvers/grid_transfer.h"
-#include "contact/solvers/normal_sums.h"
+#include "contact/solvers/point_sums.h"
 #include "contact/special_values.h"
 
 namespace tricontact::contact {
@@ -45,7 +47,7 @@ class NewtonIteration {
           blocks_(height.size(), grid.n_threads()),
           first_(blocks_.count() + 1),
           points_(std::make_unique_for_overwrite<std::uint32_t[]>(height.size())) {
-        displacement_ = large_field(height.size());
+        displacement_ = large_field(height.size(), grid.n_threads());
     }
 
     /// From the pressures in the solution, if there are any.
@@ -88,7 +90,7 @@ class NewtonIteration {
     /// Without another start as if no point pressed but those below the indentation, all alike.
     bool set_start() {
         const bool is_cold = pressure_.empty();
-        if (is_cold) pressure_ = large_field(height_.size());
+        if (is_cold) pressure_ = large_field(height_.size(), grid_.n_threads());
         const double sum =
             blocks_.sum<Sums<1>>([&](std::size_t k, std::size_t begin, std::size_t end) {
                 Sums<1> part;
@@ -176,30 +178,40 @@ class NewtonIteration {
         const double enough = is_settled_ ? settled_reduction : reduction;
         GapSum gap = take_set();
         const double first_square = gap.square;
-        double last = 1;
-        for (int k = 0; k < most_steps; ++k) {
-            if (gap.worst <= below_tolerance * tolerance_ * solution_.length ||
-                (k > 0 && gap.square <= enough * enough * first_square))
-                return;
-            last = update_direction(last, k == 0);
-            displace();
-            const auto [numerator, product, sum] =
-                sum_over_set<Sums<3>>([&](const std::uint32_t* points, std::size_t first,
-                                          std::size_t n) {
-                    Sums<3> part;
-                    for (std::size_t j = 0; j < n; ++j) {
-                        OnPoint& at = set_[first + j];
-                        const double r = at.product = displacement_[points[j]];
-                        part[0] += at.direction * at.gap;
-                        part[1] += at.direction * r;
-                        part[2] += r;
-                    }
-                    return part;
-                }).values;
-            const double step = numerator / product;
-            if (!is_positive_and_finite(step)) return;  // nothing is left to be closed
-            gap = move(step, mean(sum));
-        }
+        double mean_displacement = 0;
+        ConjugateGradients{.is_solved =
+                               [&] {
+                                   return gap.worst <=
+                                              below_tolerance * tolerance_ * solution_.length ||
+                                          gap.square <= enough * enough * first_square;
+                               },
+                           .precondition = [&] { return precondition(); },
+                           .turn = [&](double beta) { turn(beta); },
+                           .apply =
+                               [&] {
+                                   const auto [product, sum] = apply();
+                                   mean_displacement = mean(sum);
+                                   return product;
+                               },
+                           .move = [&](double step) { gap = move(step, mean_displacement); }}
+            .run(most_steps);
+    }
+
+    /// Displaces by the direction; its product with that, and the sum of the displacements.
+    std::array<double, 2> apply() {
+        displace();
+        return sum_over_set<Sums<2>>(
+                   [&](const std::uint32_t* points, std::size_t first, std::size_t n) {
+                       Sums<2> part;
+                       for (std::size_t j = 0; j < n; ++j) {
+                           OnPoint& at = set_[first + j];
+                           const double r = at.product = displacement_[points[j]];
+                           part[0] += at.direction * r;
+                           part[1] += r;
+                       }
+                       return part;
+                   })
+            .values;
     }
 
     /// Pressures and gaps of its points, less the mean gap; the gaps into the field.
@@ -240,9 +252,8 @@ class NewtonIteration {
             });
     }
 
-    /// The preconditioned gap, made conjugate to the last direction; into the field. Returns its
-    /// product with the gap.
-    double update_direction(double last, bool is_first) {
+    /// The gap, preconditioned; its product with the gap.
+    double precondition() {
         grid_.precondition(pressure_, displacement_);
         const auto [sum, norm] = sum_over_set<Sums<2>>([&](const std::uint32_t* points,
                                                            std::size_t first, std::size_t n) {
@@ -255,15 +266,19 @@ class NewtonIteration {
                                      }
                                      return part;
                                  }).values;
-        const double beta = is_first ? 0 : norm / last, middle = mean(sum);
+        middle_ = mean(sum);
+        return norm;
+    }
+
+    /// The preconditioned gap, made conjugate to the last direction; into the field.
+    void turn(double beta) {
         for_set([&](const std::uint32_t* points, std::size_t first, std::size_t n) {
             for (std::size_t j = 0; j < n; ++j) {
                 OnPoint& at = set_[first + j];
-                const double z = at.product - middle;
-                pressure_[points[j]] = at.direction = is_first ? z : z + beta * at.direction;
+                const double z = at.product - middle_;
+                pressure_[points[j]] = at.direction = z + beta * at.direction;
             }
         });
-        return norm;
     }
 
     /// Points that pull leave; those that are left bear the force prescribed.
@@ -299,6 +314,7 @@ class NewtonIteration {
     std::unique_ptr<OnPoint[]> set_;                 // one after the other
     std::size_t room_ = 0;                           // in it
     double gap_sum_ = 0;
+    double middle_ = 0;  // mean of the preconditioned gap
     std::size_t n_left_ = 0;
     bool is_settled_ = false;
 };

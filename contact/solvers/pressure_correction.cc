@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "contact/solvers/active_operator.h"
+#include "contact/solvers/conjugate_gradients.h"
 #include "contact/special_values.h"
 
 namespace tricontact::contact {
@@ -48,31 +49,38 @@ class PointsInContact {
         products_->precondition_normal(std::vector<double>(n, 1), unit);
         const double total_unit = total(unit);
         // The part of the residual that the mean can take, so that z is balanced.
-        const auto precondition = [&] {
+        const auto balance = [&] {
             products_->precondition_normal(residual, z);
             const double mean = total(z) / total_unit;
             for (std::size_t k = 0; k < n; ++k) {
                 residual[k] -= mean;
                 z[k] -= mean * unit[k];
             }
-            return inner(residual, z);
         };
-        double rho = precondition();
-        direction = z;
-        int iterations = 0;
-        while (iterations < most_iterations && largest(residual) > target && rho > 0) {
-            products_->normal(direction, displaced);
-            ++iterations;
-            const double step = rho / inner(direction, displaced);
-            for (std::size_t k = 0; k < n; ++k) {
-                p[k] -= step * direction[k];
-                residual[k] -= step * displaced[k];
-            }
-            const double last = rho;
-            rho = precondition();
-            for (std::size_t k = 0; k < n; ++k) direction[k] = z[k] + rho / last * direction[k];
-        }
-        return iterations;
+        return ConjugateGradients{.is_solved =
+                                      [&] {
+                                          balance();
+                                          return largest(residual) <= target;
+                                      },
+                                  .precondition = [&] { return inner(residual, z); },
+                                  .turn =
+                                      [&](double beta) {
+                                          for (std::size_t k = 0; k < n; ++k)
+                                              direction[k] = z[k] + beta * direction[k];
+                                      },
+                                  .apply =
+                                      [&] {
+                                          products_->normal(direction, displaced);
+                                          return inner(direction, displaced);
+                                      },
+                                  .move =
+                                      [&](double step) {
+                                          for (std::size_t k = 0; k < n; ++k) {
+                                              p[k] -= step * direction[k];
+                                              residual[k] -= step * displaced[k];
+                                          }
+                                      }}
+            .run(most_iterations);
     }
 
     double inner(const std::vector<double>& a, const std::vector<double>& b) const {

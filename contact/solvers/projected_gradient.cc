@@ -3,39 +3,75 @@
 #include <algorithm>
 #include <cmath>
 
+#include "contact/solvers/blocks.h"
+#include "contact/solvers/point_sums.h"
+
 namespace tricontact::contact {
 
 namespace {
 
+/// A balance of forces at one shift: what is missing, how it changes, and the convex potential of
+/// which it is the negative gradient.
+struct Balance {
+    Vector2 missing{};
+    double j_xx = 0, j_xy = 0, j_yy = 0;
+    double potential = 0, scale = 0, area = 0;
+    Balance& operator+=(const Balance& other) {
+        missing = missing + other.missing;
+        j_xx += other.j_xx;
+        j_xy += other.j_xy;
+        j_yy += other.j_yy;
+        potential += other.potential;
+        scale += other.scale;
+        area += other.area;
+        return *this;
+    }
+};
+
+/// Fields are those of the active points.
 class ProjectedGradient {
   public:
     ProjectedGradient(const Compliance& compliance, const std::vector<std::size_t>& active,
-                      const TangentialProblem& problem)
-        : compliance_(compliance),
-          area_(compliance.points().area),
-          active_(active),
+                      const ActiveOperator& products, const TangentialProblem& problem)
+        : active_(active),
+          products_(products),
           problem_(problem),
-          stiffness_(1 / largest_eigenvalue()) {}
+          tilt_(problem.tilt.among(active)),
+          points_(active.size(), compliance.n_threads()),
+          area_(active.size()),
+          bound_(active.size()),
+          previous_(active.size()) {
+        points_.for_points([&](std::size_t k) {
+            area_[k] = compliance.points().area[active[k]];
+            bound_[k] = problem.bound[active[k]];
+            previous_.set(k, problem.previous_displacement.at(active[k]));
+        });
+        stiffness_ = 1 / largest_eigenvalue();
+    }
 
     void improve(int iterations, TangentialSolution& solution) {
-        const std::size_t n = solution.traction.size();
-        TangentialField y = solution.traction, u(n), t(n);
+        const std::size_t n = active_.size();
+        TangentialField last(n), y(n), u(n), t(n);
+        points_.for_points([&](std::size_t k) { last.set(k, solution.traction.at(active_[k])); });
+        y = last;
         for (int d = 0; d < 2; ++d)
             shift_[d] = stiffness_ * (force_controlled(d) ? solution.shift_increment[d]
                                                           : problem_.control[d].value);
         double momentum = 1;
         for (int k = 0; k < iterations; ++k) {
-            compliance_.tangential(y, u);
+            products_.apply(y, u);
             ++solution.iterations;
-            const TangentialField point = gradient_step(y, u);
-            project(point, t);
+            gradient_step(y, u);
+            project(u, t);
             const double next = (1 + std::sqrt(1 + 4 * momentum * momentum)) / 2;
-            const double beta = uphill(y, t, solution.traction) ? 0 : (momentum - 1) / next;
+            const double beta = uphill(y, t, last) ? 0 : (momentum - 1) / next;
             momentum = beta == 0 ? 1 : next;
-            for (const std::size_t i : active_)
-                y.set(i, t.at(i) + beta * (t.at(i) - solution.traction.at(i)));
-            solution.traction = t;
+            points_.for_points(
+                [&](std::size_t i) { y.set(i, t.at(i) + beta * (t.at(i) - last.at(i))); });
+            std::swap(last, t);
         }
+        solution.traction = TangentialField(solution.traction.size());
+        points_.for_points([&](std::size_t k) { solution.traction.set(active_[k], last.at(k)); });
         solution.shift_increment = shift_ / stiffness_;
     }
 
@@ -48,63 +84,56 @@ class ProjectedGradient {
     /// hide the largest: on long quadratic elements a traction that changes its sign along each
     /// displaces 2.5 times as far as a uniform one, which would never find it.
     double largest_eigenvalue() const {
-        TangentialField v(area_.size()), u(area_.size());
-        for (const std::size_t i : active_)
-            v.set(i, {1 + std::sin(static_cast<double>(i)), std::cos(static_cast<double>(i))});
+        TangentialField v(active_.size()), u(active_.size());
+        points_.for_points([&](std::size_t k) {
+            const auto i = static_cast<double>(active_[k]);
+            v.set(k, {1 + std::sin(i), std::cos(i)});
+        });
         double eigenvalue = 0;
         for (int k = 0; k < 10; ++k) {
-            compliance_.tangential(v, u);
-            double size = 0;
-            for (const std::size_t i : active_) size = std::max(size, std::hypot(u.x[i], u.y[i]));
-            eigenvalue = size;
-            for (const std::size_t i : active_) v.set(i, u.at(i) / size);
+            products_.apply(v, u);
+            eigenvalue = points_
+                             .sum_points<Largest>([&](Largest& largest, std::size_t i) {
+                                 largest.add(norm(u.at(i)));
+                             })
+                             .value;
+            points_.for_points([&](std::size_t i) { v.set(i, u.at(i) / eigenvalue); });
         }
         return 1.05 * eigenvalue;
     }
 
-    TangentialField gradient_step(const TangentialField& y, const TangentialField& u) const {
-        TangentialField point(y.size());
-        const auto& previous = problem_.previous_displacement;
-        for (const std::size_t i : active_)
-            point.set(i, y.at(i) + stiffness_ * (previous.at(i) - u.at(i)));
-        return point;
+    /// `u`: the displacements at y, then the point that the gradient there leads to.
+    void gradient_step(const TangentialField& y, TangentialField& u) const {
+        points_.for_points(
+            [&](std::size_t k) { u.set(k, y.at(k) + stiffness_ * (previous_.at(k) - u.at(k))); });
     }
 
-    /// Balance of forces at one shift: what is missing, how it changes, and the convex potential of
-    /// which it is the negative gradient.
-    struct Balance {
-        Vector2 missing{};
-        double j_xx = 0, j_xy = 0, j_yy = 0;
-        double potential = 0, scale = 0, area = 0;
-    };
-
     Balance balance_at(const TangentialField& point, const Vector2& shift) const {
-        Balance b;
-        for (const std::size_t i : active_) {
-            const Vector2 v = point.at(i) + problem_.tilt.apply(i, shift);
-            const double bound = problem_.bound[i], size = norm(v);
+        Balance all = points_.sum_points<Balance>([&](Balance& b, std::size_t k) {
+            const Vector2 v = point.at(k) + tilt_.apply(k, shift);
+            const double bound = bound_[k], size = norm(v);
             const bool slips = size > bound;
-            const Vector2 p = project_on_disc(v, bound);
-            b.missing = b.missing - area_[i] * problem_.tilt.apply(i, p);
-            b.scale += area_[i] * bound;
-            b.area += area_[i];
-            b.potential += area_[i] * (slips ? bound * (size - bound / 2) : size * size / 2);
-            const double a = area_[i] * (slips ? bound / size : 1);
+            const Vector2 p = slips ? (bound / size) * v : v;
+            b.missing = b.missing - area_[k] * tilt_.apply(k, p);
+            b.scale += area_[k] * bound;
+            b.area += area_[k];
+            b.potential += area_[k] * (slips ? bound * (size - bound / 2) : size * size / 2);
+            const double a = area_[k] * (slips ? bound / size : 1);
             const Vector2 e = slips ? v / size : Vector2{};
-            const Vector2 x = problem_.tilt.apply(i, {1, 0}), y = problem_.tilt.apply(i, {0, 1});
+            const Vector2 x = tilt_.apply(k, {1, 0}), y = tilt_.apply(k, {0, 1});
             b.j_xx += a * (dot(x, x) - dot(e, x) * dot(e, x));
             b.j_xy += a * (dot(x, y) - dot(e, x) * dot(e, y));
             b.j_yy += a * (dot(y, y) - dot(e, y) * dot(e, y));
-        }
+        });
         for (int d = 0; d < 2; ++d) {
             if (force_controlled(d)) {
-                b.missing[d] += problem_.control[d].value;
-                b.potential -= problem_.control[d].value * shift[d];
+                all.missing[d] += problem_.control[d].value;
+                all.potential -= problem_.control[d].value * shift[d];
             } else {
-                b.missing[d] = 0;
+                all.missing[d] = 0;
             }
         }
-        return b;
+        return all;
     }
 
     Vector2 newton_step(Balance b) const {
@@ -136,34 +165,36 @@ class ProjectedGradient {
                 step = step / 4;
             }
         }
-        for (const std::size_t i : active_)
-            t.set(i,
-                  project_on_disc(point.at(i) + problem_.tilt.apply(i, shift_), problem_.bound[i]));
+        points_.for_points([&](std::size_t k) {
+            t.set(k, project_on_disc(point.at(k) + tilt_.apply(k, shift_), bound_[k]));
+        });
     }
 
     /// The last move goes against the momentum: start the acceleration again.
     bool uphill(const TangentialField& y, const TangentialField& t,
                 const TangentialField& last) const {
-        double product = 0;
-        for (const std::size_t i : active_)
-            product += area_[i] * dot(y.at(i) - t.at(i), t.at(i) - last.at(i));
-        return product > 0;
+        return points_.sum_terms([&](std::size_t k) {
+            return area_[k] * dot(y.at(k) - t.at(k), t.at(k) - last.at(k));
+        }) > 0;
     }
 
-    const Compliance& compliance_;
-    const std::vector<double>& area_;
     const std::vector<std::size_t>& active_;
+    const ActiveOperator& products_;
     const TangentialProblem& problem_;
-    const double stiffness_;  // step length of the gradient [Pa/m]
-    Vector2 shift_{};         // multiplier of the force balance, dU times stiffness [Pa]
+    const Tilt tilt_;
+    const Blocks points_;
+    std::vector<double> area_, bound_;
+    TangentialField previous_;
+    double stiffness_ = 0;  // step length of the gradient [Pa/m]
+    Vector2 shift_{};       // multiplier of the force balance, dU times stiffness [Pa]
 };
 
 }  // namespace
 
 void projected_gradient(const Compliance& compliance, const std::vector<std::size_t>& active,
-                        const TangentialProblem& problem, int iterations,
-                        TangentialSolution& solution) {
-    ProjectedGradient(compliance, active, problem).improve(iterations, solution);
+                        const ActiveOperator& products, const TangentialProblem& problem,
+                        int iterations, TangentialSolution& solution) {
+    ProjectedGradient(compliance, active, products, problem).improve(iterations, solution);
 }
 
 }  // namespace tricontact::contact

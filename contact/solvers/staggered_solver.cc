@@ -7,6 +7,7 @@
 
 #include "contact/error.h"
 #include "contact/solvers/fixed_point.h"
+#include "contact/solvers/point_sums.h"
 #include "contact/special_values.h"
 
 namespace tricontact::contact {
@@ -51,11 +52,12 @@ void StaggeredSolver::release() {
     highest_ = 0;
     starts_.clear();
     pressure_change_.clear();
-    now_.normal = std::make_shared<NormalSolution>(
-        NormalSolution{.pressure = std::vector<double>(n), .displacement = std::vector<double>(n)});
-    now_.bound.assign(n, 0);
-    now_.tangential.traction = now_.tangential.displacement = TangentialField(n);
-    now_.displacement = SurfaceField(n);
+    now_.normal = std::make_shared<NormalSolution>(NormalSolution{
+        .pressure = large_field(n, n_threads()), .displacement = large_field(n, n_threads())});
+    now_.bound = large_field(n, n_threads());
+    now_.tangential.traction = TangentialField(n, n_threads());
+    now_.tangential.displacement = TangentialField(n, n_threads());
+    now_.displacement = SurfaceField(n, n_threads());
 }
 
 void StaggeredSolver::make_solvers() {
@@ -73,7 +75,7 @@ Vector2 StaggeredSolver::rotated(const StepStart& before, std::size_t i) const {
 }
 
 SurfaceField StaggeredSolver::tractions() const {
-    return {now_.tangential.traction, now_.normal->pressure};
+    return {now_.tangential.traction, large_copy(now_.normal->pressure, n_threads())};
 }
 
 void StaggeredSolver::solve(const LoadStep& step, const StepStart& before) {
@@ -89,14 +91,16 @@ void StaggeredSolver::solve(const LoadStep& step, const StepStart& before) {
     update_displacement();
 }
 
-/// coupling().height() at the present offset, for the effective displacements [m]; infinite beside
-/// the focus.
+/// Height of the indenter at the present offset over what friction moves down, for the effective
+/// displacements [m]; infinite beside the focus.
 std::vector<double> StaggeredSolver::update_height() {
-    coupling_.update_height(now_.tangential.traction);
-    std::vector<double> height = coupling_.height();
-    for (std::size_t i = 0; substrate_.relaxes() && i < height.size(); ++i)
-        height[i] = substrate_.stiffness() * coupling_.bare_height()[i] + coupling_.lowering()[i] -
-                    substrate_.offset().down[i];
+    coupling_.update_lowering(now_.tangential.traction);
+    std::vector<double> height = large_copy(coupling_.bare_height(), n_threads());
+    const auto& lowering = coupling_.lowering();
+    const double stiffness = substrate_.stiffness();
+    blocks().for_points([&](std::size_t i) { height[i] = stiffness * height[i] + lowering[i]; });
+    if (substrate_.relaxes())
+        blocks().for_points([&](std::size_t i) { height[i] -= substrate_.offset().down[i]; });
     for (std::size_t i = 0; i < focus_.size(); ++i)
         if (!focus_[i]) height[i] = infinity;
     return height;
@@ -194,9 +198,12 @@ void StaggeredSolver::iterate(const LoadStep& step, const StepStart& before) {
 
         // What the iteration changed under the indenter is how far the pressures are from right.
         const std::vector<double> now = update_height();
-        double change = 0;
-        for (std::size_t i = 0; i < height.size(); ++i)
-            if (now_.normal->pressure[i] > 0) change = larger(change, std::abs(now[i] - height[i]));
+        const double change = blocks()
+                                  .sum_points<Largest>([&](Largest& largest, std::size_t i) {
+                                      if (now_.normal->pressure[i] > 0)
+                                          largest.add(std::abs(now[i] - height[i]));
+                                  })
+                                  .value;
         now_.gap_residual = change / (substrate_.stiffness() * now_.normal->length);
         if (now_.gap_residual <= tolerance_ && looseness_ == 1) return;
         height = iteration.next(height, now, now_.gap_residual);
@@ -236,11 +243,10 @@ void StaggeredSolver::solve_friction(const LoadStep& step, const StepStart& befo
 }
 
 void StaggeredSolver::solve_tangential(const LoadStep& step, const StepStart& before) {
-    double contact_area = 0;
-    for (std::size_t i = 0; i < now_.bound.size(); ++i) {
+    const auto contact_area = blocks().sum_points<double>([&](double& sum, std::size_t i) {
         now_.bound[i] = friction_coefficient_ * now_.normal->pressure[i];
-        if (now_.bound[i] > 0) contact_area += points().area[i];
-    }
+        if (now_.bound[i] > 0) sum += points().area[i];
+    });
     std::array<TangentialControl, 2> control = forces_and_shifts(step);
     const double stiffness = substrate_.stiffness();
     for (int d = 0; d < 2; ++d)
@@ -273,11 +279,12 @@ TangentialField StaggeredSolver::displaced_before(const StepStart& before) const
     TangentialField relative = before.displacement.in_surface;
     const TangentialField& other = coupling_.displacement();
     const double stiffness = substrate_.stiffness();
-    for (std::size_t i = 0; i < relative.size(); ++i) {
+    const bool relaxes = substrate_.relaxes();
+    blocks().for_points([&](std::size_t i) {
         Vector2 u = relative.at(i);
-        if (substrate_.relaxes()) u = stiffness * u + substrate_.offset().in_surface.at(i);
+        if (relaxes) u = stiffness * u + substrate_.offset().in_surface.at(i);
         relative.set(i, u + (stiffness * rotated(before, i) - other.at(i)));
-    }
+    });
     return relative;
 }
 
@@ -289,14 +296,15 @@ TangentialField StaggeredSolver::displaced_before(const StepStart& before) const
 void StaggeredSolver::find_shift_factor() {
     constexpr double of_half_spaces = 1.5;
     const auto& bound = now_.bound;
-    TangentialField sliding(bound.size()), displacement(bound.size());
+    TangentialField sliding(bound.size(), n_threads()), displacement(bound.size(), n_threads());
     sliding.x = bound;
     substrate_.compliance().tangential(sliding, displacement);
-    double work = 0, force = 0;
-    for (std::size_t i = 0; i < bound.size(); ++i) {
-        work += points().area[i] * bound[i] * displacement.x[i];
-        force += points().area[i] * bound[i];
-    }
+    const auto [work, force] = blocks()
+                                   .sum_points<Sums<2>>([&](Sums<2>& sum, std::size_t i) {
+                                       sum[0] += points().area[i] * bound[i] * displacement.x[i];
+                                       sum[1] += points().area[i] * bound[i];
+                                   })
+                                   .values;
     const double mean = work / force;
     const double across = friction_coefficient_ * substrate_.stiffness() * now_.normal->length;
     now_.shift_factor = mean > of_half_spaces * across ? mean / across : 1;
@@ -307,7 +315,8 @@ void StaggeredSolver::slide_freely(const LoadStep& step) {
     const std::size_t n = now_.bound.size();
     const Vector2 before = now_.shift;
     now_.tangential = {};
-    now_.tangential.traction = now_.tangential.displacement = TangentialField(n);
+    now_.tangential.traction = TangentialField(n);
+    now_.tangential.displacement = TangentialField(n);
     now_.bound.assign(n, 0);
     for (int d = 0; d < 2; ++d) {
         if (step.tangential[d].kind == TangentialControl::Kind::shift)
@@ -318,21 +327,22 @@ void StaggeredSolver::slide_freely(const LoadStep& step) {
 
 /// The displacements by all tractions of the present solution.
 void StaggeredSolver::update_displacement() {
-    now_.displacement = {now_.tangential.displacement, now_.normal->displacement};
     auto& [in_surface, down] = now_.displacement;
+    in_surface = now_.tangential.displacement;
+    copy_large(now_.normal->displacement, down);
     if (!coupling_.is_decoupled()) {
         const TangentialField& other = coupling_.displacement();
-        for (std::size_t i = 0; i < down.size(); ++i) {
+        blocks().for_points([&](std::size_t i) {
             in_surface.set(i, in_surface.at(i) + other.at(i));
             down[i] += coupling_.lowering()[i];
-        }
+        });
     }
     if (!substrate_.relaxes()) return;
     for (int d = 0; d < 3; ++d) {
         auto& u = *components(now_.displacement)[d];
         const auto& offset = *components(substrate_.offset())[d];
-        for (std::size_t i = 0; i < u.size(); ++i)
-            u[i] = (u[i] - offset[i]) / substrate_.stiffness();
+        blocks().for_points(
+            [&](std::size_t i) { u[i] = (u[i] - offset[i]) / substrate_.stiffness(); });
     }
 }
 

@@ -7,6 +7,7 @@
 #include <string>
 #include <tuple>
 
+#include "contact/solvers/blocks.h"
 #include "contact/solvers/coupling.h"
 #include "contact/solvers/focused_compliance.h"
 #include "contact/solvers/normal_solver.h"
@@ -83,6 +84,8 @@ class StaggeredSolver {
 
     const Compliance& compliance() const { return focused_ ? *focused_ : substrate_.compliance(); }
     const ContactPoints& points() const { return substrate_.compliance().points(); }
+    int n_threads() const { return substrate_.compliance().n_threads(); }
+    Blocks blocks() const { return {points().size(), n_threads()}; }
     void make_solvers();
     std::vector<double> update_height();
     void recall_start(double phase);

@@ -7,6 +7,8 @@
 #include <optional>
 
 #include "contact/error.h"
+#include "contact/solvers/blocks.h"
+#include "contact/solvers/point_sums.h"
 #include "contact/solvers/projected_gradient.h"
 #include "contact/special_values.h"
 
@@ -20,6 +22,19 @@ constexpr int gradient_iterations = 60;  // at first, twice as many each time, u
 constexpr int most_gradient_iterations = 64 * gradient_iterations;
 constexpr int cg_iterations = 300;
 constexpr double force_tolerance = 1e-10;  // over sum bound A; ten times finer than promised
+
+/// Of points: the residual, the force and whether all that slip are on their bound.
+struct Misfit {
+    double worst = 0;
+    Vector2 force{};
+    bool on_bound = true;
+    Misfit& operator+=(const Misfit& other) {
+        worst = larger(worst, other.worst);
+        force = force + other.force;
+        on_bound = on_bound && other.on_bound;
+        return *this;
+    }
+};
 
 class Newton {
   public:
@@ -35,15 +50,19 @@ class Newton {
           force_tolerance_(problem.looseness * force_tolerance),
           alpha_(problem.contact_compliance),
           solution_(solution),
+          points_(active.size(), compliance.n_threads()),
+          all_points_(compliance.points().size(), compliance.n_threads()),
+          area_(active.size()),
+          bound_(active.size()),
           traction_(active.size()),
           previous_(active.size()),
           displacement_(active.size()),
           slip_(active.size()) {
-        for (std::size_t k = 0; k < active_.size(); ++k) {
-            area_.push_back(compliance.points().area[active_[k]]);
-            bound_.push_back(problem.bound[active_[k]]);
+        points_.for_points([&](std::size_t k) {
+            area_[k] = compliance.points().area[active_[k]];
+            bound_[k] = problem.bound[active_[k]];
             previous_.set(k, problem.previous_displacement.at(active_[k]));
-        }
+        });
         for (int d = 0; d < 2; ++d)
             force_controlled_[d] = problem.control[d].kind == TangentialControl::Kind::force;
         sum_bounds();
@@ -88,11 +107,14 @@ class Newton {
 
   private:
     void sum_bounds() {
-        for (std::size_t k = 0; k < active_.size(); ++k) {
-            total_bound_ += area_[k] * bound_[k];
-            active_area_ += area_[k];
-        }
-        mean_bound_ = total_bound_ / active_area_;
+        const auto [bound, area] = points_
+                                       .sum_points<Sums<2>>([&](Sums<2>& sum, std::size_t k) {
+                                           sum[0] += area_[k] * bound_[k];
+                                           sum[1] += area_[k];
+                                       })
+                                       .values;
+        total_bound_ = bound;
+        mean_bound_ = total_bound_ / area;
     }
 
     void check_force_is_carried() const {
@@ -114,11 +136,11 @@ class Newton {
         solution_.displacement.x.resize(n);
         solution_.displacement.y.resize(n);
         take_over();
-        slipping_.assign(active_.size(), 0);
-        for (std::size_t k = 0; k < active_.size(); ++k) {
+        slipping_.resize(active_.size());
+        points_.for_points([&](std::size_t k) {
             slipping_[k] = norm(traction_.at(k)) >= bound_[k] * (1 - 1e-12);
             traction_.set(k, project_on_disc(traction_.at(k), bound_[k]));
-        }
+        });
         for (int d = 0; d < 2; ++d)
             if (force_controlled_[d])
                 shift_is_given_ |= solution_.shift_increment[d] != 0;
@@ -132,15 +154,14 @@ class Newton {
     }
 
     void take_over() {
-        for (std::size_t k = 0; k < active_.size(); ++k)
-            traction_.set(k, solution_.traction.at(active_[k]));
+        points_.for_points(
+            [&](std::size_t k) { traction_.set(k, solution_.traction.at(active_[k])); });
     }
 
     void hand_over() {
-        for (auto* component : {&solution_.traction.x, &solution_.traction.y})
-            std::ranges::fill(*component, 0.0);
-        for (std::size_t k = 0; k < active_.size(); ++k)
-            solution_.traction.set(active_[k], traction_.at(k));
+        all_points_.for_points([&](std::size_t i) { solution_.traction.set(i, {0, 0}); });
+        points_.for_points(
+            [&](std::size_t k) { solution_.traction.set(active_[k], traction_.at(k)); });
     }
 
     void update_slip() {
@@ -156,31 +177,33 @@ class Newton {
         compliance_.tangential(solution_.traction, solution_.displacement);
         ++solution_.iterations;
         displaces_all_ = true;
-        for (std::size_t k = 0; k < active_.size(); ++k)
-            displacement_.set(k, solution_.displacement.at(active_[k]));
+        points_.for_points(
+            [&](std::size_t k) { displacement_.set(k, solution_.displacement.at(active_[k])); });
         slip_by_displacement();
     }
 
     void slip_by_displacement() {
-        for (std::size_t k = 0; k < active_.size(); ++k)
+        points_.for_points([&](std::size_t k) {
             slip_.set(k, tilt_.apply(k, solution_.shift_increment) +
                              (previous_.at(k) - displacement_.at(k)));
+        });
     }
 
     /// t + s/alpha: inside the friction disc where the point sticks.
     Vector2 trial(std::size_t k) const { return traction_.at(k) + slip_.at(k) / alpha_; }
 
     void update_residual() {
-        double worst = 0;
-        Vector2 force{};
-        on_bound_ = true;
-        for (std::size_t k = 0; k < active_.size(); ++k) {
-            const Vector2 t = traction_.at(k), y = trial(k);
-            worst = larger(worst, norm(t - project_on_disc(y, bound_[k])));
-            // A start from other bounds may be close and yet slip below the bound: not accepted.
-            on_bound_ = on_bound_ && (norm(y) <= bound_[k] || norm(t) >= bound_[k] * (1 - 1e-11));
-            force = force + area_[k] * tilt_.apply(k, t);
-        }
+        const auto [worst, force, on_bound] =
+            points_.sum_points<Misfit>([&](Misfit& sum, std::size_t k) {
+                const Vector2 t = traction_.at(k), y = trial(k);
+                sum.worst = larger(sum.worst, norm(t - project_on_disc(y, bound_[k])));
+                // A start from other bounds may be close and yet slip below the bound: not
+                // accepted.
+                sum.on_bound =
+                    sum.on_bound && (norm(y) <= bound_[k] || norm(t) >= bound_[k] * (1 - 1e-11));
+                sum.force = sum.force + area_[k] * tilt_.apply(k, t);
+            });
+        on_bound_ = on_bound;
         solution_.residual = worst / mean_bound_;
         solution_.force_residual = 0;
         for (int d = 0; d < 2; ++d) {
@@ -207,13 +230,13 @@ class Newton {
     bool solve_linear_system() {
         std::vector<Vector2> tangent(active_.size());
         std::vector<double> curvature(active_.size(), 0.0);
-        for (std::size_t k = 0; k < active_.size(); ++k) {
-            if (!slipping_[k]) continue;
+        points_.for_points([&](std::size_t k) {
+            if (!slipping_[k]) return;
             const Vector2 t = traction_.at(k);
             const double bound = bound_[k];
             tangent[k] = {-t[1] / bound, t[0] / bound};
             curvature[k] = std::max(0.0, dot(slip_.at(k), t) / bound) / bound;
-        }
+        });
         if (!system_->set_zones(slipping_, std::move(tangent), std::move(curvature))) return false;
         const double scale = alpha_ * mean_bound_;
         // Zones still move while the residual is large: solve no more exactly than that deserves.
@@ -236,23 +259,23 @@ class Newton {
 
     void move(const TangentialSystem::Result& result) {
         solution_.shift_increment = solution_.shift_increment + result.shift_increment;
-        for (std::size_t k = 0; k < active_.size(); ++k) {
+        points_.for_points([&](std::size_t k) {
             Vector2 t = traction_.at(k) + result.z.at(k);
             if (slipping_[k]) t = onto_edge(t, bound_[k]);
             traction_.set(k, t);
             slip_.set(k, slip_.at(k) + (tilt_.apply(k, result.shift_increment) - result.a_z.at(k)));
-        }
+        });
     }
 
     /// New zones from traction and slip; slipping points are put on their friction disc.
     void classify() {
-        for (std::size_t k = 0; k < active_.size(); ++k) {
+        points_.for_points([&](std::size_t k) {
             const double bound = bound_[k];
             const Vector2 y = trial(k);
             slipping_[k] = norm(y) > bound;
             traction_.set(
                 k, slipping_[k] ? onto_edge(y, bound) : project_on_disc(traction_.at(k), bound));
-        }
+        });
     }
 
     /// On from where the last ones ended, for Newton's steps since then led nowhere: gradients
@@ -264,7 +287,8 @@ class Newton {
         } else {
             hand_over();
         }
-        projected_gradient(compliance_, active_, problem_, gradient_iterations_, solution_);
+        projected_gradient(compliance_, active_, products_, problem_, gradient_iterations_,
+                           solution_);
         gradient_iterations_ = std::min(2 * gradient_iterations_, most_gradient_iterations);
         descended_.traction = solution_.traction;
         descended_.shift_increment = solution_.shift_increment;
@@ -281,6 +305,7 @@ class Newton {
     const double alpha_;  // contact compliance [m/Pa]
     TangentialSolution& solution_;
     std::array<bool, 2> force_controlled_{};
+    const Blocks points_, all_points_;  // active ones
     // Per active point: areas [m^2], bounds and tractions [Pa]; displacements before and now [m].
     std::vector<double> area_, bound_;
     TangentialField traction_, previous_, displacement_;
@@ -294,7 +319,7 @@ class Newton {
     bool on_bound_ = false;         // all that slip are
     bool displaces_all_ = false;    // the last product was with all points
     bool shift_is_given_ = false;
-    double total_bound_ = 0, active_area_ = 0, mean_bound_ = 0;
+    double total_bound_ = 0, mean_bound_ = 0;
 };
 
 }  // namespace
@@ -303,9 +328,9 @@ TangentialSolver::TangentialSolver(const Compliance& compliance, double toleranc
     : compliance_(compliance), tolerance_(tolerance) {}
 
 void TangentialSolver::solve(const TangentialProblem& problem, TangentialSolution& solution) {
-    std::vector<std::size_t> active;
-    for (std::size_t i = 0; i < problem.bound.size(); ++i)
-        if (problem.bound[i] > 0) active.push_back(i);
+    const Blocks points(problem.bound.size(), compliance_.n_threads());
+    const std::vector<std::size_t> active =
+        points.points_where([&](std::size_t i) { return problem.bound[i] > 0; });
     const ActiveOperator& products = products_among(active);
     Newton(compliance_, active_, products, problem, tolerance_, solution).run();
 }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "contact/solvers/active_operator.h"
+#include "contact/solvers/blocks.h"
 #include "contact/solvers/compliance.h"
 #include "contact/vector2.h"
 
@@ -70,7 +71,9 @@ class TangentialSystem {
     const Result& solve(const TangentialField& r, const Vector2& c, const Limits& limits);
 
   private:
-    void project(TangentialField& f) const;
+    Vector2 projected(std::size_t k, const Vector2& f) const {
+        return slipping_[k] ? dot(tangent_[k], f) * tangent_[k] : f;
+    }
     void precondition(const TangentialField& r, TangentialField& z);
     double inner(const TangentialField& a, const TangentialField& b) const;
     Vector2 total(const TangentialField& z) const;
@@ -86,6 +89,7 @@ class TangentialSystem {
 
     const double local_;  // see Compliance::local_tangential [m/Pa]
     const ActiveOperator& products_;
+    const Blocks points_;
     std::array<bool, 2> force_controlled_;
     Tilt tilt_;
     std::vector<double> areas_;  // of the active points [m^2]

@@ -6,38 +6,10 @@
 
 #include "contact/solvers/compliance.h"
 #include "contact/substrates/relaxation.h"
+#include "contact/substrates/stieltjes_interpolation.h"
 #include "contact/substrates/substrate.h"
 
 namespace tricontact::contact {
-
-/// How the compliance of an elastic body depends on the modulus of a part of it: with x a factor of
-/// some of its stiffness (its shear moduli, say, while bulk moduli stay),
-///   C(x) = sum c_k/(x + l_k),   all c_k positive semidefinite, 0 <= l_k <= infinity,
-/// whatever the body's shape (l_k: the generalised eigenvalues of the rest in that part). Hence
-/// the rational interpolation
-///   C(x) = sum_m X_m/(x + pole_m),   X_m = sum_j weight(m, j) C(node_j),
-/// at Zolotarev's points, best for all l_k at once, converges exponentially, and its error is
-/// bounded without knowledge of the body:
-///   |C(x) - exact| <= error * exact   for 1 <= x <= range, in the energy of any load.
-/// Zolotarev (1877); Braess (1986), Nonlinear Approximation Theory, V.5.
-struct StieltjesInterpolation {
-    /// `least_range` > 1. As few points as `most_error` [-] allows, in a range as wide as these do.
-    StieltjesInterpolation(double least_range, double most_error);
-
-    std::size_t size() const { return nodes.size(); }
-    double weight(std::size_t m, std::size_t j) const { return weights[m * size() + j]; }
-    /// The share of C(node_j) in C(x).
-    std::vector<double> shares(double x) const {
-        std::vector<double> shares(size());
-        for (std::size_t m = 0; m < size(); ++m)
-            for (std::size_t j = 0; j < size(); ++j) shares[j] += weight(m, j) / (x + poles[m]);
-        return shares;
-    }
-
-    double range, error;               ///< where the bound holds; the bound
-    std::vector<double> nodes, poles;  ///< x_j > 1; > 0
-    std::vector<double> weights;       ///< row by row, see weight()
-};
 
 /// A substrate of which a part relaxes: its shear and not its bulk, a layer and not the ground
 /// below. The relaxation is no common factor of its stiffness. By the correspondence principle
@@ -55,9 +27,9 @@ class PartlyRelaxingSubstrate final : public Substrate {
     struct Sum {
         /// As one compliance, whose products cost as much as one part's.
         std::function<std::shared_ptr<const Compliance>(const std::vector<double>& weights)> of;
-        /// What the same tractions [Pa] displace several of these [m], without what couples normal
-        /// and tangential.
-        std::function<std::vector<SurfaceField>(const Parts& sums, const SurfaceField& t)>
+        /// What the same tractions [Pa] displace several of these, without what couples normal and
+        /// tangential, into `u` [m].
+        std::function<void(const Parts& sums, const SurfaceField& t, std::vector<SurfaceField>& u)>
             displacements;
         explicit operator bool() const { return of != nullptr; }
     };
@@ -94,20 +66,22 @@ class PartlyRelaxingSubstrate final : public Substrate {
         SurfaceField displacement;  // X t of the last step [m]
     };
 
-    /// Components of a step at the points that carry tractions before or after it, in their order.
+    /// A component of a step at the points that carry tractions before or after it, in their order.
     struct Loaded {
         std::vector<std::size_t> points;
-        std::vector<double> area, before, after, change;  // [m^2], t [Pa]
+        std::vector<double> change;  // t1 - t0 [Pa]
+        // Of the points' areas [N]: under t1 - t0, t1 and |t0| + |t1|.
+        std::vector<double> force_change, force, magnitude;
     };
 
     void set_weights(CombinedCompliance& compliance, const std::vector<double>& weights) const;
-    std::vector<SurfaceField> modal_displacements(const SurfaceField& t, double& magnitude);
+    void update_modal(const SurfaceField& t, double& magnitude);
     double largest_energy(const SurfaceField& u, const SurfaceField& t) const;
     Loaded loaded(int d, const SurfaceField& t) const;
-    void advance(Mode& mode, int d, const std::vector<double>& now, const Loaded& loaded,
-                 Energies& energies) const;
+    void advance(Mode& mode, int d, std::vector<double>& now, const Loaded& loaded,
+                 Energies& energies);
     Energies advance(Branch& branch, const Retardation::Branch& creep, int d,
-                     const std::vector<double>& change, const Loaded& loaded) const;
+                     const Loaded& loaded) const;
 
     Parts parts_;
     StieltjesInterpolation interpolation_;
@@ -120,11 +94,11 @@ class PartlyRelaxingSubstrate final : public Substrate {
     std::vector<Mode> modes_;
     std::vector<std::shared_ptr<const Compliance>> modal_;  // X_m, where they are known; if needed
     double duration_ = 0;
-    SurfaceField traction_, displacement_;  // at the beginning of the step
+    const SurfaceField *traction_ = nullptr, *displacement_ = nullptr;  // before the step
     SurfaceField offset_;
+    // While a step ends: what the modes are displaced by, and the change of one of them [m].
+    std::vector<SurfaceField> modal_displacements_;
+    std::vector<double> change_;
 };
-
-/// The points at which a body of this relaxation is needed, for displacements to 1e-7 at any time.
-StieltjesInterpolation interpolation_of(const Relaxation& relaxation);
 
 }  // namespace tricontact::contact

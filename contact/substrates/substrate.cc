@@ -5,6 +5,7 @@
 
 #include "contact/compensated_sum.h"
 #include "contact/error.h"
+#include "contact/solvers/blocks.h"
 
 namespace tricontact::contact {
 
@@ -13,37 +14,43 @@ void Substrate::advect() {
 }
 
 ElasticSubstrate::ElasticSubstrate(std::shared_ptr<const Compliance> compliance)
-    : compliance_(std::move(compliance)),
-      none_(compliance_->points().size()),
-      traction_(none_),
-      displacement_(none_) {}
+    : compliance_(std::move(compliance)) {}
 
 bool ElasticSubstrate::begin(double, const SurfaceField& t, const SurfaceField& u) {
-    traction_ = t;
-    displacement_ = u;
+    traction_ = &t;
+    displacement_ = &u;
     return false;
 }
 
 Substrate::Energies ElasticSubstrate::end(const SurfaceField& t, const SurfaceField& u) {
     const auto& area = compliance_->points().area;
+    const Blocks points(area.size(), compliance_->n_threads());
+    std::vector<Energies> parts((area.size() + summed_block - 1) / summed_block);
     CompensatedSum all_stored, all_work, all_magnitude;
     for (int d = 0; d < 3; ++d) {
-        const double *const t0 = components(traction_)[d]->data(),
-                            *const u0 = components(displacement_)[d]->data(),
+        const double *const t0 = components(*traction_)[d]->data(),
+                            *const u0 = components(*displacement_)[d]->data(),
                             *const t1 = components(t)[d]->data(),
                             *const u1 = components(u)[d]->data();
-        for_each_block(0, static_cast<int>(area.size()), [&](int begin, int end) {
-            double stored = 0, work = 0, magnitude = 0;
-            for (int i = begin; i < end; ++i) {
-                stored += area[i] / 2 * t1[i] * u1[i];
-                work += area[i] / 2 * (t0[i] + t1[i]) * (u1[i] - u0[i]);
-                magnitude += area[i] / 2 * (std::abs(t0[i]) + std::abs(t1[i])) *
-                             (std::abs(u0[i]) + std::abs(u1[i]));
-            }
-            all_stored.add(stored);
-            all_work.add(work);
-            all_magnitude.add(magnitude);
+        points.for_each([&](std::size_t, std::size_t first, std::size_t last) {
+            for_each_block(static_cast<int>(first), static_cast<int>(last),
+                           [&](int begin, int end) {
+                               double stored = 0, work = 0, magnitude = 0;
+                               for (int i = begin; i < end; ++i) {
+                                   stored += area[i] / 2 * t1[i] * u1[i];
+                                   work += area[i] / 2 * (t0[i] + t1[i]) * (u1[i] - u0[i]);
+                                   magnitude += area[i] / 2 * (std::abs(t0[i]) + std::abs(t1[i])) *
+                                                (std::abs(u0[i]) + std::abs(u1[i]));
+                               }
+                               parts[begin / summed_block] = {
+                                   .stored = stored, .work = work, .magnitude = magnitude};
+                           });
         });
+        for (const Energies& part : parts) {
+            all_stored.add(part.stored);
+            all_work.add(part.work);
+            all_magnitude.add(part.magnitude);
+        }
     }
     return {.stored = all_stored.value(),
             .dissipated = 0,

@@ -16,9 +16,20 @@ struct SurfaceField {
     std::vector<double> down;
 
     SurfaceField() = default;
-    explicit SurfaceField(std::size_t n) : in_surface(n), down(n, 0.0) {}
+    explicit SurfaceField(std::size_t n, int n_threads = 1)
+        : in_surface(n, n_threads), down(large_field(n, n_threads)) {}
     SurfaceField(TangentialField surface, std::vector<double> downward)
         : in_surface(std::move(surface)), down(std::move(downward)) {}
+    SurfaceField(const SurfaceField& other)
+        : in_surface(other.in_surface), down(large_copy(other.down)) {}
+    SurfaceField& operator=(const SurfaceField& other) {
+        in_surface = other.in_surface;
+        copy_large(other.down, down);
+        return *this;
+    }
+    SurfaceField(SurfaceField&&) = default;
+    SurfaceField& operator=(SurfaceField&&) = default;
+    ~SurfaceField() = default;
 };
 /// Pointers to the three components of a (constant or variable) SurfaceField.
 template <class Field>
@@ -42,12 +53,12 @@ class Substrate {
     /// The same loads may displace it otherwise another time.
     virtual bool relaxes() const { return true; }
 
-    /// Begins a step of this duration [s] from the tractions `t` [Pa] and displacements `u` [m].
-    /// True when `compliance` is another one than before.
+    /// Begins a step of this duration [s] from the tractions `t` [Pa] and displacements `u` [m],
+    /// which stay as they are until end(). True when `compliance` is another one than before.
     virtual bool begin(double duration, const SurfaceField& t, const SurfaceField& u) = 0;
     virtual const Compliance& compliance() const = 0;  ///< of the step: the same object always
     virtual double stiffness() const = 0;              ///< of the step [-]
-    virtual const SurfaceField& offset() const = 0;    ///< [m]
+    virtual const SurfaceField& offset() const = 0;    ///< [m]; empty: none
     /// That of the relaxed state, where lengths and forces are compared with it.
     virtual const Compliance& relaxed() const { return compliance(); }
 
@@ -99,7 +110,8 @@ class ElasticSubstrate final : public Substrate {
 
   private:
     std::shared_ptr<const Compliance> compliance_;
-    SurfaceField none_, traction_, displacement_;  // zero; before the step
+    SurfaceField none_;                                                 // empty
+    const SurfaceField *traction_ = nullptr, *displacement_ = nullptr;  // before the step
 };
 
 /// Where a step of one cell evaluates what an indenter that rotates slides by: this part of a cell

@@ -128,6 +128,37 @@ TEST(SurfaceModel, UncoupledGoesOnFromItsBytes) {
     }
 }
 
+// What relaxes starts from pressures of the period before and from what the last step's have gained
+// since: a run resumed in its third period knows both, and takes the same iterations. Where all of
+// it relaxes, and where its bulk does not.
+TEST(SurfaceModel, RelaxingGoesOnFromItsBytes) {
+    Case c = layer_case();
+    c.layer.thickness.reset();
+    c.substrate.poisson = .45;
+    c.contact.coupling = false;
+    c.rolling->steps = Case::Steps::per_quarter;
+    c.rolling->steps_per_quarter = 2;
+    c.rolling->speed = 1e-3;
+    c.relaxation = contact::Relaxation{{{.4, .3}, {.3, 3.}}, {}};
+    for (const auto bulk :
+         {contact::Relaxation::Bulk::elastic, contact::Relaxation::Bulk::proportional}) {
+        c.relaxation->bulk = bulk;
+        const auto steps = steps_of(c);
+        for (const std::size_t interrupted : {9, 20, 23}) {
+            const auto model = bem::make_model(c, 1), resumed = bem::make_model(c, 1);
+            for (std::size_t k = 0; k < 34; ++k) {
+                const auto record = model->advance(steps[k]);
+                if (k <= interrupted)
+                    resumed->read_state(model->write_state());
+                else
+                    ASSERT_EQ(resumed->advance(steps[k]).normal_iterations,
+                              record.normal_iterations);
+                ASSERT_EQ(resumed->write_state(), model->write_state()) << interrupted << ' ' << k;
+            }
+        }
+    }
+}
+
 // Also at positions whose pressures are known from before. Tolerance of the solver: 1e-8 of d.
 TEST(SurfaceModel, GapIsClosedWhereverTheContactHasRolled) {
     Case c = layer_case();

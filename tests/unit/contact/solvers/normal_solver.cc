@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -87,6 +88,30 @@ TEST(NormalSolver, IndentationControlIsTheInverse) {
         EXPECT_NEAR(by_depth.force / .7, 1, 1e-8);
         for (int i = 0; i < n_points; ++i)
             EXPECT_NEAR(by_depth.pressure[i], by_force.pressure[i], 1e-7);
+    }
+}
+
+// Under a pressure of 1 everywhere each point is displaced by what the body reaches into the
+// surface: the one solution, A p = d - h and p > 0, without a solver. Found from nothing, where a
+// pressure of 1 displaces by the depth, half of it or ten times as much, and from other pressures,
+// which no force scales. Gaps of the tolerance times the stiffness of single points: 1e-8.
+TEST(NormalSolver, IndentationIsThatOfItsOwnPressures) {
+    const DenseCompliance compliance(n_points, 4);
+    const NormalSolver solver(compliance, tolerance);
+    std::vector<double> unit(n_points, 1.), u(n_points);
+    compliance.normal(unit, u);
+    const double most = *std::max_element(u.begin(), u.end());
+    for (const double depth : {most, 2 * most, .1 * most}) {
+        std::vector<double> height;
+        for (const double displaced : u) height.push_back(depth - displaced);
+        for (const double start : {0., .5, 2., 10.}) {
+            const std::vector<double> pressures(start > 0 ? n_points : 0, start);
+            const auto s = solver.solve(height, {Kind::indentation, depth}, pressures);
+            for (int i = 0; i < n_points; ++i) {
+                EXPECT_NEAR(s.pressure[i], 1, 1e-8) << depth / most << ' ' << start;
+                EXPECT_NEAR(s.displacement[i], u[i], tolerance * std::max(depth, most));
+            }
+        }
     }
 }
 

@@ -56,7 +56,9 @@ TEST(ProjectedGradient, ConvergesWhereTheLargestModeIsNotUniform) {
         {{TangentialControl::Kind::force, .2}, {TangentialControl::Kind::shift, 0}}};
     contact::TangentialSolution solution;
     solution.traction = solution.displacement = TangentialField(3);
-    projected_gradient(compliance, {0, 1, 2}, {bound, previous, control, 1}, 100, solution);
+    const std::vector<std::size_t> active{0, 1, 2};
+    projected_gradient(compliance, active, *make_active_operator(compliance, active),
+                       {bound, previous, control, 1}, 100, solution);
     for (int i = 0; i < 3; ++i) EXPECT_NEAR(solution.traction.x[i], exact.x[i], 1e-8);
     EXPECT_NEAR(solution.shift_increment[0], 0, 1e-8);
 }

@@ -250,8 +250,9 @@ TEST(TangentialSolver, ProjectedGradientsFindTheSame) {
             const auto newton = setting.solve(control);
             TangentialSolution gradient;
             gradient.traction = TangentialField(n_points);
-            contact::projected_gradient(setting.compliance, active, setting.problem(control), 4000,
-                                        gradient);
+            contact::projected_gradient(setting.compliance, active,
+                                        *make_active_operator(setting.compliance, active),
+                                        setting.problem(control), 4000, gradient);
             EXPECT_EQ(gradient.iterations, 4000);
             expect_solution(setting, control, gradient, 1e-7);  // linear convergence
             for (int d = 0; d < 2; ++d)

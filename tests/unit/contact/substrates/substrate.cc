@@ -99,11 +99,12 @@ struct Loading {
         for (int d = 0; d < 3; ++d)
             for (std::size_t i = 0; i < n; ++i)
                 (*components(now)[d])[i] =
-                    ((*components(now)[d])[i] - (*components(substrate.offset())[d])[i]) /
+                    ((*components(now)[d])[i] -
+                     (substrate.relaxes() ? (*components(substrate.offset())[d])[i] : 0)) /
                     substrate.stiffness();
+        last = substrate.end(next, now);
         t = next;
         u = now;
-        last = substrate.end(t, u);
         dissipated += last.dissipated;
         work += last.work;
     }

@@ -9,7 +9,7 @@
 
 namespace tricontact::contact {
 
-// What loops over the points of a normal contact add up, see Blocks::sum.
+// What loops over the points of a contact add up, see Blocks::sum.
 
 template <std::size_t n>
 struct Sums {
@@ -17,6 +17,16 @@ struct Sums {
     double& operator[](std::size_t k) { return values[k]; }
     Sums& operator+=(const Sums& other) {
         for (std::size_t k = 0; k < n; ++k) values[k] += other.values[k];
+        return *this;
+    }
+};
+
+/// NaN if any is one.
+struct Largest {
+    double value = 0;
+    void add(double other) { value = larger(value, other); }
+    Largest& operator+=(const Largest& other) {
+        add(other.value);
         return *this;
     }
 };
