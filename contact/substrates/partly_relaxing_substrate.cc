@@ -7,16 +7,38 @@
 
 #include "contact/compensated_sum.h"
 #include "contact/solvers/wide_vectors.h"
+#include "contact/substrates/block_sums.h"
 
 namespace tricontact::contact {
 
 namespace {
 
+/// Of a sum of fields.
+struct Share {
+    double factor;
+    const SurfaceField* field;
+};
+
+TRICONTACT_WIDEST_VECTORS
+void add(double* sum, double factor, const double* field, int n) {
+    for (int i = 0; i < n; ++i) sum[i] += factor * field[i];
+}
+
 void add(SurfaceField& sum, double factor, const SurfaceField& field) {
+    for (int d = 0; d < 3; ++d)
+        add(components(sum)[d]->data(), factor, components(field)[d]->data(),
+            static_cast<int>(field.down.size()));
+}
+
+/// Block by block, each of which stays in the cache.
+void set_to_sum(const std::vector<Share>& shares, SurfaceField& sum) {
     for (int d = 0; d < 3; ++d) {
         double* const to = components(sum)[d]->data();
-        const double* const from = components(field)[d]->data();
-        for (std::size_t i = 0; i < field.down.size(); ++i) to[i] += factor * from[i];
+        for_each_block(0, static_cast<int>(sum.down.size()), [&](int begin, int end) {
+            std::fill(to + begin, to + end, 0.);
+            for (const auto& [factor, field] : shares)
+                add(to + begin, factor, components(*field)[d]->data() + begin, end - begin);
+        });
     }
 }
 
@@ -73,8 +95,8 @@ bool PartlyRelaxingSubstrate::begin(double duration, const SurfaceField& t, cons
     duration_ = duration;
     traction_ = &t;
     displacement_ = &u;
-    for (auto* component : components(offset_)) std::ranges::fill(*component, 0.);
     std::vector<double> weights(parts_.size());
+    std::vector<Share> shares;
     for (std::size_t m = 0; m < modes_.size(); ++m) {
         const Mode& mode = modes_[m];
         double of_step = mode.creep.relaxed, recovered = 0;
@@ -83,12 +105,14 @@ bool PartlyRelaxingSubstrate::begin(double duration, const SurfaceField& t, cons
             const double mean = StepIntegrals(duration / time).mean;
             of_step -= compliance * mean;
             recovered += compliance * mean;
-            add(offset_, compliance * std::exp(-duration / time), mode.branches[b].displacement);
+            shares.push_back(
+                {compliance * std::exp(-duration / time), &mode.branches[b].displacement});
         }
-        add(offset_, -recovered, mode.displacement);
+        shares.push_back({-recovered, &mode.displacement});
         for (std::size_t j = 0; j < parts_.size(); ++j)
             weights[j] += interpolation_.weight(m, j) * of_step;
     }
+    set_to_sum(shares, offset_);
     if (weights == weights_) return false;
     set_weights(step_, weights);
     weights_ = std::move(weights);
@@ -106,7 +130,8 @@ std::vector<SurfaceField*> PartlyRelaxingSubstrate::memory() {
 }
 
 /// X_m t for each mode. They are sums of either sign, whose rounding goes with the magnitudes.
-void PartlyRelaxingSubstrate::update_modal(const SurfaceField& t, double& magnitude) {
+void PartlyRelaxingSubstrate::update_modal(const SurfaceField& t, const LoadedField& loaded,
+                                           double& magnitude) {
     const std::size_t n_modes = modes_.size();
     auto& modal = modal_displacements_;
     if (sum_) {
@@ -121,7 +146,7 @@ void PartlyRelaxingSubstrate::update_modal(const SurfaceField& t, double& magnit
         for (std::size_t m = 0; m < n_modes; ++m) {
             if (step_.is_coupled()) add_coupling(*modal_[m], t, modal[m]);
             const double relaxed = modes_[m].creep.relaxed;
-            energy += relaxed * largest_energy(modal[m], t);
+            energy += relaxed * largest_energy(modal[m], loaded);
             for (std::size_t j = 0; j < n_modes; ++j)
                 all_weights += relaxed * std::abs(interpolation_.weight(m, j));
         }
@@ -131,7 +156,7 @@ void PartlyRelaxingSubstrate::update_modal(const SurfaceField& t, double& magnit
     modal.assign(n_modes, SurfaceField(n_));
     for (std::size_t j = 0; j < parts_.size(); ++j) {
         const SurfaceField part = displaced(*parts_[j], t, step_.is_coupled());
-        const double energy = largest_energy(part, t);
+        const double energy = largest_energy(part, loaded);
         for (std::size_t m = 0; m < n_modes; ++m) {
             const double weight = interpolation_.weight(m, j);
             add(modal[m], weight, part);
@@ -141,95 +166,65 @@ void PartlyRelaxingSubstrate::update_modal(const SurfaceField& t, double& magnit
 }
 
 /// What these displacements and the tractions of the step could at most exchange [J].
-double PartlyRelaxingSubstrate::largest_energy(const SurfaceField& u, const SurfaceField& t) const {
-    const auto& area = step_.points().area;
+double PartlyRelaxingSubstrate::largest_energy(const SurfaceField& u, const LoadedField& loaded) {
     double sum = 0;
     for (int d = 0; d < 3; ++d) {
-        const double *const t0 = components(*traction_)[d]->data(),
-                            *const t1 = components(t)[d]->data(),
-                            *const by_u = components(u)[d]->data();
-        for (std::size_t i = 0; i < n_; ++i)
-            sum += area[i] * (std::abs(t0[i]) + std::abs(t1[i])) * std::abs(by_u[i]);
+        const Loaded& at = loaded[d];
+        const double* const by_u = components(u)[d]->data() + at.first;
+        sum += block_sums<1>(at.size(), [&](Terms<1>& sums, int k) {
+            sums[0] += at.magnitude[k] * std::abs(by_u[k]);
+        })[0];
     }
     return sum;
 }
 
 /// Of the energies' sums only what the branches add to those of t and u.
 Substrate::Energies PartlyRelaxingSubstrate::end(const SurfaceField& t, const SurfaceField& u) {
-    const auto& area = step_.points().area;
     Energies energies;
-    CompensatedSum all_stored, all_work;
+    LoadedField loaded;
     // Partial integration of the work: the displacement's mean over the step is known.
     for (int d = 0; d < 3; ++d) {
-        const auto &t0 = *components(*traction_)[d], &u0 = *components(*displacement_)[d];
-        const auto &t1 = *components(t)[d], &u1 = *components(u)[d];
-        for (std::size_t i = 0; i < n_; ++i) {
-            all_stored.add(area[i] / 2 * t1[i] * u1[i]);
-            all_work.add(area[i] * (t1[i] * u1[i] - t0[i] * u0[i]));
-            energies.magnitude +=
-                area[i] * (std::abs(t0[i]) + std::abs(t1[i])) * (std::abs(u0[i]) + std::abs(u1[i]));
-        }
+        const Loaded& at = loaded[d] = loaded_points(d, t);
+        const double *const u0 = components(*displacement_)[d]->data() + at.first,
+                            *const u1 = components(u)[d]->data() + at.first;
+        const auto [stored, work, magnitude] = block_sums<3>(at.size(), [&](Terms<3>& sums, int k) {
+            const double before = u0[k], after = u1[k];
+            sums[0] += at.force[k] / 2 * after;
+            sums[1] += at.force[k] * after - (at.force[k] - at.force_change[k]) * before;
+            sums[2] += at.magnitude[k] * (std::abs(before) + std::abs(after));
+        });
+        energies.stored += stored;
+        energies.work += work;
+        energies.magnitude += magnitude;
     }
-    energies.stored = all_stored.value();
-    energies.work = all_work.value();
-    update_modal(t, energies.magnitude);
-    for (int d = 0; d < 3; ++d) {
-        const Loaded points = loaded(d, t);
+    update_modal(t, loaded, energies.magnitude);
+    for (int d = 0; d < 3; ++d)
         for (std::size_t m = 0; m < modes_.size(); ++m)
-            advance(modes_[m], d, *components(modal_displacements_[m])[d], points, energies);
-    }
+            advance(modes_[m], d, *components(modal_displacements_[m])[d], loaded[d], energies);
     return energies;
 }
 
-PartlyRelaxingSubstrate::Loaded PartlyRelaxingSubstrate::loaded(int d,
-                                                                const SurfaceField& t) const {
+PartlyRelaxingSubstrate::Loaded PartlyRelaxingSubstrate::loaded_points(
+    int d, const SurfaceField& t) const {
     const auto &t0 = *components(*traction_)[d], &t1 = *components(t)[d];
+    const double* const area = step_.points().area.data();
+    const auto carries = [&](std::size_t i) { return t0[i] != 0 || t1[i] != 0; };
     Loaded loaded;
-    for (std::size_t i = 0; i < n_; ++i) {
-        if (t0[i] == 0 && t1[i] == 0) continue;
-        const double area = step_.points().area[i];
-        loaded.points.push_back(i);
-        loaded.change.push_back(t1[i] - t0[i]);
-        loaded.force_change.push_back(area * (t1[i] - t0[i]));
-        loaded.force.push_back(area * t1[i]);
-        loaded.magnitude.push_back(area * (std::abs(t0[i]) + std::abs(t1[i])));
+    std::size_t last = n_;
+    while (last > 0 && !carries(last - 1)) --last;
+    while (loaded.first < last && !carries(loaded.first)) ++loaded.first;
+    for (auto* field : {&loaded.change, &loaded.force_change, &loaded.force, &loaded.magnitude})
+        field->resize(last - loaded.first);
+    for (std::size_t k = 0, i = loaded.first; i < last; ++k, ++i) {
+        loaded.change[k] = t1[i] - t0[i];
+        loaded.force_change[k] = area[i] * (t1[i] - t0[i]);
+        loaded.force[k] = area[i] * t1[i];
+        loaded.magnitude[k] = area[i] * (std::abs(t0[i]) + std::abs(t1[i]));
     }
     return loaded;
 }
 
 namespace {
-
-template <std::size_t n>
-using Terms = std::array<double, n>;
-
-/// The sum of what `add(sums, k)` adds for begin <= k < end: in four parts, which need not wait for
-/// each other.
-template <std::size_t n, class Add>
-Terms<n> lane_sums(int begin, int end, Add add) {
-    std::array<Terms<n>, 4> sums{};
-    int k = begin;
-    for (; k + 4 <= end; k += 4)
-#pragma GCC unroll 4
-        for (int lane = 0; lane < 4; ++lane) add(sums[lane], k + lane);
-    for (; k < end; ++k) add(sums[0], k);
-    Terms<n> total;
-    for (std::size_t j = 0; j < n; ++j)
-        total[j] = (sums[0][j] + sums[1][j]) + (sums[2][j] + sums[3][j]);
-    return total;
-}
-
-/// The same over all k < count, see for_each_block().
-template <std::size_t n, class Add>
-Terms<n> block_sums(std::size_t count, Add add) {
-    std::array<CompensatedSum, n> all;
-    for_each_block(0, static_cast<int>(count), [&](int begin, int end) {
-        const Terms<n> sums = lane_sums<n>(begin, end, add);
-        for (std::size_t j = 0; j < n; ++j) all[j].add(sums[j]);
-    });
-    Terms<n> values;
-    for (std::size_t j = 0; j < n; ++j) values[j] = all[j].value();
-    return values;
-}
 
 /// e <- decay e, x_e <- decay x_e + mean x_w of n points; the sum of area e x_e before.
 TRICONTACT_WIDEST_VECTORS
@@ -255,14 +250,45 @@ double creep_block(const double* area, const double* x_w, double decay, double m
     return sum;
 }
 
+/// A branch's w X e, w X w, t1 X e after the step, and what the latter could at most be, over n
+/// points.
+TRICONTACT_WIDEST_VECTORS
+Terms<4> loaded_block(const double* force_change, const double* force, const double* magnitude,
+                      const double* x_w, double decay, double mean, int n, const double* x_e) {
+    using Numbers = Vector<double>;
+    constexpr int width = static_cast<int>(lanes<double>);
+    std::array<Numbers, 4> sums{};
+    int i = 0;
+    for (; i + width <= n; i += width) {
+        const auto before = Numbers::load(x_e + i).lanes, change = Numbers::load(x_w + i).lanes;
+        const auto after = before * decay + change * mean;
+        const auto w = Numbers::load(force_change + i).lanes;
+        sums[0].lanes += w * before;
+        sums[1].lanes += w * change;
+        sums[2].lanes += Numbers::load(force + i).lanes * after;
+        sums[3].lanes += Numbers::load(magnitude + i).lanes * (after < 0 ? -after : after);
+    }
+    Terms<4> total{};
+    for (std::size_t j = 0; j < 4; ++j)
+        for (int lane = 0; lane < width; ++lane) total[j] += sums[j].lanes[lane];
+    for (; i < n; ++i) {
+        const double after = x_e[i] * decay + x_w[i] * mean;
+        total[0] += force_change[i] * x_e[i];
+        total[1] += force_change[i] * x_w[i];
+        total[2] += force[i] * after;
+        total[3] += magnitude[i] * std::abs(after);
+    }
+    return total;
+}
+
 }  // namespace
 
 /// A component d of a mode, whose displacement becomes `now`, which gets what it was.
 void PartlyRelaxingSubstrate::advance(Mode& mode, int d, std::vector<double>& now,
                                       const Loaded& loaded, Energies& energies) {
     auto& displacement = *components(mode.displacement)[d];
-    const auto [work, magnitude] = block_sums<2>(loaded.points.size(), [&](Terms<2>& sums, int k) {
-        const std::size_t i = loaded.points[k];
+    const auto [work, magnitude] = block_sums<2>(loaded.size(), [&](Terms<2>& sums, int k) {
+        const std::size_t i = loaded.first + k;
         sums[0] += loaded.force_change[k] * mode.creep.relaxed * (displacement[i] + now[i]) / 2;
         sums[1] += loaded.magnitude[k] * (std::abs(displacement[i]) + std::abs(now[i]));
     });
@@ -291,29 +317,28 @@ Substrate::Energies PartlyRelaxingSubstrate::advance(Branch& branch,
     const double *const areas = step_.points().area.data(), *const x_w = change_.data();
     double* const e = components(branch.traction)[d]->data();
     double* const x_e = components(branch.displacement)[d]->data();
-    const std::size_t* const points = loaded.points.data();
-    const auto [w_x_e, w_x_w, force_x_e, magnitude] =
-        block_sums<4>(loaded.points.size(), [&](Terms<4>& sums, int k) {
-            const double before = x_e[points[k]], change = x_w[points[k]];
-            const double after = decay * before + mean * change;
-            sums[0] += loaded.force_change[k] * before;
-            sums[1] += loaded.force_change[k] * change;
-            sums[2] += loaded.force[k] * after;
-            sums[3] += loaded.magnitude[k] * std::abs(after);
-        });
+    std::array<CompensatedSum, 4> of_loaded;
+    for_each_block(0, static_cast<int>(loaded.size()), [&](int begin, int end) {
+        const std::size_t first = loaded.first + begin;
+        const Terms<4> sums = loaded_block(
+            loaded.force_change.data() + begin, loaded.force.data() + begin,
+            loaded.magnitude.data() + begin, x_w + first, decay, mean, end - begin, x_e + first);
+        for (std::size_t j = 0; j < 4; ++j) of_loaded[j].add(sums[j]);
+    });
+    const double w_x_e = of_loaded[0].value(), w_x_w = of_loaded[1].value();
     CompensatedSum all;
     for_each_block(0, static_cast<int>(n_), [&](int begin, int end) {
         all.add(creep_block(areas + begin, x_w + begin, decay, mean, end - begin, e + begin,
                             x_e + begin));
     });
-    for (std::size_t k = 0; k < loaded.points.size(); ++k) e[points[k]] += mean * loaded.change[k];
+    add(e + loaded.first, mean, loaded.change.data(), static_cast<int>(loaded.size()));
     const double old = all.value();
     const double now = decay * decay * old + 2 * decay * mean * w_x_e + mean * mean * w_x_w;
     Energies energies;
     energies.dissipated = creep.compliance * (old * s.ee + 2 * w_x_e * s.ew + w_x_w * s.ww);
     energies.work = creep.compliance * (w_x_e * mean + w_x_w * s.drift);
-    energies.stored = creep.compliance / 2 * (now - force_x_e);
-    energies.magnitude = creep.compliance * magnitude;
+    energies.stored = creep.compliance / 2 * (now - of_loaded[2].value());
+    energies.magnitude = creep.compliance * of_loaded[3].value();
     return energies;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <functional>
 #include <memory>
 #include <vector>
@@ -66,18 +67,22 @@ class PartlyRelaxingSubstrate final : public Substrate {
         SurfaceField displacement;  // X t of the last step [m]
     };
 
-    /// A component of a step at the points that carry tractions before or after it, in their order.
+    /// A component of a step from the first to the last of the points that carry tractions before
+    /// or after it.
     struct Loaded {
-        std::vector<std::size_t> points;
+        std::size_t first = 0;
         std::vector<double> change;  // t1 - t0 [Pa]
         // Of the points' areas [N]: under t1 - t0, t1 and |t0| + |t1|.
         std::vector<double> force_change, force, magnitude;
+
+        std::size_t size() const { return change.size(); }
     };
+    using LoadedField = std::array<Loaded, 3>;
 
     void set_weights(CombinedCompliance& compliance, const std::vector<double>& weights) const;
-    void update_modal(const SurfaceField& t, double& magnitude);
-    double largest_energy(const SurfaceField& u, const SurfaceField& t) const;
-    Loaded loaded(int d, const SurfaceField& t) const;
+    void update_modal(const SurfaceField& t, const LoadedField& loaded, double& magnitude);
+    static double largest_energy(const SurfaceField& u, const LoadedField& loaded);
+    Loaded loaded_points(int d, const SurfaceField& t) const;
     void advance(Mode& mode, int d, std::vector<double>& now, const Loaded& loaded,
                  Energies& energies);
     Energies advance(Branch& branch, const Retardation::Branch& creep, int d,
