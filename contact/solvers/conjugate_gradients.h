@@ -12,28 +12,22 @@ namespace tricontact::contact {
 ///   turn(beta)      direction d <- z + beta d
 ///   apply()         H d; returns <d, H d>
 ///   move(step)      x <- x + step d, r <- r - step H d
+/// Returns the number of steps, `most` at the most. Ends too where rounding leaves nothing to be
+/// moved.
 template <class IsSolved, class Precondition, class Turn, class Apply, class Move>
-struct ConjugateGradients {
-    IsSolved is_solved;
-    Precondition precondition;
-    Turn turn;
-    Apply apply;
-    Move move;
-
-    /// The number of steps, `most` at the most. Ends too where rounding leaves nothing to be moved.
-    int run(int most) {
-        double last = 1;
-        for (int k = 0;; ++k) {
-            if (is_solved() || k == most) return k;
-            const double norm = precondition();
-            if (!(norm > 0)) return k;
-            turn(k == 0 ? 0 : norm / last);
-            last = norm;
-            const double step = norm / apply();
-            if (!is_positive_and_finite(step)) return k + 1;
-            move(step);
-        }
+int conjugate_gradients(int most, IsSolved is_solved, Precondition precondition, Turn turn,
+                        Apply apply, Move move) {
+    double last = 1;
+    for (int k = 0;; ++k) {
+        if (is_solved() || k == most) return k;
+        const double norm = precondition();
+        if (!(norm > 0)) return k;
+        turn(k == 0 ? 0 : norm / last);
+        last = norm;
+        const double step = norm / apply();
+        if (!is_positive_and_finite(step)) return k + 1;
+        move(step);
     }
-};
+}
 
 }  // namespace tricontact::contact

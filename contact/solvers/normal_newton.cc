@@ -179,22 +179,19 @@ class NewtonIteration {
         GapSum gap = take_set();
         const double first_square = gap.square;
         double mean_displacement = 0;
-        ConjugateGradients{.is_solved =
-                               [&] {
-                                   return gap.worst <=
-                                              below_tolerance * tolerance_ * solution_.length ||
-                                          gap.square <= enough * enough * first_square;
-                               },
-                           .precondition = [&] { return precondition(); },
-                           .turn = [&](double beta) { turn(beta); },
-                           .apply =
-                               [&] {
-                                   const auto [product, sum] = apply();
-                                   mean_displacement = mean(sum);
-                                   return product;
-                               },
-                           .move = [&](double step) { gap = move(step, mean_displacement); }}
-            .run(most_steps);
+        conjugate_gradients(
+            most_steps,
+            [&] {
+                return gap.worst <= below_tolerance * tolerance_ * solution_.length ||
+                       gap.square <= enough * enough * first_square;
+            },
+            [&] { return precondition(); }, [&](double beta) { turn(beta); },
+            [&] {
+                const auto [product, sum] = apply();
+                mean_displacement = mean(sum);
+                return product;
+            },
+            [&](double step) { gap = move(step, mean_displacement); });
     }
 
     /// Displaces by the direction; its product with that, and the sum of the displacements.

@@ -57,30 +57,26 @@ class PointsInContact {
                 z[k] -= mean * unit[k];
             }
         };
-        return ConjugateGradients{.is_solved =
-                                      [&] {
-                                          balance();
-                                          return largest(residual) <= target;
-                                      },
-                                  .precondition = [&] { return inner(residual, z); },
-                                  .turn =
-                                      [&](double beta) {
-                                          for (std::size_t k = 0; k < n; ++k)
-                                              direction[k] = z[k] + beta * direction[k];
-                                      },
-                                  .apply =
-                                      [&] {
-                                          products_->normal(direction, displaced);
-                                          return inner(direction, displaced);
-                                      },
-                                  .move =
-                                      [&](double step) {
-                                          for (std::size_t k = 0; k < n; ++k) {
-                                              p[k] -= step * direction[k];
-                                              residual[k] -= step * displaced[k];
-                                          }
-                                      }}
-            .run(most_iterations);
+        return conjugate_gradients(
+            most_iterations,
+            [&] {
+                balance();
+                return largest(residual) <= target;
+            },
+            [&] { return inner(residual, z); },
+            [&](double beta) {
+                for (std::size_t k = 0; k < n; ++k) direction[k] = z[k] + beta * direction[k];
+            },
+            [&] {
+                products_->normal(direction, displaced);
+                return inner(direction, displaced);
+            },
+            [&](double step) {
+                for (std::size_t k = 0; k < n; ++k) {
+                    p[k] -= step * direction[k];
+                    residual[k] -= step * displaced[k];
+                }
+            });
     }
 
     double inner(const std::vector<double>& a, const std::vector<double>& b) const {

@@ -327,7 +327,8 @@ void StaggeredSolver::slide_freely(const LoadStep& step) {
 
 /// The displacements by all tractions of the present solution.
 void StaggeredSolver::update_displacement() {
-    auto& [in_surface, down] = now_.displacement;
+    auto& in_surface = now_.displacement.in_surface;
+    auto& down = now_.displacement.down;
     in_surface = now_.tangential.displacement;
     copy_large(now_.normal->displacement, down);
     if (!coupling_.is_decoupled()) {

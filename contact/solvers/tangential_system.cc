@@ -111,23 +111,19 @@ const TangentialSystem::Result& TangentialSystem::solve(const TangentialField& r
     start(r);
     carry(c);
     std::optional<double> target;
-    ConjugateGradients{.is_solved =
-                           [&] {
-                               precondition_balanced();
-                               if (!target)
-                                   target =
-                                       std::max(limits.absolute, limits.relative * rms_residual());
-                               return rms_residual() <= *target;
-                           },
-                       .precondition = [&] { return inner(residual_, z_); },
-                       .turn = [&](double beta) { turn(beta); },
-                       .apply =
-                           [&] {
-                               apply();
-                               return inner(direction_, h_direction_);
-                           },
-                       .move = [&](double step) { move(step); }}
-        .run(limits.iterations - result_.iterations);
+    conjugate_gradients(
+        limits.iterations - result_.iterations,
+        [&] {
+            precondition_balanced();
+            if (!target) target = std::max(limits.absolute, limits.relative * rms_residual());
+            return rms_residual() <= *target;
+        },
+        [&] { return inner(residual_, z_); }, [&](double beta) { turn(beta); },
+        [&] {
+            apply();
+            return inner(direction_, h_direction_);
+        },
+        [&](double step) { move(step); });
     return result_;
 }
 
