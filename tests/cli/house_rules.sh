@@ -94,6 +94,10 @@ found=$(grep -rnE --include='*_json.cc' --include='*_output.cc' --include='*_csv
     --include='*_command.cc' '[{[]"(state|kappa|eta|periods|steps)"[],]' comparisons app || true)
 [ -z "$found" ] || complain "a key of a result stands as a string: $found"
 
+# What a merge leaves where two changed the same lines.
+found=$(grep -rnE '^(<{7}|>{7}) ' "${rooms[@]}" docs tests scripts benchmarks examples ./*.md CMakeLists.txt cmake || true)
+[ -z "$found" ] || complain "marks of a merge: $found"
+
 # Debian's Python has the packages; the first python3 in PATH may be another one.
 found=$(grep -nE '(^ *|[;&|({] *)python3? ' tests/cli/*.sh tests/installed/*.sh scripts/*.sh || true)
 [ -z "$found" ] || complain "$found: take \"\$python\" of prepare.bash, or /usr/bin/python3"
