@@ -192,13 +192,13 @@ InfluenceCoefficients PeriodicInfluence::at(int m_x, int m_y) const {
 
 PeriodicCompliance::PeriodicCompliance(const theory::LayerStack& stack, contact::ContactPoints grid,
                                        int n_threads)
-    : PeriodicCompliance(PeriodicInfluence(stack, grid.spacing[0], grid.n_x, n_threads),
-                         std::move(grid), true, n_threads) {}
+    : PeriodicCompliance{PeriodicInfluence(stack, grid.spacing[0], grid.n_x, n_threads),
+                         std::move(grid), true, n_threads} {}
 
 PeriodicCompliance::PeriodicCompliance(const contact::MaterialPair& half_spaces,
                                        contact::ContactPoints grid, int n_threads)
-    : PeriodicCompliance(PeriodicInfluence(half_spaces, grid.spacing[0], grid.n_x, n_threads),
-                         std::move(grid), bem::is_coupled(half_spaces), n_threads) {}
+    : PeriodicCompliance{PeriodicInfluence(half_spaces, grid.spacing[0], grid.n_x, n_threads),
+                         std::move(grid), bem::is_coupled(half_spaces), n_threads} {}
 
 PeriodicCompliance::PeriodicCompliance(const PeriodicInfluence& influence,
                                        contact::ContactPoints grid, bool coupled, int n_threads)

@@ -87,10 +87,15 @@ double contact_radius(const ContactPoints& points, const std::vector<double>& pr
 std::vector<double> heights_over(const ContactPoints& points, const Indenter& indenter,
                                  const Vector2& offset, int n_threads) {
     std::vector<double> height = large_field(points.size());
+    set_heights(points, indenter, offset, n_threads, height);
+    return height;
+}
+
+void set_heights(const ContactPoints& points, const Indenter& indenter, const Vector2& offset,
+                 int n_threads, std::vector<double>& height) {
     Blocks(height.size(), n_threads).for_points([&](std::size_t i) {
         height[i] = indenter.height(points.x[i] - offset[0], points.y[i] - offset[1]);
     });
-    return height;
 }
 
 bool reaches_edge(const ContactPoints& points, const std::vector<double>& pressure) {

@@ -22,6 +22,9 @@ double counted_radius(const ContactPoints& points, const std::vector<double>& pr
 /// Height of the indenter, its lowest point at `offset`, over each contact point [m].
 std::vector<double> heights_over(const ContactPoints& points, const Indenter& indenter,
                                  const Vector2& offset, int n_threads = 1);
+/// The same into `height`, which has room for all points.
+void set_heights(const ContactPoints& points, const Indenter& indenter, const Vector2& offset,
+                 int n_threads, std::vector<double>& height);
 
 /// Some point at the edge of the grid or element surface carries pressure: the contact may go on
 /// outside. A periodic grid has no edge.

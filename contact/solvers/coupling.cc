@@ -1,6 +1,6 @@
 #include "contact/solvers/coupling.h"
 
-#include "contact/solvers/blocks.h"
+#include "contact/solvers/contact_region.h"
 
 namespace tricontact::contact {
 
@@ -14,10 +14,7 @@ Coupling::Coupling(const Compliance& compliance, const Indenter& indenter,
       displacement_(bare_height_.size(), compliance.n_threads()) {}
 
 void Coupling::place(const Vector2& offset) {
-    const ContactPoints& points = compliance_->points();
-    Blocks(points.size(), compliance_->n_threads()).for_points([&](std::size_t i) {
-        bare_height_[i] = indenter_->height(points.x[i] - offset[0], points.y[i] - offset[1]);
-    });
+    set_heights(compliance_->points(), *indenter_, offset, compliance_->n_threads(), bare_height_);
 }
 
 void Coupling::update_lowering(const TangentialField& t) {
