@@ -5,6 +5,7 @@
 
 #include "app/shown_states.h"
 #include "contact/load_path.h"
+#include "io/results/atomic_file.h"
 
 namespace tricontact::app {
 
@@ -43,6 +44,7 @@ double frames_at_most(const Case& c, double contact_radius, int n_steps) {
 
 RunStates::RunStates(const Case& c, const std::string& folder, const Say& say)
     : case_(c),
+      folder_(folder),
       say_(say),
       has_time_(has_time(c)),
       // The command that makes the files again from what stands beside the results.
@@ -118,11 +120,13 @@ const contact::Subsurface* RunStates::add_volume(const contact::StepRecord& reco
 }
 
 void RunStates::finish() const {
-    if (case_.output.vtk != none) {
-        surfaces_.finish();
-        indenters_.finish();
+    const bool shows_surface = case_.output.vtk != none;
+    if (subsurface_) volumes_.list_all();
+    if (shows_surface) {
+        surfaces_.list_all();
+        indenters_.list_all();
     }
-    if (subsurface_) volumes_.finish();
+    if (subsurface_ || shows_surface) io::sync_files(folder_);
 }
 
 }  // namespace tricontact::app

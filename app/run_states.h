@@ -40,6 +40,7 @@ class RunStates {
     }
 
     const Case& case_;
+    std::string folder_;
     const Say& say_;
     bool has_time_;
     io::Provenance provenance_;

@@ -55,31 +55,32 @@ void reflect_fields(Surface& s, const Reflect& reflect) {
 }
 
 // Rows one after the other, as there are many surfaces of a run.
-Surface mirrored_grid(Surface half) {
-    const std::size_t n_half = half.size();
-    const auto n_x = static_cast<std::ptrdiff_t>(half.n_x);
-    const auto reflect = [&](auto& values, bool odd) {
-        if (values.empty()) return;
-        auto all = std::remove_reference_t<decltype(values)>();
-        all.reserve(2 * n_half - half.n_x);
-        for (auto end = values.end(); end - values.begin() > n_x; end -= n_x)
-            all.insert(all.end(), end - n_x, end);
-        if constexpr (std::is_arithmetic_v<typename decltype(all)::value_type>)
-            if (odd)
-                for (auto& value : all) value = -value;
-        all.insert(all.end(), values.begin(), values.end());
-        values = std::move(all);
-    };
-    reflect_fields(half, reflect);
-    half.first[1] = -(half.n_y - 1) * half.spacing[1];
-    half.n_y = 2 * half.n_y - 1;
-    return half;
+template <class T>
+std::vector<T> all_rows(const std::vector<T>& half, int n_columns, bool is_odd) {
+    std::vector<T> all;
+    if (half.empty()) return all;
+    const auto n_x = static_cast<std::ptrdiff_t>(n_columns);
+    all.reserve(2 * half.size() - static_cast<std::size_t>(n_x));
+    for (auto end = half.end(); end - half.begin() > n_x; end -= n_x)
+        all.insert(all.end(), end - n_x, end);
+    if constexpr (std::is_arithmetic_v<T>)
+        if (is_odd)
+            for (auto& value : all) value = -value;
+    all.insert(all.end(), half.begin(), half.end());
+    return all;
 }
 
 }  // namespace
 
+std::vector<double> mirrored_rows(const std::vector<double>& half, int n_x, bool is_odd) {
+    return all_rows(half, n_x, is_odd);
+}
+
+std::vector<ContactState> mirrored_rows(const std::vector<ContactState>& half, int n_x) {
+    return all_rows(half, n_x, false);
+}
+
 Surface mirrored(Surface half) {
-    if (half.n_x > 0 && half.layout == Surface::Layout::grid) return mirrored_grid(std::move(half));
     const std::size_t n_half = half.size();
     const Image image = image_of(static_cast<int>(n_half), half.n_x, half.node_y);
     const std::size_t n = image.source.size();

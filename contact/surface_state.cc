@@ -53,53 +53,66 @@ Scales SurfaceModel::scales() const {
 
 Surface SurfaceModel::surface() const {
     const ContactPoints& points = this->points();
+    const ContactSolution& solution = now();
+    const NormalSolution& normal = *solution.normal;
+    const std::size_t n = solution.bound.size();
+    const int n_threads = substrate_->compliance().n_threads();
     Surface s;
     s.layout = points.quads.empty() ? Surface::Layout::grid : Surface::Layout::nodes;
     s.n_x = points.n_x;
     s.n_y = points.n_y;
     s.first = points.first;
     s.spacing = points.spacing;
-    s.offset = now().offset;
-    const auto copy = [n_threads = substrate_->compliance().n_threads()](const auto& field) {
-        return large_copy(field, n_threads);
+    s.offset = solution.offset;
+    // A line of springs in the plane of symmetry is no grid and has no other side.
+    const bool has_other_rows =
+        points.mirrored && points.n_x > 0 && s.layout == Surface::Layout::grid;
+    const auto copy = [&](const std::vector<double>& field, bool is_odd = false) {
+        return has_other_rows ? mirrored_rows(field, points.n_x, is_odd)
+                              : large_copy(field, n_threads);
     };
-    s.normal_traction = copy(now().normal->pressure);
-    s.tangential_traction_x = copy(now().tangential.traction.x);
-    s.tangential_traction_y = copy(now().tangential.traction.y);
-    s.friction_bound = copy(now().bound);
-    s.displacement_x = copy(now().displacement.in_surface.x);
-    s.displacement_y = copy(now().displacement.in_surface.y);
-    s.displacement_z = copy(now().displacement.down);
+    s.normal_traction = copy(normal.pressure);
+    s.tangential_traction_x = copy(solution.tangential.traction.x);
+    s.tangential_traction_y = copy(solution.tangential.traction.y, true);
+    s.friction_bound = copy(solution.bound);
+    s.displacement_x = copy(solution.displacement.in_surface.x);
+    s.displacement_y = copy(solution.displacement.in_surface.y, true);
+    s.displacement_z = copy(solution.displacement.down);
     for (auto* field : {&s.gap, &s.slip_x, &s.slip_y, &s.dissipation})
-        *field = large_field(now().bound.size(), substrate_->compliance().n_threads());
-    blocks(now().bound.size()).for_points([&](std::size_t i) {
-        s.gap[i] = solver_->coupling().bare_height()[i] + now().displacement.down[i] -
-                   now().normal->indentation;
+        *field = large_field(n, n_threads);
+    const std::vector<double>& height = solver_->coupling().bare_height();
+    blocks(n).for_points([&](std::size_t i) {
+        s.gap[i] = height[i] + solution.displacement.down[i] - normal.indentation;
         const Vector2 told = slip(i);
         s.slip_x[i] = told[0];
         s.slip_y[i] = told[1];
         s.dissipation[i] = friction_work(i);
     });
+    if (has_other_rows) {
+        for (auto* field : {&s.gap, &s.slip_x, &s.dissipation}) *field = copy(*field);
+        s.slip_y = copy(s.slip_y, true);
+        s.slip_path = copy(slip_path_);
+        s.friction_work = copy(friction_work_);
+        s.contact_state = mirrored_rows(contact_state_, points.n_x);
+        s.first[1] = -(s.n_y - 1) * s.spacing[1];
+        s.n_y = 2 * s.n_y - 1;
+        return s;
+    }
     s.slip_path = slip_path_;
     s.friction_work = friction_work_;
     s.contact_state = contact_state_;
-    // A line of springs in the plane of symmetry is no grid and has no other side.
-    if (s.layout != Surface::Layout::nodes) {
-        if (points.mirrored && points.n_x > 0) return mirrored(std::move(s));
-        return s;
-    }
+    if (s.layout == Surface::Layout::grid) return s;
 
     s.node_x = points.x;
     s.node_y = points.y;
     s.quads = points.quads;
-    s.normal_traction_consistent =
-        substrate_->compliance().consistent_traction(s.normal_traction, false);
+    const Compliance& compliance = substrate_->compliance();
+    s.normal_traction_consistent = compliance.consistent_traction(s.normal_traction, false);
     s.tangential_traction_x_consistent =
-        substrate_->compliance().consistent_traction(s.tangential_traction_x, false);
+        compliance.consistent_traction(s.tangential_traction_x, false);
     s.tangential_traction_y_consistent =
-        substrate_->compliance().consistent_traction(s.tangential_traction_y, true);
-    if (points.mirrored) return mirrored(std::move(s));
-    return s;
+        compliance.consistent_traction(s.tangential_traction_y, true);
+    return points.mirrored ? mirrored(std::move(s)) : s;
 }
 
 std::vector<ContactState> SurfaceModel::contact_states() const {

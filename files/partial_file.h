@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 
@@ -29,7 +30,7 @@ class PartialFile {
     const std::string& path() const { return path_; }  ///< until it is moved
     /// Whether nobody else was writing the target when this began.
     bool is_first() const { return is_first_; }
-    void write(std::string_view bytes) { write_all(descriptor_, bytes); }
+    void write(std::string_view bytes);
     /// Synced to the disk first, unless that is left to `sync_file_system` for many files at once.
     void move_to_target(bool synced = true);
 
@@ -37,7 +38,7 @@ class PartialFile {
     std::string target_, path_;
     int descriptor_ = -1;
     bool is_first_ = true;
-    bool is_overwriting_ = false;
+    std::size_t n_written_ = 0, old_size_ = 0;  // [bytes]
 };
 
 /// Waits until the first process that writes the target has moved or removed its file, or has

@@ -93,8 +93,8 @@ rolling::RollingRun roll_model(const std::string& model, const Case& c,
     rolling::RollingRun run = roll(model, c, runs);
     bar.finish("");
     if (runs.show) {
-        surfaces.finish();
-        indenters.finish();
+        surfaces.list_all();
+        indenters.list_all();
         steady.finish();
     }
     io::write_file(folder + "/history.csv", rolling::history_csv(run));

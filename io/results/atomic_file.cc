@@ -47,7 +47,7 @@ void write_checked(const std::string& path, std::string_view bytes, Kept kept,
                    OldFile old = OldFile::stays) {
     if (fs::path(path).filename().empty())
         fail(path, "", "names no file to write", "add a file name");
-    check_replaceable(path);
+    if (!check_replaceable(path)) old = OldFile::stays;
     write_or_refuse(path, bytes, path, "cannot be written", kept, old);
 }
 
@@ -134,16 +134,17 @@ void refuse_output(const std::string& path, const char* what, int error) {
     fail(path, "", std::string(what) + " (" + std::generic_category().message(error) + ")", remedy);
 }
 
-void check_replaceable(const std::string& path) {
+bool check_replaceable(const std::string& path) {
     std::error_code ignored;
     const fs::file_type type = fs::symlink_status(path, ignored).type();
-    if (type == fs::file_type::not_found || type == fs::file_type::none) return;
+    if (type == fs::file_type::not_found || type == fs::file_type::none) return false;
     if (type == fs::file_type::directory) refuse_output(path, "cannot be written", EISDIR);
     if (type != fs::file_type::regular)
         fail(path, "", kind_of(type), "remove it, or choose another place for the output");
     if (is_input_file(path))
         fail(path, "", "is an input of this command, which it would replace",
              "choose another place for the output");
+    return true;
 }
 
 void check_output_file(const std::string& path, std::string_view beginning) {

@@ -43,8 +43,9 @@ std::string first_bytes(const std::string& path, std::size_t n);
 [[noreturn]] void refuse_output(const std::string& path, const char* what, int error);
 
 /// Refuses a place at which a file must not be put: where a link, a device, a named pipe, a socket
-/// or a folder stands, or a file that this process has read as an input (is_input_file).
-void check_replaceable(const std::string& path);
+/// or a folder stands, or a file that this process has read as an input (is_input_file). Whether a
+/// file stands there.
+bool check_replaceable(const std::string& path);
 
 /// Before anything is computed for a file that the user names: as check_replaceable; and where a
 /// file stands already it must begin as those that this program writes do, or be empty. Refuses

@@ -125,9 +125,10 @@ void OutputFolder::check_folder(const std::string& name) const {
     }
     if (!read_list(at(list_name)).contains(name) && holds_files(path))
         fail(path, "", "is there already, and tricontact did not make it", remedy);
+    // An entry knows its type, but not its status.
     for (const auto& entry : fs::recursive_directory_iterator(path, error))
-        if (entry.symlink_status(error).type() != fs::file_type::directory &&
-            entry.symlink_status(error).type() != fs::file_type::regular)
+        if (entry.is_symlink(error) ||
+            (!entry.is_directory(error) && !entry.is_regular_file(error)))
             check_replaceable(entry.path().string());
         else if (entry.path().filename() == journal_name)
             JournalFile::refuse_other_file(entry.path().string());

@@ -77,7 +77,9 @@ class VtkSeries {
     void add(double time, const VtkFile& file);
     /// What the n-th file of the series, from 0, shows is so again.
     void add_again(double time, std::size_t file);
-    /// Sees that all files are on the disk. Throws contact::InputError if that fails.
+    /// The collection lists all files. Throws contact::InputError if that fails.
+    void list_all() const;
+    /// The same, and all that was written in this file system is on the disk.
     void finish() const;
 
   private:

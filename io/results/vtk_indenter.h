@@ -55,6 +55,7 @@ class IndenterSeries {
         else
             series_.add_again(time, file->second);
     }
+    void list_all() const { series_.list_all(); }
     void finish() const { series_.finish(); }
 
   private:

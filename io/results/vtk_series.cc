@@ -68,9 +68,13 @@ void VtkSeries::add_again(double time, std::size_t file) {
     next_collection_ = now + std::chrono::seconds(1);
 }
 
+void VtkSeries::list_all() const {
+    write_unsynced(path_of(name_ + ".pvd"), collection());
+}
+
 void VtkSeries::finish() const {
-    if (!files_.empty()) sync_files(folder_);
-    write_file(path_of(name_ + ".pvd"), collection());
+    list_all();
+    sync_files(folder_);
 }
 
 std::string VtkSeries::path_of(const std::string& name) const {

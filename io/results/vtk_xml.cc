@@ -25,30 +25,29 @@ void check_size(std::string_view name, std::size_t size, std::size_t n) {
 
 constexpr std::size_t block_size = 1 << 20;  // [bytes]; few arrays are longer
 
-/// Appends the bytes, a block at the most, and returns what they are compressed to. LZ4 or zlib
-/// have no other reason to fail than memory.
-std::size_t append_compressed(std::string& out, std::span<const char> bytes,
-                              Compression compression) {
-    const std::size_t used = out.size();
+/// What the bytes, a block at the most, are compressed to, in `room`. LZ4 or zlib have no other
+/// reason to fail than memory.
+std::string_view compressed(std::span<const char> bytes, Compression compression,
+                            Scratch<char>& room) {
     std::size_t size = 0;
+    char* out = nullptr;
     if (compression == Compression::quick) {
         const int n = static_cast<int>(bytes.size()), space = LZ4_compressBound(n);
-        out.resize(used + static_cast<std::size_t>(space));
-        constexpr int acceleration = 8;  // half the time of 1; a fifth more of a surface
-        size = static_cast<std::size_t>(
-            LZ4_compress_fast(bytes.data(), &out[used], n, space, acceleration));
+        out = room.of(static_cast<std::size_t>(space)).data();
+        constexpr int acceleration = 24;  // half the time of 1; a quarter more of a surface
+        size =
+            static_cast<std::size_t>(LZ4_compress_fast(bytes.data(), out, n, space, acceleration));
     } else {
         constexpr int level = 1;  // the others take twice the time for 4 % of the size
         uLongf space = ::compressBound(bytes.size());
-        out.resize(used + space);
+        out = room.of(space).data();
         const int code =
-            ::compress2(reinterpret_cast<Bytef*>(&out[used]), &space,
+            ::compress2(reinterpret_cast<Bytef*>(out), &space,
                         reinterpret_cast<const Bytef*>(bytes.data()), bytes.size(), level);
         if (code == Z_OK) size = space;
     }
     if (size == 0) throw std::bad_alloc();
-    out.resize(used + size);
-    return size;
+    return {out, size};
 }
 
 }  // namespace
@@ -103,7 +102,7 @@ void VtkXml::add_provenance(const Provenance& provenance) {
 void VtkXml::add_scalar(std::string_view name, std::span<const double> values, std::size_t n) {
     if (values.empty()) return;
     check_size(name, values.size(), n);
-    const std::span<float> field = room(n);
+    const std::span<float> field = field_.of(n);
     std::ranges::copy(values, field.begin());
     add_field(name, 1, field);
 }
@@ -113,15 +112,12 @@ void VtkXml::add_vector(std::string_view name,
                         double z_sign) {
     for (const auto& component : components)
         if (!component.empty()) check_size(name, component.size(), n);
-    const std::span<float> field = room(3 * n);
-    for (std::size_t k = 0; k < 3; ++k) {
-        const std::span<const double> values = components[k];
-        const double sign = k == 2 ? z_sign : 1;
-        if (values.empty())
-            for (std::size_t i = 0; i < n; ++i) field[3 * i + k] = 0;
-        else
-            for (std::size_t i = 0; i < n; ++i)
-                field[3 * i + k] = static_cast<float>(sign * values[i]);
+    const std::span<float> field = field_.of(3 * n);
+    const auto [x, y, z] = components;
+    for (std::size_t i = 0; i < n; ++i) {
+        field[3 * i] = x.empty() ? 0.f : static_cast<float>(x[i]);
+        field[3 * i + 1] = y.empty() ? 0.f : static_cast<float>(y[i]);
+        field[3 * i + 2] = z.empty() ? 0.f : static_cast<float>(z_sign * z[i]);
     }
     add_field(name, 3, field);
 }
@@ -164,22 +160,16 @@ void VtkXml::add_cells(std::span<const std::int64_t> points, std::span<const std
 
 VtkFile VtkXml::file() {
     while (open_.size() > 1) end();
-    head_.reserve(head_.size() + blocks_.size() + 100);
     head_ += "  <AppendedData encoding=\"raw\">\n   _";
-    head_ += blocks_;
-    head_ += "\n  </AppendedData>\n";
-    end();
-    return {extension_, std::move(head_)};
-}
-
-std::span<float> VtkXml::room(std::size_t n) {
-    if (field_.size() < n) field_.resize(n);
-    return {field_.data(), n};
+    blocks_.insert(0, head_);  // which are far more
+    blocks_ += "\n  </AppendedData>\n</VTKFile>\n";
+    open_.clear();
+    return {extension_, std::move(blocks_)};
 }
 
 template <std::size_t N>
 std::span<const float> VtkXml::flat(std::span<const std::array<double, N>> values) {
-    const std::span<float> field = room(N * values.size());
+    const std::span<float> field = field_.of(N * values.size());
     auto out = field.begin();
     for (const auto& value : values) out = std::ranges::copy(value, out).out;
     return field;
@@ -208,9 +198,12 @@ void VtkXml::append(const void* values, std::size_t n_bytes) {
     std::vector<std::uint64_t> sizes{n_blocks, block_size, n_bytes % block_size};
     const std::size_t at = blocks_.size(), header = (3 + n_blocks) * sizeof(std::uint64_t);
     blocks_.resize(at + header);
-    for (std::size_t done = 0; done < n_bytes; done += block_size)
-        sizes.push_back(append_compressed(
-            blocks_, {bytes + done, std::min(block_size, n_bytes - done)}, compression_));
+    for (std::size_t done = 0; done < n_bytes; done += block_size) {
+        const std::size_t n = std::min(block_size, n_bytes - done);
+        const std::string_view block = compressed({bytes + done, n}, compression_, compressed_);
+        sizes.push_back(block.size());
+        blocks_ += block;
+    }
     std::memcpy(&blocks_[at], sizes.data(), header);
 }
 

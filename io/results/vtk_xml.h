@@ -1,8 +1,10 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <initializer_list>
+#include <memory>
 #include <span>
 #include <string>
 #include <string_view>
@@ -15,6 +17,22 @@ namespace tricontact::io {
 
 /// By LZ4, or by zlib, which makes a fifth less of a surface in fifty times the time.
 enum class Compression { quick, small };
+
+/// Memory that is used again and again, not initialised.
+template <class T>
+class Scratch {
+  public:
+    /// For `n` values, until the next call.
+    std::span<T> of(std::size_t n) {
+        if (n > n_) memory_ = std::make_unique_for_overwrite<T[]>(n);
+        n_ = std::max(n, n_);
+        return {memory_.get(), n};
+    }
+
+  private:
+    std::size_t n_ = 0;
+    std::unique_ptr<T[]> memory_;
+};
 
 /// A data set as VTK's XML, arrays appended, compressed, raw: small, exact, and the same bytes each
 /// time. Elements and blocks are those of "VTK File Formats" (The VTK User's Guide). VTK's own
@@ -69,8 +87,6 @@ class VtkXml {
                    std::string_view attributes, const void* values, std::size_t n_bytes);
     void add_field(std::string_view name, int n_components, std::span<const float> field,
                    std::string_view attributes = {});
-    /// For so many numbers of a field, until the next call.
-    std::span<float> room(std::size_t n);
     template <std::size_t N>
     std::span<const float> flat(std::span<const std::array<double, N>> values);
     void append(const void* values, std::size_t n_bytes);
@@ -78,7 +94,8 @@ class VtkXml {
     Compression compression_;
     std::vector<std::string> open_;  // elements that have not been ended
     std::string extension_, head_, blocks_;
-    std::vector<float> field_;  // as long as the longest field so far
+    Scratch<float> field_;
+    Scratch<char> compressed_;
 };
 
 }  // namespace tricontact::io
