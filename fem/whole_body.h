@@ -6,6 +6,7 @@
 #include "fem/body_parts.h"
 #include "fem/discretisation.h"
 #include "fem/memory.h"
+#include "fem/one_blas_thread.h"
 
 namespace tricontact::fem {
 
@@ -17,10 +18,11 @@ class WholeBody {
         : discretisation(problem), parts_(parts_of(discretisation, Elimination::cheapest)) {}
 
     /// Displacements [m] under the forces [N] on all unknowns. Most bodies are asked once: factors
-    /// are kept from the second time on. Until then it takes as long as a condensation; throws
-    /// contact::NotConverged, std::bad_alloc.
+    /// are kept from the second time on. Until then it takes as long as a condensation by one
+    /// thread; throws contact::NotConverged, std::bad_alloc.
     std::vector<double> displacement(std::span<const double> forces) {
         const FreedMemoryStays stays;
+        const OneBlasThread one_thread;
         std::vector<double> sum(forces.size(), 0.);
         for (BodyPart& part : parts_) {
             if (!part.condensation.is_factorised()) part.condensation.factorise();
