@@ -295,6 +295,13 @@ addEventListener("load", async () => {
                background.style.color.replaceAll(" ", ""), `${chart.id} is not in the page's colours`);
         expect(chart.getAttribute("aria-label"), `${chart.id} has no text for readers who cannot see it`);
     }
+    // So each width and each scheme are looked at once, and not each with each.
+    for (const {conditionText, cssRules} of [...document.styleSheets].flatMap(sheet => [...sheet.cssRules])) {
+        if (!conditionText?.includes("prefers-color-scheme")) continue;
+        for (const {selectorText, style} of cssRules)
+            for (const name of style)
+                expect(name.startsWith("--"), `${selectorText}: ${name} depends on the colour scheme`);
+    }
     for (const {name} of performance.getEntriesByType("resource"))
         expect(/^(data|blob):/.test(name), `asks for ${name}`);
     for (const image of all("img")) expect(image.naturalWidth > 0, `picture ${image.alt} is missing`);
