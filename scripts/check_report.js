@@ -278,8 +278,10 @@ addEventListener("load", async () => {
 
     // What unfolds is drawn only then.
     for (const folded of all("details")) folded.open = true;
-    for (let i = 0; i < 100 && all(".chart").some(chart => !chart.querySelector("svg.main-svg")); ++i)
+    for (let i = 0; i < 1000 && all(".chart").some(chart => !chart.querySelector("svg.main-svg")); ++i) {
         await new Promise(resolve => setTimeout(resolve, 50));
+        await a_while();
+    }
     const page = document.documentElement;
     expect(page.scrollWidth <= innerWidth, `page is ${page.scrollWidth} px wide`);
     for (const chart of all(".chart")) {

@@ -37,7 +37,7 @@ function read(number) {
         }
         addEventListener("message", ({data}) => end(data), {once: true});
         setTimeout(end, 100000, '["is not read to its end"]');  // of the browser's clock, which leaps over what waits
-        document.body.append(frame);
+        document.body.prepend(frame);  // in sight: what is not is not drawn
     });
 }
 (async () => {

@@ -12,5 +12,5 @@ cd "$root"
 sphinx-build -q -n -W --keep-going -c docs -b html . "$site"
 printf '<!doctype html><meta http-equiv="refresh" content="0; url=docs/index.html">\n' >"$site/index.html"
 
-python3 "$root/scripts/check_links.py" "$site"
+/usr/bin/python3 "$root/scripts/check_links.py" "$site"
 printf 'The documents: %s\n' "$site/index.html"
