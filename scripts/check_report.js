@@ -163,6 +163,8 @@ async function check_player(expect, settle) {
     if (part("section")) {
         part("section").click();
         const sections = [...document.querySelectorAll("#player canvas.section")];
+        for (let i = 0; i < 1000 && sections.every(canvas => canvas.hidden); ++i)  // they are unpacked when first shown
+            await a_while();
         expect(sections.some(canvas => !canvas.hidden && painted(canvas)), "no section is painted");
         part("section").click();
         expect(sections.every(canvas => canvas.hidden), "sections cannot be closed");
