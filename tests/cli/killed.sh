@@ -52,7 +52,7 @@ kill_when() {
 }
 
 # 1. While the first model writes.
-kill_when mdr/surface_000040.vtp
+kill_when mdr/surface_000010.vtp
 
 # 2. While the second one writes: the first has all its files.
 kill_when bem/surface_000005.vti 8
