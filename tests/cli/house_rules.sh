@@ -98,7 +98,7 @@ found=$(grep -rnE --include='*_json.cc' --include='*_output.cc' --include='*_csv
 found=$(grep -rnE '^(<{7}|>{7}) ' "${rooms[@]}" docs tests scripts benchmarks examples ./*.md CMakeLists.txt cmake || true)
 [ -z "$found" ] || complain "marks of a merge: $found"
 # A file that nobody wrote (PEP 561's mark of a typed package is empty by its definition).
-found=$(find . -maxdepth 4 -type f -empty ! -name py.typed ! -path './build*' ! -path './results/*' ! -path './.git/*')
+found=$(find . \( -path './build*' -o -path ./results -o -path ./.git \) -prune -o -type f -empty ! -name py.typed -print)
 [ -z "$found" ] || complain "empty: $found"
 
 # Debian's Python has the packages; the first python3 in PATH may be another one.
