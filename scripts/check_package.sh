@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Installs the Debian package into a bare Debian 12 in a folder, which debootstrap makes, and tries it there: a case
+# Installs the Debian package into a bare Debian 12 in a folder, which mmdebstrap makes, and tries it there: a case
 # runs, Python imports the module, manual and completions are in place. With `paraview` beside ParaView and its
 # module for Python. As root; the archives of packages that the machine has are used, others are fetched.
 # usage: check_package.sh PACKAGE.deb FOLDER [paraview]   FOLDER is kept: another call begins with its Debian
@@ -16,8 +16,14 @@ sources=$(cat /etc/apt/sources.list /etc/apt/sources.list.d/* 2>/dev/null || tru
 mirror=$(grep -oE '[a-z]+://[^ ]+/debian/?( |$)' <<<"$sources" | grep -v security | head -n 1 | tr -d ' ')
 if [ ! -e "$base/etc/debian_version" ]; then
     rm -rf "$base"
-    debootstrap --variant=minbase bookworm "$base" "$mirror" >"$folder/debootstrap.log" || {
-        tail "$folder/debootstrap.log"
+    # The folder is thrown away: nothing is pressed to disk before the end, and what nobody looks at is not unpacked.
+    thrifty=(--dpkgopt=force-unsafe-io)
+    for kind in doc man locale; do
+        thrifty+=("--dpkgopt=path-exclude=/usr/share/$kind/*" "--dpkgopt=path-include=/usr/share/$kind/*tricontact*")
+    done
+    # Half the time of debootstrap.
+    mmdebstrap --mode=root --variant=minbase "${thrifty[@]}" bookworm "$base" "$mirror" >"$folder/bootstrap.log" 2>&1 || {
+        tail "$folder/bootstrap.log"
         exit 1
     }
 fi
@@ -34,8 +40,7 @@ inside() {
         HOME=/root DEBIAN_FRONTEND=noninteractive LC_ALL=C "$@"' "$root" "$@"
 }
 install() {
-    # Nothing is pressed to disk before the end: the folder is thrown away.
-    inside apt-get -qq -o Dpkg::Use-Pty=0 -o Dpkg::Options::=--force-unsafe-io install --no-install-recommends "$@" \
+    inside apt-get -qq -o Dpkg::Use-Pty=0 install --no-install-recommends "$@" \
         >>"$folder/install.log" 2>&1 || {
         tail -n 30 "$folder/install.log"
         exit 1
