@@ -71,8 +71,8 @@ PartlyRelaxingSubstrate::PartlyRelaxingSubstrate(Parts parts, StieltjesInterpola
       step_(parts_, coupled),
       relaxed_(parts_, coupled) {
     set_weights(relaxed_, interpolation_.shares(1));
-    for (const double pole : interpolation_.poles)
-        modes_.push_back({Retardation(relaxation_, pole), {}, {}});
+    for (Retardation& creep : interpolation_.creep(relaxation_))
+        modes_.push_back({std::move(creep), {}, {}});
     forget();
 }
 
