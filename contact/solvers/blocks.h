@@ -1,9 +1,10 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <vector>
+
+#include "contact/solvers/point_sums.h"
 
 namespace tricontact::contact {
 
@@ -67,16 +68,12 @@ class Blocks {
         });
     }
 
-    /// Of term(number of the point): four sums side by side, which need not wait for each other.
+    /// Of term(number of the point), see lane_sums().
     template <class Term>
     double sum_terms(Term term) const {
         return sum<double>([&](std::size_t, std::size_t begin, std::size_t end) {
-            std::array<double, 4> sums{};
-            const std::size_t whole = end - (end - begin) % 4;
-            for (std::size_t i = begin; i < whole; i += 4)
-                for (std::size_t j = 0; j < 4; ++j) sums[j] += term(i + j);
-            for (std::size_t i = whole; i < end; ++i) sums[0] += term(i);
-            return (sums[0] + sums[1]) + (sums[2] + sums[3]);
+            return lane_sums<1>(begin, end,
+                                [&](Sums<1>& part, std::size_t i) { part[0] += term(i); })[0];
         });
     }
 

@@ -15,11 +15,28 @@ template <std::size_t n>
 struct Sums {
     std::array<double, n> values{};
     double& operator[](std::size_t k) { return values[k]; }
+    double operator[](std::size_t k) const { return values[k]; }
     Sums& operator+=(const Sums& other) {
         for (std::size_t k = 0; k < n; ++k) values[k] += other.values[k];
         return *this;
     }
 };
+
+/// The sum of what `add(sums, k)` adds for begin <= k < end: in four parts, which need not wait for
+/// each other.
+template <std::size_t n, class Index, class Add>
+Sums<n> lane_sums(Index begin, Index end, Add add) {
+    std::array<Sums<n>, 4> lanes{};
+    Index k = begin;
+    for (; k + 4 <= end; k += 4)
+#pragma GCC unroll 4
+        for (Index lane = 0; lane < 4; ++lane) add(lanes[lane], k + lane);
+    for (; k < end; ++k) add(lanes[0], k);
+    lanes[0] += lanes[1];
+    lanes[2] += lanes[3];
+    lanes[0] += lanes[2];
+    return lanes[0];
+}
 
 /// NaN if any is one.
 struct Largest {

@@ -26,8 +26,10 @@ class PointsInContact {
     PointsInContact(const Compliance& compliance, const std::vector<std::size_t>& points)
         : points_(points), products_(compliance.among(points)) {
         for (const std::size_t i : points) area_.push_back(compliance.points().area[i]);
+        all_area_ = total(std::vector<double>(points.size(), 1));
     }
 
+    double all_area() const { return all_area_; }
     bool is_known() const { return products_ && products_->has_normal(); }
 
     /// Gaps under pressures p, less their mean, which is what it returns [m].
@@ -36,39 +38,27 @@ class PointsInContact {
         gap.resize(points_.size());
         products_->normal(p, gap);
         for (std::size_t k = 0; k < gap.size(); ++k) gap[k] += height[points_[k]];
-        const double mean = total(gap) / total(std::vector<double>(gap.size(), 1));
-        for (double& g : gap) g -= mean;
-        return mean;
+        return balance(gap);
     }
 
     /// Moves p so that the gaps, `residual` as handed over, are at most `target` [m], their mean
     /// apart and the force as it is. The number of iterations.
     int solve(std::vector<double>& residual, double target, std::vector<double>& p) const {
         const std::size_t n = points_.size();
-        std::vector<double> z(n), direction(n), displaced(n), unit(n);
-        products_->precondition_normal(std::vector<double>(n, 1), unit);
-        const double total_unit = total(unit);
-        // The part of the residual that the mean can take, so that z is balanced.
-        const auto balance = [&] {
-            products_->precondition_normal(residual, z);
-            const double mean = total(z) / total_unit;
-            for (std::size_t k = 0; k < n; ++k) {
-                residual[k] -= mean;
-                z[k] -= mean * unit[k];
-            }
-        };
+        std::vector<double> z(n), direction(n), displaced(n);
         return conjugate_gradients(
-            most_iterations,
+            most_iterations, [&] { return largest(residual) <= target; },
             [&] {
-                balance();
-                return largest(residual) <= target;
+                products_->precondition_normal(residual, z);
+                balance(z);
+                return inner(residual, z);
             },
-            [&] { return inner(residual, z); },
             [&](double beta) {
                 for (std::size_t k = 0; k < n; ++k) direction[k] = z[k] + beta * direction[k];
             },
             [&] {
                 products_->normal(direction, displaced);
+                balance(displaced);
                 return inner(direction, displaced);
             },
             [&](double step) {
@@ -96,9 +86,17 @@ class PointsInContact {
     }
 
   private:
+    /// Takes the mean away, which is what it returns.
+    double balance(std::vector<double>& f) const {
+        const double mean = total(f) / all_area_;
+        for (double& value : f) value -= mean;
+        return mean;
+    }
+
     const std::vector<std::size_t>& points_;
     std::unique_ptr<const ActiveOperator> products_;
     std::vector<double> area_;  // [m^2]
+    double all_area_ = 0;
 };
 
 }  // namespace
@@ -142,7 +140,7 @@ bool PressureCorrection::correct(const std::vector<double>& height, double force
         double indentation = 0;
         for (const std::size_t i : points)
             indentation += compliance_.points().area[i] * (displacement[i] + height[i]);
-        indentation /= contact.total(std::vector<double>(points.size(), 1));
+        indentation /= contact.all_area();
         for (std::size_t i = 0; i < start.size(); ++i)
             if (!is_in_contact[i] &&
                 displacement[i] + height[i] - indentation < -tolerance_ * length)

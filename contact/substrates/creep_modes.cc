@@ -24,11 +24,10 @@ constexpr double shortest_seen = 1. / 8;
 CreepModes creep_modes(const Case& c) {
     const Relaxation& relaxation = *c.relaxation;
     if (relaxes_as_one(c)) return {{with_relaxing_ratio(c, 1)}, {Retardation(relaxation, 0)}, {1}};
-    const StieltjesInterpolation interpolation = interpolation_of(relaxation);
-    CreepModes modes{{}, {}, interpolation.weights};
+    const StieltjesInterpolation interpolation = interpolation_of(c);
+    CreepModes modes{{}, interpolation.creep(relaxation), interpolation.weights};
     for (const double ratio : interpolation.nodes)
         modes.bodies.push_back(with_relaxing_ratio(c, ratio));
-    for (const double pole : interpolation.poles) modes.creep.emplace_back(relaxation, pole);
     return modes;
 }
 

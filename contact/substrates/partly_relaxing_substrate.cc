@@ -71,8 +71,8 @@ PartlyRelaxingSubstrate::PartlyRelaxingSubstrate(Parts parts, StieltjesInterpola
       step_(parts_, coupled),
       relaxed_(parts_, coupled) {
     set_weights(relaxed_, interpolation_.shares(1));
-    for (const double pole : interpolation_.poles)
-        modes_.push_back({Retardation(relaxation_, pole), {}, {}});
+    for (Retardation& creep : interpolation_.creep(relaxation_))
+        modes_.push_back({std::move(creep), {}, {}});
     forget();
 }
 
@@ -171,7 +171,7 @@ double PartlyRelaxingSubstrate::largest_energy(const SurfaceField& u, const Load
     for (int d = 0; d < 3; ++d) {
         const Loaded& at = loaded[d];
         const double* const by_u = components(u)[d]->data() + at.first;
-        sum += block_sums<1>(at.size(), [&](Terms<1>& sums, int k) {
+        sum += block_sums<1>(at.size(), [&](Sums<1>& sums, int k) {
             sums[0] += at.magnitude[k] * std::abs(by_u[k]);
         })[0];
     }
@@ -187,12 +187,13 @@ Substrate::Energies PartlyRelaxingSubstrate::end(const SurfaceField& t, const Su
         const Loaded& at = loaded[d] = loaded_points(d, t);
         const double *const u0 = components(*displacement_)[d]->data() + at.first,
                             *const u1 = components(u)[d]->data() + at.first;
-        const auto [stored, work, magnitude] = block_sums<3>(at.size(), [&](Terms<3>& sums, int k) {
-            const double before = u0[k], after = u1[k];
-            sums[0] += at.force[k] / 2 * after;
-            sums[1] += at.force[k] * after - (at.force[k] - at.force_change[k]) * before;
-            sums[2] += at.magnitude[k] * (std::abs(before) + std::abs(after));
-        });
+        const auto [stored, work, magnitude] =
+            block_sums<3>(at.size(), [&](Sums<3>& sums, int k) {
+                const double before = u0[k], after = u1[k];
+                sums[0] += at.force[k] / 2 * after;
+                sums[1] += at.force[k] * after - (at.force[k] - at.force_change[k]) * before;
+                sums[2] += at.magnitude[k] * (std::abs(before) + std::abs(after));
+            }).values;
         energies.stored += stored;
         energies.work += work;
         energies.magnitude += magnitude;
@@ -253,8 +254,8 @@ double creep_block(const double* area, const double* x_w, double decay, double m
 /// A branch's w X e, w X w, t1 X e after the step, and what the latter could at most be, over n
 /// points.
 TRICONTACT_WIDEST_VECTORS
-Terms<4> loaded_block(const double* force_change, const double* force, const double* magnitude,
-                      const double* x_w, double decay, double mean, int n, const double* x_e) {
+Sums<4> loaded_block(const double* force_change, const double* force, const double* magnitude,
+                     const double* x_w, double decay, double mean, int n, const double* x_e) {
     using Numbers = Vector<double>;
     constexpr int width = static_cast<int>(lanes<double>);
     std::array<Numbers, 4> sums{};
@@ -268,7 +269,7 @@ Terms<4> loaded_block(const double* force_change, const double* force, const dou
         sums[2].lanes += Numbers::load(force + i).lanes * after;
         sums[3].lanes += Numbers::load(magnitude + i).lanes * (after < 0 ? -after : after);
     }
-    Terms<4> total{};
+    Sums<4> total{};
     for (std::size_t j = 0; j < 4; ++j)
         for (int lane = 0; lane < width; ++lane) total[j] += sums[j].lanes[lane];
     for (; i < n; ++i) {
@@ -287,11 +288,12 @@ Terms<4> loaded_block(const double* force_change, const double* force, const dou
 void PartlyRelaxingSubstrate::advance(Mode& mode, int d, std::vector<double>& now,
                                       const Loaded& loaded, Energies& energies) {
     auto& displacement = *components(mode.displacement)[d];
-    const auto [work, magnitude] = block_sums<2>(loaded.size(), [&](Terms<2>& sums, int k) {
-        const std::size_t i = loaded.first + k;
-        sums[0] += loaded.force_change[k] * mode.creep.relaxed * (displacement[i] + now[i]) / 2;
-        sums[1] += loaded.magnitude[k] * (std::abs(displacement[i]) + std::abs(now[i]));
-    });
+    const auto [work, magnitude] =
+        block_sums<2>(loaded.size(), [&](Sums<2>& sums, int k) {
+            const std::size_t i = loaded.first + k;
+            sums[0] += loaded.force_change[k] * mode.creep.relaxed * (displacement[i] + now[i]) / 2;
+            sums[1] += loaded.magnitude[k] * (std::abs(displacement[i]) + std::abs(now[i]));
+        }).values;
     energies.work -= work;
     energies.magnitude += magnitude;
     change_.resize(n_);
@@ -320,7 +322,7 @@ Substrate::Energies PartlyRelaxingSubstrate::advance(Branch& branch,
     std::array<CompensatedSum, 4> of_loaded;
     for_each_block(0, static_cast<int>(loaded.size()), [&](int begin, int end) {
         const std::size_t first = loaded.first + begin;
-        const Terms<4> sums = loaded_block(
+        const Sums<4> sums = loaded_block(
             loaded.force_change.data() + begin, loaded.force.data() + begin,
             loaded.magnitude.data() + begin, x_w + first, decay, mean, end - begin, x_e + first);
         for (std::size_t j = 0; j < 4; ++j) of_loaded[j].add(sums[j]);

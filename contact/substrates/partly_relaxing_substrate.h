@@ -17,6 +17,7 @@ namespace tricontact::contact {
 /// (Lee 1955; Christensen 1982, ch. 2) the compliance in the Laplace domain is the elastic one with
 /// that part multiplied by G(s)/G_inf, of which StieltjesInterpolation makes creep of scalars:
 ///   u(t) = sum_m X_m int J_m(t - t') dt,   J_m the Retardation of a spring pole_m.
+/// Where that is infinite, J_m = 1.
 /// With the variables e of its branches, e' = t' - e/time, in a step in which tractions change
 /// linearly,
 ///   u = sum_m X_m [relaxed_m t - sum_i compliance_mi e_mi],

@@ -7,6 +7,7 @@
 
 #include "contact/compensated_sum.h"
 #include "contact/error.h"
+#include "contact/special_values.h"
 
 namespace tricontact::contact {
 
@@ -31,6 +32,17 @@ bool below_stays(const Case& c) {
 double indenter_share(const Case& c) {
     const MaterialPair substrate({}, c.substrate);
     return 1 - c.materials().effective_modulus() / substrate.effective_modulus();
+}
+
+/// Of a half-space [-]: (1 - nu)/G, nu/G and (1 - 2 nu)/G are sums of 1/G and 1/(3 K + G), to
+/// which an elastic indenter adds what it has. Layers: too many.
+std::vector<double> known_poles(const Case& c) {
+    if (c.layer.thickness) return {};
+    std::vector<double> poles{0};
+    const double nu = c.substrate.poisson;
+    if (bulk_stays(c)) poles.push_back(2 * (1 + nu) / (1 - 2 * nu));  // 3 K/G
+    if (c.indenter.material) poles.push_back(infinity);
+    return poles;
 }
 
 }  // namespace
@@ -181,12 +193,16 @@ Case with_relaxing_ratio(const Case& c, double ratio) {
     return elastic;
 }
 
+StieltjesInterpolation interpolation_of(const Case& c) {
+    return interpolation_of(*c.relaxation, known_poles(c));
+}
+
 std::unique_ptr<Substrate> make_substrate(const Case& c, std::shared_ptr<const Compliance> relaxed,
                                           const ComplianceOf& compliance_of, const SumOf& sum_of) {
     if (!c.relaxation) return std::make_unique<ElasticSubstrate>(std::move(relaxed));
     if (relaxes_as_one(c))
         return std::make_unique<RelaxingSubstrate>(std::move(relaxed), *c.relaxation);
-    const StieltjesInterpolation interpolation = interpolation_of(*c.relaxation);
+    const StieltjesInterpolation interpolation = interpolation_of(c);
     CombinedCompliance::Parts parts;
     for (const double ratio : interpolation.nodes)
         parts.push_back(compliance_of(with_relaxing_ratio(c, ratio)));

@@ -79,6 +79,10 @@ std::optional<Relaxation> common_relaxation(const std::string& model, const Case
 /// The case with what relaxes `ratio` times as stiff as relaxed, and elastic.
 Case with_relaxing_ratio(const Case& c, double ratio);
 
+/// How the compliance of the case depends on `ratio` in the range of its relaxation: of a
+/// half-space by its own poles.
+StieltjesInterpolation interpolation_of(const Case& c);
+
 /// The substrate of a case. `compliance_of`: an elastic case's, on the same points always;
 /// `relaxed`: that of the relaxed case; not needed unless relaxes_as_one(). `sum_of`: sums of these
 /// parts, see PartlyRelaxingSubstrate::Sum, for models that know how.

@@ -41,6 +41,20 @@ double error_of(const std::vector<double>& points) {
 // For real moduli; in time it becomes up to ten times as large, the contact solvers' tolerance.
 constexpr double interpolation_error = 1e-8;
 
+// Of known poles: points as far apart as this let the poles differ; rounding then leaves 1e-10.
+constexpr double usual_range = 4;
+constexpr double most_amplification = 1e6;
+
+/// x + pole; of an infinite pole, whose term is the constant pole/(x + pole), over the pole.
+double to_pole(double x, double pole) {
+    return std::isinf(pole) ? 1 : x + pole;
+}
+
+/// The distance from one pole to another, over that which is infinite.
+double between(double from, double to) {
+    return std::isinf(to) ? 1 : std::isinf(from) ? -1 : to - from;
+}
+
 }  // namespace
 
 StieltjesInterpolation::StieltjesInterpolation(double least_range, double most_error)
@@ -60,23 +74,67 @@ StieltjesInterpolation::StieltjesInterpolation(double least_range, double most_e
         nodes.push_back(map.back(z));
         poles.push_back(-map.back(-z));
     }
-    // Inverse of Cauchy's matrix 1/(x_j + a_m), row m.
+    set_weights();
+}
+
+/// Points that divide the range evenly by their logarithms.
+StieltjesInterpolation::StieltjesInterpolation(double least_range, std::vector<double> known_poles)
+    : range(std::max(least_range, usual_range)), error(0), poles(std::move(known_poles)) {
+    const auto n = static_cast<double>(poles.size());
+    for (std::size_t j = 0; j < poles.size(); ++j)
+        nodes.push_back(std::pow(range, (static_cast<double>(j) + .5) / n));
+    set_weights();
+}
+
+/// Inverse of Cauchy's matrix 1/(x_j + a_m), row m.
+void StieltjesInterpolation::set_weights() {
     weights.resize(size() * size());
     for (std::size_t m = 0; m < size(); ++m)
         for (std::size_t j = 0; j < size(); ++j) {
-            double w = nodes[j] + poles[m];
+            double w = to_pole(nodes[j], poles[m]);
             for (std::size_t k = 0; k < size(); ++k) {
-                if (k != m) w *= (nodes[j] + poles[k]) / (poles[k] - poles[m]);
-                if (k != j) w *= (nodes[k] + poles[m]) / (nodes[k] - nodes[j]);
+                if (k != m) w *= to_pole(nodes[j], poles[k]) / between(poles[m], poles[k]);
+                if (k != j) w *= to_pole(nodes[k], poles[m]) / (nodes[k] - nodes[j]);
             }
             weights[m * size() + j] = w;
         }
 }
 
-StieltjesInterpolation interpolation_of(const Relaxation& relaxation) {
+double StieltjesInterpolation::factor(std::size_t m, double x) const {
+    return 1 / to_pole(x, poles[m]);
+}
+
+std::vector<double> StieltjesInterpolation::shares(double x) const {
+    std::vector<double> shares(size());
+    for (std::size_t m = 0; m < size(); ++m)
+        for (std::size_t j = 0; j < size(); ++j) shares[j] += weight(m, j) * factor(m, x);
+    return shares;
+}
+
+double StieltjesInterpolation::amplification() const {
+    double largest = 0;
+    for (std::size_t m = 0; m < size(); ++m)
+        for (std::size_t j = 0; j < size(); ++j)
+            largest = std::max(largest, std::abs(weight(m, j)) * factor(m, nodes[j]));
+    return largest;
+}
+
+std::vector<Retardation> StieltjesInterpolation::creep(const Relaxation& relaxation) const {
+    std::vector<Retardation> creep;
+    for (const double pole : poles)
+        creep.push_back(std::isinf(pole) ? Retardation({}, 0) : Retardation(relaxation, pole));
+    return creep;
+}
+
+StieltjesInterpolation interpolation_of(const Relaxation& relaxation,
+                                        std::vector<double> known_poles) {
     // A range is needed even where rounding leaves none.
-    return StieltjesInterpolation(std::max(relaxation.instantaneous_ratio(), 1 + 1e-9),
-                                  interpolation_error);
+    const double range = std::max(relaxation.instantaneous_ratio(), 1 + 1e-9);
+    if (!known_poles.empty()) {
+        const StieltjesInterpolation exact(range, std::move(known_poles));
+        if (exact.amplification() <= most_amplification) return exact;
+    }
+    return StieltjesInterpolation(range, interpolation_error);
 }
 
 }  // namespace tricontact::contact

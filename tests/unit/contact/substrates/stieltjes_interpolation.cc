@@ -4,7 +4,8 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "contact/substrates/partly_relaxing_substrate.h"
+#include "contact/special_values.h"
+#include "contact/substrates/relaxing_case.h"
 
 namespace tricontact::stieltjes_interpolation_test {
 namespace {
@@ -63,13 +64,63 @@ TEST(StieltjesInterpolation, ConvergesExponentially) {
 TEST(StieltjesInterpolation, WeightsAreSmall) {
     for (double excess = 1e-12; excess < 1e6; excess *= 3) {
         const StieltjesInterpolation interpolation(1 + excess, 1e-8);
-        for (std::size_t m = 0; m < interpolation.size(); ++m)
-            for (std::size_t j = 0; j < interpolation.size(); ++j)
-                EXPECT_LT(std::abs(interpolation.weight(m, j)) /
-                              (interpolation.nodes[j] + interpolation.poles[m]),
-                          1e6)
-                    << excess;
+        EXPECT_LT(interpolation.amplification(), 1e6) << excess;
     }
+}
+
+// A half-space pressed by an elastic body, whose Green's functions are these three. 1e-11: rounding
+// of differences of C, which near nu = 1/2 differ little by pole.
+TEST(StieltjesInterpolation, HalfSpaceIsExactByItsPoles) {
+    using Bulk = contact::Relaxation::Bulk;
+    contact::Case c;
+    c.indenter.material = contact::Material{2e7, .2};
+    c.relaxation.emplace();
+    c.relaxation->branches = {{.3, .1}, {.6, 1}};
+    for (const Bulk bulk : {Bulk::elastic, Bulk::proportional})
+        for (const double poisson : {-.6, 0., .3, .45, .499, .5}) {
+            c.substrate = {5e6, poisson};
+            c.relaxation->bulk = bulk;
+            const StieltjesInterpolation interpolation = contact::interpolation_of(c);
+            EXPECT_EQ(interpolation.size(), bulk == Bulk::elastic && poisson < .5 ? 3u : 2u);
+            for (const double x : {1., 1.3, 1.9}) {
+                const auto at = [&](double ratio) {
+                    return contact::with_relaxing_ratio(c, ratio).materials();
+                };
+                const auto shares = interpolation.shares(x);
+                for (auto green : {&contact::MaterialPair::one_minus_nu_over_g,
+                                   &contact::MaterialPair::nu_over_g,
+                                   &contact::MaterialPair::one_minus_two_nu_over_g}) {
+                    double sum = 0;
+                    for (std::size_t j = 0; j < shares.size(); ++j)
+                        sum += shares[j] * (at(interpolation.nodes[j]).*green)();
+                    EXPECT_NEAR(sum, (at(x).*green)(), 1e-11 * at(x).one_minus_nu_over_g())
+                        << poisson << ' ' << x;
+                }
+            }
+        }
+}
+
+// Two bodies of a common relaxation, one of them beside a spring, and an elastic one.
+TEST(StieltjesInterpolation, KnownPolesCreep) {
+    const contact::Relaxation solid{{{1.5, .2}}, {}};
+    const auto interpolation = contact::interpolation_of(solid, {0, .8, contact::infinity});
+    const auto creep = interpolation.creep(solid);
+    ASSERT_EQ(creep.size(), 3u);
+    EXPECT_NEAR(creep[1].relaxed, interpolation.factor(1, 1), 1e-15);
+    EXPECT_NEAR(creep[1].relaxed - creep[1].branches[0].compliance, interpolation.factor(1, 2.5),
+                1e-15);
+    EXPECT_EQ(creep[2].relaxed, 1);
+    EXPECT_TRUE(creep[2].branches.empty());
+}
+
+// A pole so far off that its term hardly bends is as good as infinite.
+TEST(StieltjesInterpolation, ClosePolesAreNoneThatAreKnown) {
+    const contact::Relaxation solid{{{.9, .2}}, {}};
+    EXPECT_EQ(contact::interpolation_of(solid, {0, 1e8}).size(), 2u);
+    EXPECT_EQ(contact::interpolation_of(solid, {0, 1e8, contact::infinity}).size(),
+              contact::interpolation_of(solid).size());
+    EXPECT_EQ(contact::interpolation_of(solid, {0, 1e-8}).size(),
+              contact::interpolation_of(solid).size());
 }
 
 TEST(StieltjesInterpolation, NeedsARange) {
