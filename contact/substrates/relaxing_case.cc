@@ -35,9 +35,9 @@ double indenter_share(const Case& c) {
 }
 
 /// Of a half-space [-]: (1 - nu)/G, nu/G and (1 - 2 nu)/G are sums of 1/G and 1/(3 K + G), to
-/// which an elastic indenter adds what it has. Layers: too many.
+/// which an elastic indenter adds what it has. Layers, and what else a mesh holds: too many.
 std::vector<double> known_poles(const Case& c) {
-    if (c.layer.thickness) return {};
+    if (c.layer.thickness || c.fem.mesh) return {};
     std::vector<double> poles{0};
     const double nu = c.substrate.poisson;
     if (bulk_stays(c)) poles.push_back(2 * (1 + nu) / (1 - 2 * nu));  // 3 K/G

@@ -100,6 +100,24 @@ TEST(StieltjesInterpolation, HalfSpaceIsExactByItsPoles) {
         }
 }
 
+// The Green's functions of a layer are not those of a half-space, whether its thickness or a mesh
+// tells.
+TEST(StieltjesInterpolation, LayersAreBodiesOfAnyPoles) {
+    contact::Case layer;
+    layer.substrate = {5e6, .3};
+    layer.relaxation.emplace();
+    layer.relaxation->branches = {{.5, .1}};
+    EXPECT_GT(worst_error(contact::interpolation_of(layer), 1.5), 1e-3);
+    contact::Case meshed = layer;
+    meshed.fem.mesh = "block.msh";
+    layer.layer.thickness = 8e-3;
+    for (const contact::Case& c : {layer, meshed}) {
+        const StieltjesInterpolation interpolation = contact::interpolation_of(c);
+        // The bound and rounding, as above.
+        EXPECT_LT(worst_error(interpolation, interpolation.range), 2e-8);
+    }
+}
+
 // Two bodies of a common relaxation, one of them beside a spring, and an elastic one.
 TEST(StieltjesInterpolation, KnownPolesCreep) {
     const contact::Relaxation solid{{{1.5, .2}}, {}};
