@@ -6,9 +6,7 @@ set -euo pipefail
 root=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." >/dev/null && pwd)
 name=rig_sphere_layer_all
 
-"$root/scripts/setup.sh" build
-cmake -S "$root" --preset release --log-level=NOTICE
-cmake --build "$root/build/release" --target tricontact
+"$root/scripts/build.sh" tricontact
 "$root/build/release/app/tricontact" run "$root/examples/cases/$name.toml" \
     --output "$root/results/$name"
 "$root/build/release/app/tricontact" rig "$root/examples/rigs/sphere_parallel.toml" \

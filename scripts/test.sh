@@ -4,8 +4,6 @@
 set -euo pipefail
 root=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." >/dev/null && pwd)
 
-"$root/scripts/setup.sh" build
-cmake -S "$root" --preset release --log-level=NOTICE
-cmake --build "$root/build/release"
+"$root/scripts/build.sh"
 # One more than cores: some tests wait, for a disk or for what they killed.
 ctest --test-dir "$root/build/release" --output-on-failure --parallel "$(($(nproc) + 1))" "$@"
