@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Reads reports in chromium, wide by day and on a phone by night: no message on the console, no
+# Reads reports in chromium, wide and on a phone, by day and by night: no message on the console, no
 # request to the network, every chart drawn in the page's colours, no sideways scrolling, whatever can be chosen
 # within reach of the keyboard and seen when it is, axe-core's rules of accessible pages, tables that sort, drawings
 # that can be saved.
@@ -14,65 +14,40 @@ axe=$scripts/../build/axe/package/axe.min.js
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
-# The readers of number N look at $work/N.html, one after another within one chromium, in a frame; the page around it notes
-# what they say.
-n=0
-for report in "$@"; do
-    [ -r "$report" ] || { echo "error: cannot read $report" >&2; exit 2; }
-    n=$((n + 1))
-    {
-        cat "$report"
-        printf '<script>\n%s\n</script>\n<script>\n%s\n</script>\n' "$(cat "$axe")" "$(cat "$scripts/check_report.js")"
-    } >"$work/$n.html"
-done
-cat >"$work/readers.js" <<'END'
-function read(number) {
-    return new Promise(resolve => {
-        const frame = document.createElement("iframe");
-        frame.style = `width: ${width}px; height: 800px`;
-        frame.src = `../${number}.html`;
-        function end(said) {
-            frame.remove();
-            resolve(said);
-        }
-        addEventListener("message", ({data}) => end(data), {once: true});
-        setTimeout(end, 100000, '["is not read to its end"]');  // of the browser's clock, which leaps over what waits
-        document.body.prepend(frame);  // in sight: what is not is not drawn
-    });
-}
-(async () => {
-    for (const number of numbers) {
-        const said = document.createElement("pre");
-        said.textContent = number + " " + await read(number);
-        document.body.append(said);
-    }
-})();
+# Both widths in frames of one page that notes what the readers inside say.
+cat >"$work/readers.html" <<'END'
+<!DOCTYPE html>
+<meta name="color-scheme" content="light dark">
+<script>
+addEventListener("message", event => {
+    const said = document.createElement("pre");
+    said.textContent = event.data;
+    document.body.append(said);
+});
+</script>
+<body>
+<iframe src="report.html" style="width: 1200px; height: 800px"></iframe>
+<iframe src="report.html" style="width: 400px; height: 800px"></iframe>
 END
 
-# look FOLDER WIDTH PREFERENCE GRAPHICS NUMBER...: at the pages of these numbers; complaints, a line each, behind the number.
+# look FOLDER PREFERENCE: at report.html in the folder; complaints, a line each.
 look() {
-    local folder=$1 width=$2 preference=$3 graphics=$4
-    shift 4
-    [ $# -gt 0 ] || return 0
-    mkdir "$folder"
-    printf '<!DOCTYPE html>\n<meta name="color-scheme" content="light dark">\n<body>\n<script>\n' >"$folder/readers.html"
-    printf 'const width = %d, numbers = [%s];\n%s\n</script>\n' "$width" "$(IFS=,; echo "$*")" \
-        "$(cat "$work/readers.js")" >>"$folder/readers.html"
-    # shellcheck disable=SC2086  # words
-    timeout $((200 * $#)) chromium --headless --no-sandbox $graphics --window-size=1300,900 \
-        --user-data-dir="$folder/profile" --host-resolver-rules="MAP * ~NOTFOUND" \
-        --blink-settings="preferredColorScheme=$preference" --enable-logging=stderr \
-        --virtual-time-budget=$((100000 * $#)) --dump-dom "file://$folder/readers.html" \
-        >"$folder/page" 2>"$folder/log" || echo "0 chromium ends with exit code $?"
+    cp "$work/readers.html" "$1"
+    # Without a processor for graphics WebGL is computed, which takes several times as long.
+    local graphics=(--disable-gpu)
+    ! grep -q 'id="player_open_scene"' "$1/report.html" ||
+        graphics=(--use-angle=swiftshader --enable-unsafe-swiftshader)
+    timeout 600 chromium --headless --no-sandbox "${graphics[@]}" --window-size=1300,1700 \
+        --user-data-dir="$1/profile" --host-resolver-rules="MAP * ~NOTFOUND" \
+        --blink-settings="preferredColorScheme=$2" --enable-logging=stderr \
+        --virtual-time-budget=20000 --dump-dom "file://$1/readers.html" \
+        >"$1/page" 2>"$1/log" || echo "chromium ends with exit code $?"
     # That the readers look at what WebGL has drawn is their own doing.
-    grep -o 'CONSOLE.*' "$folder/log" | grep -v 'GPU stall due to ReadPixels' |
-        sed -E "s|^(.*file://$work/([0-9]+)\.html.*)|\2 \1|; t; s|^|0 |" || true
-    local number said
-    for number in "$@"; do
-        said=$(grep -oE "<pre>$number \[[^<]*\]</pre>" "$folder/page" || true)
-        [ "$said" ] || echo "$number is not read"
-        grep -o '"[^"]*"' <<<"$said" | sed "s|^|$number |" || true
-    done
+    grep -o 'CONSOLE.*' "$1/log" | grep -v 'GPU stall due to ReadPixels' || true
+    local readers
+    readers=$(grep -o '<pre>\[[^<]*\]</pre>' "$1/page" || true)
+    [ "$(grep -c . <<<"$readers")" -eq 2 ] || echo "not both widths were read"
+    grep -o '"[^"]*"' <<<"$readers" || true
 }
 
 # measure REPORT: has the player of a report draw in real time, which stands still for the readers above; at most 33 ms per
@@ -94,29 +69,28 @@ measure() {
     awk '{ exit !($0 ~ /player/ && $6 < 33) }' <<<"$said" || echo "more than 33 ms per instant: ${said:-nothing is drawn}"
 }
 
-# Wide by day and narrow by night, at a time: colours do not depend on the width, nor sizes on the colours, as the readers
-# make sure. Without a processor for graphics WebGL is computed, which takes several times as long: for views in three
-# dimensions alone.
-flat=() scenes=()
-for ((n = 1; n <= $#; ++n)); do
-    if grep -q 'id="player_open_scene"' "$work/$n.html"; then scenes+=("$n"); else flat+=("$n"); fi
+# Two readers at a time on two cores, each with a profile of its own.
+n=0
+for report in "$@"; do
+    [ -r "$report" ] || { echo "error: cannot read $report" >&2; exit 2; }
+    for preference in dark:0 light:1; do
+        n=$((n + 1))
+        mkdir "$work/$n"
+        {
+            cat "$report"
+            printf '<script>\n%s\n</script>\n<script>\n%s\n</script>\n' "$(cat "$axe")" "$(cat "$scripts/check_report.js")"
+        } >"$work/$n/report.html"
+        [ "$(jobs -rp | wc -l)" -lt "$(nproc)" ] || wait -n
+        look "$work/$n" "${preference#*:}" | sed "s|^|FAILED: $report, ${preference%:*}: |" >"$work/$n.said" &
+    done
 done
-computed="--use-angle=swiftshader --enable-unsafe-swiftshader"
-look_at_all() {
-    look "$work/$1_flat" "$2" "$3" --disable-gpu "${flat[@]}"
-    look "$work/$1_scenes" "$2" "$3" "$computed" "${scenes[@]}"
-}
-look_at_all wide_light 1200 1 >"$work/wide_light" &
-look_at_all narrow_dark 400 0 >"$work/narrow_dark" &
 wait
-for ((n = 1; n <= $#; ++n)); do measure "$work/$n.html" | sed "s|^|$n |"; done >"$work/alone"  # on the machine
-failures=0
-for look in wide_light narrow_dark alone; do
-    while read -r n complaint; do
-        failures=$((failures + 1))
-        [ "$n" -eq 0 ] || complaint="${!n}: $complaint"
-        printf 'FAILED: %s: %s\n' "$look" "$complaint"
-    done <"$work/$look"
+n=0
+for report in "$@"; do  # alone on the machine
+    n=$((n + 1))
+    measure "$work/$((2 * n))/report.html" | sed "s|^|FAILED: $report: |" >"$work/measured_$n.said"
 done
+cat "$work"/*.said
+failures=$(cat "$work"/*.said | wc -l)
 printf '%d failures\n' "$failures"
 [ "$failures" -eq 0 ]
