@@ -5,6 +5,8 @@
 
 #include "app/commands/command.h"
 #include "app/identification_models.h"
+#include "app/left_out.h"
+#include "io/case/rig_file.h"
 #include "report/format.h"
 
 namespace tricontact::app {
@@ -228,6 +230,7 @@ void identify_properties(IdentifyOptions options) {
     const IdentificationInput input =
         experiments::read_identification(options.file, options.overrides);
     check_lengths_scale(input);
+    say_left_out(options, "identify", {"[measurement]", io::uncertainty_mark});
     options.choose_folder();
     IdentificationStudy study;
     options.fill({{"identify.json", "report.html", "posterior.csv"}}, [&] {

@@ -1,4 +1,5 @@
 #include "app/commands/command.h"
+#include "app/left_out.h"
 #include "app/models.h"
 #include "app/roll_models.h"
 #include "bem/model.h"
@@ -81,6 +82,7 @@ void find_limits(const Case& c, const LimitOptions& options) {
 void limit_of_case(LimitOptions options) {
     const Case c = io::read_case(options.file, options.overrides, options.models);
     check(options, c);
+    say_left_out(options, "limit");
     bem::check_influence_file(c);
     options.choose_folder("_limit");
     options.fill({{resolved_case_name, "limit.json", "limit.csv", "report.html"}},

@@ -2,6 +2,7 @@
 
 #include "app/case_run.h"
 #include "app/commands/command.h"
+#include "app/left_out.h"
 #include "app/rig_body.h"
 #include "app/rig_growth.h"
 #include "experiments/assumptions/rig.h"
@@ -67,8 +68,10 @@ void print(const experiments::RigReport& report, std::ostream& out) {
 experiments::Rig read_rig(const CommandOptions& options) {
     const std::string text = io::read_input_file(options.file);
     io::Document document = io::parse_document(text, options.file);
-    if (!io::is_walk_case(document))
+    if (!io::is_walk_case(document)) {
+        say_left_out(options, "rig", {"[rig]", "[printed]", io::uncertainty_mark});
         return rig_with_body(io::parse_rig_file(text, options.file, options.overrides));
+    }
     walking::parse_walk_case(text, options.file, options.overrides);  // checked
     io::apply_overrides(document, options.overrides, walking::walk_file_keys());
     return experiments::walking_rig(document, walking::walk_file_keys());

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "app/commands/command.h"
+#include "app/left_out.h"
 #include "app/roll_models.h"
 #include "app/shown_states.h"
 #include "bem/model.h"
@@ -158,6 +159,7 @@ void roll_models(const Case& c, const RollOptions& options) {
 void roll_case(RollOptions options) {
     const Case c = io::read_case(options.file, options.overrides, options.models);
     require_rolling_on(c, options.file);
+    say_left_out(options, "roll");
     bem::check_influence_file(c);  // before anything is written
     options.choose_folder();
     options.fill(roll_outputs(c.models), [&] { roll_models(c, options); });

@@ -4,6 +4,7 @@
 
 #include "app/case_run.h"
 #include "app/commands/command.h"
+#include "app/left_out.h"
 #include "app/roll_models.h"
 #include "atlas/run_section.h"
 #include "bem/model.h"
@@ -90,6 +91,7 @@ std::string line_of(const comparisons::Results& r) {
 void run_case(RunOptions options) {
     const Case c = io::read_case(options.file, options.overrides, options.models);
     refuse_rolling_on(c, options.file);
+    say_left_out(options, "run");
     bem::check_influence_file(c);  // before anything is written
     options.choose_folder();
     std::optional<CaseRun> run;

@@ -139,6 +139,18 @@ std::vector<UncertainKey> RigFile::uncertain_of_case() const {
     return result;
 }
 
+std::vector<std::string> rig_parts(const std::string& path,
+                                   const std::vector<std::string>& overrides) {
+    const Document document = case_document(read_input_file(path), path, overrides);
+    std::vector<std::string> parts;
+    for (const char* section : {"rig", "record", "measurement", "design", "printed"})
+        if (document.find_section(section)) parts.push_back("[" + std::string(section) + "]");
+    const auto of_case = [](const UncertainKey& one) { return find_key(one.key->path); };
+    if (std::ranges::any_of(uncertain_keys(document, case_file_keys()), of_case))
+        parts.emplace_back(uncertainty_mark);
+    return parts;
+}
+
 RigFile parse_rig_file(std::string_view text, const std::string& name,
                        const std::vector<std::string>& overrides) {
     RigFile rig{.document = case_document(text, name, overrides)};

@@ -53,6 +53,12 @@ struct RigFile {
     std::vector<UncertainKey> uncertain_of_case() const;
 };
 
+/// What of a case file only commands about rigs read: its sections beside the case, "[rig]" and the
+/// like, and uncertainty_mark where a number of the case states its uncertainty.
+inline constexpr const char* uncertainty_mark = "±";
+std::vector<std::string> rig_parts(const std::string& path,
+                                   const std::vector<std::string>& overrides = {});
+
 /// Throws contact::InputError as read_case().
 RigFile read_rig_file(const std::string& path, const std::vector<std::string>& overrides = {});
 RigFile parse_rig_file(std::string_view text, const std::string& name,

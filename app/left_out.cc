@@ -1,0 +1,41 @@
+#include "app/left_out.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <map>
+
+#include "io/case/rig_file.h"
+
+namespace tricontact::app {
+
+namespace {
+
+/// Which commands read a part of a case file.
+const std::map<std::string, std::string>& readers() {
+    static const std::map<std::string, std::string> readers{
+        {"[rig]", "rig, design"},
+        {"[record]", "experiment, design"},
+        {"[measurement]", "identify"},
+        {"[design]", "design"},
+        {"[printed]", "rig"},
+        {io::uncertainty_mark, "predict --samples, rig, design, experiment, identify"}};
+    return readers;
+}
+
+}  // namespace
+
+void say_left_out(const CommandOptions& options, const std::string& command,
+                  std::initializer_list<std::string> read) {
+    std::vector<std::string> words;
+    for (const std::string& part : io::rig_parts(options.file, options.overrides))
+        if (std::ranges::find(read, part) == read.end())
+            words.push_back(fmt::format("{} (read by {})",
+                                        part == io::uncertainty_mark ? "± of the numbers" : part,
+                                        readers().at(part)));
+    if (!words.empty())
+        options.say(fmt::format("not used by {}: {}", command, fmt::join(words, "; ")));
+}
+
+}  // namespace tricontact::app

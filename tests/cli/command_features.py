@@ -1,0 +1,197 @@
+"""Every command on every feature of a case: the answer depends on it, or the command refuses it by name.
+
+usage: command_features.py PROGRAM TABLE [--write] [--only COMMAND|FEATURE]...
+
+A feature stands as two cases that differ in it alone. A command that gives the same answer to both has ignored it: that
+is right only where `unaffected` says why. TABLE (docs/command-features.md) holds what is expected of each cell; --write
+writes it. A key of the case file without a feature, or a command without a column, is a failure.
+"""
+
+import concurrent.futures
+import html
+import itertools
+import json
+import os
+import re
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+import command_features_data as data
+
+
+def toml_of(case):
+    """The text of a case given as {"section.key": TOML value}."""
+    sections = {}
+    for path, value in case.items():
+        section, _, key = path.rpartition(".")
+        sections.setdefault(section, []).append(f"{key} = {value}\n")
+    text = "".join(sections.pop("", []))
+    return text + "".join(f"\n[{name}]\n{''.join(lines)}" for name, lines in sections.items())
+
+
+def changed(case, changes):
+    """The case with these keys; None takes one away, "section.*" all of a section."""
+    result = dict(case)
+    for path, value in changes.items():
+        if path.endswith("*"):
+            result = {key: old for key, old in result.items() if not key.startswith(path[:-1])}
+        elif value is None:
+            result.pop(path, None)
+        else:
+            result[path] = value
+    return result
+
+
+class Answer:
+    """What a command made of a case: exit code, what it said, its files without echoes of the case."""
+
+    def __init__(self, program, command, case):
+        with tempfile.TemporaryDirectory() as folder:
+            self.folder = Path(folder)
+            for name, text in {**data.files(), **command.get("files", {})}.items():
+                (self.folder / name).write_text(text)
+            (self.folder / "case.toml").write_text(toml_of(case))
+            self.said, self.code = "", 0
+            for arguments in command["calls"]:
+                if self.code == 0:
+                    self.call([program, *arguments])
+            self.result = {} if self.code else self.numbers(command["answer"], command.get("part", ()))
+            self.told = "" if self.code else self.sentences(command.get("telling"))
+
+    def call(self, arguments):
+        environment = {**os.environ, "OPENBLAS_NUM_THREADS": "1"}
+        done = subprocess.run(arguments, cwd=self.folder, capture_output=True, text=True, timeout=600,
+                              env=environment, check=False)
+        self.code = done.returncode
+        self.output = done.stdout
+        self.said += done.stdout + done.stderr
+
+    def sentences(self, page):
+        """What the command says, on the terminal and on its page."""
+        if not page:
+            return self.said
+        text = (self.folder / page).read_text()
+        text = re.sub(r"<(script|style).*?</\1>", " ", text, flags=re.S)
+        return self.said + html.unescape(re.sub(r"<[^>]+>", " ", text))
+
+    def numbers(self, answer, part):
+        """The files of the answer, or standard output; what repeats the case or counts seconds left out."""
+        if answer == "output":
+            return as_numbers(self.output, part)
+        result = {}
+        for pattern in answer.split():
+            for path in sorted(self.folder.glob(pattern)):
+                text = path.read_text(errors="replace")
+                result[str(path.relative_to(self.folder))] = as_numbers(text, part)
+        return result
+
+
+def as_numbers(text, part):
+    """A text without seconds and, of JSON, without the case; of that only what stands below the keys of `part`."""
+    if text.startswith("{"):
+        value = json.loads(text)
+        for key in part:
+            value = value[key]
+        text = json.dumps(without_case(value))
+    return re.sub(r"\d+(\.\d+)? s\b", "", re.sub(r"(?m)^(#|%|!).*$", "", text))
+
+
+def without_case(value):
+    """A JSON document without the case that it repeats, and without seconds."""
+    if isinstance(value, dict):
+        return {key: without_case(one) for key, one in value.items()
+                if key != "case" and not re.search(r"cpu|_s$|seconds", key)}
+    if isinstance(value, list):
+        return [without_case(one) for one in value]
+    return value
+
+
+def names(feature, said):
+    """Whether a message names the feature: a key of it, its section, or its word."""
+    return any(word in said for word in feature["words"])
+
+
+def cell(program, name, command, feature):
+    """works, refused, unaffected, or what is wrong."""
+    base = changed(data.base, command.get("base", {}))
+    bases = {**feature.get("base", {}), **command.get("over", {})}
+    pair = [changed(changed(changed(base, bases), part), command.get("always", {}))
+            for part in (feature["one"], feature["other"])]
+    other = Answer(program, command, pair[1])
+    if other.code == 2:
+        lines = [line for line in other.said.splitlines() if line.startswith("error: ")]
+        if len(lines) != 1:
+            return f"wrong: refused by {len(lines)} lines: {other.said.strip()[:200]}"
+        return "refused" if names(feature, lines[0]) else f"wrong: refused without its name: {lines[0][:250]}"
+    one = Answer(program, command, pair[0])
+    answers = [one, other]
+    if one.code or other.code:
+        return f"wrong: exit codes {one.code}, {other.code}: {(one if one.code else other).said.strip()[-250:]}"
+    if not answers[0].result:
+        return "wrong: no answer"
+    if answers[0].result != answers[1].result:
+        return "works"
+    new = set(re.split(r"(?<=[.:;]) ", answers[1].told)) - set(re.split(r"(?<=[.:;]) ", answers[0].told))
+    if any(names(feature, sentence) for sentence in new):
+        return "said"
+    reason = data.unaffected.get((name, feature["name"])) or data.unaffected.get((name, "*"))
+    if reason:
+        return "unaffected"
+    return "wrong: ignored in silence"
+
+
+def table_text(cells):
+    commands = list(data.commands)
+    marks = {"works": "✓", "refused": "refused", "unaffected": "–", "said": "left out, said"}
+    lines = ["| | " + " | ".join(f"`{name}`" for name in commands) + " |",
+             "|---|" + "---|" * len(commands)]
+    for feature in data.features:
+        row = [marks.get(cells.get((name, feature["name"]), ""), "?") for name in commands]
+        lines.append(f"| {feature['name']} | " + " | ".join(row) + " |")
+    return "\n".join(lines) + "\n"
+
+
+def check_keys(program):
+    """Each key of the case file belongs to a feature, or to what every case has."""
+    listed = subprocess.run([program, "keys"], capture_output=True, text=True, check=True).stdout
+    section, keys = "", []
+    for line in listed.splitlines():
+        if match := re.match(r"#+ .*`\[(.*)\]`", line):
+            section = match[1] + "."
+        elif match := re.match(r"\| `(\w+)` \|", line):
+            keys.append(section + match[1])
+        elif line.startswith("#"):
+            section = ""
+    patterns = [pattern for feature in data.features for pattern in feature["keys"]] + data.keys_of_every_case
+    regex = re.compile("|".join("^" + re.escape(one).replace(r"\*", ".*") + "$" for one in patterns))
+    return [f"key {key} belongs to no feature (command_features_data.py)" for key in keys if not regex.match(key)]
+
+
+def check_commands(program):
+    help_text = subprocess.run([program, "--help"], capture_output=True, text=True, check=True).stdout
+    found = re.findall(r"^  ([a-z]+)  ", help_text, re.M)
+    known = {name.split()[0] for name in data.commands} | set(data.commands_without_a_case)
+    return [f"command {name} has no column (command_features_data.py)" for name in found if name not in known]
+
+
+def main():
+    program, table = sys.argv[1:3]
+    only = [one for one in sys.argv[3:] if not one.startswith("--")]
+    wanted = [(name, feature) for name, feature in itertools.product(data.commands, data.features)
+              if not only or name in only or feature["name"] in only]
+    with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
+        found = list(pool.map(lambda one: cell(program, one[0], data.commands[one[0]], one[1]), wanted))
+    cells = {(name, feature["name"]): value for (name, feature), value in zip(wanted, found)}
+    faults = check_keys(program) + check_commands(program)
+    faults += [f"{name} x {feature}: {value}" for (name, feature), value in cells.items() if value.startswith("wrong")]
+    if "--write" in sys.argv:
+        print(table_text(cells))
+    for fault in faults:
+        print("FAILED:", fault)
+    sys.exit(1 if faults else 0)
+
+
+if __name__ == "__main__":
+    main()

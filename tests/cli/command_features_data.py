@@ -1,0 +1,238 @@
+"""What command_features.py tries: the features of cases, each by two cases that differ in it, and the commands."""
+
+# A sphere on rubber, rolled: coarse, and fast in every model.
+base = {
+    "models": '["bem"]',
+    "indenter.radius": '"40 mm"',
+    "substrate.young": '"5.2 MPa"',
+    "substrate.poisson": "0.5",
+    "friction.coefficient": "0.57",
+    "load.normal_force": '"21.1 N"',
+    "load.tangential_ratio": "0.4",
+    "rolling.amplitude_ratio": "0.24",
+    "rolling.steps_per_quarter": "1",
+    "rolling.periods": "2",
+    "bem.cells_per_radius": "6",
+    "mdr.springs": "200",
+    "output.vtk": '"none"',
+}
+keys_of_every_case = ["title", "models", "output.*", "bem.cells_per_radius", "bem.spacing", "bem.tolerance",
+                      "mdr.springs", "fem.accuracy", "fem.size", "fem.growth", "fem.tolerance", "fem.cache",
+                      "indenter.radius", "indenter.shape", "substrate.young", "substrate.poisson",
+                      "friction.coefficient", "load.normal_force", "load.tangential_ratio", "load.tangential_force"]
+
+layer = {"substrate.thickness": '"8 mm"'}
+height_map = "".join(" ".join(f"{((x / 10) ** 2 + (y / 10) ** 2) * 6.25:.4f}" for x in range(-30, 31, 2)) + "\n"
+                     for y in range(-30, 31, 2))  # um, of a ball of 80 mm on 6 mm
+
+
+def path(*columns, **values):
+    """A table that presses, pulls and lets go; further columns as given, in three rows."""
+    names = ["normal_force [N]", "tangential_force_x [N]", *columns]
+    rows = [["21", "0"], ["21", "4"], ["21", values.get("force", "2")]]
+    for column in columns:
+        for row, value in zip(rows, values[column.split(" ")[0]]):
+            row.append(value)
+    return '"' + "\\n".join([", ".join(names), *(", ".join(row) for row in rows)]) + '"'
+
+
+def feature(name, keys, words, one, other, base=None):
+    return {"name": name, "keys": keys.split(), "words": [name, *words.split("|")], "one": one, "other": other,
+            "base": base or {}}
+
+
+no_load = {"load.*": None, "rolling.*": None, "path.steps": "2"}
+body = {"indenter.radius": None}
+features = [
+    feature("path", "path.*", "[path]|prescribed path", {**no_load, "path.table": path(force="2")},
+            {**no_load, "path.table": path(force="1")}),
+    feature("path with a force along y", "", "path|along y",
+            {**no_load, "path.table": path("tangential_force_y [N]", tangential_force_y=["0", "0", "0"])},
+            {**no_load, "path.table": path("tangential_force_y [N]", tangential_force_y=["0", "0", "1"])}),
+    feature("path with a shift", "", "path|along y|shift",
+            {**no_load, "path.table": path("shift_y [um]", shift_y=["0", "0", "5"])},
+            {**no_load, "path.table": path("shift_y [um]", shift_y=["0", "0", "9"])}),
+    feature("path with a twist", "", "path|twist|rotation",
+            {**no_load, "path.table": path("rotation [mrad]", rotation=["0", "0", "0"])},
+            {**no_load, "path.table": path("rotation [mrad]", rotation=["0", "0", "8"])}),
+    feature("path with rolling", "", "path|offset",
+            {**no_load, "path.table": path("offset_x [mm]", offset_x=["0", "0", "0"])},
+            {**no_load, "path.table": path("offset_x [mm]", offset_x=["0", "0", "0.5"])}),
+    feature("static load", "", "[rolling]|rolling", {"load.tangential_ratio": "0.4", "rolling.*": None},
+            {"load.tangential_ratio": "0.5", "rolling.*": None}),
+    feature("rolling angle", "rolling.angle", "rolling.angle|angle", {}, {"rolling.angle": '"90 deg"'}),
+    feature("rolling steps", "rolling.steps rolling.steps_per_quarter rolling.increment rolling.periods rolling.until "
+            "rolling.run_all rolling.amplitude rolling.amplitude_ratio rolling.amplitude_reference", "rolling.steps",
+            {"rolling.steps_per_quarter": "1"}, {"rolling.steps_per_quarter": "3"}),
+    feature("rolling on", "tractive_rolling.*", "[tractive_rolling]|rolling on|rolls on",
+            {"rolling.*": None, "tractive_rolling.distance": "1.0"},
+            {"rolling.*": None, "tractive_rolling.distance": "1.0", "tractive_rolling.lateral_creepage": "0.01"}),
+    feature("oscillating normal force", "load.normal_*", "load.normal_amplitude_ratio|oscillat", {},
+            {"load.normal_amplitude_ratio": "0.3"}),
+    feature("oscillating tangential force", "load.tangential_amplitude_ratio load.tangential_phase",
+            "load.tangential_amplitude_ratio|oscillat", {}, {"load.tangential_amplitude_ratio": "0.3"}),
+    feature("prescribed depth", "load.indentation", "load.indentation|depth|indentation",
+            {"load.normal_force": None, "load.indentation": '"0.1 mm"'},
+            {"load.normal_force": None, "load.indentation": '"0.12 mm"'}),
+    feature("load by its limit", "load.limit_fraction load.limit_excess", "load.limit_fraction|limit_fraction",
+            {"load.tangential_ratio": None, "load.limit_fraction": "0.5"},
+            {"load.tangential_ratio": None, "load.limit_fraction": "0.6"}),
+    feature("pressing", "load.press load.press_steps", "load.press", {},
+            {"load.press": '"frictionless"'}, {**layer, "substrate.poisson": "0.45", "contact.coupling": "true"}),
+    feature("layer", "substrate.thickness substrate.thickness_ratio", "substrate.thickness|layer",
+            {"substrate.thickness": '"8 mm"'}, {"substrate.thickness": '"6 mm"'}),
+    feature("base that glides", "substrate.base", "substrate.base|base", layer,
+            {**layer, "substrate.base": '"frictionless"'}),
+    feature("ground", "ground.*", "[ground]|ground", layer,
+            {**layer, "substrate.base": '"half-space"', "ground.young": '"5 MPa"', "ground.poisson": "0.4"}),
+    feature("lower layer", "lower_layer.*", "[lower_layer]|lower_layer|layers", layer,
+            {**layer, "lower_layer.thickness": '"4 mm"', "lower_layer.young": '"2 MPa"',
+             "lower_layer.poisson": "0.45"}),
+    feature("width", "substrate.width substrate.depth", "substrate.width|width", layer,
+            {**layer, "substrate.width": '"20 mm"', "substrate.depth": '"20 mm"'}),
+    feature("elastic indenter", "indenter.young indenter.poisson", "indenter.young|elastic indenter|not rigid", {},
+            {"indenter.young": '"20 MPa"', "indenter.poisson": "0.5"}),
+    feature("coupled contact", "contact.coupling", "contact.coupling|coupl", {"contact.coupling": "false"},
+            {"contact.coupling": "true"}, {**layer, "substrate.poisson": "0.3"}),
+    feature("relaxation", "substrate.relaxation.* load.press_time load.hold rolling.speed",
+            "substrate.relaxation|relax", {},
+            {"substrate.relaxation.relative_moduli": "[0.4]", "substrate.relaxation.times": '["0.5 s"]',
+             "rolling.speed": '"5 mm/s"', "load.press_time": '"0.5 s"'}),
+    feature("finite strain", "substrate.material substrate.c01_ratio", "substrate.material|finite strain", layer,
+            {**layer, "substrate.material": '"neo-hookean"'}),
+    feature("roughness", "indenter.roughness.*", "[indenter.roughness]|rough", {},
+            {"indenter.roughness.rms_slope": "0.05", "indenter.roughness.long_wavelength": '"2 mm"',
+             "indenter.roughness.roll_off": '"2 mm"', "indenter.roughness.short_wavelength": '"1 mm"'}),
+    feature("height map", "indenter.file indenter.spacing indenter.unit", "height map|height-map|indenter.shape",
+            {**body, "indenter.shape": '"height-map"', "indenter.file": '"map.txt"',
+             "indenter.spacing": '"0.2 mm"', "indenter.unit": '"1 um"'},
+            {**body, "indenter.shape": '"height-map"', "indenter.file": '"map.txt"',
+             "indenter.spacing": '"0.2 mm"', "indenter.unit": '"1.5 um"'}),
+    feature("period", "bem.period", "bem.period|period", {}, {"bem.period": '"14 mm"'}, layer),
+    feature("influence file", "bem.influence", "bem.influence|influence", {}, {"bem.influence": '"influence.txt"'}),
+    feature("sides that are held", "fem.sides", "fem.sides|sides",
+            {**layer, "substrate.width": '"20 mm"', "substrate.depth": '"20 mm"'},
+            {**layer, "substrate.width": '"20 mm"', "substrate.depth": '"20 mm"', "fem.sides": '"fixed"'}),
+    feature("mesh file", "fem.mesh fem.mesh_unit", "fem.mesh|mesh", layer,
+            {**layer, "fem.size": None, "fem.mesh": '"layer.msh"', "fem.mesh_unit": '"1 mm"'}),
+    feature("cylinder", "indenter.length", "cylinder|line contact|indenter.shape",
+            {"indenter.shape": '"cylinder"', "indenter.length": '"40 mm"'},
+            {"indenter.shape": '"cylinder"', "indenter.length": '"50 mm"'}),
+    feature("roller", "indenter.chamfer", "roller|indenter.shape|indenter.length",
+            {"indenter.shape": '"roller"', "indenter.length": '"10 mm"'},
+            {"indenter.shape": '"roller"', "indenter.length": '"12 mm"'}),
+    feature("sphere", "", "sphere|indenter.shape", {"indenter.radius": '"10 mm"'},
+            {"indenter.radius": '"10 mm"', "indenter.shape": '"sphere"'}),
+    feature("cone", "indenter.angle", "cone|indenter.shape",
+            {**body, "indenter.shape": '"cone"', "indenter.angle": '"5 deg"'},
+            {**body, "indenter.shape": '"cone"', "indenter.angle": '"6 deg"'}),
+    feature("power law", "indenter.exponent", "power-law|power law|indenter.shape",
+            {"indenter.shape": '"power-law"', "indenter.exponent": "3.0"},
+            {"indenter.shape": '"power-law"', "indenter.exponent": "4.0"}),
+    feature("rounded punch", "indenter.flat_radius", "rounded-punch|punch|indenter.shape",
+            {"indenter.shape": '"rounded-punch"', "indenter.flat_radius": '"1 mm"'},
+            {"indenter.shape": '"rounded-punch"', "indenter.flat_radius": '"2 mm"'}),
+    feature("ellipsoid", "indenter.radius_y", "ellipsoid|indenter.shape",
+            {"indenter.shape": '"ellipsoid"', "indenter.radius_y": '"60 mm"'},
+            {"indenter.shape": '"ellipsoid"', "indenter.radius_y": '"80 mm"'}),
+    feature("profile", "", "profile|indenter.shape",
+            {**body, "indenter.shape": '"profile"', "indenter.file": '"profile.csv"'},
+            {**body, "indenter.shape": '"profile"', "indenter.file": '"profile_2.csv"'}),
+    feature("uncertain numbers", "", "uncertain|±", {"substrate.young": '"5.2 MPa"'},
+            {"substrate.young": '"5.2 ± 0.4 MPa"'}),
+    feature("[rig]", "rig.*", "[rig]|rig.", {"rig.density": '"1100 kg/m3"', "rolling.speed": '"1 mm/s"'},
+            {"rig.density": '"1300 kg/m3"', "rolling.speed": '"1 mm/s"'}),
+    feature("[record]", "record.*", "[record]|record.", {},
+            {"record.kind": '"shakedown"', "record.runs": '["record.csv"]'}),
+    feature("[measurement]", "measurement.*", "[measurement]|measurement.", {},
+            {"measurement.static_shift": '"shift.csv"', "measurement.find": '["substrate.young"]',
+             "measurement.models": '["half-space"]'}),
+    feature("[design]", "design.*", "[design]|design.", {},
+            {"design.assumptions": '["small_strains"]',
+             "design.vary.substrate.thickness": '{from = "4 mm", to = "30 mm"}'}),
+]
+
+
+def files():
+    """Files that cases name, by their names."""
+    def profile(radius):  # mm
+        return "r [mm], h [um]\n" + "".join(f"{r / 10}, {5 * r * r / radius:.6g}\n" for r in range(0, 81, 2))
+
+    shift = "tangential_force [N], shift [um]\n" + "".join(f"{f}, {f * 6 * (1 + f / 60):.4g}\n" for f in range(1, 8))
+    return {"map.txt": height_map, "profile.csv": profile(40), "profile_2.csv": profile(60), "shift.csv": shift}
+
+
+def model_run(model, over=None):
+    return {"calls": [["run", "case.toml", "--models", model, "--output", "out", "--quiet", "--no-studies"]],
+            "answer": "out/summary.json", "part": ["models", model], "telling": "out/report.html", "over": over or {}}
+
+
+def call(*arguments, answer, telling=None, over=None, part=(), files=None, before=()):
+    """One column: its calls, where the answer stands, what is put over the case beforehand."""
+    return {"calls": [*before, list(arguments)], "answer": answer, "telling": telling, "over": over or {},
+            "part": part, "files": files or {}}
+
+
+def study(model, vary, more=""):
+    return {"study.toml": f'case = "case.toml"\nmodels = ["{model}"]\n{more}[vary]\n{vary}\n'}
+
+
+elements = {**layer, "models": '["fem"]', "fem.size": '"2.5 mm"', "fem.cache": '"none"'}
+two_frictions = "friction.coefficient = [0.5, 0.6]"
+commands = {
+    "run mdr": model_run("mdr"),
+    "run mdr-layer": model_run("mdr-layer", layer),
+    "run bem": model_run("bem"),
+    "run bem-layer": model_run("bem-layer", layer),
+    "run fem": model_run("fem", elements),
+    "check": call("check", "case.toml", answer="output"),
+    "mesh": call("mesh", "case.toml", "--output", "out", answer="out/*.msh", over=elements),
+    "condense": call("condense", "case.toml", answer="output", over={**elements, "fem.cache": '"kept"'}),
+    "refine bem": call("refine", "case.toml", "--model", "bem", "--output", "out", "--quiet",
+                       answer="out/refinement.json", telling="out/report.html"),
+    "refine fem": call("refine", "case.toml", "--model", "fem", "--output", "out", "--quiet",
+                       answer="out/refinement.json", telling="out/report.html",
+                       over={**elements, "fem.size": '"4 mm"'}),
+    "influence": call("influence", "case.toml", "--model", "bem-layer", "--output", "out.txt", answer="out.txt",
+                      over=layer),
+    "export bem": call("export", "case.toml", "--model", "bem", "--output", "out", answer="out/*.inp"),
+    "export bem-layer": call("export", "case.toml", "--model", "bem-layer", "--output", "out",
+                             answer="out/*.inp out/*.influence", over=layer),
+    "limit": call("limit", "case.toml", "--models", "bem", "--tolerance", "1e-2", "--output", "out", "--quiet",
+                  answer="out/limit.json", telling="out/report.html"),
+    "roll": call("roll", "case.toml", "--points", "0", "--output", "out", "--quiet", answer="out/summary.json",
+                 telling="out/report.html", over={"rolling.*": None, "tractive_rolling.distance": "1.0"}),
+    "sweep": call("sweep", "study.toml", "--output", "out", "--quiet", "--jobs", "1", answer="out/results.csv",
+                  telling="out/report.html", files=study("bem", two_frictions)),
+    "fit": call("fit", "study.toml", "--output", "out", "--quiet", answer="out/fits.csv",
+                before=[["sweep", "study.toml", "--output", "out", "--quiet", "--jobs", "1", "--no-report"]],
+                over={"rolling.steps_per_quarter": None, "rolling.steps": '"turning-points"',
+                      "rolling.periods": "30", "load.tangential_ratio": "0.2"},
+                files=study("bem", "load.tangential_ratio = [0.1, 0.2, 0.3]")),
+    "atlas": call("atlas", "study.toml", "--output", "out", "--quiet", "--jobs", "1", answer="out/*.json",
+                  files=study("bem", "load.tangential_ratio = {from = 0.1, to = 0.2}",
+                              '[atlas]\npoints = 3\nerror = 0.5\nquantities = ["static_shift_ratio"]\n')),
+    "predict": call("predict", "case.toml", "--json", answer="output"),
+    "predict on a layer": call("predict", "case.toml", "--json", answer="output", over=layer),
+    "experiment": call("experiment", "case.toml", "--output", "out", "--quiet", answer="out/experiment.json",
+                       telling="out/report.html",
+                       over={"record.kind": '"shakedown"', "record.runs": '["record.csv"]',
+                             "load.tangential_ratio": "0.4"}),
+    "deviation": call("deviation", "case.toml", "--no-runs", "--output", "out", "--quiet",
+                      answer="out/deviation.json", telling="out/report.html", over=layer),
+    "deviation --finite-strain": call("deviation", "case.toml", "--finite-strain", "--output", "out", "--quiet",
+                                      answer="out/deviation.json", over=elements),
+    "identify": call("identify", "case.toml", "--output", "out", "--quiet", answer="out/identification.json",
+                     telling="out/report.html",
+                     over={"measurement.static_shift": '"shift.csv"', "measurement.find": '["substrate.young"]',
+                           "measurement.models": '["bem-layer"]', **layer}),
+    "rig": call("rig", "case.toml", "--output", "out", answer="out/rig.json", telling="out/report.html", over=layer),
+    "design": call("design", "case.toml", "--output", "out", answer="out/design.json", telling="out/report.html",
+                   over={**layer, "design.assumptions": '["small_strains"]',
+                         "design.vary": '{"substrate.thickness" = {from = "4 mm", to = "30 mm"}}'}),
+}
+# Where the same answer is right, and why.
+unaffected = {}
+# They take no case: files of others, archives, folders of results.
+commands_without_a_case = ["cache", "verify", "walk", "merge", "convert", "keys", "list", "manual", "import",
+                           "reproduce", "animate"]
