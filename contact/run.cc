@@ -166,7 +166,7 @@ class Run {
     /// so that no later period takes more off mu F_N - F_T than this one did.
     void check_path() {
         auto margin = [&](LoadStep step) {
-            const double tangential = std::abs(step.tangential[0].value);
+            const double tangential = prescribed_force(step.tangential);
             step.friction = false;
             step.tangential = {};
             const double force = model_.advance(step).normal_force;
