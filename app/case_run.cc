@@ -9,6 +9,8 @@
 #include "app/run_states.h"
 #include "app/studies/point_key.h"
 #include "comparisons/half_space/layer_report.h"
+#include "comparisons/quantities/left_out.h"
+#include "comparisons/quantities/undefined.h"
 #include "comparisons/run/relaxation_report.h"
 #include "io/case/case_reader.h"
 #include "io/results/history_csv.h"
@@ -44,10 +46,20 @@ std::string summary_of(const CaseRun& run) {
     std::vector<comparisons::Results> summaries;
     for (const contact::History& history : run.histories) summaries.emplace_back(c, history);
     const auto layer = comparisons::compare_with_layer(c, run.histories, run.extras.study);
+    json left_out = json::object();
+    for (const contact::History& history : run.histories)
+        if (const auto list = comparisons::left_out(c, history.model); !list.empty())
+            left_out[history.model] = list;
+    json undefined = json::object();
+    for (const comparisons::Results& of_model : summaries)
+        for (const auto& [quantity, why] : comparisons::why_undefined(c, of_model))
+            undefined[of_model.model][quantity->key] = why;
     return comparisons::summary_json(
         files::version, io::case_json(run.resolved), summaries,
         {{"numerical_error",
           run.extras.numerical ? comparisons::numerical_error_json(*run.extras.numerical) : json()},
+         {"left_out", left_out},
+         {"undefined", undefined},
          {"layer", layer ? comparisons::layer_json(c, *layer) : json()},
          {"loading_variants", comparisons::loading_json(run.extras.study.variants)},
          {"relaxation",

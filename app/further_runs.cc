@@ -2,10 +2,11 @@
 
 #include <array>
 #include <cmath>
-#include <stdexcept>
+#include <string>
 
 #include "app/case_run.h"
 #include "comparisons/run/relaxation_report.h"
+#include "contact/error.h"
 #include "contact/own_limit.h"
 
 namespace tricontact::app {
@@ -51,6 +52,22 @@ Change flip(Value& value) {
     return change(value, static_cast<Value>(!static_cast<bool>(value)));
 }
 
+/// Runs; what stopped the contact, in words, which leaves the run itself none the worse, or
+/// nothing. Failures of the program (no memory, a file that is gone) are no findings and pass.
+template <class Run>
+std::string why_it_stopped(Run run) {
+    try {
+        run();
+    } catch (const contact::InputError& error) {
+        return error.what();
+    } catch (const contact::NotConverged& error) {
+        return error.what();
+    } catch (const contact::ContactAtEdge& error) {
+        return error.what();
+    }
+    return {};
+}
+
 Case without_rolling(Case c) {
     c.rolling.reset();
     return c;
@@ -94,11 +111,9 @@ class Variants {
         variant.changed = changed;
         variant.run = run_;
         say_(fmt::format("{}: loading once more with {} = {}", name_, key, variant.changed));
-        try {
-            variant.other = run_values(contact::run(c, *model_.sibling(c.contact)));
-        } catch (const std::runtime_error& error) {  // the run itself is none the worse for it
-            variant.why_none = error.what();
-        }
+        variant.why_none = why_it_stopped(
+            [&] { variant.other = run_values(contact::run(c, *model_.sibling(c.contact))); });
+        variant.why_not_rolled = why_not_rolled_;
         variants_.push_back(std::move(variant));
     }
 
@@ -113,12 +128,15 @@ class Variants {
         if (same_steps && !(longer && history.verdict.state == State::undecided))
             return run_values(history);
         say_(fmt::format("{}: loading once more, rolled by turning points", name_));
-        try {
-            return run_values(contact::run(as_rolled_, *model_.sibling(as_rolled_.contact)));
-        } catch (const std::runtime_error&) {  // then there is nothing to compare with
-            as_rolled_.rolling.reset();
-            return loaded;
-        }
+        RunValues rolled = loaded;
+        why_not_rolled_ = why_it_stopped([&] {
+            rolled = run_values(contact::run(as_rolled_, *model_.sibling(as_rolled_.contact)));
+        });
+        if (why_not_rolled_.empty()) return rolled;
+        say_(fmt::format("{}: {}; other ways of loading are compared before rolling", name_,
+                         why_not_rolled_));
+        as_rolled_.rolling.reset();
+        return loaded;
     }
 
     const contact::Model& model_;
@@ -126,6 +144,7 @@ class Variants {
     const Say& say_;
     std::vector<LoadingVariant>& variants_;
     Case as_rolled_;
+    std::string why_not_rolled_;
     RunValues run_;  ///< with the case's own choices
 };
 
@@ -167,11 +186,9 @@ RunValues run_once(const Case& c, const std::string& model, int n_threads) {
 
 void run_twin(const Case& c, int n_threads, const Say& say, TwinComparison& comparison) {
     say(fmt::format("{}: once more on the relaxed, elastic substrate", comparison.model));
-    try {
+    comparison.why_none = why_it_stopped([&] {
         comparison.other = run_once(comparisons::elastic_twin(c), comparison.model, n_threads);
-    } catch (const std::runtime_error& error) {  // the run itself is none the worse for it
-        comparison.why_none = error.what();
-    }
+    });
     const std::string found = comparisons::twin_sentence(comparison);
     if (!found.empty()) say(found);
 }
@@ -249,12 +266,10 @@ void study_small_strains(const Case& c, const History& history, const RunOptions
         Case linear = contact::loaded_as(c, history);
         linear.law = Case::Law::linear;
         linear.c01_ratio.reset();
-        try {
+        study.why_none = why_it_stopped([&] {
             study.linear = comparisons::Results(
                 linear, history_of(history.model, linear, options.threads, silent));
-        } catch (const std::runtime_error& error) {  // the run itself is none the worse for it
-            study.why_none = error.what();
-        }
+        });
     }
     studies.push_back(std::move(study));
 }

@@ -56,7 +56,13 @@ std::string what_is_not_mapped(const Case& c, const std::string& model) {
 
 std::vector<std::string> predictable_models(const Case& c) {
     std::vector<std::string> models;
-    std::string what;
+    // A half-space in the place of a layer has to be asked for.
+    std::string what = c.layer.thickness ? what_is_not_mapped(c, "bem-layer") : "";
+    if (!what.empty())
+        throw contact::InputError("no atlas is about " + what + "; tricontact run computes it" +
+                                  (what_is_not_mapped(c, "mdr").empty()
+                                       ? " (the model mdr would leave the layer out)"
+                                       : ""));
     for (const char* model : {"mdr", "bem", "bem-layer"}) {
         const std::string here = what_is_not_mapped(c, model);
         if (here.empty())

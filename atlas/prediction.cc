@@ -13,6 +13,7 @@
 #include "atlas/predictable.h"
 #include "atlas/pressed_layer.h"
 #include "atlas/shipped.h"
+#include "comparisons/quantities/left_out.h"
 #include "comparisons/quantities/quantities.h"
 #include "comparisons/quantities/reference.h"
 #include "contact/bodies/half_space_scales.h"
@@ -63,7 +64,10 @@ struct Place {
 /// A prediction as it grows.
 class Predictor {
   public:
-    Predictor(const Case& c, const std::string& model) : c_(c) { p_.model = model; }
+    Predictor(const Case& c, const std::string& model) : c_(c) {
+        p_.model = model;
+        p_.left_out = comparisons::left_out(c, model);
+    }
 
     Prediction of_springs() {
         const comparisons::Reference r = on_half_space("closed forms of MDR");

@@ -23,6 +23,7 @@ struct Prediction {
     std::vector<Entry> entries;         ///< in the order of the quantities' declarations
     std::vector<std::string> rests_on;  ///< atlases and closed forms
     std::vector<std::string> gaps;      ///< what is not said, and why
+    std::vector<std::string> left_out;  ///< of the case, see comparisons::left_out
 
     const Entry* find(const comparisons::Quantity& q) const;
 };

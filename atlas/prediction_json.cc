@@ -13,6 +13,7 @@ nlohmann::ordered_json json_of(const Prediction& p) {
     if (p.state != contact::State::undecided) json["state"] = contact::name_of(p.state);
     json["rests_on"] = p.rests_on;
     json["gaps"] = p.gaps;
+    json["left_out"] = p.left_out;
     return json;
 }
 

@@ -11,6 +11,7 @@
 #include "contact/error.h"
 #include "contact/solvers/active_operator.h"
 #include "contact/solvers/scattered_points.h"
+#include "contact/substrates/normal_tangential.h"
 
 namespace tricontact::bem {
 
@@ -18,8 +19,6 @@ namespace {
 
 /// Below this many cells normal contact takes less time than it is worth to shorten.
 constexpr std::size_t cells_worth_levels = 100000;
-
-constexpr double negligible_beta = 1e-3;
 
 /// A window on the grid pays where its transforms are this much smaller, and few of them do.
 constexpr double window_worth = .8;
@@ -246,7 +245,7 @@ std::unique_ptr<const contact::Interior> GridCompliance::interior(
 }
 
 bool is_coupled(const contact::MaterialPair& materials) {
-    return std::abs(materials.dundurs_beta()) > negligible_beta;
+    return contact::half_spaces_couple(materials);
 }
 
 std::unique_ptr<GridCompliance> half_space_compliance(const contact::MaterialPair& materials,

@@ -166,7 +166,7 @@ class Run {
     /// so that no later period takes more off mu F_N - F_T than this one did.
     void check_path() {
         auto margin = [&](LoadStep step) {
-            const double tangential = std::abs(step.tangential[0].value);
+            const double tangential = prescribed_force(step.tangential);
             step.friction = false;
             step.tangential = {};
             const double force = model_.advance(step).normal_force;
@@ -247,7 +247,8 @@ class Run {
         if (shift.size() == 1)
             judge_->set_limit(limit_force_ratio_ * model_.limit_tangential_ratio());
         const double work = dissipation / (history_.friction_limit * unit);
-        const bool asks_where = judge_->needs_series() && !negligible_ && work > 0;
+        const bool asks_where =
+            judge_->needs_series() && !negligible_ && work > 0 && has_constant_loads(case_);
         const double share =
             asks_where ? states_.share_in_contact(model_.surface().friction_work) : 1;
         judge_->add({(shift.back() - before) / unit, share * work, states_.something_sticks()});

@@ -27,9 +27,10 @@ constexpr double time_constants = 3;
 constexpr double least_error = 0.1;  // of what is continued, relative
 
 /// Accuracy of a model's steps [-], which bounds how well its periods repeat each other: that of
-/// the solver for `bem` and `fem`, rounding for `mdr`, whose steps are exact.
+/// the solver, but of rounding for `mdr`, whose steps are exact.
 double step_accuracy(const Case& c, const std::string& model) {
-    if (model.starts_with("mdr")) return exact_steps;
+    if (model == "mdr") return exact_steps;
+    if (model == "mdr-layer") return layer_springs_accuracy;
     return model.starts_with("fem") ? c.fem.tolerance : c.bem.tolerance;
 }
 
@@ -85,6 +86,10 @@ std::vector<double> differences(const std::vector<double>& values) {
 const char* name_of(State state) {
     constexpr std::array names{"shakedown", "cyclic-slip", "ratcheting", "undecided"};
     return names[static_cast<std::size_t>(state)];
+}
+
+bool has_constant_loads(const Case& c) {
+    return c.load.normal_amplitude_ratio == 0 && c.load.tangential_amplitude_ratio == 0;
 }
 
 Judged judged(const Case& c, const std::string& model, bool coupled, double amplitude,

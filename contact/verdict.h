@@ -14,7 +14,7 @@ namespace tricontact::contact {
 /// What one period of rolling shows of the contact's fate.
 struct RolledPeriod {
     double increment = 0;           ///< of the shift, over U_max
-    double work = 0;                ///< frictional, of what stays in contact, over mu F_N U_max
+    double work = 0;                ///< frictional, see Judge, over mu F_N U_max
     bool something_sticks = false;  ///< a point was in contact and stuck in all steps
 };
 
@@ -42,6 +42,12 @@ struct Judged {
     double limit_accuracy = 0;
 };
 
+/// Accuracy of the steps of mdr-layer [-].
+inline constexpr double layer_springs_accuracy = 1e-9;
+
+/// Neither F_N or d nor F_T oscillates with the rolling.
+bool has_constant_loads(const Case& c);
+
 /// Of a case on a model whose scales and amplitude are known.
 Judged judged(const Case& c, const std::string& model, bool coupled, double amplitude,
               double tangential_ratio);
@@ -58,10 +64,11 @@ Judged judged(const Case& c, const std::string& model, bool coupled, double ampl
 /// One period tells f_T,lim; within its accuracy of it, the series decides.
 ///
 /// By the series otherwise:
-/// - Shakedown: shift and work are negligible in a period. The work is that of points in contact
-///   throughout the period: one that comes into contact during a finite step is held to where it
-///   was at the step's start, and in coupled contact slips back and forth at the rim in each
-///   period, by an amount that vanishes with the steps.
+/// - Shakedown: shift and work are negligible in a period. Under constant loads the work is that of
+///   points in contact throughout the period: one that comes into contact during a finite step is
+///   held to where it was at the step's start, and in coupled contact slips back and forth at the
+///   rim in each period, by an amount that vanishes with the steps. What a force that oscillates
+///   does at the rim (Mindlin and Deresiewicz 1953) does not vanish: then all work counts.
 /// - Cyclic slip: for the last quarter of the periods, four at least, the shift has been
 ///   negligible, but the work has not, and has stayed within 1 % of its value.
 /// - Ratcheting: in none of the last quarter, five at least, has a point stuck throughout the

@@ -13,6 +13,7 @@
 #include "contact/solvers/normal_solver.h"
 #include "contact/special_values.h"
 #include "contact/substrates/relaxing_case.h"
+#include "contact/verdict.h"
 #include "mdr/bed.h"
 #include "mdr/line_surface.h"
 #include "theory/layer/layer_stack.h"
@@ -24,7 +25,7 @@ namespace tricontact::mdr {
 namespace {
 
 // Of the contact solvers; each step solves dense systems to rounding.
-constexpr double tolerance = 1e-9;
+constexpr double tolerance = contact::layer_springs_accuracy;
 
 /// The plane profile as a body over a line of points.
 class PlaneIndenter final : public contact::Indenter {

@@ -4,6 +4,7 @@
 
 #include "app/commands/command.h"
 #include "app/models.h"
+#include "comparisons/quantities/left_out.h"
 #include "comparisons/quantities/quantity.h"
 #include "comparisons/quantities/reference.h"
 #include "io/case/case_keys.h"
@@ -52,10 +53,19 @@ std::string derived_values(const Case& c) {
     return text;
 }
 
+/// What models of the case compute without.
+std::string left_out_values(const Case& c) {
+    std::string text;
+    for (const std::string& model : c.models)
+        for (const std::string& one : comparisons::left_out(c, model))
+            text += fmt::format("# {} leaves out {}\n", model, one);
+    return text;
+}
+
 /// The resolved case and what follows from it.
 struct Resolved {
     std::string operator()(const Case& c) const {
-        return io::write_case(c) + '\n' + derived_values(c);
+        return io::write_case(c) + '\n' + derived_values(c) + left_out_values(c);
     }
     std::string operator()(const walking::WalkCase& c) const {
         return walking::write_walk_case(c) + '\n' + walking::walk_scales_text(c);

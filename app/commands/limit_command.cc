@@ -3,6 +3,7 @@
 #include "app/models.h"
 #include "app/roll_models.h"
 #include "bem/model.h"
+#include "comparisons/quantities/left_out.h"
 #include "comparisons/quantities/reference.h"
 #include "comparisons/shakedown/limit_search.h"
 
@@ -73,7 +74,7 @@ void find_limits(const Case& c, const LimitOptions& options) {
                       {"a row per model", "limit.csv"},
                       {"the case, resolved", resolved_case_name}};
     options.write_report(document, command);
-    options.out() << comparisons::limit_text(study);
+    options.out() << comparisons::limit_text(study) << comparisons::left_out_lines(c, c.models);
     options.say(options.where());
 }
 

@@ -36,6 +36,7 @@ std::string text_of(const Prediction& p) {
                             *quantity->unit ? std::string(" ") + quantity->unit : "");
     }
     for (const std::string& gap : p.gaps) text += "  not said: " + gap + '\n';
+    for (const std::string& one : p.left_out) text += "  leaves out " + one + '\n';
     return text + fmt::format("  rests on {}\n", fmt::join(p.rests_on, ", "));
 }
 

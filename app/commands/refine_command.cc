@@ -6,6 +6,7 @@
 #include "app/commands/command.h"
 #include "app/studies/point_key.h"
 #include "app/studies/refinement_levels.h"
+#include "comparisons/quantities/left_out.h"
 #include "comparisons/resolution/refined_values.h"
 #include "files/digest.h"
 #include "files/regular_file.h"
@@ -174,6 +175,7 @@ void refine_case(RefineOptions options) {
     options.out() << refinement_text(result);
     for (const std::string& sentence : refinement_sentences(result))
         options.out() << sentence << '\n';
+    options.out() << comparisons::left_out_lines(plan.levels.back().c, {options.model});
     options.say(options.where());
 }
 

@@ -8,6 +8,7 @@
 #include "app/roll_models.h"
 #include "app/shown_states.h"
 #include "bem/model.h"
+#include "comparisons/quantities/left_out.h"
 #include "io/results/progress.h"
 #include "io/results/vtk_files.h"
 #include "report/format.h"
@@ -152,7 +153,7 @@ void roll_models(const Case& c, const RollOptions& options) {
     RollingReport report{.c = c, .runs = {}, .files = files_of(c), .version = files::version};
     for (const std::string& model : c.models) report.runs.push_back(roll_model(model, c, options));
     write(report, resolved, options);
-    options.out() << table_of(report);
+    options.out() << table_of(report) << comparisons::left_out_lines(c, c.models);
 }
 
 /// From rest to steady rolling.

@@ -8,6 +8,7 @@
 #include "app/roll_models.h"
 #include "atlas/run_section.h"
 #include "bem/model.h"
+#include "comparisons/quantities/left_out.h"
 #include "comparisons/quantities/results.h"
 #include "contact/verdict.h"
 #include "io/results/vtk_files.h"
@@ -97,7 +98,11 @@ void run_case(RunOptions options) {
     std::optional<CaseRun> run;
     options.fill(run_outputs(c.models), [&] { run.emplace(compute(c, options)); });
     if (options.quiet) return;
-    for (const contact::History& history : run->histories) options.out() << line_of({c, history});
+    for (const contact::History& history : run->histories) {
+        options.out() << line_of({c, history});
+        for (const std::string& one : comparisons::left_out(c, history.model))
+            options.out() << "  leaves out " << one << '\n';
+    }
     options.out() << options.where() << '\n';
 }
 

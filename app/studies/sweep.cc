@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <charconv>
+#include <set>
 #include <stdexcept>
 
 #include "app/studies/shard.h"
 #include "app/studies/study_kind.h"
+#include "comparisons/quantities/left_out.h"
 #include "report/csv.h"
 #include "walking/input/walk_keys.h"
 
@@ -16,6 +18,16 @@ namespace {
 using report::csv_field;
 
 constexpr const char* table_name = "results.csv";
+
+/// What models compute without at some of the points, each once.
+std::set<std::string> left_out_of(const StudyPoints& points) {
+    std::set<std::string> lines;
+    for (const StudyPoint& point : points)
+        if (const auto* c = std::get_if<contact::Case>(&point.c))
+            for (const std::string& one : comparisons::left_out(*c, point.model))
+                lines.insert(point.model + " leaves out " + one);
+    return lines;
+}
 
 std::string field(const json& value) {
     if (value.is_null()) return {};
@@ -84,6 +96,7 @@ void sweep(SweepOptions options) {
         n_failed = std::ranges::count_if(
             points, [&](const auto& point) { return !failure_of(store.find(point.key)).empty(); });
     });
+    for (const std::string& line : left_out_of(points)) options.say(line);
     const std::string table = options.output + '/' + table_name;
     options.say(fmt::format("{} points in {}", points.size(), table) +
                 (options.report ? "; " + options.where() : ""));

@@ -10,6 +10,7 @@
 #include "atlas/atlas_file.h"
 #include "atlas/map_coordinates.h"
 #include "atlas/page/atlas_page_templates.h"
+#include "atlas/predictable.h"
 #include "atlas/prediction.h"
 #include "atlas/shipped.h"
 #include "comparisons/quantities/quantities.h"
@@ -61,11 +62,10 @@ void add_layer(const Case& c, MarkedPlace& place) {
 }
 
 Json place_json(const Case& c) {
-    const std::vector<std::string> models = predictable_models(c);
     const Prediction springs = predict(c, "mdr");
     MarkedPlace place{.w = value_of(springs, quantities::amplitude_ratio),
                       .f = value_of(springs, quantities::tangential_ratio)};
-    if (std::ranges::count(models, "bem-layer") > 0) add_layer(c, place);
+    if (what_is_not_mapped(c, "bem-layer").empty()) add_layer(c, place);
     const auto on_map = [](double x) { return x >= 0 && x <= 1; };
     if (!on_map(place.w) || !on_map(place.f)) return nullptr;
     return {{"w", place.w},

@@ -110,9 +110,39 @@ constinit const Quantity friction_work{
     .part = Part::cost,
     .is_plotted = true};
 
+constinit const Quantity path_work{
+    .key = "path_friction_work_J",
+    .symbol = "D_path",
+    .unit = "J",
+    .name = "frictional work of the path",
+    .meaning = "Work of friction from the first row of the prescribed path to its end.",
+    .defined = "with a prescribed path",
+    .of = [](const Subject& s) -> QuantityValue {
+        if (!s.c.prescribed_path) return {};
+        double work = 0;
+        for (const contact::StepRecord& step : s.history.steps)
+            if (step.phase > 0) work += step.dissipation;
+        return finite(work);
+    },
+    .is_column = false};
+
+constinit const Quantity path_force{
+    .key = "path_tangential_force_N",
+    .symbol = "F_x,end",
+    .unit = "N",
+    .name = "tangential force at the end of the path",
+    .meaning = "Force along x on the substrate in the last row of the prescribed path.",
+    .defined = "with a prescribed path",
+    .of = [](const Subject& s) -> QuantityValue {
+        if (!s.c.prescribed_path) return {};
+        return finite(s.history.steps.back().tangential_force[0]);
+    },
+    .is_column = false};
+
 List of_dissipation() {
-    return {&dissipation, &dissipation_ratio, &dissipation_ratio_per_period, &slip_path,
-            &friction_work};
+    return {
+        &dissipation, &path_work,    &path_force, &dissipation_ratio, &dissipation_ratio_per_period,
+        &slip_path,   &friction_work};
 }
 
 }  // namespace tricontact::comparisons::quantities

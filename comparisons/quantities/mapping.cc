@@ -1,5 +1,9 @@
 #include "comparisons/quantities/quantities.h"
 #include "comparisons/quantities/reference.h"
+#include "comparisons/quantities/undefined.h"
+#include "contact/bodies/half_space_scales.h"
+#include "contact/load_path.h"
+#include "contact/number_text.h"
 #include "theory/rolling/oscillating_rolling.h"
 
 namespace tricontact::comparisons {
@@ -12,6 +16,48 @@ std::optional<double> mapping_parameter(double w, double f, double u) {
 
 std::optional<double> ratcheting_slope(double increment_ratio, double w, double w_lim) {
     return w > w_lim ? std::optional(increment_ratio / (w - w_lim)) : std::nullopt;
+}
+
+namespace {
+
+/// In more than the step from one turning point to the next.
+bool follows_period(const contact::Case& c) {
+    return c.rolling && contact::steps_in_quarter(
+                            *c.rolling, contact::rolling_amplitude(
+                                            *c.rolling, half_space_scales(c).contact_radius)) > 1;
+}
+
+std::string why_no_kappa(const contact::Case& c, const Results& r) {
+    if (!contact::is_hertz_round(c))
+        return "the map is that of a smooth paraboloid or sphere, (1 - u)^(3/2) being theirs";
+    if (!constant_loads(c)) return "the loads oscillate";
+    const double w = r.number(quantities::amplitude_ratio).value_or(0);
+    const double u = r.number(quantities::settled_shift_ratio).value_or(0);
+    if (!in_unit_range(w)) return "the amplitude exceeds the contact radius";
+    return w * u > least_mapping_product ? "f_T or u_sd lies outside of 0 to 1"
+                                         : "w u_sd, which it is divided by, is below 1e-5";
+}
+
+std::string why_no_eta(const contact::Case& c, const Results& r) {
+    if (!constant_loads(c)) return "the loads oscillate";
+    if (!follows_period(c))
+        return "the steps go from one turning point to the next; set rolling.steps_per_quarter";
+    const auto limit = r.number(quantities::limit_amplitude_ratio);
+    if (!limit) return "the model's own limit of the amplitude, w_lim, is not known";
+    return "the amplitude is not above the model's own limit w_lim = " +
+           contact::significant(*limit, 4);
+}
+
+}  // namespace
+
+std::vector<std::pair<const Quantity*, std::string>> why_undefined(const contact::Case& c,
+                                                                   const Results& r) {
+    std::vector<std::pair<const Quantity*, std::string>> why;
+    if (r.number(quantities::settled_shift_ratio) && !r.number(quantities::kappa))
+        why.emplace_back(&quantities::kappa, why_no_kappa(c, r));
+    if (r.state() == contact::State::ratcheting && !r.number(quantities::eta))
+        why.emplace_back(&quantities::eta, why_no_eta(c, r));
+    return why;
 }
 
 namespace quantities {
@@ -48,11 +94,14 @@ constinit const Quantity eta{
     .meaning =
         "Shift per period over the excess of the amplitude, Delta u/(w - w_lim), with the "
         "model's own w_lim.",
-    .defined = "while ratcheting under constant loads, with 0 <= f_T <= 1 and w > w_lim",
+    .defined =
+        "while ratcheting under constant loads, with 0 <= f_T <= 1 and w > w_lim; not in one step "
+        "from one turning point to the next, which the increment depends on",
     .source = "Wetter (2016), 3.3.1; of a line contact 3.5.27",
     .of = [](const Subject& s) -> QuantityValue {
         const double f = comparisons::tangential_ratio(s.history);
         if (s.history.verdict.state != contact::State::ratcheting || !in_unit_range(f)) return {};
+        if (!follows_period(s.c)) return {};
         const auto increment = number_of(shift_increment_ratio.of(s));
         const auto limit = increment ? number_of(limit_amplitude_ratio.of(s)) : std::nullopt;
         if (!limit) return {};

@@ -16,7 +16,7 @@ extern const Quantity static_shift, static_shift_ratio, final_shift, final_shift
     shift_increment_ratio, shift_ratio_per_period, state, periods;                 // shift.cc
 extern const Quantity limit_tangential_ratio, limit_amplitude_ratio, stick_ratio;  // limit.cc
 extern const Quantity kappa, eta;                                                  // mapping.cc
-extern const Quantity dissipation_ratio_per_period;                                // dissipation.cc
+extern const Quantity dissipation_ratio_per_period, path_work, path_force;         // dissipation.cc
 extern const Quantity frequency, storage_modulus, loss_modulus;                    // relaxation.cc
 extern const Quantity largest_stretch, largest_shear;                              // strain.cc
 extern const Quantity steps, wall_time;                                            // cost.cc

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "contact/bodies/half_space_scales.h"
+#include "contact/substrates/normal_tangential.h"
 #include "theory/oscillating_cylinder.h"
 #include "theory/rolling/body_rolling.h"
 
@@ -109,7 +110,7 @@ bool is_half_space(const std::string& model) {
 }
 
 bool half_spaces_couple(const Case& c) {
-    return std::abs(c.materials().dundurs_beta()) > negligible_beta;
+    return contact::half_spaces_couple(c.materials());
 }
 
 bool is_tabulated(const Case& c, const std::string& model) {

@@ -64,9 +64,6 @@ std::optional<double> mapping_parameter(double w, double f, double u);
 /// Ratcheting slope eta = Du/(w - w_lim) (Wetter (2016), 3.3.1); empty unless w > w_lim.
 std::optional<double> ratcheting_slope(double increment_ratio, double w, double w_lim);
 
-/// Dundurs' |beta| up to which half-spaces count as uncoupled, as bem takes them.
-inline constexpr double negligible_beta = 1e-3;
-
 /// MDR and BEM: models that do not see the thickness.
 bool is_half_space(const std::string& model);
 

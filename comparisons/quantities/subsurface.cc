@@ -51,8 +51,8 @@ constinit const Quantity peak_position{
     .defined = written,
     .of = [](const Subject& s) -> QuantityValue {
         if (!s.history.subsurface) return {};
-        const auto& place = s.history.subsurface->peak_position;
-        return Numbers(place.begin(), place.end());
+        const auto& [x, y, height] = s.history.subsurface->peak_position;
+        return Numbers{x, y, -height};
     },
     .place = "/subsurface/peak_position_m",
     .is_column = false};
@@ -76,7 +76,7 @@ constinit const Quantity peak_z_ratio{
     .name = "its place",
     .meaning = "Depth of the largest von Mises stress, over a.",
     .defined = written,
-    .of = of_inside<[](Inside i, Scales s) { return i.peak_position[2] / s.contact_radius; }>,
+    .of = of_inside<[](Inside i, Scales s) { return -i.peak_position[2] / s.contact_radius; }>,
     .place = "/subsurface/peak_z_ratio",
     .part = Part::inside,
     .is_place = true};

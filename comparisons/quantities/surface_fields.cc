@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <ranges>
 
 namespace tricontact::comparisons {
@@ -125,7 +126,18 @@ std::optional<double> stick_half_width(const History& history, double friction_c
     return width / 2;
 }
 
-CentreLine centre_line(const History& history, double friction_coefficient, Axis axis) {
+double drawn_pressure(const contact::Case& c, const contact::Scales& scales) {
+    if (!contact::has_conical_tip(c)) return scales.peak_pressure;
+    const double a = scales.contact_radius;
+    return scales.normal_force / (std::numbers::pi * a * a);
+}
+
+const char* drawn_pressure_symbol(const contact::Case& c) {
+    return contact::has_conical_tip(c) ? "p_m" : "p_0";
+}
+
+CentreLine centre_line(const History& history, double friction_coefficient, Axis axis,
+                       std::optional<double> pressure) {
     CentreLine line;
     const Snapshot* snapshot = last_upright(history);
     if (!snapshot) return line;
@@ -134,7 +146,7 @@ CentreLine centre_line(const History& history, double friction_coefficient, Axis
     // An axisymmetric line layout has only its own axis to read from.
     const Axis along = s.layout == Surface::Layout::line ? Axis::x : axis;
     const auto [below, above] = middle_rows(s, along);
-    const double p0 = history.scales.peak_pressure;
+    const double p0 = pressure.value_or(history.scales.peak_pressure);
     const int n = along == Axis::x ? s.n_x : s.n_y;
     for (int k = 0; k < n; ++k) {
         const auto index = [&](int row) {

@@ -35,14 +35,22 @@ std::optional<double> stick_half_width(const contact::History& history,
 /// Values along a line through the indenter's centre, upright, sorted by position.
 struct CentreLine {
     std::vector<double> position;  ///< over the contact radius [-]
-    std::vector<double> traction;  ///< tau_x / (mu p0) [-]
+    std::vector<double> traction;  ///< tau_x over mu times a pressure [-]
     std::vector<Zone> zone;
 };
 enum class Axis { x, y };
 
-/// Centre line of the last upright state, normalised by the model's own a and p0. On an even grid
-/// the two middle rows are averaged. A line layout is axisymmetric: the same for both axes.
-CentreLine centre_line(const contact::History& history, double friction_coefficient, Axis axis);
+/// What tractions are drawn over [Pa]: the model's own p0; under a conical tip, where that is
+/// infinite or that of a cell, the mean pressure F_N/(pi a^2).
+double drawn_pressure(const contact::Case& c, const contact::Scales& scales);
+/// "p_0" or "p_m".
+const char* drawn_pressure_symbol(const contact::Case& c);
+
+/// Centre line of the last upright state, normalised by the model's own a and this `pressure`, p0
+/// if it is left out. On an even grid the two middle rows are averaged. A line layout is
+/// axisymmetric: the same for both axes.
+CentreLine centre_line(const contact::History& history, double friction_coefficient, Axis axis,
+                       std::optional<double> pressure = {});
 
 /// A stretch of one zone along a centre line, ends half-way between points.
 struct Stretch {

@@ -47,9 +47,9 @@ std::string names_of(unsigned set) {
 }
 
 /// The headline's number where both tell the same.
-std::optional<double> ratio_of(const Results& s, const Results& other) {
-    const Headline own = headline_of(s);
-    if (own.length != headline_of(other).length) return {};
+std::optional<double> ratio_of(const Case& c, const Results& s, const Results& other) {
+    const Headline own = headline_of(c, s);
+    if (own.length != headline_of(c, other).length) return {};
     const auto ours = s.number(*own.length), theirs = other.number(*own.length);
     if (!ours || !theirs || *theirs == 0) return {};
     return *ours / *theirs;
@@ -109,8 +109,9 @@ void add_model_verdicts(const Case& c, const std::vector<Results>& results,
                  fmt::format("{}: {} instead of {} ({}).", report::capitalised(names_of(removed)),
                              contact::name_of(*s.state()), contact::name_of(*other->state()),
                              pair)});
-        else if (const auto ratio = ratio_of(s, *other))
-            verdicts.push_back(effect(names_of(removed), headline_of(s).words, *ratio - 1, pair));
+        else if (const auto ratio = ratio_of(c, s, *other))
+            verdicts.push_back(
+                effect(names_of(removed), headline_of(c, s).words, *ratio - 1, pair));
     }
 }
 
@@ -129,7 +130,7 @@ void add_disagreements(const Case& c, const std::vector<Results>& results,
                              contact::name_of(*s.state()), contact::name_of(*reference.state()))});
 }
 
-void add_variant_verdicts(const std::vector<Results>& results,
+void add_variant_verdicts(const Case& c, const std::vector<Results>& results,
                           const std::vector<LoadingVariant>& variants,
                           std::vector<Verdict>& verdicts) {
     for (const LoadingVariant& v : variants) {
@@ -139,7 +140,7 @@ void add_variant_verdicts(const std::vector<Results>& results,
         const bool assumed = v.changed == "false";
         if (change)
             verdicts.push_back(effect("no coupling of normal and tangential contact",
-                                      headline_of(results.back()).words,
+                                      headline_of(c, results.back()).words,
                                       assumed ? *change : 1 / (1 + *change) - 1,
                                       report::display_name(v.model) + " with and without"));
     }
@@ -161,10 +162,15 @@ std::string not_tested(const Case& c, const std::vector<Results>& results) {
     return fmt::format("{}", fmt::join(list, ", "));
 }
 
+bool ends_at_prescribed_shift(const Case& c) {
+    return c.prescribed_path && c.prescribed_path->rows.back().tangential[0].kind ==
+                                    contact::TangentialControl::Kind::shift;
+}
+
 /// "217.9 ± 1.1 µm".
-std::string length_text(double value, std::optional<double> error) {
-    if (!error) return report::quantity(value, "m");
-    const report::Unit unit = report::fitting_unit(value, "m");
+std::string value_text(double value, const char* base, std::optional<double> error) {
+    if (!error) return report::quantity(value, base);
+    const report::Unit unit = report::fitting_unit(value, base);
     return report::with_error(value / unit.factor, *error / unit.factor) + ' ' + unit.symbol;
 }
 
@@ -178,8 +184,13 @@ std::string error_note(const std::optional<NumericalError>& error, const Quantit
 
 }  // namespace
 
-Headline headline_of(const Results& s) {
+Headline headline_of(const Case& c, const Results& s) {
     using namespace quantities;
+    // All models end at a shift that is prescribed: they differ in what it takes.
+    if (ends_at_prescribed_shift(c))
+        return s.number(path_work).value_or(0) > 0
+                   ? Headline{"frictional work of the path", &path_work, nullptr}
+                   : Headline{"tangential force at the end of the path", &path_force, nullptr};
     if (s.state() == State::ratcheting)
         return {"shift per period", &shift_increment, &shift_increment_ratio};
     if (!s.state() && !s.number(static_shift))
@@ -193,7 +204,7 @@ Verdict answer_of(const Case& c, const Results& s, const std::optional<Numerical
     using namespace quantities;
     const std::string by = " (" + report::display_name(s.model) + ").";
     const auto length = [&](const Quantity& q) {
-        return length_text(s.number(q).value_or(0), error ? error->of(q) : std::nullopt);
+        return value_text(s.number(q).value_or(0), q.unit, error ? error->of(q) : std::nullopt);
     };
     if (!s.state() && !is_loaded(s.number(quantities::tangential_ratio).value_or(1)))
         return {
@@ -201,13 +212,19 @@ Verdict answer_of(const Case& c, const Results& s, const std::optional<Numerical
             fmt::format("The indenter is pressed in by {}; the {} is {}{}{}", length(indentation),
                         size_name(c), length(contact_radius), by, error_note(error, indentation)),
             "pressed"};
-    const Headline headline = headline_of(s);
+    const Headline headline = headline_of(c, s);
     const std::string number = length(*headline.length) + by,
                       note = error_note(error, *headline.length);
     const auto verdict = [&](Verdict::Standing standing, const std::string& words,
                              const char* word) {
         return Verdict{standing, words + number + note, word};
     };
+    if (ends_at_prescribed_shift(c))
+        return verdict(Verdict::Standing::finding,
+                       headline.length == &path_work
+                           ? "The shift is prescribed; along the path friction works "
+                           : "The shift is prescribed; at its end the tangential force is ",
+                       "path");
     if (!s.state() && !s.number(static_shift))
         return verdict(Verdict::Standing::finding, "At the end of the path the shift is ", "path");
     if (!s.state())
@@ -244,9 +261,9 @@ Verdict answer_of(const Case& c, const Results& s, const std::optional<Numerical
 report::DocumentTable models_table(const Case& c, const std::vector<Results>& results,
                                    const std::optional<NumericalError>& error) {
     const Results& reference = results.back();
-    const Headline headline = headline_of(reference);
+    const Headline headline = headline_of(c, reference);
     const report::Unit unit =
-        report::fitting_unit(reference.number(*headline.length).value_or(0), "m");
+        report::fitting_unit(reference.number(*headline.length).value_or(0), headline.length->unit);
     const std::string name = report::display_name(reference.model);
     report::DocumentTable table{
         .id = "models",
@@ -260,10 +277,10 @@ report::DocumentTable models_table(const Case& c, const std::vector<Results>& re
     for (std::size_t i = results.size(); i-- > 0;) {
         const Results& s = results[i];
         const bool is_reference = &s == &reference;
-        const bool same = headline_of(s).length == headline.length;
+        const bool same = headline_of(c, s).length == headline.length;
         const auto value = same ? s.number(*headline.length) : std::nullopt;
         const auto width = is_reference && error ? error->of(*headline.length) : std::nullopt;
-        const auto ratio = is_reference ? std::nullopt : ratio_of(s, reference);
+        const auto ratio = is_reference ? std::nullopt : ratio_of(c, s, reference);
         const unsigned extra = traits_of(c, s.model) & ~of_reference;
         table.rows.push_back({report::display_name(s.model),
                               s.state() ? contact::name_of(*s.state()) : std::string("–"),
@@ -283,19 +300,19 @@ std::vector<Verdict> assumption_verdicts(const Case& c, const std::vector<Result
     std::vector<Verdict> verdicts;
     add_model_verdicts(c, results, verdicts);
     add_disagreements(c, results, verdicts);
-    add_variant_verdicts(results, extras.study.variants, verdicts);
+    add_variant_verdicts(c, results, extras.study.variants, verdicts);
     for (const SmallStrains& study : extras.small_strains) {
-        const auto ratio = study.linear ? ratio_of(*study.linear, study.finite) : std::nullopt;
+        const auto ratio = study.linear ? ratio_of(c, *study.linear, study.finite) : std::nullopt;
         if (ratio)
             verdicts.push_back(
-                effect("small strains", headline_of(study.finite).words, *ratio - 1,
+                effect("small strains", headline_of(c, study.finite).words, *ratio - 1,
                        report::display_name(study.model) + " with a linear material"));
     }
     for (const RunComparison& twin : extras.relaxation.twins) {
         const auto change = twin.other ? twin_error(*twin.other, twin.run) : std::nullopt;
         if (change && twin.model == results.back().model)
             verdicts.push_back(effect("an elastic substrate of the relaxed modulus",
-                                      headline_of(results.back()).words, *change,
+                                      headline_of(c, results.back()).words, *change,
                                       report::display_name(twin.model) + " without relaxation"));
     }
     verdicts.push_back({Verdict::Standing::cannot_tell,

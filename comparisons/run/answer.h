@@ -14,10 +14,11 @@ namespace tricontact::comparisons {
 
 /// What a run is asked for, and what the models are compared by.
 struct Headline {
-    const char* words;  ///< "settled shift"
-    const Quantity *length, *ratio;
+    const char* words;       ///< "settled shift"
+    const Quantity* length;  ///< or, where that is prescribed, what it takes: work, force
+    const Quantity* ratio;   ///< of a length, over U_max; else null
 };
-Headline headline_of(const Results& results);
+Headline headline_of(const contact::Case& c, const Results& results);
 
 /// The question of a case answered by its reference, the last model: state, shift with the error of
 /// mesh and steps. Empty width: not known.

@@ -3,7 +3,9 @@
 #include <algorithm>
 
 #include "comparisons/half_space/layer.h"
+#include "comparisons/quantities/left_out.h"
 #include "comparisons/quantities/reference.h"
+#include "comparisons/quantities/undefined.h"
 #include "comparisons/run/reading.h"
 #include "report/format.h"
 #include "theory/rolling/body_rolling.h"
@@ -130,6 +132,15 @@ std::vector<std::string> limitations(const contact::Case& c, const Summaries& su
         findings.push_back(
             "The loads oscillate with the rolling: the closed forms, κ and η assume constant loads "
             "and are left out; f_T and w refer to the mean loads.");
+    for (const Results& s : summaries)
+        if (!is_half_space(s.model))
+            for (const std::string& one : left_out(c, s.model))
+                findings.push_back(report::display_name(s.model) + " leaves out " + one + ".");
+    for (const Results& s : summaries)
+        for (const auto& [quantity, why] : why_undefined(c, s))
+            if (constant_loads(c))  // else the sentence above
+                findings.push_back(fmt::format("{}: no {} {}: {}.", report::display_name(s.model),
+                                               quantity->name, quantity->symbol, why));
     std::erase(findings, "");
     return findings;
 }

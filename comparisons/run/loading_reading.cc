@@ -7,6 +7,7 @@
 #include "comparisons/quantities/reference.h"
 #include "comparisons/run/loading_study.h"
 #include "contact/special_values.h"
+#include "contact/substrates/normal_tangential.h"
 #include "report/format.h"
 
 namespace tricontact::comparisons {
@@ -18,6 +19,8 @@ using contact::State;
 
 /// What the change does after rolling; empty where nothing was rolled.
 std::string rolled_text(const LoadingVariant& v) {
+    if (!v.why_not_rolled.empty())
+        return fmt::format(", after rolling it is unknown ({})", v.why_not_rolled);
     if (!v.run.state || !v.other->state) return {};
     if (!v.rolled_error())
         return fmt::format(", and the verdict {} instead of {}", contact::name_of(*v.other->state),
@@ -78,7 +81,8 @@ std::string half_space_sentence(const Case& c, const std::vector<std::string>& h
     return fmt::format(
         "{} {} out the coupling that these materials have on a half-space: Dundurs' "
         "|β| exceeds {} (β = {}).",
-        report::display_names(half_spaces), several ? "leave" : "leaves", negligible_beta, beta);
+        report::display_names(half_spaces), several ? "leave" : "leaves", contact::negligible_beta,
+        beta);
 }
 
 std::string pressing_sentence(const Case& c, const std::vector<LoadingVariant>& variants) {

@@ -33,7 +33,8 @@ json variant_json(const LoadingVariant& v) {
             {"other", v.other ? outcome_json(*v.other) : json()},
             {"static_change", v.static_error()},
             {"rolled_change", v.rolled_error()},
-            {"why_none", v.other ? json() : json(v.why_none)}};
+            {"why_none", v.other ? json() : json(v.why_none)},
+            {"why_not_rolled", v.why_not_rolled.empty() ? json() : json(v.why_not_rolled)}};
 }
 
 /// A shift [m]. Where the other has none to compare, its verdict stands in the place of a number.

@@ -15,6 +15,8 @@ namespace tricontact::comparisons {
 struct LoadingVariant : RunComparison {
     std::string key;              ///< such as "contact.coupling" or "load.press"
     std::string chosen, changed;  ///< values of the key in the run and here, as in a case
+    /// Rolled once more as variants are the run stopped: why; both are then compared as loaded.
+    std::string why_not_rolled = {};
 
     /// Of what rolling leaves: the last period's increment where both ratchet, the final shift
     /// where neither does; empty where their verdicts differ so.

@@ -43,11 +43,11 @@ report::Figure section_figure(const History& history) {
             .title = "Von Mises' stress below the contact, " + report::display_name(history.model),
             .caption =
                 fmt::format("Section through the middle of the contact, the load along x. Largest "
-                            "at the marker: {} p_0 at x = {} a, z = {} a.",
+                            "at the marker: {} p_0 at x = {} a, {} a below the surface.",
                             report::significant(s.peak_von_mises / p0, 3),
-                            report::significant(x, 2), report::significant(z, 2)),
+                            report::significant(x, 2), report::significant(-z, 2)),
             .x = {.label = "x/a"},
-            .y = {.label = "z/a"},
+            .y = {.label = "height/a"},
             .curves = {{.name = "largest",
                         .x = {x},
                         .y = {z},

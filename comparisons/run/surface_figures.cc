@@ -166,9 +166,10 @@ Figures surface_figures(const contact::Case& c, const Histories& histories) {
                  .map = map_of(s, values, scales.contact_radius, unit, label),
                  .equal_scales = true});
         };
-        add("traction_surface_", "Traction over the contact, ", "τ_x/(μ p_0)",
-            s.tangential_traction_x, c.friction_coefficient * scales.peak_pressure,
-            "τ_x / (μ p_0)");
+        const char* const p = drawn_pressure_symbol(c);
+        add("traction_surface_", "Traction over the contact, ", fmt::format("τ_x/(μ {})", p),
+            s.tangential_traction_x, c.friction_coefficient * drawn_pressure(c, scales),
+            fmt::format("τ_x / (μ {})", p));
         add("displacement_surface_", "Displacement of the surface, ", "u_x/U_max", s.displacement_x,
             scales.unit_shift, "u_x / U_max");
     }

@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <cmath>
 #include <numbers>
 
@@ -53,7 +55,8 @@ report::Strip zone_strip(const History& history, const CentreLine& line) {
 void add_models(const contact::Case& c, const Histories& histories, Axis axis,
                 report::Figure& figure) {
     for (const History& history : histories) {
-        const CentreLine line = centre_line(history, c.friction_coefficient, axis);
+        const CentreLine line =
+            centre_line(history, c.friction_coefficient, axis, drawn_pressure(c, history.scales));
         if (line.position.empty()) continue;
         auto& curve = figure.curves.emplace_back(curve_of(history, figure.strips.size()));
         for (const std::size_t i : report::thinned(line.position.size(), most_points))
@@ -112,10 +115,13 @@ report::Figure traction_figure(const contact::Case& c, const Histories& historie
             "The last upright state. Strips: what each point does during the last period. Black, "
             "stick: always in contact, below the friction bound; grey, slip: at the bound μp at "
             "some instant; light, zero or released: out of contact at some instant, after "
-            "shakedown no traction is left there (in coupled contact what the pressure drags). a "
-            "and p_0 are each model's own.",
+            "shakedown no traction is left there (in coupled contact what the pressure drags). " +
+            std::string(contact::has_conical_tip(c)
+                            ? "a and the mean pressure p_m are each model's own: at the tip the "
+                              "pressure is infinite."
+                            : "a and p_0 are each model's own."),
         .x = {.label = "position " + letter + "/a", .low = -half_width, .high = half_width},
-        .y = {"traction τ_x / (μ p_0)"},
+        .y = {fmt::format("traction τ_x / (μ {})", drawn_pressure_symbol(c))},
         .kinds = zone_kinds()};
     add_models(c, histories, axis, figure);
     add_bounds(c, r, axis, figure);

@@ -6,6 +6,7 @@
 #include <cstddef>
 
 #include "contact/special_values.h"
+#include "contact/vector2.h"
 
 namespace tricontact::contact {
 
@@ -72,6 +73,19 @@ struct ContactSum {
         force += other.force;
         gaps += other.gaps;
         n_entered += other.n_entered;
+        return *this;
+    }
+};
+
+/// Of friction: the residual, the force and whether all points that slip are on their bound.
+struct Misfit {
+    double worst = 0;
+    Vector2 force{};
+    bool on_bound = true;
+    Misfit& operator+=(const Misfit& other) {
+        worst = larger(worst, other.worst);
+        force = force + other.force;
+        on_bound = on_bound && other.on_bound;
         return *this;
     }
 };

@@ -23,19 +23,6 @@ constexpr int most_gradient_iterations = 64 * gradient_iterations;
 constexpr int cg_iterations = 300;
 constexpr double force_tolerance = 1e-10;  // over sum bound A; ten times finer than promised
 
-/// Of points: the residual, the force and whether all that slip are on their bound.
-struct Misfit {
-    double worst = 0;
-    Vector2 force{};
-    bool on_bound = true;
-    Misfit& operator+=(const Misfit& other) {
-        worst = larger(worst, other.worst);
-        force = force + other.force;
-        on_bound = on_bound && other.on_bound;
-        return *this;
-    }
-};
-
 class Newton {
   public:
     Newton(const Compliance& compliance, const std::vector<std::size_t>& active,
@@ -322,6 +309,21 @@ class Newton {
     double total_bound_ = 0, mean_bound_ = 0;
 };
 
+/// Nothing touches, nothing holds the indenter: it goes where its shifts are prescribed and stays
+/// where no force is.
+void leave_apart(const TangentialProblem& problem, TangentialSolution& solution) {
+    if (const double force = prescribed_force(problem.control); force > 0)
+        throw InputError(fmt::format(
+            "tangential contact: nothing touches that could carry the force {:.6g} N; prescribe "
+            "the shift, or no tangential force while the contact is lost",
+            force));
+    solution = {};
+    solution.traction = solution.displacement = TangentialField(problem.bound.size());
+    for (int d = 0; d < 2; ++d)
+        if (problem.control[d].kind == TangentialControl::Kind::shift)
+            solution.shift_increment[d] = problem.control[d].value;
+}
+
 }  // namespace
 
 TangentialSolver::TangentialSolver(const Compliance& compliance, double tolerance)
@@ -331,6 +333,7 @@ void TangentialSolver::solve(const TangentialProblem& problem, TangentialSolutio
     const Blocks points(problem.bound.size(), compliance_.n_threads());
     const std::vector<std::size_t> active =
         points.points_where([&](std::size_t i) { return problem.bound[i] > 0; });
+    if (active.empty()) return leave_apart(problem, solution);
     const ActiveOperator& products = products_among(active);
     Newton(compliance_, active_, products, problem, tolerance_, solution).run();
 }

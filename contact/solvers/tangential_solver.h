@@ -52,7 +52,9 @@ class TangentialSolver {
 
     /// Updates `solution`, whose traction is the start (may be zero; clipped to the bound), and its
     /// shift increment too where a force is prescribed (zero: unknown).
-    /// Throws NotConverged; InputError when the force exceeds what friction carries.
+    /// Where no point has a bound nothing is carried: shifts are followed, a force of 0 leaves the
+    /// indenter where it is. Throws NotConverged; InputError when the force exceeds what friction
+    /// carries.
     void solve(const TangentialProblem& problem, TangentialSolution& solution);
 
   private:

@@ -94,7 +94,7 @@ DeferredCorrection::Report DeferredCorrection::solve(const LoadStep& step,
             contact.emplace(frames, problem_.compliance, relaxing.stiffness,
                             of_contact_solvers * problem_.tolerance);
         const std::vector<Vector3> traction = tractions(now, frames);
-        report.force_residual = balance_residual(traction, response.force);
+        report.force_residual = balance_residual(traction, response.force, now.pose.indentation);
         report.gap_residual = gap_residual(now, frames);
         report.energy = response.energy;
         const double residual = report.force_residual;

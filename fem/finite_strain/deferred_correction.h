@@ -79,7 +79,7 @@ class DeferredCorrection {
     std::vector<double> missing_forces(const std::vector<Vector3>& traction,
                                        const std::vector<double>& of_body) const;
     double balance_residual(const std::vector<Vector3>& traction,
-                            const std::vector<double>& of_body) const;
+                            const std::vector<double>& of_body, double depth) const;
     double gap_residual(const ContactedBody& state, const ContactFrames& frames) const;
     std::vector<double> as_one(const ContactedBody& state) const;
     void take(const std::vector<double>& all, ContactedBody& state) const;

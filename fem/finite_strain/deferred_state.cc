@@ -108,15 +108,20 @@ std::vector<double> DeferredCorrection::missing_forces(const std::vector<Vector3
     return missing;
 }
 
-/// What the body's forces and these tractions leave, over the tractions' forces.
+/// What the body's forces and these tractions leave, over the tractions' forces; where nothing
+/// touches, over those that would press each point by the depth.
 double DeferredCorrection::balance_residual(const std::vector<Vector3>& traction,
-                                            const std::vector<double>& of_body) const {
+                                            const std::vector<double>& of_body,
+                                            double depth) const {
     const auto& points = problem_.compliance.points();
-    double size = 0, missing = 0;
+    const double pressing = depth / problem_.compliance.local_tangential();
+    double size = 0, out_of_contact = 0, missing = 0;
     for (std::size_t i = 0; i < traction.size(); ++i) {
         const double area = points.area[i] * modelled_part(points);
         for (const double t : traction[i]) size += area * area * t * t;
+        out_of_contact += area * area * pressing * pressing;
     }
+    if (size == 0) size = out_of_contact;
     for (const double f : missing_forces(traction, of_body)) missing += f * f;
     return size > 0 ? std::sqrt(missing / size) : contact::infinity;
 }

@@ -181,7 +181,7 @@ void StrainedModel::audit_step(const LoadStep& step, const ContactFrames& frames
     if (step.normal.kind == NormalControl::Kind::force)
         audit_.record("normal_force",
                       std::abs(normal_force_ - step.normal.value) / step.normal.value, tolerance);
-    if (!step.friction) return;
+    if (!step.friction || normal_force_ == 0) return;
     std::array<TangentialControl, 2> no_forces;
     for (auto& control : no_forces) control.kind = TangentialControl::Kind::shift;
     std::vector<double> bound(points().size());

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "contact/load_path.h"
+#include "contact/substrates/normal_tangential.h"
 
 namespace tricontact::io {
 
@@ -11,8 +12,6 @@ namespace {
 using contact::Case;
 using contact::HalfSpaceScales;
 
-// Above this |Dundurs' beta| the coupling of normal and tangential contact is no longer negligible.
-constexpr double largest_beta = 1e-3;
 constexpr double largest_sphere_ratio = 0.5;  // a/R: the contact is far from the equator
 constexpr double fewest_cells = 2;            // per Hertz radius
 constexpr double fewest_springs = 10;         // in the contact
@@ -66,9 +65,10 @@ void check_revolution(const Case& c, const Document& document) {
 void check_coupling(const Case& c, const Document& document) {
     const auto mdr = find_mdr(c);
     const double beta = c.materials().dundurs_beta();
-    if (mdr == c.models.end() || !c.contact.coupling || std::abs(beta) <= largest_beta) return;
+    if (mdr == c.models.end() || !c.contact.coupling || !contact::half_spaces_couple(c.materials()))
+        return;
     refuse(document, "substrate.poisson",
-           "Dundurs' beta = " + rounded(beta) + " exceeds " + rounded(largest_beta) +
+           "Dundurs' beta = " + rounded(beta) + " exceeds " + rounded(contact::negligible_beta) +
                " in magnitude: normal and tangential contact are coupled, which " + *mdr +
                " does not model",
            "leave out " + *mdr +
@@ -85,6 +85,14 @@ void check_oscillation(const Case& c, const Document& document) {
         if (!c.rolling)
             refuse(document, key, "loads oscillate in the phase of the rolling, and there is none",
                    "add a section [rolling] (its amplitude may be 0), or omit the oscillation");
+        const bool about_nothing = c.load.tangential_force.value_or(0) == 0 &&
+                                   c.load.tangential_ratio.value_or(0) == 0 &&
+                                   !c.load.is_by_limit();
+        if (about_nothing && std::string_view(key) == "load.tangential_amplitude_ratio")
+            refuse(
+                document, key, "is a part of F_T, which is 0: nothing would oscillate",
+                "give load.tangential_ratio or load.tangential_force; a [path] prescribes forces "
+                "that oscillate about 0");
         if (turning_points)
             refuse(document, key,
                    "oscillating loads need small steps, but rolling.steps = \"turning-points\"",

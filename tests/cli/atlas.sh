@@ -174,6 +174,13 @@ EOF
 refused "is the study of an atlas; tricontact atlas computes it" sweep ../maps.toml
 refused "no atlas is about bodies other than smooth paraboloids, spheres and cylinders" \
     predict "$source_dir/examples/cases/body_cone.toml"
+layer=$source_dir/examples/cases/rig_layer_parallel.toml
+refused "no atlas is about layers of finite width or depth" predict "$layer" --set "substrate.width=60 mm"
+refused "no atlas is about layers without coupling" predict "$layer" --set contact.coupling=false
+refused "no atlas is about indenters on a layer that are not rigid" predict "$layer" \
+    --set "indenter.young=10 MPa" --set "models=[\"bem-layer\"]"
+"$program" predict "$layer" --set "substrate.width=60 mm" --models mdr >said || complain "predict of the half-space, asked for"
+grep -q 'leaves out substrate.thickness: the substrate is a half-space' said || complain "a layer left out: $(cat said)"
 refused "no atlas is about line contacts by MDR" predict "$cylinder" --models mdr
 refused "no atlas is about half-spaces that couple" predict "$rig" --set substrate.poisson=0.3 --set "models=[\"bem\"]" --models bem
 refused "atlas runs nothing" run "$rig" --models atlas

@@ -4,6 +4,7 @@
 
 #include "comparisons/quantities/reference.h"
 #include "comparisons/quantities/results.h"
+#include "comparisons/quantities/undefined.h"
 #include "tests/unit/comparisons/history.h"
 
 namespace tricontact::comparisons::summary_test {
@@ -102,6 +103,46 @@ TEST(Summary, EtaIsEmptyWhereUndefined) {
     contact::Case oscillating = c;
     oscillating.load.normal_amplitude_ratio = .1;
     EXPECT_FALSE(Results(oscillating, ratcheting(options)).number(quantities::eta));
+}
+
+// What a step from one turning point to the next shifts depends on it: `fit` leaves it out, too.
+TEST(Summary, EtaIsNotToldByTurningPoints) {
+    const Options options{.f = 0.704, .w = 0.5, .periods = 4};
+    contact::Case c = synthetic::unit_case(options);
+    EXPECT_TRUE(Results(c, ratcheting(options)).number(quantities::eta));
+    EXPECT_TRUE(why_undefined(c, Results(c, ratcheting(options))).empty());
+    contact::Case coarse = c;
+    coarse.rolling->steps = contact::Case::Steps::turning_points;
+    contact::Case one_step = c;
+    one_step.rolling->steps_per_quarter = 1;
+    for (const contact::Case& by_turning_points : {coarse, one_step}) {
+        const Results s(by_turning_points, ratcheting(options));
+        EXPECT_FALSE(s.number(quantities::eta));
+        EXPECT_TRUE(s.number(quantities::shift_increment));
+        const auto why = why_undefined(by_turning_points, s);
+        ASSERT_EQ(why.size(), 1u);
+        EXPECT_EQ(why.front().first, &quantities::eta);
+        EXPECT_NE(why.front().second.find("set rolling.steps_per_quarter"), std::string::npos);
+    }
+}
+
+TEST(Summary, SaysWhyKappaIsUndefined) {
+    const Options base{.f = 0.3, .w = 0.2};
+    const auto why = [&](const contact::Case& c, const Options& options) {
+        const auto all = why_undefined(c, Results(c, synthetic::settling_history("mdr", options)));
+        return all.empty() ? std::string() : all.front().second;
+    };
+    const contact::Case c = synthetic::unit_case(base);
+    EXPECT_EQ(why(c, base), "");
+    contact::Case cone = c;
+    cone.indenter.shape = contact::Case::Shape::cone;
+    cone.indenter.angle = .1;
+    EXPECT_NE(why(cone, base).find("paraboloid or sphere"), std::string::npos) << why(cone, base);
+    contact::Case oscillating = c;
+    oscillating.load.tangential_amplitude_ratio = .1;
+    EXPECT_EQ(why(oscillating, base), "the loads oscillate");
+    const Options at_rest{.f = 0.3, .w = 0};
+    EXPECT_NE(why(synthetic::unit_case(at_rest), at_rest).find("below 1e-5"), std::string::npos);
 }
 
 TEST(Summary, DissipationOverMindlinsCycle) {

@@ -85,6 +85,17 @@ TEST(TreatmentSentences, CarryTheNumbersOfTheStudy) {
          "of shakedown."});
 }
 
+// A run that stops as variants are rolled says by what; nothing is claimed of rolling.
+TEST(TreatmentSentences, SayWhyNothingWasRolled) {
+    const Case c = rig();
+    LoadingVariant loaded{
+        {"bem-layer", {1.5e-4}, RunValues{1.53e-4}, ""}, "contact.coupling", "true", "false"};
+    loaded.why_not_rolled = "no minimum within 500 steps";
+    const std::string text = joined(treatment_sentences(c, c.models, {loaded}));
+    expect_parts(text, {"(+2.0 %), after rolling it is unknown (no minimum within 500 steps)."});
+    EXPECT_EQ(loading_json({loaded})[0]["why_not_rolled"], "no minimum within 500 steps");
+}
+
 TEST(TreatmentSentences, WithoutAStudyNoNumberIsClaimed) {
     const Case c = rig();
     const std::string text = joined(treatment_sentences(c, c.models, {}));

@@ -272,6 +272,37 @@ TEST_F(Reading, DisagreementIsSaidOnce) {
     EXPECT_FALSE(contains(reading_text(c_, {bem_, fem}), "ratcheting against")) << text;
 }
 
+// Where a path ends at a prescribed shift all models agree on that: what differs is what it takes.
+TEST_F(Reading, APrescribedShiftIsNoResult) {
+    contact::Case c = synthetic::unit_case({.rolling = false});
+    c.layer.thickness = 1;
+    contact::PrescribedPath path{std::vector<contact::PrescribedPath::Row>(2)};
+    path.rows[1].tangential[0] = {contact::TangentialControl::Kind::shift, 8e-4};
+    c.prescribed_path = path;
+    contact::History history = synthetic::loaded_history("bem", {.rolling = false});
+    history.static_shift = 8e-4;
+    history.steps.push_back(history.steps.back());
+    history.steps.back().phase = 1;
+    history.steps.back().tangential_force[0] = 2.4;
+    const auto verdicts_of = [&](double half_space, double layer) {
+        history.steps.back().dissipation = half_space;
+        history.model = "bem";
+        const Results of_half_space(c, history);
+        history.steps.back().dissipation = layer;
+        history.model = "bem-layer";
+        const Results of_layer(c, history);
+        EXPECT_TRUE(contains(answer_of(c, of_layer, {}).sentence, "The shift is prescribed"));
+        std::string text;
+        for (const auto& verdict : assumption_verdicts(c, {of_half_space, of_layer}, {}))
+            text += verdict.sentence + "\n";
+        EXPECT_FALSE(contains(text, "of the shift at the end of the path")) << text;
+        return text;
+    };
+    EXPECT_TRUE(contains(verdicts_of(.68e-3, 1e-3), "−32.0 % of the frictional work of the path"));
+    // Nothing slips.
+    EXPECT_TRUE(contains(verdicts_of(0, 0), "of the tangential force at the end of the path"));
+}
+
 TEST_F(Reading, WhoIsUndecidedDoesNotDisagree) {
     Results layer = bem_, fem = bem_;
     layer.model = "bem-layer", fem.model = "fem";

@@ -1,0 +1,72 @@
+#include "comparisons/quantities/left_out.h"
+
+#include <cmath>
+
+#include "comparisons/quantities/reference.h"
+#include "contact/load_path.h"
+
+namespace tricontact::comparisons {
+
+namespace {
+
+using contact::Case;
+
+// Below it an indenter counts as rigid: its part of all that gives way.
+constexpr double rigid_indenter = 1e-4;
+
+bool is_on_line(const std::string& model) {
+    return model.starts_with("mdr");
+}
+
+/// An amplitude of 0 has no direction.
+bool rolls_askew(const Case& c) {
+    const bool rolls = c.rolling || c.prescribed_path;
+    return rolls && std::abs(std::sin(contact::path_direction(c))) > 1e-12;
+}
+
+bool has_elastic_indenter(const Case& c) {
+    const auto& indenter = c.indenter.material;
+    return indenter &&
+           indenter->plane_compliance() > rigid_indenter * c.substrate.plane_compliance();
+}
+
+void add_layer(const Case& c, const std::string& model, std::vector<std::string>& all) {
+    if (!c.layer.thickness || is_tabulated(c, model)) return;
+    if (is_half_space(model)) {
+        all.emplace_back("substrate.thickness: the substrate is a half-space");
+        return;
+    }
+    if (model != "fem" && c.layer.width)
+        all.emplace_back("substrate.width: the layer is infinitely wide");
+    if (model != "fem" && c.layer.depth)
+        all.emplace_back("substrate.depth: the layer is infinitely deep along y");
+    if (is_on_line(model) && c.contact.coupling)
+        all.emplace_back("contact.coupling: normal and tangential contact are uncoupled");
+}
+
+}  // namespace
+
+std::vector<std::string> left_out(const Case& c, const std::string& model) {
+    std::vector<std::string> all;
+    if (model == "atlas") return all;  // it refuses what it does not know
+    add_layer(c, model, all);
+    if (is_on_line(model) && rolls_askew(c))
+        all.emplace_back("rolling direction: springs on a line are the same in every direction");
+    if (model != "fem" && c.law != Case::Law::linear)
+        all.emplace_back("substrate.material: linear, at small strains");
+    if (model == "fem" && has_elastic_indenter(c))
+        all.emplace_back("indenter.young: the indenter is rigid");
+    if (!model.starts_with("bem") && c.bem.period)
+        all.emplace_back("bem.period: one contact alone");
+    return all;
+}
+
+std::string left_out_lines(const Case& c, const std::vector<std::string>& models) {
+    std::string lines;
+    for (const std::string& model : models)
+        for (const std::string& one : left_out(c, model))
+            lines += model + " leaves out " + one + '\n';
+    return lines;
+}
+
+}  // namespace tricontact::comparisons

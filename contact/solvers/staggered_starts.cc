@@ -1,0 +1,83 @@
+// What a staggered solver keeps of its solutions, and where it starts from.
+
+#include <algorithm>
+#include <cmath>
+
+#include "contact/solvers/staggered_solver.h"
+
+namespace tricontact::contact {
+
+namespace {
+
+// Solutions are kept while they fit: a period comes back to the same offsets again and again.
+constexpr std::size_t most_kept_bytes = std::size_t{1} << 28;
+
+/// The phase within its period, rounded: n + 1/3 has other last bits for each n. All that comes
+/// before rolling has phase 0, and so has what does not recur: it begins where the last step ended.
+long key_of_phase(double phase) {
+    constexpr long parts = 1'000'000'000;
+    return std::lround((phase - std::floor(phase)) * parts) % parts;
+}
+
+}  // namespace
+
+/// What relaxes further from one period to the next does so alike in neighbouring phases: pressures
+/// start from those one period before with what the last step's have gained since.
+void StaggeredSolver::recall_pressure(double phase) {
+    const auto found = starts_.find(key_of_phase(phase));
+    if (found == starts_.end() || !(found->second.normal->force > 0)) return;
+    NormalSolution start = *found->second.normal;
+    for (std::size_t i = 0; i < pressure_change_.size(); ++i)
+        if (start.pressure[i] > 0)
+            start.pressure[i] = std::max(0., start.pressure[i] + pressure_change_[i]);
+    now_.normal = std::make_shared<const NormalSolution>(std::move(start));
+}
+
+void StaggeredSolver::keep_pressure_change(long key) {
+    pressure_change_.clear();
+    const auto found = starts_.find(key);
+    if (found == starts_.end()) return;
+    pressure_change_ = now_.normal->pressure;
+    for (std::size_t i = 0; i < pressure_change_.size(); ++i)
+        pressure_change_[i] -= found->second.normal->pressure[i];
+}
+
+/// Of a relaxing substrate the same position is not the same problem.
+void StaggeredSolver::keep_normal() {
+    const std::size_t bytes = 2 * sizeof(double) * now_.bound.size();
+    if (!substrate_.relaxes() && (normal_cache_.size() + 1) * bytes <= most_kept_bytes)
+        normal_cache_.try_emplace(key(), now_.normal);
+}
+
+/// The staggered iteration begins where the same phase ended one period ago, if there was one.
+void StaggeredSolver::recall_start(double phase) {
+    now_.tangential.shift_increment = {};
+    const auto found = starts_.find(key_of_phase(phase));
+    if (found == starts_.end() || !(found->second.normal->force > 0)) return;
+    const PeriodStart& start = found->second;
+    now_.normal = start.normal;
+    now_.tangential.traction = start.traction;
+    now_.tangential.shift_increment = start.shift_increment;
+    highest_ = start.highest;
+}
+
+void StaggeredSolver::keep_start(double phase) {
+    if (coupling_.is_decoupled() && !substrate_.relaxes()) return;
+    const std::size_t bytes = 4 * sizeof(double) * points().size();
+    const long key = key_of_phase(phase);
+    if (coupling_.is_decoupled()) keep_pressure_change(key);
+    if (starts_.contains(key) || (starts_.size() + 1) * bytes <= most_kept_bytes)
+        starts_[key] = {now_.normal, now_.tangential.traction, now_.tangential.shift_increment,
+                        highest_};
+}
+
+void StaggeredSolver::resume(ContactSolution solution, double phase) {
+    now_ = std::move(solution);
+    // What a run that was not interrupted would know, so that it goes on by the same numbers.
+    if (coupling_.is_decoupled()) keep_normal();
+    coupling_.place(now_.offset);
+    find_highest();
+    keep_start(phase);
+}
+
+}  // namespace tricontact::contact
