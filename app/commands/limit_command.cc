@@ -3,6 +3,7 @@
 #include "app/roll_models.h"
 #include "bem/model.h"
 #include "comparisons/quantities/reference.h"
+#include "comparisons/run/input_reading.h"
 #include "comparisons/shakedown/limit_search.h"
 
 namespace tricontact::app {
@@ -56,6 +57,7 @@ LimitStudy start_of(const LimitOptions& options, const Case& c) {
 
 void find_limits(const Case& c, const LimitOptions& options) {
     const Say say = options.sayer();
+    for (const std::string& sentence : comparisons::input_sentences(c)) say(sentence);
     LimitStudy study = start_of(options, c);
     for (const std::string& model : c.models)
         study.models.push_back(comparisons::search_limit(

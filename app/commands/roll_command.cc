@@ -7,6 +7,7 @@
 #include "app/roll_models.h"
 #include "app/shown_states.h"
 #include "bem/model.h"
+#include "comparisons/run/input_reading.h"
 #include "io/results/progress.h"
 #include "io/results/vtk_files.h"
 #include "report/format.h"
@@ -160,6 +161,7 @@ void roll_case(RollOptions options) {
     require_rolling_on(c, options.file);
     bem::check_influence_file(c);  // before anything is written
     options.choose_folder();
+    for (const std::string& sentence : comparisons::input_sentences(c)) options.say(sentence);
     options.fill(roll_outputs(c.models), [&] { roll_models(c, options); });
     options.say(options.where());
 }

@@ -8,6 +8,7 @@
 #include "atlas/run_section.h"
 #include "bem/model.h"
 #include "comparisons/quantities/results.h"
+#include "comparisons/run/input_reading.h"
 #include "contact/verdict.h"
 #include "io/results/vtk_files.h"
 #include "report/format.h"
@@ -95,7 +96,14 @@ void run_case(RunOptions options) {
     std::optional<CaseRun> run;
     options.fill(run_outputs(c.models), [&] { run.emplace(compute(c, options)); });
     if (options.quiet) return;
-    for (const contact::History& history : run->histories) options.out() << line_of({c, history});
+    for (const std::string& sentence : comparisons::input_sentences(c))
+        options.out() << sentence << '\n';
+    for (const contact::History& history : run->histories) {
+        const comparisons::Results results(c, history);
+        options.out() << line_of(results);
+        if (const auto warning = comparisons::border_warning(results); !warning.empty())
+            options.out() << "warning: " << warning << '\n';
+    }
     options.out() << options.where() << '\n';
 }
 
