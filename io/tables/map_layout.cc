@@ -145,10 +145,6 @@ std::optional<contact::HeightMap> framed(const NumberMatrix& m, const std::strin
     const auto x_step = even_step(values_of_row(m, 0, 1)),
                y_step = even_step(values_of_column(m, 0, 1));
     const double corner = m.at(0, 0);
-    const auto is_even = [&](const std::vector<double>& v, std::optional<double> step) {
-        const auto own = even_step(v);
-        return own && step && std::abs(*own - *step) <= equal_steps * std::abs(*step);
-    };
     const auto last_row = values_of_row(m, m.n_rows - 1, 1),
                last_column = values_of_column(m, m.n_columns - 1, 1);
     if (std::isfinite(corner)) {
@@ -156,8 +152,8 @@ std::optional<contact::HeightMap> framed(const NumberMatrix& m, const std::strin
         const auto continues = [&](double next, std::optional<double> step) {
             return step && std::abs(next - corner - *step) <= equal_steps * std::abs(*step);
         };
-        const bool row_goes_on = continues(m.at(1, 0), x_step) && !is_even(last_row, x_step),
-                   column_goes_on = continues(m.at(0, 1), y_step) && !is_even(last_column, y_step);
+        const bool row_goes_on = continues(m.at(1, 0), x_step) && !even_step(last_row),
+                   column_goes_on = continues(m.at(0, 1), y_step) && !even_step(last_column);
         const std::string remedy =
             "leave coordinates out; save heights that are even there as .npy";
         if (!is_text && (!x_step || !y_step || (row_goes_on && column_goes_on))) return {};

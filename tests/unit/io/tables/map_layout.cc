@@ -96,7 +96,9 @@ TEST(MapLayout, KeepsHeightsThatRiseEvenly) {
     // Inclined planes, twisted ones, and a roof.
     for (const auto& height :
          {+[](int i, int j) { return .1 * i + .3 * j; }, +[](int i, int j) { return 1. * i * j; },
-          +[](int i, int) { return std::abs(i - 2.); }, +[](int, int) { return 1.; },
+          +[](int i, int) { return std::abs(i - 2.); },
+          +[](int i, int j) { return 1. * i * j * j + i; },
+          +[](int i, int j) { return i + 1. * j * j; }, +[](int, int) { return 1.; },
           +[](int i, int j) { return .1 * i + .1 * j + (i == 2 && j == 2 ? 5 : 0); }}) {
         std::string text;
         for (int j = 0; j < 5; ++j)
