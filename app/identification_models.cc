@@ -62,10 +62,12 @@ TableModel table_model(const std::string& model, const experiments::Identificati
     }
     return [=, &table](const IdentifiedRig& rig) {
         const Case& c = rig.as_case;
-        std::vector<Pressed> all;
-        for (const auto& control : controls_of(table, c, table.given))
-            all.push_back(presses_of->at(c, control));
-        return values_of_presses(table, c, table.given, all);
+        return from_zero_depth(table, rig, table.given, [&](const std::vector<double>& given) {
+            std::vector<Pressed> all;
+            for (const auto& control : controls_of(table, c, given))
+                all.push_back(presses_of->at(c, control));
+            return values_of_presses(table, c, given, all);
+        });
     };
 }
 
@@ -132,6 +134,8 @@ IdentifiedRig rig_with(const experiments::IdentificationInput& input,
             set_term(*c.relaxation, p, values[k], relative);
         else if (p.key == experiments::pivot_key)
             rig.pivot_height = values[k];
+        else if (p.key == experiments::zero_depth_key)
+            rig.zero_depth = values[k];
         else
             *number_of(*io::find_key(p.key), c) = values[k];
     }

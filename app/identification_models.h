@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,7 @@ double* number_of(const io::CaseKey& key, contact::Case& c);
 struct IdentifiedRig {
     contact::Case as_case;
     double pivot_height = 0;  ///< Dh over the contact [m]
+    double zero_depth = 0;    ///< of force_indentation: where the contact begins [m]
 };
 
 /// Rigid shifts U [m] of a rig's indenter under its normal force and each of these tangential ones
@@ -56,6 +58,13 @@ std::vector<contact::NormalControl> controls_of(
 std::vector<double> values_of_presses(const experiments::IdentificationInput::Table& table,
                                       const contact::Case& rig, const std::vector<double>& given,
                                       const std::vector<Pressed>& all);
+
+/// Values of a table, by the rows in contact: depths count from zero_depth, and where there is no
+/// contact there is no force.
+std::vector<double> from_zero_depth(
+    const experiments::IdentificationInput::Table& table, const IdentifiedRig& rig,
+    const std::vector<double>& given,
+    const std::function<std::vector<double>(const std::vector<double>&)>& values);
 
 /// What one of the models of an identification ("half-space", "layer", "atlas", "bem-layer", "fem")
 /// says about a table's measurement on the rig, one value [SI] for each of those `given`. A

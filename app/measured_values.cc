@@ -219,6 +219,26 @@ std::vector<double> values_of_presses(const experiments::IdentificationInput::Ta
     return values;
 }
 
+std::vector<double> from_zero_depth(
+    const experiments::IdentificationInput::Table& table, const IdentifiedRig& rig,
+    const std::vector<double>& given,
+    const std::function<std::vector<double>(const std::vector<double>&)>& values) {
+    if (!table.has_free_zero) return values(given);
+    // Forces go with the depth's power 3/2 at least: below this of the deepest there is none.
+    constexpr double least = 1e-6;
+    const double deepest = std::ranges::max(given) - rig.zero_depth;
+    if (!(deepest > 0)) throw contact::InputError("zero_depth: no row is in contact");
+    std::vector<double> depths;
+    for (const double depth : given)
+        if (depth - rig.zero_depth > least * deepest) depths.push_back(depth - rig.zero_depth);
+    const std::vector<double> forces = values(depths);
+    std::vector<double> all;
+    std::size_t next = 0;
+    for (const double depth : given)
+        all.push_back(depth - rig.zero_depth > least * deepest ? forces[next++] : 0.);
+    return all;
+}
+
 Case relaxed(Case c) {
     c.relaxation.reset();
     return c;
@@ -237,8 +257,11 @@ std::vector<double> measured_values(const std::string& model,
     if (table.measurement == Measurement::static_shift)
         return model == "half-space" ? half_space_shifts(slow, given)
                                      : static_shifts(shift_model(model), slow, given, threads);
-    return values_of_presses(table, rig, given,
-                             presses(model, slow, controls_of(table, rig, given), threads));
+    return from_zero_depth(table, identified, given, [&](const std::vector<double>& pressed_to) {
+        return values_of_presses(
+            table, rig, pressed_to,
+            presses(model, slow, controls_of(table, rig, pressed_to), threads));
+    });
 }
 
 }  // namespace tricontact::app

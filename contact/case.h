@@ -13,6 +13,7 @@
 #include "contact/substrates/dma_fit.h"
 #include "contact/substrates/material.h"
 #include "contact/substrates/relaxation.h"
+#include "contact/substrates/relaxation_test.h"
 
 namespace tricontact::contact {
 
@@ -40,6 +41,9 @@ struct Case {
     enum class Sides { free, fixed };
     enum class Press { friction, frictionless };
     enum class Law { linear, neo_hookean, mooney_rivlin };
+    /// Where the heights of a map's file point: away from the substrate, so that the lowest presses
+    /// first, or out of the indenter's material, so that the highest does.
+    enum class Heights { gap, outward };
 
     /// Lengths that a shape has not are 0.
     struct IndenterData {
@@ -54,6 +58,7 @@ struct Case {
         std::optional<std::string> file;  ///< of a profile or a height map
         std::optional<double> spacing;    ///< of a height map whose file does not say it [m]
         std::optional<double> unit;       ///< 1 of that file's heights [m]
+        Heights heights = Heights::gap;   ///< of the file; those of `height_map` are gaps
         std::shared_ptr<const HeightMap> height_map;  ///< what the file holds
         std::vector<ProfileCurve::Point> profile;     ///< likewise
         std::optional<Roughness> roughness;           ///< upon the shape
@@ -84,7 +89,7 @@ struct Case {
         std::vector<double> poisson;    ///< [-]
     };
 
-    /// What `relaxation` comes from. The reader resolves each of the four ways to `moduli` and
+    /// What `relaxation` comes from. The reader resolves each of the five ways to `moduli` and
     /// `times`, one per branch and in its order, beside the relaxed modulus, and empties the
     /// others.
     struct RelaxationInput {
@@ -97,6 +102,7 @@ struct Case {
         std::vector<double> relative_moduli;    ///< g_i = G_i/G_0, G_0 the unrelaxed one [-]
         std::vector<double> times;              ///< tau_i [s]
         std::optional<std::string> dma;         ///< file of a DMA table
+        std::optional<std::string> test;        ///< file of a relaxation test
     };
 
     /// How the contact is treated by models that can.
@@ -211,6 +217,7 @@ struct Case {
     std::optional<Relaxation> relaxation;  ///< of the substrate; empty: elastic
     RelaxationInput relaxation_input;
     std::optional<DmaFit> dma_fit;  ///< table and fit, if `relaxation` comes from one
+    std::optional<RelaxationTestFit> test_fit;  ///< likewise, of a relaxation test
     Layer layer;
     std::optional<LowerLayersInput> lower_layers_input;  ///< while the case is read
     double friction_coefficient = 0;

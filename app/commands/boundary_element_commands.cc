@@ -2,8 +2,8 @@
 #include <optional>
 
 #include "app/commands/command.h"
-#include "app/left_out.h"
 #include "app/roll_models.h"
+#include "app/unread_parts.h"
 #include "bem/contact_program_influence.h"
 #include "bem/grid_compliance.h"
 #include "bem/model.h"
@@ -54,7 +54,7 @@ BoundaryElementCase read_boundary_elements(const BoundaryElementOptions& options
 /// Writes the influence coefficients (docs/influence-format.md).
 void write_influence(const BoundaryElementOptions& options) {
     const auto read = read_boundary_elements(options);
-    say_left_out(options, "influence");
+    say_unread_parts(options, "influence");
     io::check_output_file(options.output, bem::influence_file_title);
     const auto table = bem::case_influence(read.c, options.threads, read.body());
     io::write_file(options.output, bem::influence_text(table));
@@ -80,7 +80,7 @@ void export_to_contact_program(BoundaryElementOptions options) {
     const auto read = read_boundary_elements(options);
     const Case& c = read.c;
     refuse_rolling_on(c, options.file);
-    say_left_out(options, "export");
+    say_unread_parts(options, "export");
     const std::string name = std::filesystem::path(options.file).stem().string();
     const std::string influence_name = name + ".influence";
     options.choose_folder("_contact");

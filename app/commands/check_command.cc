@@ -7,6 +7,7 @@
 #include "comparisons/quantities/left_out.h"
 #include "comparisons/quantities/quantity.h"
 #include "comparisons/quantities/reference.h"
+#include "comparisons/run/input_reading.h"
 #include "io/case/case_keys.h"
 #include "rolling/creep_theory.h"
 #include "walking/input/walk_keys.h"
@@ -16,6 +17,14 @@
 namespace tricontact::app {
 
 namespace {
+
+/// What files were taken for.
+std::string input_values(const Case& c) {
+    std::string text;
+    for (const std::string& sentence : comparisons::input_sentences(c))
+        text += "# " + sentence + '\n';
+    return text.empty() ? text : "# What was read\n" + text + '\n';
+}
 
 std::string derived_values(const Case& c) {
     const contact::HalfSpaceScales hertz = half_space_scales(c);
@@ -65,7 +74,7 @@ std::string left_out_values(const Case& c) {
 /// The resolved case and what follows from it.
 struct Resolved {
     std::string operator()(const Case& c) const {
-        return io::write_case(c) + '\n' + derived_values(c) + left_out_values(c);
+        return io::write_case(c) + '\n' + input_values(c) + derived_values(c) + left_out_values(c);
     }
     std::string operator()(const walking::WalkCase& c) const {
         return walking::write_walk_case(c) + '\n' + walking::walk_scales_text(c);

@@ -1,8 +1,8 @@
 #include <filesystem>
 
 #include "app/commands/command.h"
-#include "app/left_out.h"
 #include "app/rig_design.h"
+#include "app/unread_parts.h"
 #include "io/case/rig_file.h"
 
 namespace tricontact::app {
@@ -14,7 +14,7 @@ struct DesignOptions : CommandOptions {};
 /// That nothing within the bounds does it is a finding, no error.
 void design_rig(DesignOptions options) {
     const auto input = experiments::read_design(io::read_rig_file(options.file, options.overrides));
-    say_left_out(options, "design", {"[rig]", "[record]", "[design]", io::uncertainty_mark});
+    say_unread_parts(options, "design", {"[rig]", "[record]", "[design]", io::uncertainty_mark});
     options.choose_folder("_design");
     experiments::DesignStudy study;
     const std::string name = std::filesystem::path(options.file).filename().string();

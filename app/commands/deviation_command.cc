@@ -1,8 +1,8 @@
 #include "app/commands/command.h"
 #include "app/commands/strain_deviation.h"
-#include "app/left_out.h"
 #include "app/roll_models.h"
 #include "app/studies/study_kind.h"
+#include "app/unread_parts.h"
 #include "comparisons/finite_strain/strain_runs.h"
 #include "comparisons/half_space/deviation_output.h"
 
@@ -57,7 +57,7 @@ void compare_with_half_space(DeviationOptions options) {
     options.choose_folder("_deviation");
     const Case c = io::read_case(options.file, options.overrides);
     refuse_rolling_on(c, options.file);
-    say_left_out(options, "deviation");
+    say_unread_parts(options, "deviation");
     // Before anything is removed.
     options.told_of_file([&] { return comparisons::deviation_contact(c); });
     HalfSpaceDeviation deviation;

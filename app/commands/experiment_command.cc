@@ -1,6 +1,6 @@
 #include "app/commands/command.h"
-#include "app/left_out.h"
 #include "app/record_predictions.h"
+#include "app/unread_parts.h"
 #include "experiments/records/experiment.h"
 #include "experiments/records/experiment_report.h"
 #include "io/case/rig_file.h"
@@ -13,7 +13,7 @@ void evaluate_records(CommandOptions options) {
     options.choose_folder();
     const experiments::ExperimentInput input =
         experiments::read_experiment(options.file, options.overrides);
-    say_left_out(options, "experiment", {"[record]", io::uncertainty_mark});
+    say_unread_parts(options, "experiment", {"[record]", io::uncertainty_mark});
     experiments::ExperimentEvaluation evaluation =
         experiments::evaluate_experiment(input.experiment);
     report::Document document;

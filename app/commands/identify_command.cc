@@ -5,7 +5,7 @@
 
 #include "app/commands/command.h"
 #include "app/identification_models.h"
-#include "app/left_out.h"
+#include "app/unread_parts.h"
 #include "io/case/rig_file.h"
 #include "report/format.h"
 
@@ -230,7 +230,7 @@ void identify_properties(IdentifyOptions options) {
     const IdentificationInput input =
         experiments::read_identification(options.file, options.overrides);
     check_lengths_scale(input);
-    say_left_out(options, "identify", {"[measurement]", io::uncertainty_mark});
+    say_unread_parts(options, "identify", {"[measurement]", io::uncertainty_mark});
     options.choose_folder();
     IdentificationStudy study;
     options.fill({{"identify.json", "report.html", "posterior.csv"}}, [&] {

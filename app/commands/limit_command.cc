@@ -1,10 +1,11 @@
 #include "app/commands/command.h"
-#include "app/left_out.h"
 #include "app/models.h"
 #include "app/roll_models.h"
+#include "app/unread_parts.h"
 #include "bem/model.h"
 #include "comparisons/quantities/left_out.h"
 #include "comparisons/quantities/reference.h"
+#include "comparisons/run/input_reading.h"
 #include "comparisons/shakedown/limit_search.h"
 
 namespace tricontact::app {
@@ -58,6 +59,7 @@ LimitStudy start_of(const LimitOptions& options, const Case& c) {
 
 void find_limits(const Case& c, const LimitOptions& options) {
     const Say say = options.sayer();
+    for (const std::string& sentence : comparisons::input_sentences(c)) say(sentence);
     LimitStudy study = start_of(options, c);
     for (const std::string& model : c.models)
         study.models.push_back(comparisons::search_limit(
@@ -83,7 +85,7 @@ void find_limits(const Case& c, const LimitOptions& options) {
 void limit_of_case(LimitOptions options) {
     const Case c = io::read_case(options.file, options.overrides, options.models);
     check(options, c);
-    say_left_out(options, "limit");
+    say_unread_parts(options, "limit");
     bem::check_influence_file(c);
     options.choose_folder("_limit");
     options.fill({{resolved_case_name, "limit.json", "limit.csv", "report.html"}},

@@ -1,8 +1,8 @@
 #include "app/case_run.h"
 #include "app/commands/command.h"
-#include "app/left_out.h"
 #include "app/roll_models.h"
 #include "app/uncertain_prediction.h"
+#include "app/unread_parts.h"
 #include "atlas/page/atlas_page.h"
 #include "atlas/prediction_json.h"
 #include "io/case/rig_file.h"
@@ -127,7 +127,7 @@ void write_files(const PredictOptions& options, const Case& c, const std::string
 void predict_case(const PredictOptions& options) {
     const io::RigFile rig = io::read_rig_file(options.file, options.overrides);
     const Case& c = rig.c;
-    say_left_out(options, "predict", {options.samples > 0 ? io::uncertainty_mark : ""});
+    say_unread_parts(options, "predict", {options.samples > 0 ? io::uncertainty_mark : ""});
     if (options.samples > 0 && rig.uncertain_of_case().empty())
         options.refuse(
             "no number of the case states an uncertainty; write for example thickness = "

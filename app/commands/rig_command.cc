@@ -2,9 +2,9 @@
 
 #include "app/case_run.h"
 #include "app/commands/command.h"
-#include "app/left_out.h"
 #include "app/rig_body.h"
 #include "app/rig_growth.h"
+#include "app/unread_parts.h"
 #include "experiments/assumptions/rig.h"
 #include "experiments/assumptions/rig_report.h"
 #include "io/case/rig_file.h"
@@ -69,7 +69,7 @@ experiments::Rig read_rig(const CommandOptions& options) {
     const std::string text = io::read_input_file(options.file);
     io::Document document = io::parse_document(text, options.file);
     if (!io::is_walk_case(document)) {
-        say_left_out(options, "rig", {"[rig]", "[printed]", io::uncertainty_mark});
+        say_unread_parts(options, "rig", {"[rig]", "[printed]", io::uncertainty_mark});
         return rig_with_body(io::parse_rig_file(text, options.file, options.overrides));
     }
     walking::parse_walk_case(text, options.file, options.overrides);  // checked

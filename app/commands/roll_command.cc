@@ -4,11 +4,12 @@
 #include <utility>
 
 #include "app/commands/command.h"
-#include "app/left_out.h"
 #include "app/roll_models.h"
 #include "app/shown_states.h"
+#include "app/unread_parts.h"
 #include "bem/model.h"
 #include "comparisons/quantities/left_out.h"
+#include "comparisons/run/input_reading.h"
 #include "io/results/progress.h"
 #include "io/results/vtk_files.h"
 #include "report/format.h"
@@ -160,9 +161,10 @@ void roll_models(const Case& c, const RollOptions& options) {
 void roll_case(RollOptions options) {
     const Case c = io::read_case(options.file, options.overrides, options.models);
     require_rolling_on(c, options.file);
-    say_left_out(options, "roll");
+    say_unread_parts(options, "roll");
     bem::check_influence_file(c);  // before anything is written
     options.choose_folder();
+    for (const std::string& sentence : comparisons::input_sentences(c)) options.say(sentence);
     options.fill(roll_outputs(c.models), [&] { roll_models(c, options); });
     options.say(options.where());
 }

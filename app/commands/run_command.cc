@@ -4,12 +4,13 @@
 
 #include "app/case_run.h"
 #include "app/commands/command.h"
-#include "app/left_out.h"
 #include "app/roll_models.h"
+#include "app/unread_parts.h"
 #include "atlas/run_section.h"
 #include "bem/model.h"
 #include "comparisons/quantities/left_out.h"
 #include "comparisons/quantities/results.h"
+#include "comparisons/run/input_reading.h"
 #include "contact/verdict.h"
 #include "io/results/vtk_files.h"
 #include "report/format.h"
@@ -92,16 +93,21 @@ std::string line_of(const comparisons::Results& r) {
 void run_case(RunOptions options) {
     const Case c = io::read_case(options.file, options.overrides, options.models);
     refuse_rolling_on(c, options.file);
-    say_left_out(options, "run");
+    say_unread_parts(options, "run");
     bem::check_influence_file(c);  // before anything is written
     options.choose_folder();
     std::optional<CaseRun> run;
     options.fill(run_outputs(c.models), [&] { run.emplace(compute(c, options)); });
     if (options.quiet) return;
+    for (const std::string& sentence : comparisons::input_sentences(c))
+        options.out() << sentence << '\n';
     for (const contact::History& history : run->histories) {
-        options.out() << line_of({c, history});
+        const comparisons::Results results(c, history);
+        options.out() << line_of(results);
         for (const std::string& one : comparisons::left_out(c, history.model))
             options.out() << "  leaves out " << one << '\n';
+        if (const auto warning = comparisons::border_warning(results); !warning.empty())
+            options.out() << "warning: " << warning << '\n';
     }
     options.out() << options.where() << '\n';
 }

@@ -1,3 +1,4 @@
+#include "comparisons/quantities/map_border.h"
 #include "comparisons/quantities/quantities.h"
 
 namespace tricontact::comparisons::quantities {
@@ -80,6 +81,17 @@ constinit const Quantity tangential_ratio{
     .exact = [](const Reference& r) { return finite(r.tangential_ratio); },
     .part = Part::pressed};
 
+constinit const Quantity border_force_share{
+    .key = "border_force_share",
+    .over = "F_N",
+    .name = "force at the border of the height map",
+    .meaning =
+        "Largest share of the normal force on cells at the border of a height map, beside "
+        "which the body ends; 0 where no contact reaches it.",
+    .defined = "of height maps without a period",
+    .of = [](const Subject& s) { return finite(comparisons::border_force_share(s.c, s.history)); },
+    .part = Part::pressed};
+
 constinit const Quantity amplitude{
     .key = "amplitude_m",
     .symbol = "W",
@@ -126,8 +138,8 @@ constinit const Quantity coupled_tangential_stiffness{
     .source = "Johnson (1985), 7.2"};
 
 List of_contact() {
-    return {&normal_force, &indentation,      &contact_radius, &peak_pressure,
-            &unit_shift,   &tangential_ratio, &amplitude,      &amplitude_ratio};
+    return {&normal_force,     &indentation,        &contact_radius, &peak_pressure,  &unit_shift,
+            &tangential_ratio, &border_force_share, &amplitude,      &amplitude_ratio};
 }
 
 }  // namespace tricontact::comparisons::quantities

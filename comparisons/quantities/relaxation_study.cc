@@ -94,6 +94,7 @@ Case elastic_twin(const Case& c) {
     twin.relaxation.reset();
     twin.relaxation_input = {};
     twin.dma_fit.reset();
+    twin.test_fit.reset();
     twin.load.press_time.reset();
     twin.load.hold = 0;
     if (twin.rolling) twin.rolling->speed = 0;

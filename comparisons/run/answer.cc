@@ -5,9 +5,11 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 #include "comparisons/quantities/reference.h"
+#include "comparisons/run/input_reading.h"
 #include "report/format.h"
 
 namespace tricontact::comparisons {
@@ -315,6 +317,7 @@ std::vector<Verdict> assumption_verdicts(const Case& c, const std::vector<Result
                                       headline_of(c, results.back()).words, *change,
                                       report::display_name(twin.model) + " without relaxation"));
     }
+    std::ranges::move(border_verdicts(c, results), std::back_inserter(verdicts));
     verdicts.push_back({Verdict::Standing::cannot_tell,
                         "Taken for granted by all: " + not_tested(c, results) + ".", "not tested"});
     return verdicts;

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "comparisons/quantities/reference.h"
+#include "comparisons/run/input_reading.h"
 #include "report/format.h"
 
 namespace tricontact::comparisons {
@@ -156,6 +157,7 @@ std::vector<std::string> reading(const contact::Case& c, const Summaries& summar
     findings.push_back(by_limit_sentence(summaries));
     findings.push_back(limit_sentence(c, summaries, r));
     findings.push_back(static_sentence(c, summaries, r));
+    for (const std::string& text : map_sentences(c)) findings.push_back(text);
     for (const std::string& text : limitations(c, summaries)) findings.push_back(text);
     const std::string audit = audit_sentence(summaries);
     findings.insert(audit.starts_with("Do not") ? findings.begin() : findings.end(), audit);

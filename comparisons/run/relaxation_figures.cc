@@ -55,6 +55,34 @@ std::array<Curve, 4> measured(const DmaFit& fit, double relaxed) {
     return curves;
 }
 
+/// The points of a relaxation test and the fitted series [MPa], and its residuals [%].
+std::vector<report::Figure> test_figures(const contact::RelaxationTestFit& fit) {
+    const std::string symbol = fit.table.symbol();
+    Curve points{.name = symbol + "(t), measured", .kind = Curve::Kind::points, .colour = 0},
+        residuals{.name = symbol + "(t)", .kind = Curve::Kind::points, .colour = 0};
+    for (std::size_t k = 0; k < fit.table.size(); ++k) {
+        const double t = fit.table.time[k];
+        if (t == 0) continue;  // has no place on a logarithmic axis
+        points.add(t, fit.table.modulus[k] * 1e-6);
+        residuals.add(t, 100 * (fit.modulus(t) / fit.table.modulus[k] - 1));
+    }
+    Curve series{.name = symbol + "(t)", .colour = 0};
+    series.sample_decades(points.x.front(), points.x.back(), curve_parts,
+                          [&](double t) { return fit.modulus(t) * 1e-6; });
+    return {{.id = "relaxation_test",
+             .title = "Relaxation test",
+             .caption = "The table and the Prony series fitted to it, whose shape the case has.",
+             .x = {"time t [s]", true},
+             .y = {"modulus [MPa]"},
+             .curves = {series, points}},
+            {.id = "test_residuals",
+             .title = "Residuals of the fit to the relaxation test",
+             .caption = "Curve over point, minus 1.",
+             .x = {"time t [s]", true},
+             .y = {"residual [%]"},
+             .curves = {residuals}}};
+}
+
 /// A vertical line over the whole of the figure.
 struct Mark {
     double frequency;
@@ -106,6 +134,11 @@ std::vector<report::Figure> modulus_figures(const Case& c, const RelaxationStudy
                                  .y = {*figure.y.low, *figure.y.high},
                                  .theory = true});
         figure.caption += std::string(" ") + mark.meaning;
+    }
+    if (c.test_fit) {
+        std::vector<report::Figure> figures = test_figures(*c.test_fit);
+        figures.insert(figures.begin(), std::move(figure));
+        return figures;
     }
     if (!c.dma_fit) return {figure};
     const auto [storage, loss, storage_residual, loss_residual] =

@@ -69,6 +69,21 @@ json fit_json(const Case& c) {
             {"remarks", contact::remarks(*fit, c.substrate.shear_modulus())}};
 }
 
+json test_json(const Case& c) {
+    const auto& fit = c.test_fit;
+    if (!fit) return nullptr;
+    const bool young = fit->table.is_young;
+    return {{"table", fit->table.name},
+            {"rows", fit->table.size()},
+            {"modulus", fit->table.symbol()},
+            {"relaxed_modulus_Pa", fit->relaxed_modulus},
+            {"residual_rms", fit->rms},
+            {"worst_residual", fit->worst_residual},
+            {"worst_time_s", fit->worst_time},
+            {"remarks",
+             contact::remarks(*fit, young ? c.substrate.young : c.substrate.shear_modulus())}};
+}
+
 }  // namespace
 
 json relaxation_json(const Case& c, const RelaxationStudy& study) {
@@ -83,7 +98,8 @@ json relaxation_json(const Case& c, const RelaxationStudy& study) {
             {"branches", report::list_of(c.relaxation->branches, branch_json)},
             {"models", models},
             {"elastic_up_to", limit_json(study.limit)},
-            {"dma_fit", fit_json(c)}};
+            {"dma_fit", fit_json(c)},
+            {"test_fit", test_json(c)}};
 }
 
 }  // namespace tricontact::comparisons

@@ -118,6 +118,11 @@ std::vector<std::string> relaxation_sentences(const Case& c, const RelaxationStu
     if (c.dma_fit)
         for (const std::string& remark : contact::remarks(*c.dma_fit, c.substrate.shear_modulus()))
             result.push_back(remark + ".");
+    if (c.test_fit)
+        for (const std::string& remark : contact::remarks(
+                 *c.test_fit,
+                 c.test_fit->table.is_young ? c.substrate.young : c.substrate.shear_modulus()))
+            result.push_back(remark + ".");
     std::erase(result, std::string());
     return result;
 }

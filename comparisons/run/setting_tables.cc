@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -99,6 +100,18 @@ void add_indenter(const Case& c, Settings& settings) {
     if (!body.profile.empty())
         settings.add("radius of its last point", body.profile.back().radius, "m");
     if (const auto& map = body.height_map) {
+        settings.add("nodes (x by y)", fmt::format("{} × {}", map->n_x, map->n_y));
+        settings.add("spacing of nodes", map->spacing[0], "m");
+        if (map->spacing[1] != map->spacing[0])
+            settings.add("spacing along y", map->spacing[1], "m");
+        settings.add("extent",
+                     fmt::format("{} × {}", report::quantity((map->n_x - 1) * map->spacing[0], "m"),
+                                 report::quantity((map->n_y - 1) * map->spacing[1], "m")));
+        const auto [low, high] = std::ranges::minmax(map->height);
+        settings.add("relief", report::quantity(high - low, "m"));
+        settings.add("heights of the file point", body.heights == Case::Heights::outward
+                                                      ? "out of the indenter"
+                                                      : "away from the substrate");
         settings.add("rms height", rms_height(*map), "m");
         settings.add("rms slope", rms_slope(*map));
     }

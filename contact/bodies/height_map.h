@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "contact/bodies/indenter.h"
@@ -14,6 +15,7 @@ struct HeightMap {
     int n_x = 0, n_y = 0;
     Vector2 spacing{};           ///< of the nodes [m]
     std::vector<double> height;  ///< z out of the substrate [m], from any level; x runs fastest
+    std::string layout = {};     ///< what its file was taken for: "x y z of each node"
 
     double at(int i, int j) const { return height[static_cast<std::size_t>(j) * n_x + i]; }
     double& at(int i, int j) { return height[static_cast<std::size_t>(j) * n_x + i]; }

@@ -186,6 +186,7 @@ Case with_relaxing_ratio(const Case& c, double ratio) {
     elastic.relaxation.reset();
     elastic.relaxation_input = {};
     elastic.dma_fit.reset();
+    elastic.test_fit.reset();
     if (c.relaxation->bulk == Relaxation::Bulk::proportional)
         elastic.substrate.young *= ratio;
     else

@@ -86,8 +86,9 @@ void check_lengths(const Table& table, double radius, const io::Document& docume
     }
     const MeasuredColumns& columns = columns_of(table.measurement);
     double largest = 0;
+    const double zero = table.has_free_zero ? zero_depth_guess(table) : 0;
     for (const double value : deep ? table.given : table.observed)
-        largest = std::max(largest, std::abs(value));
+        largest = std::max(largest, deep && table.has_free_zero ? value - zero : std::abs(value));
     if (largest >= radius)
         io::refuse(document, std::string(key_of(table.measurement)),
                    std::string(deep ? columns.given.name : columns.observed.name) + " reaches " +
@@ -120,6 +121,12 @@ void check_find(const Input& input, const std::vector<std::string>& find,
         refuse("without tangential force nothing tells the coefficient of friction",
                "leave out friction.coefficient");
     check_rolling(input, find, refuse);
+    if (is_free(zero_depth_key) && !input.find(Measurement::force_indentation))
+        refuse("zero_depth is where force_indentation begins, and there is no such table",
+               "add it, or leave zero_depth out");
+    if (is_free(zero_depth_key) && find.size() == 1 && input.tables.size() == 1)
+        refuse("force_indentation tells zero_depth only beside the modulus",
+               "add \"substrate.young\"");
     const bool is_timed = std::ranges::any_of(input.tables, &Table::is_history);
     for (const char* key : {"substrate.relaxation.relative_moduli", "substrate.relaxation.times"})
         if (is_free(key) && !is_timed)

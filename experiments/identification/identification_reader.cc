@@ -52,11 +52,15 @@ std::vector<std::string> case_models(const Input& input) {
     return {models.begin(), models.end()};
 }
 
+double zero_of(const Table& table) {
+    return table.has_free_zero ? zero_depth_guess(table) : 0;
+}
+
 /// E by Hertz' theory of an incompressible half-space from the row of the largest value [Pa]; mu
 /// infinite, relaxed.
 double guessed_young(const Table& table, double radius, double normal_force) {
     const auto row = std::ranges::max_element(table.observed) - table.observed.begin();
-    const double x = table.given[row], y = table.observed[row];
+    const double x = table.given[row] - zero_of(table), y = table.observed[row];
     constexpr double over_plane = 0.75;                  // E/E*
     constexpr double shear_over_plane = 2. / 3;          // G*/E*
     const double cube = 3. / 4 * radius * normal_force;  // a^3 E*
@@ -207,6 +211,9 @@ Input read_identification(const std::string& path, const std::vector<std::string
                  "force_relaxation, indentation_creep or rolling_shift");
     read("measurement.models", &input.models);
     read("measurement.find", &find);
+    for (Table& table : input.tables)
+        table.has_free_zero = table.measurement == Measurement::force_indentation &&
+                              std::ranges::count(find, zero_depth_key) > 0;
     read("measurement.confidence", &input.confidence);
     if (const io::Entry* title = document.find("title"))
         io::read_field(*io::find_key("title"), *title, &input.title);

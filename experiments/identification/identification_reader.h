@@ -33,6 +33,7 @@ struct IdentificationInput {
         Measurement measurement = Measurement::static_shift;
         std::string data_file;                ///< as it is opened
         double held = 0;                      ///< of a history: indentation [m] or force [N]
+        bool has_free_zero = false;           ///< depths count from anywhere, see zero_depth_key
         std::vector<double> given;            ///< [SI] F_T, d, F_N, t or W of each row
         std::vector<double> observed;         ///< [SI] U, F_N, a, F_N, d or U
         std::vector<double> standard_errors;  ///< [SI] of the observed; empty: not stated
@@ -92,6 +93,8 @@ std::string_view key_of(IdentificationInput::Measurement measurement);
 
 /// What rolling_shift tells: no key of a case.
 inline constexpr std::string_view pivot_key = "rig.pivot_height";
+/// What force_indentation tells where its depths count from anywhere: no key of a case.
+inline constexpr std::string_view zero_depth_key = "zero_depth";
 
 /// Reads the file and the tables that it names, every value checked. Throws contact::InputError in
 /// one line: `file:line:column: key = value: rule; remedy`.
@@ -102,6 +105,10 @@ IdentificationInput read_identification(const std::string& path,
 /// observed values' standard errors, `<observed>_error`. `least_rows`: those that determine what is
 /// to be found by this table alone. Throws contact::InputError.
 void read_measured_table(IdentificationInput::Table& table, std::size_t least_rows);
+
+/// Depth at which a contact of this table begins, from a straight line through F^(2/3) over the
+/// depth where the force is more than a quarter of its largest: Hertz' contact has it.
+double zero_depth_guess(const IdentificationInput::Table& table);
 
 /// The parameters that measurement.find names. `rig`: the case, with guesses. Throws
 /// contact::InputError without a place.

@@ -53,6 +53,27 @@ const MeasuredColumns& columns_of(Measurement measurement) {
     return columns[static_cast<int>(measurement)];
 }
 
+namespace {
+
+/// Force curves of instruments begin before the contact does, and count depths from anywhere.
+void check_touches(const io::CsvTable& table, std::string_view depth, std::string_view force) {
+    const auto depths = table.values(depth, io::Dimension::length),
+               forces = table.values(force, io::Dimension::force);
+    const std::string remedy =
+        "add \"zero_depth\" to measurement.find, or leave out the rows before contact";
+    for (std::size_t row = 0; row < depths.size(); ++row) {
+        if (!(depths[row] > 0))
+            table.refuse_value(row, depth,
+                               "there is no contact at this depth, counted from where "
+                               "it begins",
+                               remedy);
+        if (!(forces[row] > 0))
+            table.refuse_value(row, force, "there is no contact without a force", remedy);
+    }
+}
+
+}  // namespace
+
 void read_measured_table(IdentificationInput::Table& measured, std::size_t least_rows) {
     const auto& [given, observed, example] = columns_of(measured.measurement);
     const std::string error_column = std::string(observed.name) + "_error";
@@ -65,9 +86,12 @@ void read_measured_table(IdentificationInput::Table& measured, std::size_t least
     measured.given = table.values(given.name, given.dimension);
     measured.observed = table.values(observed.name, observed.dimension);
     const bool is_rolled = measured.measurement == Measurement::rolling_shift;
-    if (!is_rolled) table.check_positive(given.name);
-    // A shift may be lost in noise; a force or radius that is not there was not measured.
-    if (!is_rolled && measured.measurement != Measurement::static_shift)
+    if (measured.measurement == Measurement::force_indentation && !measured.has_free_zero)
+        check_touches(table, given.name, observed.name);
+    if (!is_rolled && !measured.has_free_zero) table.check_positive(given.name);
+    // A shift may be lost in noise, and so may forces before contact; a force or radius that is not
+    // there was not measured.
+    if (!is_rolled && !measured.has_free_zero && measured.measurement != Measurement::static_shift)
         table.check_positive(observed.name);
     if (table.has(error_column)) {
         measured.standard_errors = table.values(error_column, observed.dimension);

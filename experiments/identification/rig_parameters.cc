@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 
 #include "contact/error.h"
 #include "experiments/identification/identification_reader.h"
@@ -14,6 +15,8 @@ using Scale = FreeParameter::Scale;
 constexpr double widest_length = 100, widest_time = 1e4;
 // Around zero, of what the shifts would say alone; and the least of that.
 constexpr double widest_pivot = 1e4, least_pivot_slope = 1e-9;
+// Before the first row, in ranges of the table.
+constexpr double widest_zero = 10;
 // Of a Prony term, over the unrelaxed modulus.
 constexpr double least_modulus = 1e-6, largest_modulus = .999;
 
@@ -45,6 +48,22 @@ FreeParameter pivot_height(const IdentificationInput::Table& rolled, double radi
     return p;
 }
 
+/// Of the size of the table's range of depths.
+FreeParameter zero_depth(const IdentificationInput::Table& pressed) {
+    const auto [least, largest] = std::ranges::minmax(pressed.given);
+    const double range = largest - least;
+    if (!(range > 0)) throw contact::InputError("zero_depth: all depths are the same");
+    return {.key = std::string(zero_depth_key),
+            .name = "zero_depth_m",
+            .symbol = "d_0",
+            .unit = "m",
+            .scale = Scale::either_sign,
+            .low = least - widest_zero * range,
+            .high = largest,
+            .start = zero_depth_guess(pressed),
+            .size = range};
+}
+
 /// All terms of the case's series.
 void add_terms(const contact::Relaxation& relaxation, const std::string& key,
                std::vector<FreeParameter>& parameters) {
@@ -72,6 +91,27 @@ void add_terms(const contact::Relaxation& relaxation, const std::string& key,
 }
 
 }  // namespace
+
+double zero_depth_guess(const IdentificationInput::Table& table) {
+    const double largest = std::ranges::max(table.observed);
+    const double deepest = std::ranges::max(table.given), least = std::ranges::min(table.given);
+    double n = 0, x = 0, y = 0, xx = 0, xy = 0;
+    for (std::size_t i = 0; i < table.given.size(); ++i) {
+        if (!(table.observed[i] > .25 * largest)) continue;
+        const double root = std::cbrt(table.observed[i] / largest);
+        const double d = (table.given[i] - least) / (deepest - least), f = root * root;
+        n += 1;
+        x += d;
+        y += f;
+        xx += d * d;
+        xy += d * f;
+    }
+    const double slope = (n * xy - x * y) / (n * xx - x * x);
+    const double zero = (x - y / slope) / n;  // where the line crosses 0
+    // Without a rise that tells, below all depths of a force.
+    return std::isfinite(zero) && slope > 0 ? least + std::min(zero, .99) * (deepest - least)
+                                            : least;
+}
 
 std::vector<FreeParameter> free_parameters(const IdentificationInput& input,
                                            const std::vector<std::string>& find) {
@@ -114,6 +154,8 @@ std::vector<FreeParameter> free_parameters(const IdentificationInput& input,
         } else if (key == pivot_key) {
             parameters.push_back(
                 pivot_height(*input.find(Measurement::rolling_shift), rig.indenter.radius));
+        } else if (key == zero_depth_key) {
+            parameters.push_back(zero_depth(*input.find(Measurement::force_indentation)));
         } else {
             add_terms(*rig.relaxation, key, parameters);
         }

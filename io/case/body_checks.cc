@@ -156,9 +156,14 @@ void resolve_height_map(Case& c, const Document& document) {
                "give indenter.spacing and indenter.unit");
     std::optional<HeightMapScale> scale;
     if (given) scale = {*c.indenter.spacing, *c.indenter.unit};
+    // ISO 25178-71 has heights out of the material; the lowest point of the body presses.
+    if (says_its_scale(path) && !document.find("indenter.heights"))
+        c.indenter.heights = Case::Heights::outward;
     told_at(document, "indenter.file", [&] {
-        c.indenter.height_map =
-            std::make_shared<const contact::HeightMap>(read_height_map(path, scale));
+        contact::HeightMap map = read_height_map(path, scale);
+        if (c.indenter.heights == Case::Heights::outward)
+            for (double& height : map.height) height = -height;
+        c.indenter.height_map = std::make_shared<const contact::HeightMap>(std::move(map));
     });
 }
 

@@ -39,7 +39,7 @@ const std::vector<ShapeKeys>& shapes() {
         {"ellipsoid", ellipsoid, {"radius", "radius_y"}},
         {"profile", profile, {"file"}},
         {"flat", flat, {}},
-        {"height-map", height_map, {"file", "spacing", "unit"}}};
+        {"height-map", height_map, {"file", "spacing", "unit", "heights"}}};
     return all;
 }
 
@@ -103,6 +103,14 @@ std::vector<CaseKey> indenter_keys() {
         {length_key("indenter.unit", R"("1 nm")",
                     "what a 1 of a height map means; .sdf says it itself"),
          at<&Case::indenter, &Indenter::unit>},
+        {choice_key("indenter.heights",
+                    {choice("gap", Case::Heights::gap), choice("outward", Case::Heights::outward)},
+                    R"("outward")",
+                    "where the heights of a map point: away from the substrate, so that the lowest "
+                    "presses first (gap, which all files but .sdf have without this key), or out "
+                    "of the indenter, as instruments measure them, so that the highest does "
+                    "(outward, which .sdf has by its standard)"),
+         at<&Case::indenter, &Indenter::heights>},
         {modulus_key("indenter.young", R"("206 GPa")",
                      "Young's modulus; without it the indenter is rigid",
                      {.needs = "indenter.poisson"}),
@@ -234,6 +242,10 @@ std::vector<CaseKey> relaxation_keys() {
                   "table of frequency, G', G'' to which a Prony series is fitted",
                   {.alternative = relaxation}),
          if_relaxing<&Case::relaxation_input, &Input::dma>},
+        {text_key("substrate.relaxation.test", R"("relaxation.csv")",
+                  "table of a relaxation test, time and E or G, to which a Prony series is fitted",
+                  {.alternative = relaxation}),
+         if_relaxing<&Case::relaxation_input, &Input::test>},
         {choice_key("substrate.relaxation.modulus",
                     {choice("relaxed", Input::Modulus::relaxed),
                      choice("unrelaxed", Input::Modulus::unrelaxed)},

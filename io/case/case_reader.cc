@@ -55,6 +55,7 @@ void make_paths_absolute(Case& c, const Document& document) {
     make_absolute(c.indenter.file, "indenter.file");
     if (c.path_input) make_absolute(c.path_input->file, "path.file");
     make_absolute(c.relaxation_input.dma, "substrate.relaxation.dma");
+    make_absolute(c.relaxation_input.test, "substrate.relaxation.test");
     for (const auto* file : {&c.fem.mesh, &c.bem.influence})  // the models read them
         if (*file) note_input_file(**file);
 }

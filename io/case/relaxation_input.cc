@@ -62,12 +62,7 @@ Series of_relative(const Case& c, const Document& document) {
 }
 
 // The shape of the table, ratios over its relaxed modulus, goes with the case's own modulus.
-Series of_dma(Case& c, const Document& document) {
-    const std::string& table = *c.relaxation_input.dma;
-    Series series{.key = prefix + "dma"};
-    check_file_there(document, series.key, table, "name a table");
-    told_at(document, series.key, [&] { c.dma_fit = contact::fit_prony(read_dma_table(table)); });
-    const contact::Relaxation& fit = c.dma_fit->relaxation;
+Series of_fit(const Case& c, Series series, const Relaxation& fit) {
     series.relaxed_share = 1 / fit.instantaneous_ratio();
     const double given = c.substrate.shear_modulus(),
                  relaxed = is_unrelaxed(c) ? given * series.relaxed_share : given;
@@ -78,9 +73,32 @@ Series of_dma(Case& c, const Document& document) {
     return series;
 }
 
+Series of_dma(Case& c, const Document& document) {
+    const std::string& table = *c.relaxation_input.dma;
+    const Series series{prefix + "dma", {}, {}};
+    check_file_there(document, series.key, table, "name a table");
+    told_at(document, series.key, [&] { c.dma_fit = contact::fit_prony(read_dma_table(table)); });
+    return of_fit(c, series, c.dma_fit->relaxation);
+}
+
+Series of_test(Case& c, const Document& document) {
+    const std::string& table = *c.relaxation_input.test;
+    const Series series{prefix + "test", {}, {}};
+    check_file_there(document, series.key, table, "name a table");
+    told_at(document, series.key,
+            [&] { c.test_fit = contact::fit_prony(read_relaxation_test(table)); });
+    if (c.test_fit->table.is_young && c.relaxation->bulk == Relaxation::Bulk::elastic &&
+        c.substrate.poisson < .5)
+        refuse(document, prefix + "bulk",
+               "E(t) of " + c.test_fit->table.name +
+                   " relaxes otherwise than G(t) where the bulk modulus does not relax",
+               "give a table of G(t), or bulk = \"proportional\"");
+    return of_fit(c, series, c.test_fit->relaxation);
+}
+
 Series series_of(Case& c, const Document& document) {
     const Input& input = c.relaxation_input;
-    if (!input.times.empty() && (input.maxwell_modulus || input.dma))
+    if (!input.times.empty() && (input.maxwell_modulus || input.dma || input.test))
         refuse(document, prefix + "times",
                "has no effect without moduli or relative_moduli, which are missing",
                "omit this key");
@@ -90,6 +108,7 @@ Series series_of(Case& c, const Document& document) {
             {prefix + "eta", {*input.maxwell_modulus}, {*input.viscosity / *input.maxwell_modulus}},
             document);
     if (input.dma) return of_dma(c, document);
+    if (input.test) return of_test(c, document);
     if (!input.relative_moduli.empty()) return of_relative(c, document);
     return of_moduli(c, {prefix + "moduli", input.moduli, input.times}, document);
 }

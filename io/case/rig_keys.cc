@@ -80,10 +80,12 @@ std::vector<Key> measurement_keys() {
                             {"substrate.relaxation.times"},
                             {"indenter.radius"},
                             {"friction.coefficient"},
-                            {"rig.pivot_height"}},
+                            {"rig.pivot_height"},
+                            {"zero_depth"}},
                            R"(["substrate.young"])",
                            "what follows from the tables; of E, mu and the pivot the case holds no "
-                           "values that are used, of others they are where the search starts",
+                           "values that are used, of others they are where the search starts; "
+                           "zero_depth: the depth at which force_indentation begins to touch",
                            {.required = true})),
         list_of(choice_key("measurement.models",
                            {{"half-space"}, {"layer"}, {"atlas"}, {"bem-layer"}, {"fem"}},

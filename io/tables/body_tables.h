@@ -5,6 +5,7 @@
 
 #include "contact/bodies/profile_curve.h"
 #include "contact/substrates/dma_fit.h"
+#include "contact/substrates/relaxation_test.h"
 
 namespace tricontact::io {
 
@@ -13,10 +14,12 @@ namespace tricontact::io {
 /// where the slope jumps. Throws contact::InputError.
 std::vector<contact::ProfileCurve::Point> read_profile_table(const std::string& path);
 
-/// Reads a table of dynamic mechanical analysis: columns divided by commas, semicolons or tabs,
-/// the first line naming them with units: `frequency [Hz], G' [MPa], G'' [MPa]`, in this order.
-/// The frequency may be in rad/s and is then angular. Numbers have a decimal point. Empty lines and
-/// lines that begin with # are left out. Throws contact::InputError `file:line: rule; remedy`.
+/// Reads a table of dynamic mechanical analysis, see CsvTable: `frequency [Hz], G' [MPa], G''
+/// [MPa]`, in this order. The frequency may be in rad/s and is then angular. A fourth column
+/// `temperature` may show that it is one. Throws contact::InputError `file:line: rule; remedy`.
 contact::DmaTable read_dma_table(const std::string& path);
+
+/// Reads a table of a relaxation test: `time [s], E [MPa]`, or G. Throws contact::InputError.
+contact::RelaxationTest read_relaxation_test(const std::string& path);
 
 }  // namespace tricontact::io

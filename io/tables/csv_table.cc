@@ -1,7 +1,6 @@
 #include "io/tables/csv_table.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <filesystem>
 #include <utility>
@@ -9,6 +8,7 @@
 #include "io/keys/input_file.h"
 #include "io/keys/messages.h"
 #include "io/keys/number_text.h"
+#include "io/tables/divided_text.h"
 
 namespace tricontact::io {
 
@@ -16,10 +16,13 @@ namespace {
 
 CsvTable::Column column_of(std::string_view cell) {
     CsvTable::Column column{std::string(cell), {}, {}, {}};
-    const auto open = cell.find('[');
-    column.name = trimmed(cell.substr(0, open));
-    if (open != std::string_view::npos && cell.ends_with(']'))
-        column.unit = trimmed(cell.substr(open + 1, cell.size() - open - 2));
+    const auto open = cell.find_first_of("[(");
+    const bool closed = open != cell.npos && cell.ends_with(cell[open] == '[' ? ']' : ')');
+    if (open != cell.npos && (cell[open] == '[' || closed))
+        column.name = trimmed(cell.substr(0, open));
+    else
+        column.name = cell;
+    if (closed) column.unit = trimmed(cell.substr(open + 1, cell.size() - open - 2));
     return column;
 }
 
@@ -27,51 +30,96 @@ std::string example(const CsvForm& form) {
     return "write for example " + form.header;
 }
 
-double number_in_column(std::string_view cell, const std::string& column,
-                        const std::string& place) {
-    cell = without_plus(cell);
-    double value = 0;
-    const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
-    const std::string subject = column + " = " + shortened(cell, 40);
-    if (error == std::errc::result_out_of_range)
-        fail(place, subject, "is too large or too small for double precision", "correct the row");
-    if (error != std::errc() || end != cell.data() + cell.size())
-        fail(place, subject, "must be a number", "write for example 0.21, with a point");
-    if (!std::isfinite(value))
-        fail(place, subject, "must be a finite number", "correct or remove the row");
-    return value;
+double number_in_column(std::string_view cell, std::size_t line, const std::string& column,
+                        const std::string& name, DecimalReader& numbers) {
+    bool in_range = true;
+    const auto value = numbers.number(cell, line, in_range);
+    const auto refuse = [&](const char* rule, const char* remedy) {
+        fail(name + ':' + std::to_string(line), column + " = " + shortened(cell, 40), rule, remedy);
+    };
+    if (!in_range) refuse("is too large or too small for double precision", "correct the row");
+    if (!value) refuse("must be a number", "write for example 0.21, with a point");
+    if (!std::isfinite(*value)) refuse("must be a finite number", "correct or remove the row");
+    return *value;
 }
 
 }  // namespace
 
 CsvTable::CsvTable(std::string_view text, std::string name, CsvForm form)
     : name_(std::move(name)), form_(std::move(form)) {
-    const std::vector<TextLine> lines = lines_of(text, form_.most_rows + 2);
-    if (lines.empty()) fail(name_, "", "the table is empty", example(form_));
-    if (lines.size() > form_.most_rows + 1)
+    const CsvLines found = csv_lines(text, form_.most_rows + most_preamble_lines + 3);
+    if (found.lines.empty()) fail(name_, "", "the table is empty", example(form_));
+    const CsvHeader header = find_header(found, name_);
+    if (found.lines.size() > form_.most_rows + header.first_row)
         fail(name_, "", "has more than " + std::to_string(form_.most_rows) + " rows",
              form_.thinning);
-    const auto place = [&](const TextLine& line) {
-        return name_ + ':' + std::to_string(line.number);
-    };
-    header_place_ = place(lines[0]);
-    const char divider = divider_in(lines[0].text, ";\t", ',');
-    for (const std::string_view cell : cells_of(lines[0].text, divider)) {
-        if (has(column_of(cell).name))
-            refuse_header("the column " + toml_string(shortened(cell, 40)) + " stands twice");
-        columns_.push_back(column_of(cell));
+    header_place_ = place_of(header.line_number);
+    name_columns(header, found);
+    read_rows(header, found);
+}
+
+void CsvTable::name_columns(const CsvHeader& header, const CsvLines& found) {
+    std::vector<std::string> headings = header.headings, units = header.units;
+    units.resize(headings.size());
+    if (headings.size() > 1 && headings.back().empty()) {
+        has_trailing_divider_ = true;
+        headings.pop_back();
     }
-    for (auto line = lines.begin() + 1; line != lines.end(); ++line) {
-        const auto cells = cells_of(line->text, divider);
-        if (cells.size() != columns_.size())
-            fail(place(*line), "",
-                 "has " + std::to_string(cells.size()) + " columns instead of " +
-                     std::to_string(columns_.size()),
-                 example(form_));
-        lines_.push_back(line->number);
-        for (std::size_t j = 0; j < cells.size(); ++j)
+    if (header.first_row < found.lines.size()) {
+        const TextLine& line = found.lines[header.first_row];
+        const auto cells = divided_cells(line.text, header.divider, place_of(line.number));
+        const bool one_more = cells.size() == headings.size() + 1;
+        if (one_more && cells.back().empty()) has_trailing_divider_ = true;
+        // R's write.table has no name at all for its quoted numbers of rows.
+        if (one_more && !has_trailing_divider_) counts_rows_ = line.text.starts_with('"');
+    }
+    if (headings.size() > 1 && headings.front().empty()) {
+        counts_rows_ = true;
+        headings.erase(headings.begin());
+        units.erase(units.begin());
+    }
+    for (std::size_t j = 0; j < headings.size(); ++j) {
+        Column column = column_of(headings[j]);
+        const std::string shown = "the column " + toml_string(shortened(headings[j], 40));
+        if (has(column.name)) refuse_header(shown + " stands twice");
+        if (!units[j].empty()) {
+            if (column.unit && *column.unit != units[j])
+                refuse_header(shown + " has another unit in the row below");
+            column.unit = units[j];
+        }
+        columns_.push_back(std::move(column));
+    }
+}
+
+void CsvTable::read_rows(const CsvHeader& header, const CsvLines& found) {
+    DecimalReader numbers(name_);
+    const std::size_t n = columns_.size();
+    std::optional<double> count;
+    for (std::size_t i = header.first_row; i < found.lines.size(); ++i) {
+        const std::size_t line = found.lines[i].number;
+        auto cells = divided_cells(found.lines[i].text, header.divider, place_of(line));
+        if (has_trailing_divider_ && cells.size() == n + counts_rows_ + 1 && cells.back().empty())
+            cells.pop_back();
+        if (counts_rows_ && cells.size() == n + 1) {
+            const auto value = number_in(cells[0]);
+            if (!value || *value != std::floor(*value) || (count && *value <= *count))
+                fail(place_of(line), toml_string(shortened(cells[0], 40)),
+                     "the first column has no name and does not count the rows",
+                     "name it, or write the table without it: row.names = FALSE in R, index=False "
+                     "in pandas");
+            count = value;
+            cells.erase(cells.begin());
+        }
+        if (cells.size() != n)
+            fail(place_of(line), "",
+                 "has " + std::to_string(cells.size()) + " columns instead of " + std::to_string(n),
+                 header.divider == ',' && cells.size() == 2 * n
+                     ? "divide columns by semicolons where numbers have decimal commas"
+                     : example(form_));
+        lines_.push_back(line);
+        for (std::size_t j = 0; j < n; ++j)
             columns_[j].values.push_back(
-                number_in_column(cells[j], columns_[j].name, place(*line)));
+                number_in_column(cells[j], line, columns_[j].name, name_, numbers));
     }
 }
 
@@ -141,13 +189,13 @@ void CsvTable::refuse_header(const std::string& rule) const {
 
 void CsvTable::refuse_value(std::size_t row, std::string_view column, const std::string& rule,
                             const std::string& remedy) const {
-    fail(name_ + ':' + std::to_string(lines_.at(row)),
+    fail(place_of(lines_.at(row)),
          std::string(column) + " = " + shortest(at(column).values.at(row)), rule, remedy);
 }
 
 CsvTable read_csv_table(const std::string& path, const CsvForm& form) {
-    return {read_input_file(path, form.kind, form.most_mb),
-            std::filesystem::path(path).filename().string(), form};
+    const std::string name = std::filesystem::path(path).filename().string();
+    return {utf8_text(read_input_file(path, form.kind, form.most_mb), name), name, form};
 }
 
 }  // namespace tricontact::io

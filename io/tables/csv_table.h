@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "io/keys/units.h"
+#include "io/tables/csv_header.h"
 
 namespace tricontact::io {
 
@@ -20,9 +21,11 @@ struct CsvForm {
     std::size_t most_mb = 1;  ///< megabytes of the file
 };
 
-/// A table of numbers in a text file: columns divided by commas, semicolons or tabs, the first line
-/// naming them with their units in brackets: `time [s], shift [um]`. Pure numbers need no unit.
-/// Numbers have a decimal point. Empty lines and lines that begin with # are left out.
+/// A table of numbers in a text file: columns divided by commas, semicolons, tabs or blanks, a line
+/// above them naming them with their units in brackets: `time [s], shift [um]`, or in a row of
+/// units below (see find_header). Pure numbers need no unit. Numbers have a decimal point, or a
+/// decimal comma where something else divides. Cells may be quoted; an unnamed first column that
+/// counts the rows, empty lines and lines that begin with # are left out.
 class CsvTable {
   public:
     struct Column {
@@ -60,6 +63,9 @@ class CsvTable {
                                    const std::string& rule, const std::string& remedy) const;
 
   private:
+    void name_columns(const CsvHeader& header, const CsvLines& found);
+    void read_rows(const CsvHeader& header, const CsvLines& found);
+    std::string place_of(std::size_t line) const { return name_ + ':' + std::to_string(line); }
     const Column* find(std::string_view column) const;
     const Column& at(std::string_view column) const;
 
@@ -67,6 +73,8 @@ class CsvTable {
     CsvForm form_;
     std::string header_place_;        // file:line
     std::vector<std::size_t> lines_;  // of the rows, in the file
+    bool counts_rows_ = false;        // a first column without a name does
+    bool has_trailing_divider_ = false;
     std::vector<Column> columns_;
 };
 

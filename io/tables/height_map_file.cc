@@ -1,5 +1,5 @@
-// Height maps as a matrix of numbers, and in the ASCII surface data file of ISO 25178-71: a header
-// "key = value", the heights, a trailer, each ended by a line with a star.
+// Height maps in the ASCII surface data file of ISO 25178-71: a header "key = value", the heights,
+// a trailer, each ended by a line with a star.
 #include "io/tables/height_map_file.h"
 
 #include <algorithm>
@@ -12,6 +12,7 @@
 #include "io/keys/input_file.h"
 #include "io/keys/messages.h"
 #include "io/keys/number_text.h"
+#include "io/tables/divided_text.h"
 
 namespace tricontact::io {
 
@@ -29,18 +30,11 @@ std::string line_place(const std::string& name, std::size_t line) {
     return name + ":" + std::to_string(line);
 }
 
-double height_in(std::string_view word, const std::string& at) {
-    const auto value = number_in(trimmed(word));
-    if (!value || !std::isfinite(*value))
-        fail(at, toml_string(shortened(word, 40)),
-             "is no finite number: missing values are not filled in", "interpolate them first");
-    return *value;
-}
-
 struct Reading {
     std::string_view text;
     const std::string& name;
     std::size_t at = 0, line = 0;
+    DecimalReader numbers{name};
 
     std::string place() const { return line_place(name, line); }
     bool ended() const { return at >= text.size(); }
@@ -60,9 +54,10 @@ using Header = std::map<std::string, Entry, std::less<>>;
 
 Header read_header(Reading& file) {
     const std::string_view magic = file.next_line();
-    if (magic != "aISO-1.0" && magic != "aBCR-1.0")
+    if (magic != "aISO-1.0" && magic != "aISO-2.0" && magic != "aBCR-1.0")
         fail(file.place(), toml_string(shortened(magic, 20)),
-             "is neither aISO-1.0 nor aBCR-1.0, with which an ASCII surface data file begins",
+             "is none of aISO-1.0, aISO-2.0 and aBCR-1.0, with which an ASCII surface data file "
+             "begins",
              "export the surface as ASCII .sdf (ISO 25178-71)");
     Header header;
     while (!file.ended()) {
@@ -82,7 +77,7 @@ double value_of(const Header& header, const std::string& key, const std::string&
     const auto entry = header.find(key);
     if (entry == header.end())
         fail(name, "", "the header lacks " + key, "export the surface again");
-    const auto value = number_in(entry->second.value);
+    const auto value = DecimalReader(name).number(entry->second.value, 0);
     if (!value || !(*value > 0) || !std::isfinite(*value))
         fail(entry->second.place, key + " = " + entry->second.value, "must be a positive number",
              "export the surface again");
@@ -111,8 +106,9 @@ void read_heights(Reading& file, double unit, contact::HeightMap& map) {
     while (!file.ended()) {
         const std::string_view line = file.next_line();
         if (line == "*") break;
-        for (const auto word : words_of(line)) {
-            map.height.push_back(scaled(height_in(word, file.place()), unit, file.place()));
+        for (const auto word : words_of(line, " \t\r;")) {
+            const double height = height_in(word, file.numbers, file.name, file.line);
+            map.height.push_back(scaled(height, unit, file.place()));
             if (map.height.size() > n)
                 fail(file.place(), "",
                      "more heights than NumPoints x NumProfiles = " + std::to_string(n),
@@ -139,41 +135,11 @@ contact::HeightMap read_height_map(const std::string& path,
     if (!known)
         fail(path, "", "is no height map by its name",
              "name one that ends in .npy, .sdf, .csv or .txt");
-    const std::string text = read_input_file(path, "height map", most_mb);
+    std::string bytes = read_input_file(path, "height map", most_mb);
     const std::string name = std::filesystem::path(path).filename().string();
-    if (end == ".sdf") return parse_sdf(text, name);
-    return end == ".npy" ? parse_npy(text, name, *scale) : parse_height_matrix(text, name, *scale);
-}
-
-contact::HeightMap parse_height_matrix(std::string_view text, const std::string& name,
-                                       const HeightMapScale& scale) {
-    contact::HeightMap map{0, 0, {scale.spacing, scale.spacing}, {}};
-    constexpr auto most_rows = static_cast<std::size_t>(most_height_nodes) + 1;
-    std::optional<char> divider;  // as the first row has it
-    for (const auto& [line, content] : lines_of(text, most_rows)) {
-        // Between two commas an empty cell is a missing value, between blanks there is none.
-        if (!divider) divider = divider_in(content, ";,\t", ' ');
-        const std::string at = line_place(name, line);
-        std::vector<double> row;
-        for (const auto word : *divider == ' ' ? words_of(content) : cells_of(content, *divider))
-            row.push_back(height_in(word, at));
-        if (map.n_y > 0 && row.size() != static_cast<std::size_t>(map.n_x))
-            fail(at, "",
-                 "has " + std::to_string(row.size()) + " heights, but the rows above have " +
-                     std::to_string(map.n_x),
-                 "make all rows alike");
-        map.n_x = static_cast<int>(row.size());
-        ++map.n_y;
-        if (static_cast<double>(map.n_x) * map.n_y > most_height_nodes)
-            fail(at, "", "more than 4096 x 4096 heights",
-                 "thin the surface out, or save a part of it");
-        for (const double height : row) map.height.push_back(scaled(height, scale.unit, at));
-    }
-    if (map.n_x < 2 || map.n_y < 2)
-        fail(name, "",
-             "holds " + std::to_string(map.n_y) + " x " + std::to_string(map.n_x) + " heights",
-             "give 2 x 2 at least");
-    return map;
+    if (end == ".npy") return parse_npy(bytes, name, *scale);
+    const std::string text = utf8_text(std::move(bytes), name);
+    return end == ".sdf" ? parse_sdf(text, name) : parse_height_matrix(text, name, *scale);
 }
 
 contact::HeightMap parse_sdf(std::string_view text, const std::string& name) {
@@ -183,7 +149,8 @@ contact::HeightMap parse_sdf(std::string_view text, const std::string& name) {
     contact::HeightMap map{count_of(header, "NumPoints", name),
                            count_of(header, "NumProfiles", name),
                            {value_of(header, "Xscale", name), value_of(header, "Yscale", name)},
-                           {}};
+                           {},
+                           "surface data file"};
     if (static_cast<double>(map.n_x) * map.n_y > most_height_nodes)
         fail(name, "", "more than 4096 x 4096 heights", "thin the surface out");
     read_heights(file, value_of(header, "Zscale", name), map);

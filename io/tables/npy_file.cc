@@ -10,6 +10,7 @@
 #include "io/keys/messages.h"
 #include "io/keys/number_text.h"
 #include "io/tables/height_map_file.h"
+#include "io/tables/map_layout.h"
 
 namespace tricontact::io {
 
@@ -127,11 +128,8 @@ contact::HeightMap parse_npy(std::string_view bytes, const std::string& name,
     const NpyHeader header = read_header(bytes, name);
     check_size(header, bytes.size(), name);
     const std::string_view data = bytes.substr(header.data);
-    contact::HeightMap map{static_cast<int>(header.n_columns),
-                           static_cast<int>(header.n_rows),
-                           {scale.spacing, scale.spacing},
-                           {}};
-    map.height.reserve(header.n_rows * header.n_columns);
+    NumberMatrix numbers{header.n_columns, header.n_rows, {}};
+    numbers.value.reserve(header.n_rows * header.n_columns);
     for (std::size_t j = 0; j < header.n_rows; ++j)
         for (std::size_t i = 0; i < header.n_columns; ++i) {
             const std::size_t k =
@@ -142,9 +140,9 @@ contact::HeightMap parse_npy(std::string_view bytes, const std::string& name,
                 fail(name, '[' + std::to_string(j) + ", " + std::to_string(i) + ']',
                      "is no finite number: missing values are not filled in",
                      "interpolate them first");
-            map.height.push_back(scaled(value, scale.unit, name));
+            numbers.value.push_back(value);
         }
-    return map;
+    return laid_out(numbers, name, scale, false);
 }
 
 }  // namespace tricontact::io

@@ -45,7 +45,7 @@ spacing = "5 um"
 TOML
 }
 wave wave.csv $'spacing = "5 um"\nunit = "1 um"' >csv.toml
-wave wave.sdf '' >sdf.toml
+wave wave.sdf 'heights = "gap"' >sdf.toml
 for kind in csv sdf; do
     "$program" run "$kind.toml" --quiet --no-studies --no-report --output "$kind" >"$kind.txt" 2>&1 ||
         complain "$kind: $(cat "$kind.txt")"

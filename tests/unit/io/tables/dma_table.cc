@@ -95,14 +95,22 @@ INSTANTIATE_TEST_SUITE_P(
             "dma.csv:1: \"s\" is neither a frequency in Hz nor one in rad/s"},
         Bad{"frequency [], G' [MPa], G'' [MPa]\n1,2,3\n",
             "dma.csv:1: \"\" is neither a frequency in Hz nor one in rad/s"},
-        Bad{"frequency [Hz], G' [MPa], G'' [MPa], T [K]\n1,2,3,4\n",
+        Bad{"frequency [Hz], G' [MPa], G'' [MPa], tan [-]\n1,2,3,4\n",
             "dma.csv:1: has 4 columns instead of 3"},
         Bad{"frequency [Hz], G' [MPa], G'' [MPa]\n1,2,3\n4,5\n",
             "dma.csv:3: has 2 columns instead of 3"},
         Bad{"frequency [Hz], G' [MPa], G'' [MPa]\n\n1,2,x\n",
             "dma.csv:3: G'' = x: must be a number"},
-        Bad{"frequency [Hz]; G' [MPa]; G'' [MPa]\n1;2;0,3\n",
-            "dma.csv:2: G'' = 0,3: must be a number; write for example 0.21, with a point"},
+        Bad{"frequency [Hz], G' [MPa], G'' [MPa]\n0,1,1,7,0,2\n",
+            "dma.csv:2: has 6 columns instead of 3; divide columns by semicolons where numbers "
+            "have decimal commas"},
+        Bad{"frequency [Hz], G' [MPa], G'' [MPa]\n1,2,3\n2,3,4\n5,4,5\n1,1,2\n2,2,3\n5,3,4\n",
+            "dma.csv:5: frequency = 1: the frequencies begin again, as in sets at several "
+            "temperatures; keep the rows of one temperature, or shift all to a master curve"},
+        Bad{"frequency [Hz], G' [MPa], G'' [MPa], temperature [degC]\n1,2,3,20\n2,3,4,20\n"
+            "1,1,2,40\n2,2,3,40\n",
+            "dma.csv:4: temperature = 40: the rows are of several temperatures, and a Prony series "
+            "of one; keep the rows of one temperature"},
         Bad{"frequency [Hz], G' [MPa], G'' [MPa]\n1,,3\n", "dma.csv:2: G' = : must be a number"},
         Bad{"frequency [Hz], G' [MPa], G'' [MPa]\n1,2,-3\n",
             "dma.csv:2: G'' = -3: must be positive"},
@@ -115,6 +123,35 @@ INSTANTIATE_TEST_SUITE_P(
             "dma.csv:3: frequency = 1: frequencies must increase from row to row; sort"},
         Bad{"frequency [Hz], G' [MPa], G'' [MPa]\n2,2,3\n2,2,3\n",
             "dma.csv:3: frequency = 2: frequencies must increase from row to row"}));
+
+TEST(DmaTable, MayNameItsOneTemperature) {
+    const auto table = parse_dma_table(
+        "frequency [Hz], G' [Pa], G'' [Pa], temperature [degC]\n2,3,4,20.1\n5,6,7,19.8\n", "t");
+    EXPECT_EQ(table.storage, (std::vector<double>{3, 6}));
+}
+
+TEST(RelaxationTest, HasYoungsOrTheShearModulus) {
+    const auto young =
+        read_text("time [min]; E [MPa]\n0; 1,5\n1; 1,0\n2; 0,5\n", "e.csv", read_relaxation_test);
+    EXPECT_TRUE(young.is_young);
+    EXPECT_EQ(young.time, (std::vector<double>{0, 60, 120}));
+    EXPECT_EQ(young.modulus, (std::vector<double>{1.5e6, 1e6, 5e5}));
+    const auto said = [](const char* text) {
+        try {
+            read_text(text, "e.csv", read_relaxation_test);
+        } catch (const contact::InputError& error) {
+            return std::string(error.what());
+        }
+        return std::string("accepted");
+    };
+    EXPECT_EQ(said("time [s], E [MPa], G [MPa]\n1,2,3\n"),
+              "e.csv:1: the columns E and G say it twice; write for example time [s], E [MPa]");
+    EXPECT_EQ(said("time [s], E [MPa]\n-1,2\n1,2\n"),
+              "e.csv:2: time = -1: must not be negative; count times from when the strain was "
+              "applied");
+    EXPECT_EQ(said("time [s], E [MPa]\n1,2\n1,2\n"),
+              "e.csv:3: time = 1: times must increase from row to row; sort the table");
+}
 
 TEST(DmaTable, RemediesShowTheHeader) {
     try {

@@ -41,7 +41,9 @@ TEST(HeightMatrix, RowsRunAlongX) {
           "  1 2  3\n\n 4 5 6 \n", "# heights, in nm; rows along x\n1 2 3\n4 5 6\n",
           "\xEF\xBB\xBF"
           "1,2,3\n4,5,6\n",
-          "\n\n1;2;3\n4;5;6\n", "\xEF\xBB\xBF# a\tb\r\n\r\n1, 2, 3\r\n4, 5, 6\r\n"}) {
+          "\n\n1;2;3\n4;5;6\n", "1,0;2,0;3\n4,00;5;6,0\n", "1,0 2,0 3\n4 5,0 6,0\n",
+          "1,0\t2,0\t3,0\n4,0\t5,0\t6,0\n", "1;2;3;\n4;5;6;\n",
+          "\xEF\xBB\xBF# a\tb\r\n\r\n1, 2, 3\r\n4, 5, 6\r\n"}) {
         const HeightMap map = io::parse_height_matrix(text, "a.csv", scale);
         expect_small_map(map, 1e-9);
         EXPECT_EQ(map.spacing[0], 2e-6);
@@ -74,8 +76,7 @@ TEST(HeightMatrix, HasAsManyHeightsAsOtherFormatsAtMost) {
     for (int i = 0; i < 4097; ++i) row += "0 ";
     for (int j = 0; j < 4096; ++j) text += row + '\n';
     EXPECT_EQ(message([&] { return io::parse_height_matrix(text, "a.csv", scale); }),
-              "a.csv:4096: more than 4096 x 4096 heights; thin the surface out, or save a part of "
-              "it");
+              "a.csv: more than 4096 x 4096 heights; thin the surface out, or save a part of it");
 }
 
 /// The bytes of numpy.save, format 1.0 unless `version` is 2.
@@ -176,14 +177,23 @@ TEST(SdfFile, SaysItsScale) {
     }
 }
 
+TEST(SdfFile, OfVersionTwoMayHaveDecimalCommas) {
+    std::string header = sdf_header;
+    header.replace(0, 8, "aISO-2.0");
+    header.replace(header.find("2.0E-6"), 6, "2,0E-6");
+    const HeightMap map = io::parse_sdf(header + "1,0 2,0 3,0\r\n4,0;5,0;6,0\r\n*\r\n", "a.sdf");
+    expect_small_map(map, 5e-9);
+    EXPECT_EQ(map.spacing, (contact::Vector2{2e-6, 4e-6}));
+}
+
 TEST(SdfFile, RefusesWhatIsIncomplete) {
     const auto said = [](const std::string& text) {
         return message([&] { return io::parse_sdf(text, "a.sdf"); });
     };
     EXPECT_EQ(
         said("bISO-1.0\n"),
-        "a.sdf:1: \"bISO-1.0\": is neither aISO-1.0 nor aBCR-1.0, with which an ASCII surface "
-        "data file begins; export the surface as ASCII .sdf (ISO 25178-71)");
+        "a.sdf:1: \"bISO-1.0\": is none of aISO-1.0, aISO-2.0 and aBCR-1.0, with which an ASCII "
+        "surface data file begins; export the surface as ASCII .sdf (ISO 25178-71)");
     EXPECT_EQ(said("aISO-1.0\nNumPoints = 3\n"),
               "a.sdf: the header does not end; close it with a line *");
     EXPECT_EQ(said("aISO-1.0\nNumPoints = 3\n*\n"),

@@ -1,4 +1,4 @@
-#include "app/left_out.h"
+#include "app/unread_parts.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -26,8 +26,8 @@ const std::map<std::string, std::string>& readers() {
 
 }  // namespace
 
-void say_left_out(const CommandOptions& options, const std::string& command,
-                  std::initializer_list<std::string> read) {
+void say_unread_parts(const CommandOptions& options, const std::string& command,
+                      std::initializer_list<std::string> read) {
     std::vector<std::string> words;
     for (const std::string& part : io::rig_parts(options.file, options.overrides))
         if (std::ranges::find(read, part) == read.end())
@@ -35,7 +35,7 @@ void say_left_out(const CommandOptions& options, const std::string& command,
                                         part == io::uncertainty_mark ? "± of the numbers" : part,
                                         readers().at(part)));
     if (!words.empty())
-        options.say(fmt::format("not used by {}: {}", command, fmt::join(words, "; ")));
+        options.say(fmt::format("not read by {}: {}", command, fmt::join(words, "; ")));
 }
 
 }  // namespace tricontact::app
