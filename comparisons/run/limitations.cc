@@ -105,6 +105,12 @@ std::string far_shift_sentence(const contact::Case& c, const Summaries&) {
         report::significant(ratio, 2));
 }
 
+/// Whether a sentence of its own says that a model leaves it out.
+bool is_told_above(const contact::Case& c, const std::string& model, const std::string& left_out) {
+    return left_out.starts_with("substrate.thickness") ||
+           (model == "mdr" && c.rolling && left_out.starts_with("rolling direction"));
+}
+
 }  // namespace
 
 std::vector<std::string> uncoupled_half_spaces(const contact::Case& c, const Summaries& summaries) {
@@ -133,8 +139,8 @@ std::vector<std::string> limitations(const contact::Case& c, const Summaries& su
             "The loads oscillate with the rolling: the closed forms, κ and η assume constant loads "
             "and are left out; f_T and w refer to the mean loads.");
     for (const Results& s : summaries)
-        if (!is_half_space(s.model))
-            for (const std::string& one : left_out(c, s.model))
+        for (const std::string& one : left_out(c, s.model))
+            if (!is_told_above(c, s.model, one))
                 findings.push_back(report::display_name(s.model) + " leaves out " + one + ".");
     for (const Results& s : summaries)
         for (const auto& [quantity, why] : why_undefined(c, s))

@@ -57,6 +57,20 @@ Case relaxing(double hold) {
     return c;
 }
 
+TEST(ReadingSentences, WhatAModelLeavesOut) {
+    Case c = uncoupled();
+    c.layer.thickness = 1;
+    EXPECT_FALSE(says(reading_of(c, {"bem-layer", "fem"}), "leaves out"));
+    c.layer.width = 8;
+    const std::string text = reading_of(c, {"bem", "bem-layer", "fem"});
+    EXPECT_TRUE(says(text, "BEM layer leaves out substrate.width: the layer is infinitely wide."))
+        << text;
+    EXPECT_FALSE(says(text, "FEM leaves out")) << text;
+    EXPECT_FALSE(says(text, "BEM leaves out substrate.thickness"))
+        << text;  // said in its own words
+    EXPECT_TRUE(says(text, "the thickness of the layer is not seen")) << text;
+}
+
 TEST(ReadingSentences, WhoCouplesIsNotCalledUncoupled) {
     const std::string text = reading_of(coupled(), {"mdr", "bem"});
     EXPECT_TRUE(says(text, "MDR takes normal and tangential contact as uncoupled")) << text;

@@ -63,8 +63,12 @@ inline void expect_lost_and_back(contact::Model& model, double same) {
         const StepRecord r = model.advance(at_depth(raised, dt, shift));
         EXPECT_NEAR(r.shift[0], shift, 1e-18) << t;
         // Of the touching the mesh knows one cell: a hundredth of the way back.
-        if (t < time_of_return() - dt) EXPECT_EQ(r.normal_force, 0) << t;
-        if (t > time_of_return()) EXPECT_GT(r.normal_force, 0) << t;
+        if (t < time_of_return() - dt) {
+            EXPECT_EQ(r.normal_force, 0) << t;
+        }
+        if (t > time_of_return()) {
+            EXPECT_GT(r.normal_force, 0) << t;
+        }
     }
     const StepRecord back = model.advance(at_depth(raised, forever, shift));
     EXPECT_NEAR(back.normal_force / untouched, 1, same);

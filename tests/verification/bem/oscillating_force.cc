@@ -20,7 +20,7 @@ using contact::State;
 
 /// f_T oscillates by `part` of its mean.
 Case oscillating(double w, int steps_per_quarter, double mean = .3, double part = .4) {
-    Case c = rig_case(w, mean, 10);
+    Case c = rig_case(w, mean, 30);
     c.rolling->steps = Case::Steps::per_quarter;
     c.rolling->steps_per_quarter = steps_per_quarter;
     c.load.tangential_amplitude_ratio = part;
@@ -45,9 +45,10 @@ double work_ratio(const Case& c, const History& h) {
 // The loop of an annulus that slips depends on the force's amplitude alone. The annulus is two of
 // the 12 cells in the radius wide.
 TEST(BemOscillatingForce, WithoutRollingItIsMindlinsLoop) {
-    const Case c = oscillating(0, 4, .4, 1);
+    Case c = oscillating(0, 4, .4, 1);
+    c.rolling->periods = 60;  // the shift's way to its loop falls by an eighth in each
     const History h = run_bem(c);
-    EXPECT_EQ(h.verdict.state, State::cyclic_slip);
+    EXPECT_EQ(h.verdict.state, State::cyclic_slip) << h.verdict.missing;
     EXPECT_NEAR(work_ratio(c, h), 1, .15);
     const History springs = contact::run(c, *mdr::make_model(c));
     EXPECT_EQ(springs.verdict.state, State::cyclic_slip);
@@ -59,9 +60,9 @@ TEST(BemOscillatingForce, WithoutRollingItIsMindlinsLoop) {
 TEST(BemOscillatingForce, RollingAddsWorkThatStepsDoNotEnd) {
     double work[3]{};
     for (int k = 0; k < 3; ++k) {
-        const Case c = oscillating(.24, 8 << k);
+        const Case c = oscillating(.24, 4 << k);
         const History h = run_bem(c);
-        EXPECT_EQ(h.verdict.state, State::cyclic_slip) << k;
+        EXPECT_EQ(h.verdict.state, State::cyclic_slip) << k << h.verdict.missing;
         const auto& shift = h.shift_per_period;
         EXPECT_NEAR(shift.back(), shift[shift.size() - 2], 1e-6 * h.scales.unit_shift);
         work[k] = work_ratio(c, h);
@@ -80,7 +81,8 @@ TEST(BemOscillatingForce, ConstantLoadsShakeDown) {
     c.rolling->periods = 60;
     const History h = run_bem(c);
     EXPECT_EQ(h.verdict.state, State::shakedown);
-    EXPECT_LT(work_ratio(c, h), 1e-3);
+    // By the limit after one period; the work sinks with the shift, which settles.
+    EXPECT_LT(h.dissipation_per_period.back(), 1e-5 * h.friction_limit * h.scales.unit_shift);
 }
 
 }  // namespace
