@@ -7,6 +7,7 @@
 #include "atlas/shipped.h"
 #include "comparisons/half_space/layer.h"
 #include "comparisons/quantities/quantities.h"
+#include "contact/larger_grids.h"
 #include "contact/load_path.h"
 #include "experiments/records/experiment_evaluation.h"
 #include "theory/cattaneo_mindlin.h"
@@ -58,15 +59,18 @@ std::vector<Pressed> presses_of_model(const std::string& name, const Case& rig,
     // The deepest one decides how far the model reaches.
     const auto deepest = std::ranges::max(controls, {}, &NormalControl::value);
     const auto model = make_model(name, pressed(rig, deepest), threads, silent);
-    std::vector<Pressed> presses;
-    for (const auto& control : controls) {
-        model->release();
-        contact::LoadStep step = contact::press_step(pressed(rig, control));
-        step.friction = false;
-        const auto record = model->advance(step);
-        presses.push_back(
-            {record.normal_force, model->scales().contact_radius, record.indentation});
-    }
+    const auto presses = contact::on_large_enough_grid(*model, [&] {
+        std::vector<Pressed> all;
+        for (const auto& control : controls) {
+            model->release();
+            contact::LoadStep step = contact::press_step(pressed(rig, control));
+            step.friction = false;
+            const auto record = model->advance(step);
+            all.push_back(
+                {record.normal_force, model->scales().contact_radius, record.indentation});
+        }
+        return all;
+    });
     require_sound(model->audit(), name);
     return presses;
 }
@@ -151,15 +155,20 @@ std::vector<double> static_shifts(const std::string& name, const Case& rig,
                                   const std::vector<double>& forces, int threads) {
     if (name == "atlas") return mapped_shifts(rig, forces);
     const auto model = make_model(name, rig, threads, silent);
-    press(*model, rig);
-    const std::string state = model->write_state();
-    std::vector<double> shifts;
-    for (const double force : forces) {
-        model->read_state(state);
-        contact::LoadStep step = contact::press_step(rig);
-        step.tangential[0].value = force;
-        shifts.push_back(model->advance(step).shift[0]);
-    }
+    // Close to sliding friction moves a coupled contact aside, over the edge of a grid that
+    // pressing alone had room on.
+    const auto shifts = contact::on_large_enough_grid(*model, [&] {
+        press(*model, rig);
+        const std::string state = model->write_state();
+        std::vector<double> all;
+        for (const double force : forces) {
+            model->read_state(state);
+            contact::LoadStep step = contact::press_step(rig);
+            step.tangential[0].value = force;
+            all.push_back(model->advance(step).shift[0]);
+        }
+        return all;
+    });
     require_sound(model->audit(), name);
     return shifts;
 }

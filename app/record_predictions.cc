@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "app/case_run.h"
+#include "app/roll_models.h"
 #include "app/uncertain_case.h"
 #include "contact/load_path.h"
 #include "experiments/records/recorded_path.h"
@@ -75,6 +76,12 @@ class RecordPredictions {
     /// On a relaxing substrate the rest under F_T and the drive's speed are those of the record.
     void rest_as_recorded() {
         const Case c = io::read_case(*input_.case_file, options_.overrides);
+        refuse_rolling_on(c, *input_.case_file);
+        if (c.prescribed_path)
+            throw contact::InputError(
+                *input_.case_file +
+                ": [path]: records are compared with models that roll back and forth as the drive "
+                "did; give the loads in [load] and omit [path], which tricontact run computes");
         if (!c.relaxation) return;
         const experiments::Rest& rest = evaluation_.rest;
         experiments::RolledAs& as = evaluation_.rolled_as;

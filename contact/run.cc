@@ -10,6 +10,7 @@
 #include "contact/bodies/half_space_scales.h"
 #include "contact/error.h"
 #include "contact/interruption.h"
+#include "contact/larger_grids.h"
 #include "contact/load_path.h"
 #include "contact/own_limit.h"
 #include "contact/special_values.h"
@@ -327,13 +328,7 @@ class Run {
 
 History run(const Case& c, Model& model, const Observer& observer,
             std::optional<double> negligible) {
-    for (;;) {
-        try {
-            return Run(c, model, observer, negligible).go();
-        } catch (const ContactAtEdge& reached) {
-            model.enlarge(reached);
-        }
-    }
+    return on_large_enough_grid(model, [&] { return Run(c, model, observer, negligible).go(); });
 }
 
 }  // namespace tricontact::contact

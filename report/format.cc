@@ -57,6 +57,13 @@ std::string apart(double ratio, const std::string& more, const std::string& less
 }
 
 Unit fitting_unit(double magnitude, const std::string& base) {
+    // A unit that has its prefix takes no other one: 490 g, and 2.5 kg.
+    constexpr double kilogram = 1e3;  // in grams
+    if (base.starts_with("kg")) {
+        if (base != "kg" || std::abs(magnitude) >= 1 || magnitude == 0) return {1, base};
+        const contact::UnitPrefix prefix = contact::fitting_prefix(kilogram * magnitude);
+        return {prefix.factor / kilogram, std::string(prefix.symbol) + "g"};
+    }
     const contact::UnitPrefix prefix = contact::fitting_prefix(magnitude);
     return {prefix.factor, prefix.symbol + base};
 }

@@ -19,6 +19,15 @@ constexpr double largest_step = 1;
 constexpr double first_damping = 1e-3, damping_growth = 6, damping_decay = 8, most_damping = 1e12;
 // A step below this, or one that gains less than rounding of the sum, is the last.
 constexpr double step_tolerance = 1e-11, gain_tolerance = 1e-15;
+// So many steps that together gain less than this of the sum wander in a valley of which the
+// observations do not resolve the ground: statistics ask for differences of a sum of the order of
+// its degrees of freedom.
+constexpr int idle_steps = 20;
+constexpr double idle_gain = 1e-9;
+// And a curved valley is followed to its end no further than statistics resolve: what the last
+// steps gained is to be below this of the sum, as is then what more of them would.
+constexpr int last_steps = 100;
+constexpr double last_gain = 1e-3;
 
 double squares(const std::vector<double>& residuals) {
     double sum = 0;
@@ -71,11 +80,11 @@ std::vector<double> stepped(const NormalEquations& equations, const std::vector<
         }
     }
     const Eigen::VectorXd step = a.ldlt().solve(b);
-    const double longest = step.cwiseAbs().maxCoeff();
-    const double share = longest > largest_step ? largest_step / longest : 1;
+    // Each by itself: a variable of which nothing depends would shorten the steps of all.
     std::vector<double> trial = x;
     for (Eigen::Index k = 0; k < m; ++k)
-        trial[k] = std::clamp(x[k] + share * step[k], bounds.low[k], bounds.high[k]);
+        trial[k] = std::clamp(x[k] + std::clamp(step[k], -largest_step, largest_step),
+                              bounds.low[k], bounds.high[k]);
     return trial;
 }
 
@@ -119,8 +128,13 @@ BoundedFit fit_within(const Residuals& residuals, std::vector<double> start, con
     BoundedFit fit{std::move(start), values.empty() ? contact::infinity : squares(values)};
     if (!std::isfinite(fit.sum_of_squares))
         throw contact::NotConverged("least squares: the model is not defined at the start");
-    double damping = first_damping;
+    double damping = first_damping, before_idling = fit.sum_of_squares, before_last = 0;
     for (int i = 0; i < most_steps; ++i) {
+        if (i == most_steps - last_steps) before_last = fit.sum_of_squares;
+        if (i > 0 && i % idle_steps == 0) {
+            if (before_idling - fit.sum_of_squares < idle_gain * fit.sum_of_squares) return fit;
+            before_idling = fit.sum_of_squares;
+        }
         const NormalEquations equations(slopes(residuals, fit.x, bounds), values);
         for (;; damping *= damping_growth) {
             if (damping > most_damping) return fit;  // as low as rounding lets it become
@@ -138,6 +152,7 @@ BoundedFit fit_within(const Residuals& residuals, std::vector<double> start, con
             break;
         }
     }
+    if (before_last - fit.sum_of_squares < last_gain * fit.sum_of_squares) return fit;
     throw contact::NotConverged("least squares: no minimum within 500 steps");
 }
 

@@ -31,8 +31,10 @@ IdentificationTask task_of(const IdentificationInput& input, const std::string& 
     IdentificationTask task{.parameters = experiments::parameters_of(input, model),
                             .confidence = input.confidence};
     for (const auto& table : input.tables)
+        // A period of rolling passes each offset twice: neighbours are those in time.
         task.tables.push_back({std::string(experiments::name_of(table.measurement)), table.observed,
-                               table.standard_errors, table.has_free_origin()});
+                               table.standard_errors, table.has_free_origin(),
+                               table.has_free_origin() ? std::vector<double>() : table.given});
     return task;
 }
 
@@ -214,11 +216,11 @@ void print(const IdentificationStudy& study, std::ostream& out) {
             const auto k = found.find(p.key, p.index);
             out << fmt::format(" {:<32}", k ? experiments::shown(model, *k) : "none");
         }
+        const auto [squares, degrees] = experiments::chi_squared(model);
         out << fmt::format(" {:>8.5f}  {}\n", found.r_squared,
-                           found.goodness
-                               ? fmt::format("{:.3g}, {} degrees of freedom", found.sum_of_squares,
-                                             found.degrees_of_freedom)
-                               : "errors estimated");
+                           found.goodness ? fmt::format("{}, {:.4g} degrees of freedom",
+                                                        report::significant(squares, 3), degrees)
+                                          : "errors estimated");
     }
     for (const IdentifiedModel& model : study.models)
         if (model.posterior) out << experiments::posterior_sentence(model) << '\n';

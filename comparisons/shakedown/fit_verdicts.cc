@@ -105,12 +105,13 @@ void add_root(std::vector<report::Verdict>& verdicts, const RatchetingGroup& gro
         return;
     }
     const statistics::Estimate& c = group.root->fit.parameters.front();
+    const double r_squared = group.root->of_left_side.r_squared;
     verdicts.push_back(
         {Standing::finding,
-         fmt::format("{}: Δu = {} u_stat^(1/2) (w − w_lim), R² = {}; the thesis has 4.77 for MDR, "
+         fmt::format("{}: Δu = {} u_stat^(1/2) (w − w_lim){}; the thesis has 4.77 for MDR, "
                      "2^(1/2) = 1.41 parallel, 5^(1/2) = 2.24 perpendicular",
                      name_of(group), interval(c),
-                     report::significant(group.root->of_left_side.r_squared, 3))});
+                     std::isnan(r_squared) ? "" : ", R² = " + report::significant(r_squared, 3))});
     std::vector<double> ratios;
     for (const RatchetingPoint& p : group.points)
         if (!std::isnan(p.thesis_ratio)) ratios.push_back(p.thesis_ratio);

@@ -1,20 +1,34 @@
 #include "comparisons/shakedown/fitted_form.h"
 
+#include <algorithm>
+#include <cmath>
 #include <numeric>
 
 #include "contact/error.h"
+#include "contact/special_values.h"
 
 namespace tricontact::comparisons {
+
+namespace {
+
+// Of the observed values, below which their spread is rounding: nothing varies that a fit explains.
+constexpr double rounding_of_observed = 1e-9;
+
+}  // namespace
 
 Goodness goodness(const std::vector<double>& observed, const std::vector<double>& fitted) {
     const double mean = std::accumulate(observed.begin(), observed.end(), 0.) /
                         static_cast<double>(observed.size());
     Goodness g;
+    double spread = 0;
     for (std::size_t i = 0; i < observed.size(); ++i) {
         g.explained += (fitted[i] - mean) * (fitted[i] - mean);
         g.residual += (observed[i] - fitted[i]) * (observed[i] - fitted[i]);
+        spread = std::max(spread, std::abs(observed[i] - mean));
     }
-    g.r_squared = g.explained / (g.explained + g.residual);
+    g.r_squared = spread > rounding_of_observed * std::abs(mean)
+                      ? g.explained / (g.explained + g.residual)
+                      : contact::undefined;
     return g;
 }
 

@@ -13,7 +13,7 @@ namespace tricontact::comparisons {
 struct Goodness {
     double explained = 0;  ///< SSR, of the regression: sum of (fitted - mean observed)^2 (A.1.8)
     double residual = 0;   ///< SSE, of the errors: sum of (observed - fitted)^2 (A.1.9)
-    double r_squared = 0;  ///< SSR/(SSR + SSE) (A.1.10); NaN if both vanish
+    double r_squared = 0;  ///< SSR/(SSR + SSE) (A.1.10); NaN where nothing varies
 };
 Goodness goodness(const std::vector<double>& observed, const std::vector<double>& fitted);
 

@@ -4,12 +4,34 @@
 #include <cmath>
 #include <optional>
 
+#include "contact/special_values.h"
 #include "experiments/assumptions/check_rig.h"
 #include "theory/cattaneo_mindlin.h"
 
 namespace tricontact::experiments {
 
 namespace {
+
+/// Static shift with friction and force that many times as large over that of the rig, both at
+/// coupling_tangential_ratio; infinite where the contact slides.
+double shift_beside(double friction, double force) {
+    const double ratio = coupling_tangential_ratio * force / friction;
+    if (!(friction > 0 && ratio > 0 && ratio < 1)) return contact::infinity;
+    return friction * theory::static_shift_ratio(ratio) /
+           theory::static_shift_ratio(coupling_tangential_ratio);
+}
+
+/// Of a shift whose coefficient of friction, or force, is wrong by this part to either side;
+/// infinite where the contact might slide.
+double largest_error(double of_friction, double of_force) {
+    double largest = 0;
+    for (const double side : {1., -1.}) {
+        const double beside = shift_beside(1 + side * of_friction, 1 + side * of_force);
+        if (std::isinf(beside)) return contact::infinity;
+        largest = std::max(largest, std::abs(1 / beside - 1));
+    }
+    return largest;
+}
 
 /// What the assumptions of one rig do to what it measures.
 class MeasuredEffects {
@@ -110,10 +132,9 @@ class MeasuredEffects {
             return one.symbol == "F_T" || one.symbol == "f_T";
         });
         // Else it is of mu F_N.
-        const double sensitivity = shift_sensitivity_to_force(coupling_tangential_ratio) /
-                                   (is_of_force ? 1 : coupling_tangential_ratio);
-        add(Measured::static_shift,
-            {sensitivity * (share->result.value + share->result.standard_error), 0}, true);
+        const double of_force = (share->result.value + share->result.standard_error) /
+                                (is_of_force ? 1 : coupling_tangential_ratio);
+        add(Measured::static_shift, {largest_error(0, of_force), 0}, true);
     }
 
     void add_adhesion() {
@@ -143,7 +164,7 @@ class MeasuredEffects {
         const double to_friction =
             std::abs(1 - shift_sensitivity_to_force(coupling_tangential_ratio));
         add(Measured::static_shift,
-            {to_friction * change->result.value, to_friction * change->result.standard_error},
+            {largest_error(change->result.value, 0), to_friction * change->result.standard_error},
             true);
     }
 

@@ -17,7 +17,8 @@ struct MeasuredEffect {
     Measured measured{};
     /// Computed with the assumption over computed without it, minus 1. Standard error 0: unknown.
     Estimate relative;
-    /// It is no more than this, to either side: `relative` is the largest magnitude.
+    /// It is no more than this, to either side: `relative` is the largest magnitude, infinite where
+    /// the contact might slide.
     bool is_bound = false;
 };
 

@@ -113,6 +113,12 @@ Rig::Kind kind_of(const io::RigFile& file) {
 void check_covered(const io::RigFile& file) {
     const Case& c = file.c;
     const io::Document& document = file.document;
+    if (c.prescribed_path)
+        io::fail(document.place_of("path.table"), "",
+                 "[path]: the formulas of rigs are those of one normal force and of rolling back "
+                 "and forth",
+                 "give load.normal_force and [rolling] in place of the path; tricontact run "
+                 "computes it");
     if (!c.layer.thickness)
         io::fail(document.place_of("substrate.thickness"), "", "missing key substrate.thickness",
                  "add thickness = \"8 mm\" or the like: a rig is held against the layer that it "

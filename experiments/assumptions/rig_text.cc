@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "experiments/assumptions/rig_report.h"
 #include "report/format.h"
 
@@ -87,6 +89,9 @@ std::string substitutes_text(const PrintedCheck& check) {
 std::string text_of(const MeasuredEffect& effect) {
     const double percent = 100 * effect.relative.value,
                  error = 100 * effect.relative.standard_error;
+    if (effect.is_bound && std::isinf(effect.relative.value))
+        return fmt::format("not bounded (at F_T = {} mu F_N the contact might slide)",
+                           coupling_tangential_ratio);
     if (effect.is_bound) return fmt::format("at most {} %", report::significant(percent, 2));
     const std::string size = error > 0 ? report::with_error(std::abs(percent), error, 3)
                                        : report::significant(std::abs(percent), 3);

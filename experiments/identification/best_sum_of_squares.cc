@@ -97,6 +97,15 @@ BestSumOfSquares::BestSumOfSquares(const IdentificationTask& task,
 }
 
 std::vector<double> BestSumOfSquares::residuals(const std::vector<double>& x) const {
+    if (++n_evaluations_ > most_evaluations) {
+        std::string symbols;
+        for (const FreeParameter& p : task_.parameters)
+            symbols += (symbols.empty() ? "" : ", ") + p.symbol;
+        throw contact::NotConverged(fmt::format(
+            "identification: after {} evaluations of the model there is no end to the search for "
+            "{}: these observations do not determine them; measure more, or find fewer",
+            most_evaluations, symbols));
+    }
     return residuals_of(task_, task_.model(values_of(task_.parameters, x)), errors_);
 }
 
@@ -157,6 +166,20 @@ std::vector<std::vector<double>> BestSumOfSquares::logarithmic_slopes(
         const FreeParameter& p = task_.parameters[k];
         const double value = p.value(x[k]);
         for (double& slope : columns[k]) slope *= p.is_at_bound(value) ? 0 : p.slope(value);
+    }
+    return columns;
+}
+
+std::vector<std::vector<double>> BestSumOfSquares::all_slopes(const std::vector<double>& x) const {
+    auto columns = logarithmic_slopes(x);
+    std::size_t row = 0;
+    for (const ObservedTable& table : task_.tables) {
+        const std::size_t end = row + table.observed.size();
+        if (table.has_free_origin) {
+            auto& origin = columns.emplace_back(observed_.size(), 0.);
+            for (std::size_t i = row; i < end; ++i) origin[i] = 1 / errors_[i];
+        }
+        row = end;
     }
     return columns;
 }

@@ -17,7 +17,8 @@ class BestSumOfSquares {
     /// With these errors, one per observation.
     BestSumOfSquares(const IdentificationTask& task, std::vector<double> standard_errors);
 
-    /// Of observed minus fitted values over their errors.
+    /// Of observed minus fitted values over their errors. Throws contact::NotConverged when they
+    /// have been asked for most_evaluations times: a search that finds no end.
     std::vector<double> residuals(const std::vector<double>& x) const;
     /// Infinite where the model is not defined.
     double at(const std::vector<double>& x) const;
@@ -36,6 +37,8 @@ class BestSumOfSquares {
     statistics::JointCovariance covariance(const std::vector<double>& x) const;
     /// Slopes of residuals by ln v, a column per parameter.
     std::vector<std::vector<double>> logarithmic_slopes(const std::vector<double>& x) const;
+    /// The same, and a column per free origin of a table.
+    std::vector<std::vector<double>> all_slopes(const std::vector<double>& x) const;
 
   private:
     /// Largest relative change of an error.
@@ -44,6 +47,11 @@ class BestSumOfSquares {
     const IdentificationTask& task_;
     std::vector<double> observed_, errors_;
     statistics::Bounds bounds_;
+    mutable long n_evaluations_ = 0;
 };
+
+/// Searches and profiles of four parameters take some ten thousand; so many of closed forms or
+/// interpolated curves take some ten seconds.
+inline constexpr long most_evaluations = 1'000'000;
 
 }  // namespace tricontact::experiments

@@ -11,6 +11,7 @@
 #include "contact/root.h"
 #include "contact/special_values.h"
 #include "experiments/identification/best_sum_of_squares.h"
+#include "experiments/identification/residual_checks.h"
 #include "statistics/regression.h"
 
 namespace tricontact::experiments {
@@ -216,8 +217,10 @@ Identification identify(const IdentificationTask& task) {
                          .sum_of_squares = best.sum_of_squares,
                          .confidence = task.confidence,
                          .logarithmic = squares.covariance(best.x)};
-    found.degrees_of_freedom =
-        static_cast<int>(task.n_observations() - task.n_origins() - task.parameters.size());
+    double degrees_left = 0;
+    for (const double degrees : found.logarithmic.degrees_of_freedom) degrees_left += degrees;
+    found.degrees_of_freedom = static_cast<int>(std::lround(degrees_left));
+    check_residuals(task, squares, best.x, found);
     for (std::size_t k = 0; k < task.parameters.size(); ++k) {
         const FreeParameter& p = task.parameters[k];
         const double value = p.value(best.x[k]), degrees = found.logarithmic.effective_degrees[k];

@@ -8,6 +8,8 @@
 #include "experiments/identification/free_parameter.h"
 #include "statistics/estimate.h"
 #include "statistics/joint_covariance.h"
+#include "statistics/outlying_rows.h"
+#include "statistics/residual_correlation.h"
 
 namespace tricontact::experiments {
 
@@ -19,6 +21,9 @@ struct ObservedTable {
     std::vector<double> standard_errors;  ///< [SI], one each; empty: equal, told by the residuals
     /// Observed values are counted from a place that is not known, which the fit finds.
     bool has_free_origin = false;
+    /// What the observed values are plotted over: neighbours there may have errors that are alike,
+    /// equal ones are repeated readings. Empty: neighbours are those of the rows.
+    std::vector<double> given = {};
 };
 
 /// Values [SI] that a model gives instead of the observed ones, those of all tables one after
@@ -73,6 +78,18 @@ struct TableFit {
     std::optional<double> goodness;          ///< P(chi^2 above this), for known errors
 };
 
+/// What the residuals of a table show that those of independent errors around a right model do not.
+struct TableResiduals {
+    /// Of neighbours; empty where a fit to rounding, or far within the stated errors, leaves none
+    /// that matters.
+    std::optional<statistics::ResidualCorrelation> correlation;
+    /// P(F above this) of the curve's misfit beside the scatter of repeated readings (Draper and
+    /// Smith 1998, section 2.1), where there are such.
+    std::optional<double> lack_of_fit;
+    bool has_pattern = false;     ///< of the one or the other, 5 % and 1 % by chance
+    bool has_strong_one = false;  ///< 1 % by chance: a model is to blame, or the errors
+};
+
 /// What one model makes of the observations.
 struct Identification {
     std::vector<FreeParameter> free;
@@ -85,7 +102,16 @@ struct Identification {
     double confidence = 0;
     /// Of ln v of all parameters but those at a bound, of which nothing is told.
     statistics::JointCovariance logarithmic;
+    std::vector<TableResiduals> residuals;               ///< of each table
+    std::vector<statistics::OutlyingRow> outlying = {};  ///< changes are relative ones
+    /// By which factor, one per parameter, standard errors are those of correlated errors of
+    /// neighbouring rows: of tables with a pattern; 1 without one.
+    std::vector<double> widening = {};
+    /// The largest factor by which they might be, of correlations that are not excluded.
+    double possible_widening = 1;
 
+    bool has_pattern() const;
+    bool has_strong_pattern() const;
     std::vector<double> best() const;
     /// Place of a parameter; empty if it was not free.
     std::optional<std::size_t> find(const std::string& key, std::size_t index = 0) const;

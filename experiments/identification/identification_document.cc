@@ -58,19 +58,25 @@ report::DocumentTable goodness_table(const IdentificationStudy& study) {
             "chi^2: residuals over their standard errors, squared; p: how often noise alone "
             "exceeds it. Errors that a table does not state are estimated from its residuals "
             "(root mean square over the degrees of freedom, observations less the share of the "
-            "parameters that the table tells), and nothing says whether a model fits it.",
+            "parameters that the table tells), and only a pattern of these shows that a model "
+            "does not fit it. Correlation: of neighbouring residuals, and how often independent "
+            "errors leave as much.",
         .columns =
             report::columns("model", "table", "chi^2", "degrees of freedom", "p", "R^2:6",
-                            "standard error of an observation [SI]:3", "interpolation error:2")};
+                            "standard error of an observation [SI]:3", "interpolation error:2",
+                            "correlation:2", "p of the correlation")};
     for (const IdentifiedModel& model : study.models)
         for (std::size_t t = 0; t < model.found.tables.size(); ++t) {
             const TableFit& fit = model.found.tables[t];
+            const auto& correlation = model.found.residuals.at(t).correlation;
             table.rows.push_back(
                 {model.name, std::string(name_of(study.input.tables[t].measurement)),
                  fit.goodness ? fit.sum_of_squares : contact::undefined, fit.degrees_of_freedom,
                  report::p_number(fit.goodness.value_or(contact::undefined)), fit.r_squared,
                  fit.residual_standard_deviation,
-                 model.interpolation_error.value_or(contact::undefined)});
+                 model.interpolation_error.value_or(contact::undefined),
+                 correlation ? correlation->lag_one : contact::undefined,
+                 report::p_number(correlation ? correlation->chance : contact::undefined)});
         }
     return table;
 }

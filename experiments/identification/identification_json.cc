@@ -44,7 +44,38 @@ json posterior_json(const IdentifiedModel& model) {
     return result;
 }
 
-json table_json(const TableFit& fit) {
+json correlation_json(const TableResiduals& residuals) {
+    json result{{"has_pattern", residuals.has_pattern},
+                {"has_strong_pattern", residuals.has_strong_one},
+                {"lack_of_fit", residuals.lack_of_fit}};
+    if (const auto& found = residuals.correlation)
+        result.update({{"correlation_of_neighbours", found->lag_one},
+                       {"chance", found->chance},
+                       {"correlation_of_errors", found->of_errors},
+                       {"correlation_not_excluded", found->not_excluded}});
+    return result;
+}
+
+json outlying_json(const IdentificationStudy& study, const Identification& found) {
+    json list = json::array();
+    for (const statistics::OutlyingRow& one : found.outlying) {
+        std::size_t t = 0, row = one.row;
+        while (row >= study.input.tables[t].observed.size())
+            row -= study.input.tables[t++].observed.size();
+        json without;
+        for (std::size_t k = 0; k < found.free.size(); ++k)
+            without[found.free[k].name] =
+                found.free[k].changed(found.parameters[k].value, one.change[k]);
+        list.push_back({{"table", name_of(study.input.tables[t].measurement)},
+                        {"row", row + 1},
+                        {"deviation_over_standard_error", one.deviation},
+                        {"chance", one.chance},
+                        {"values_without", without}});
+    }
+    return list;
+}
+
+json table_json(const TableFit& fit, const TableResiduals& residuals) {
     return {{"origin", fit.origin},
             {"fitted", fit.fitted},
             {"residuals", fit.residuals},
@@ -53,7 +84,8 @@ json table_json(const TableFit& fit) {
             {"degrees_of_freedom", fit.degrees_of_freedom},
             {"residual_standard_deviation", fit.residual_standard_deviation},
             {"r_squared", fit.r_squared},
-            {"goodness", fit.goodness}};
+            {"goodness", fit.goodness},
+            {"residual_pattern", correlation_json(residuals)}};
 }
 
 json combinations_json(const Identification& found) {
@@ -84,11 +116,16 @@ json model_json(const IdentifiedModel& model, const IdentificationStudy& study) 
     result["r_squared"] = found.r_squared;
     result["goodness"] = found.goodness;
     result["is_rejected"] = is_rejected(model);
+    result["has_pattern"] = found.has_pattern();
+    result["outlying_rows"] = outlying_json(study, found);
+    for (std::size_t k = 0; k < found.widening.size(); ++k)
+        result["widening_by_correlated_errors"][found.free[k].name] = found.widening[k];
+    result["possible_widening"] = found.possible_widening;
     result["interpolation_error"] = model.interpolation_error;
     result["posterior"] = posterior_json(model);
     for (std::size_t t = 0; t < found.tables.size(); ++t)
         result["tables"][std::string(name_of(study.input.tables[t].measurement))] =
-            table_json(found.tables[t]);
+            table_json(found.tables[t], found.residuals.at(t));
     return result;
 }
 

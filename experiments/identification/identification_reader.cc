@@ -230,6 +230,14 @@ Input read_identification(const std::string& path, const std::vector<std::string
         io::told_at(document, "measurement.find", [&] { return free_parameters(input, find); });
     check_friction(input, document);
     input.rig_errors = read_rig_errors(input, document);
+    const auto of_rig = [&](const char* key) -> std::optional<double> {
+        const io::Entry* entry = document.find(key);
+        if (!entry) return {};
+        return io::read_uncertain_number(io::rig_key(key), *entry).value.value;
+    };
+    input.work_of_adhesion = of_rig("rig.work_of_adhesion");
+    if (const auto distance = of_rig("rig.interatomic_distance"))
+        input.interatomic_distance = *distance;
     input.correlations =
         io::correlations(document, io::uncertain_keys(document, io::case_file_keys()));
     return input;

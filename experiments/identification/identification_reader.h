@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -58,6 +59,9 @@ struct IdentificationInput {
     contact::Case rig;
     std::vector<RigError> rig_errors;
     statistics::Correlations correlations;  ///< of what is uncertain, by keys
+    /// Of the rig, which no model of an identification has [J/m^2], and its distance [m].
+    std::optional<double> work_of_adhesion;
+    double interatomic_distance = 0.3e-9;
 
     const Table* find(Measurement measurement) const;
     bool is_free(std::string_view key) const;

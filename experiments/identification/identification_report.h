@@ -87,6 +87,23 @@ std::optional<report::Verdict> model_to_use(const IdentificationStudy& study);
 /// Chance exceeds the sum of squares so rarely that the model is to blame.
 bool is_rejected(const IdentifiedModel& model);
 
+/// Sum of squares over the tables whose errors are stated, and its degrees of freedom.
+struct ChiSquared {
+    double sum = 0, degrees = 0;
+};
+ChiSquared chi_squared(const IdentifiedModel& model);
+
+/// What the residuals of a model show: patterns, rows that are not where the others put them.
+std::vector<report::Verdict> residual_verdicts(const IdentificationStudy& study,
+                                               const IdentifiedModel& model);
+/// What is assumed of the errors where these few residuals do not test it; empty where the
+/// intervals hardly depend on it.
+std::optional<report::Verdict> untested_independence(const IdentifiedModel& model);
+/// Parameters, or ends of their intervals, of which nothing is known.
+std::vector<report::Verdict> identifiability_verdicts(const IdentifiedModel& model);
+/// That the rig states a work of adhesion, which the models leave out; empty without one.
+std::optional<report::Verdict> left_out_adhesion(const IdentificationStudy& study);
+
 /// "layer: posterior E = 3.79 MPa (3.74 to 3.83), mu = 0.61 (0.60 to 0.62), correlation -0.97; as
 /// good as 812 independent points (autocorrelation time 31 steps, 62 % accepted)."
 std::string posterior_sentence(const IdentifiedModel& model);

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "experiments/identification/identification_report.h"
-#include "experiments/identification/told_combination.h"
 #include "report/format.h"
 #include "statistics/regression.h"
 
@@ -40,8 +39,13 @@ Verdict values_found(const IdentificationStudy& study, const IdentifiedModel& mo
     std::string sentence = model.name + ": ";
     for (std::size_t k = 0; k < found.free.size(); ++k)
         sentence += (k == 0 ? "" : ", ") + named(found.free[k].symbol, shown(model, k));
-    sentence += fmt::format("; intervals of {:g} %, from the likelihood{}.", 100 * found.confidence,
-                            what_else(study, model));
+    const double widening = found.widening.empty() ? 1 : std::ranges::max(found.widening);
+    sentence += fmt::format("; intervals of {:g} %, from the likelihood{}{}.",
+                            100 * found.confidence, what_else(study, model),
+                            widening > 1 ? fmt::format(", up to {} times as wide as for errors "
+                                                       "that are independent",
+                                                       report::significant(widening, 2))
+                                         : "");
     if (&model == &reference_model(study) && study.models.size() > 1)
         sentence += " This is the most complete model.";
     return {finding, sentence};
@@ -109,36 +113,21 @@ std::optional<Verdict> bias_of_small_strains(const IdentificationStudy& study) {
 
 /// Of the tables whose errors are known.
 Verdict explains(const IdentifiedModel& model) {
-    const Identification& found = model.found;
-    double squares = 0, degrees = 0;
-    for (const TableFit& table : found.tables)
-        if (table.goodness) {
-            squares += table.sum_of_squares;
-            degrees += table.degrees_of_freedom;
-        }
+    const auto [squares, degrees] = chi_squared(model);
     const bool good = !is_rejected(model);
-    return {
-        good ? holds : fails,
-        fmt::format("{} {} the measurement: chi^2 = {} with {:.4g} degrees of freedom, {} by "
-                    "chance.",
-                    model.name, good ? "explains" : "does not explain",
-                    report::significant(squares, 3), degrees, report::p_value(*found.goodness))};
-}
-
-/// Parameters of which nothing is told alone, in the products that are told, or at all.
-void add_untold(const IdentifiedModel& model, std::vector<Verdict>& verdicts) {
-    for (const ToldCombination& one : told_combinations(model.found))
-        verdicts.push_back({cannot_tell, model.name + ": " + sentence(one, model.found)});
-    const auto mu = model.found.find(friction_key);
-    if (mu && std::isinf(model.found.parameters[*mu].likelihood.high))
-        verdicts.push_back({cannot_tell, model.name +
-                                             " cannot tell mu: all larger ones are as likely. "
-                                             "Measure at larger forces, closer to sliding."});
+    return {good ? holds : fails,
+            fmt::format("{} {} the measurement: chi^2 = {} with {:.4g} degrees of freedom, {} by "
+                        "chance.",
+                        model.name, good ? "explains" : "does not explain",
+                        report::significant(squares, 3), degrees,
+                        report::p_value(*model.found.goodness))};
 }
 
 /// A fit that looks good is no proof of the half-space.
 std::optional<Verdict> fit_tells_nothing(const IdentificationStudy& study) {
-    const auto good = [](const IdentifiedModel& m) { return m.found.goodness && !is_rejected(m); };
+    const auto good = [](const IdentifiedModel& m) {
+        return m.found.goodness && !is_rejected(m) && !m.found.has_pattern();
+    };
     const auto biased = bias(study);
     if (study.models.size() < 2 || !biased || biased->standing != fails ||
         !std::ranges::all_of(study.models, good))
@@ -163,7 +152,7 @@ std::string shown(const IdentifiedModel& model, std::size_t k) {
     const auto [low, high] = full_interval(model, k);
     const bool is_open_below = low <= p.low && p.scale != FreeParameter::Scale::reciprocal;
     const bool is_open_above = high >= p.high;
-    if (is_open_above && is_open_below) return "cannot be told";
+    if (is_open_above && is_open_below) return "not identifiable";
     if (is_open_above && std::isinf(high)) return "above " + p.shown(low);
     if (is_open_below) return "below " + p.shown(high);
     return fmt::format("{} ({} to {})", p.shown(model.found.parameters[k].value), p.shown(low),
@@ -204,8 +193,11 @@ std::vector<Verdict> identification_verdicts(const IdentificationStudy& study) {
     if (auto verdict = bias_of_small_strains(study)) verdicts.push_back(std::move(*verdict));
     for (const IdentifiedModel& model : study.models) {
         if (model.found.goodness) verdicts.push_back(explains(model));
-        add_untold(model, verdicts);
+        std::ranges::move(residual_verdicts(study, model), std::back_inserter(verdicts));
+        std::ranges::move(identifiability_verdicts(model), std::back_inserter(verdicts));
     }
+    if (auto verdict = untested_independence(reference)) verdicts.push_back(std::move(*verdict));
+    if (auto verdict = left_out_adhesion(study)) verdicts.push_back(std::move(*verdict));
     if (auto verdict = fit_tells_nothing(study)) verdicts.push_back(std::move(*verdict));
     if (auto verdict = model_to_use(study)) verdicts.push_back(std::move(*verdict));
     return verdicts;

@@ -63,6 +63,25 @@ bool agrees(const IdentifiedModel& model, const IdentifiedModel& reference) {
            });
 }
 
+/// Without stated errors a pattern shows what chi^2 would. Beside stated ones that chi^2 finds
+/// large enough, it shows that they are correlated.
+bool is_misfit(const IdentifiedModel& model) {
+    return !model.found.goodness && model.found.has_strong_pattern();
+}
+
+/// What the model passed, before the full stop.
+std::string with_what_test(const IdentifiedModel& model) {
+    if (model.found.goodness)
+        return model.found.has_pattern()
+                   ? ", with intervals that errors of neighbouring rows widen."
+                   : ".";
+    return ", the most complete of these models. Without stated errors no model is tested but by "
+           "the pattern of its residuals, and those of " +
+           model.name +
+           (model.found.has_pattern() ? " have one that 5 % of tables have by chance."
+                                      : " have none.");
+}
+
 }  // namespace
 
 bool overlap(const IdentifiedModel& a, const IdentifiedModel& b, const std::string& key,
@@ -83,6 +102,16 @@ bool is_rejected(const IdentifiedModel& model) {
     return model.found.goodness && *model.found.goodness < least_goodness;
 }
 
+ChiSquared chi_squared(const IdentifiedModel& model) {
+    ChiSquared result;
+    for (const TableFit& table : model.found.tables)
+        if (table.goodness) {
+            result.sum += table.sum_of_squares;
+            result.degrees += table.degrees_of_freedom;
+        }
+    return result;
+}
+
 std::optional<Verdict> model_to_use(const IdentificationStudy& study) {
     if (study.models.size() < 2) return {};
     const IdentifiedModel& reference = reference_model(study);
@@ -90,9 +119,18 @@ std::optional<Verdict> model_to_use(const IdentificationStudy& study) {
         return Verdict{fails, fmt::format("None of the values is to be used before the reason is "
                                           "known: chi^2 rejects {}, the most complete model.",
                                           reference.name)};
+    if (is_misfit(reference))
+        return Verdict{fails,
+                       "None of the values is to be used before the reason is known: the "
+                       "residuals of " +
+                           reference.name + ", the most complete model, show a pattern."};
     const auto half_space = std::ranges::find(study.models, "half-space", &IdentifiedModel::name);
     if (half_space == study.models.end() || &*half_space == &reference)
-        return Verdict{finding, "Use the values of " + reference.name + "."};
+        return Verdict{finding, "Use the values of " + reference.name + with_what_test(reference)};
+    if (is_misfit(*half_space))
+        return Verdict{finding, fmt::format("Use the values of {}: the residuals of the half-space "
+                                            "show a pattern.",
+                                            reference.name)};
     if (is_rejected(*half_space))
         return Verdict{finding, fmt::format("Use the values of {}: chi^2 rejects the half-space.",
                                             reference.name)};

@@ -30,7 +30,10 @@ constexpr int most_start_draws = 100'000;
 /// Over the coordinates of the parameters.
 class Density {
   public:
-    explicit Density(const IdentificationTask& task) : task_(task) {
+    /// Of errors whose correlation widens intervals `widening` times, rows count as so much fewer
+    /// independent ones.
+    Density(const IdentificationTask& task, double widening)
+        : task_(task), weight_(1 / (widening * widening)) {
         for (const ObservedTable& table : task.tables)
             if (table.standard_errors.empty())
                 errors_.resize(errors_.size() + table.observed.size(), 1.);
@@ -44,7 +47,7 @@ class Density {
                 return -contact::infinity;
         try {
             const double found = log_likelihood(task_.model(values_of(task_.parameters, x)));
-            return std::isfinite(found) ? found : -contact::infinity;
+            return std::isfinite(found) ? weight_ * found : -contact::infinity;
         } catch (const contact::InputError&) {
             return -contact::infinity;  // no such contact
         }
@@ -66,6 +69,7 @@ class Density {
     }
 
     const IdentificationTask& task_;
+    double weight_;
     std::vector<double> errors_;  // stated, or 1
 };
 
@@ -145,7 +149,7 @@ std::vector<Interval> predicted_values(const IdentificationTask& task, const Ide
 
 Posterior sample_posterior(const IdentificationTask& task, const Identification& found,
                            const std::vector<std::vector<double>>& changes) {
-    const Density density(task);
+    const Density density(task, found.widening.empty() ? 1 : std::ranges::max(found.widening));
     const statistics::EnsembleSample sample =
         statistics::sample_ensemble(density, start_walkers(density, task, found), sampler_seed);
     Posterior posterior{.acceptance = sample.acceptance,

@@ -25,10 +25,11 @@ struct Posterior {
 
 /// `changes`: of the parameters by one standard error of each uncertain input. Prior: flat in the
 /// coordinates of the parameters between their bounds (ln E, F_T/(mu F_N), nu ...); known errors of
-/// the observations, else Jeffreys' prior of the standard deviation of each table.
-/// statistics::sample_ensemble draws. Each point is then moved by normal draws of the inputs, to
-/// first order as in the printed interval: inputs are as they are stated, the data are not asked to
-/// tell them. Throws contact::NotConverged as sample_ensemble.
+/// the observations, else Jeffreys' prior of the standard deviation of each table. Correlated
+/// errors (Identification::widening) flatten the likelihood by the largest of the factors, in
+/// squares. statistics::sample_ensemble draws. Each point is then moved by normal draws of the
+/// inputs, to first order as in the printed interval: inputs are as they are stated, the data are
+/// not asked to tell them. Throws contact::NotConverged as sample_ensemble.
 Posterior sample_posterior(const IdentificationTask& task, const Identification& found,
                            const std::vector<std::vector<double>>& changes);
 

@@ -206,4 +206,13 @@ expect 0 data.toml --output missing --quiet
 says "the record does not say when F_T was applied" out
 says "how long F_T acted before the rolling is not known" out
 
+# A prescribed path is refused by its name, not by a key that nobody typed.
+{
+    sed '/^\[load\]/,/^$/d; /^\[rolling\]/,$d' "$source_dir/examples/records/synthetic_shakedown.toml"
+    printf '%s\n' '[path]' 'table = """' 'normal_force [N], tangential_force_x [N]' '21, 0' '21, 5' '"""' \
+        '[record]' 'kind = "shakedown"' 'runs = ["run.csv"]'
+} >data.toml
+expect 2 data.toml --output path --quiet
+says "data.toml: [path]: records are compared with models that roll back and forth" err
+
 finish

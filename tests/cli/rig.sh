@@ -80,6 +80,8 @@ tells small.txt 'changes F_T by up to 1\.2 %'
 refused "missing key substrate.thickness" rig "$source_dir/examples/cases/rig_sphere_parallel.toml"
 refused "this is a study, not a contact case; tricontact sweep computes it" rig \
     "$source_dir/examples/studies/rig_layer.toml"
+refused "[path]: the formulas of rigs are those of one normal force and of rolling back and forth; give" rig \
+    "$source_dir/examples/cases/path_twist.toml"
 refused "the file cannot be read" rig missing.toml
 sed 's/"8 ± 0.1 mm"/"8 N"/' "$source_dir/examples/rigs/sphere_parallel.toml" >bad.toml
 refused 'bad.toml:16:13: substrate.thickness = "8 N": "N" is a unit of force' rig ../bad.toml

@@ -32,6 +32,11 @@ TEST(Format, PowersOfTenOutsideTheReadableRange) {
 TEST(Format, GivenQuantitiesHaveNoTrailingZeros) {
     EXPECT_EQ(given_quantity(8e-3, "m"), "8 mm");
     EXPECT_EQ(given_quantity(5.2e6, "Pa"), "5.2 MPa");
+    // No unit has two prefixes.
+    EXPECT_EQ(given_quantity(.49, "kg"), "490 g");
+    EXPECT_EQ(given_quantity(2.5, "kg"), "2.5 kg");
+    EXPECT_EQ(given_quantity(3e-6, "kg"), "3 mg");
+    EXPECT_EQ(given_quantity(1.7e-4, "kg m²"), "1.7·10⁻⁴ kg m²");
 }
 
 TEST(Format, ErrorsAsTheParticleDataGroupRoundsThem) {

@@ -36,6 +36,17 @@ TEST(BoundedLeastSquares, StepsBackFromWhereThereAreNoResiduals) {
     EXPECT_THROW(fit_within(line, {2}, {{0}, {9}}), contact::NotConverged);
 }
 
+// A variable of which hardly anything depends asks for a step of 1e9: it does not shorten that of
+// the other one, whose least squares are those of a mean.
+TEST(BoundedLeastSquares, AVariableWithoutEffectKeepsNoOtherOneBack) {
+    const auto residuals = [](const std::vector<double>& x) -> std::vector<double> {
+        return {x[0] - 3, x[0] - 5, 1e-9 * (x[1] - 700)};
+    };
+    const auto fit = fit_within(residuals, {0, 0}, {{-20, -9}, {20, 9}});
+    EXPECT_NEAR(fit.x[0], 4, 1e-8);
+    EXPECT_NEAR(fit.sum_of_squares, 2, 1e-12);
+}
+
 // Two groups that share a mean: degrees of freedom by Welch and Satterthwaite's formula, variance
 // with estimated weights by Meier's (1953, Biometrics 9, 59), both to the order of 1/n^2.
 TEST(JointCovariance, OfAMeanFromTwoGroups) {

@@ -90,6 +90,16 @@ TEST(MappingFit, IntervalsCoverTheTruthAsOftenAsTheyClaim) {
     EXPECT_NEAR(n_covered / static_cast<double>(n), 0.9, 0.027);
 }
 
+// Of observed values that are all one nothing is explained: R^2 is 0/0, not what rounding makes of
+// it.
+TEST(Goodness, OfWhatDoesNotVaryIsUndefined) {
+    const std::vector<double> observed(6, .6);
+    EXPECT_TRUE(std::isnan(goodness(observed, {.61, .59, .6, .62, .58, .6}).r_squared));
+    // Rounding of such values as a study has them.
+    EXPECT_TRUE(std::isnan(goodness({.6, .6 + 1e-16, .6, .6}, {.61, .59, .61, .59}).r_squared));
+    EXPECT_NEAR(goodness({1, 2, 3}, {1, 2, 3}).r_squared, 1, 1e-15);
+}
+
 TEST(MappingFit, WithTooFewPointsNothingIsFitted) {
     auto points = settled_points(1.);
     points.resize(2);

@@ -1,0 +1,80 @@
+// Which parameters the observations do not determine, in sentences.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "experiments/identification/identification_report.h"
+#include "experiments/identification/told_combination.h"
+
+namespace tricontact::experiments {
+
+namespace {
+
+using report::Verdict;
+using enum Verdict::Standing;
+
+/// What would determine it.
+std::string remedy_for(const FreeParameter& p) {
+    if (p.key == "substrate.relaxation.times")
+        return "Measure at more times around it, with smaller errors, or leave out its term of "
+               "[substrate.relaxation].";
+    if (p.key == "substrate.relaxation.relative_moduli")
+        return "Measure at shorter times, with smaller errors, or leave out its term of "
+               "[substrate.relaxation].";
+    return "Measure over a wider range or with smaller errors, or leave " + p.key +
+           " out of measurement.find.";
+}
+
+/// Of the term that a relaxation time belongs to: without it there is no such time.
+bool may_have_no_term(const Identification& found, const FreeParameter& time) {
+    if (time.key != "substrate.relaxation.times") return false;
+    const auto k = found.find("substrate.relaxation.relative_moduli", time.index);
+    return k && found.parameters[*k].likelihood.low <= found.free[*k].low;
+}
+
+std::optional<Verdict> not_identifiable(const IdentifiedModel& model, std::size_t k) {
+    const FreeParameter& p = model.found.free[k];
+    const auto [low, high] = model.found.parameters[k].likelihood;
+    const bool is_logarithmic = p.scale == FreeParameter::Scale::logarithmic;
+    const bool is_open_below = low <= p.low, is_open_above = high >= p.high;
+    if (is_open_below && is_open_above)
+        return Verdict{
+            cannot_tell,
+            fmt::format("{}: {} is not identifiable: no value from {} to {} is "
+                        "excluded{}. {}",
+                        model.name, p.symbol, p.shown(p.low), p.shown(p.high),
+                        may_have_no_term(model.found, p) ? ", for its term may be zero" : "",
+                        remedy_for(p))};
+    // Other scales end at values that a parameter may have.
+    if (!is_logarithmic || !(is_open_below || is_open_above)) return {};
+    return Verdict{cannot_tell, fmt::format("{}: {} is identifiable from one side only, {} {}. {}",
+                                            model.name, p.symbol, is_open_below ? "below" : "above",
+                                            p.shown(is_open_below ? high : low), remedy_for(p))};
+}
+
+}  // namespace
+
+std::vector<Verdict> identifiability_verdicts(const IdentifiedModel& model) {
+    std::vector<Verdict> verdicts;
+    std::vector<bool> is_named(model.found.free.size(), false);
+    for (const ToldCombination& one : told_combinations(model.found)) {
+        verdicts.push_back({cannot_tell, model.name + ": " + sentence(one, model.found)});
+        for (const std::size_t k : one.parameters) is_named[k] = true;
+    }
+    for (std::size_t k = 0; k < model.found.free.size(); ++k) {
+        if (model.found.free[k].key == "friction.coefficient") {
+            if (std::isinf(model.found.parameters[k].likelihood.high))
+                verdicts.push_back(
+                    {cannot_tell, model.name +
+                                      " cannot tell mu: all larger ones are as likely. Measure at "
+                                      "larger forces, closer to sliding."});
+        } else if (!is_named[k]) {
+            if (auto verdict = not_identifiable(model, k)) verdicts.push_back(std::move(*verdict));
+        }
+    }
+    return verdicts;
+}
+
+}  // namespace tricontact::experiments

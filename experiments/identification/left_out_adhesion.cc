@@ -1,0 +1,76 @@
+// Adhesion that a rig states and no model of an identification has.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "contact/bodies/half_space_scales.h"
+#include "experiments/identification/identification_report.h"
+#include "report/format.h"
+#include "theory/adhesion.h"
+
+namespace tricontact::experiments {
+
+namespace {
+
+using report::Verdict;
+using Measurement = IdentificationInput::Measurement;
+
+// Between the limits of both theories; contact radii that differ by less are not called different.
+constexpr double least_tabor_of_jkr = 1, negligible_widening = .01;
+
+/// The least normal force of the measurements [N], under which adhesion does most.
+double least_force(const IdentificationInput& input) {
+    double least = *input.rig.load.normal_force;
+    for (const auto& table : input.tables) {
+        if (table.measurement == Measurement::contact_radius)
+            least = std::min(least, std::ranges::min(table.given));
+        if (table.measurement == Measurement::force_indentation ||
+            table.measurement == Measurement::force_relaxation)
+            least = std::min(least, std::ranges::min(table.observed));
+        if (table.measurement == Measurement::indentation_creep)
+            least = std::min(least, table.held);
+    }
+    return least;
+}
+
+double found_or(const IdentifiedModel& model, const char* key, double known) {
+    const auto k = model.found.find(key);
+    return k ? model.found.parameters[*k].value : known;
+}
+
+}  // namespace
+
+std::optional<Verdict> left_out_adhesion(const IdentificationStudy& study) {
+    const IdentificationInput& input = study.input;
+    if (!input.work_of_adhesion) return {};
+    const IdentifiedModel& model = reference_model(study);
+    contact::Case c = input.rig;
+    c.indenter.radius = found_or(model, "indenter.radius", c.indenter.radius);
+    c.substrate.young = found_or(model, "substrate.young", c.substrate.young);
+    c.substrate.poisson = found_or(model, "substrate.poisson", c.substrate.poisson);
+    c.load.normal_force = least_force(input);
+    const double work = *input.work_of_adhesion, modulus = c.materials().effective_modulus();
+    const bool is_short_ranged =
+        theory::tabor_parameter(c.indenter.radius, work, modulus, input.interatomic_distance) >
+        least_tabor_of_jkr;
+    const auto theory = is_short_ranged ? theory::Adhesion::jkr : theory::Adhesion::dmt;
+    const double wider = theory::adhesive_contact_radius(theory, *c.load.normal_force,
+                                                         c.indenter.radius, modulus, work) /
+                         contact::half_space_scales(c).contact_radius;
+    std::string sentence = fmt::format(
+        "The models have no adhesion: rig.work_of_adhesion = {} is left out. On a half-space of "
+        "the modulus found it widens the contact by {} % under {} (by {})",
+        report::given_quantity(work, "J/m2"), report::significant(100 * (wider - 1), 2),
+        report::quantity(*c.load.normal_force, "N", 3),
+        is_short_ranged ? "Johnson, Kendall and Roberts" : "Derjaguin, Muller and Toporov");
+    if (input.find(Measurement::contact_radius))  // a^3 is proportional to 1/E
+        sentence += fmt::format(", from which radii alone give E {} % too low",
+                                report::significant(100 * (1 - std::pow(wider, -3)), 2));
+    return Verdict{
+        wider - 1 > negligible_widening ? Verdict::Standing::fails : Verdict::Standing::holds,
+        sentence + "."};
+}
+
+}  // namespace tricontact::experiments
