@@ -2,7 +2,6 @@
 #include <optional>
 
 #include "app/commands/command.h"
-#include "app/roll_models.h"
 #include "bem/contact_program_influence.h"
 #include "bem/grid_compliance.h"
 #include "bem/model.h"
@@ -77,7 +76,6 @@ std::optional<std::string> influence_of(const BoundaryElementCase& read,
 void export_to_contact_program(BoundaryElementOptions options) {
     const auto read = read_boundary_elements(options);
     const Case& c = read.c;
-    refuse_rolling_on(c, options.file);
     const std::string name = std::filesystem::path(options.file).stem().string();
     const std::string influence_name = name + ".influence";
     options.choose_folder("_contact");
