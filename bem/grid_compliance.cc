@@ -282,7 +282,7 @@ std::unique_ptr<GridCompliance> tabulated_compliance(InfluenceTable table, const
                                                      int n_threads) {
     const double h = grid.spacing[0];
     check_spacing(table, name, h);
-    const int n_x = positions(grid.n_x), n_y = positions(all_rows(grid, grid.n_y));
+    const int n_x = grid.n_x, n_y = all_rows(grid, grid.n_y);
     if (table.n_x < n_x || table.n_y < n_y)
         throw contact::InputError(
             fmt::format("{}: {} x {} positions, but contact and rolling path need {} x {}; write "
@@ -290,9 +290,10 @@ std::unique_ptr<GridCompliance> tabulated_compliance(InfluenceTable table, const
                         name, table.n_x, table.n_y, n_x, n_y));
     const auto shared = std::make_shared<const InfluenceTable>(std::move(table));
     return std::make_unique<GridCompliance>(
+        // Farther than the cells lie apart are positions of the padding alone, which nothing reads.
         [shared, h](double x, double y) {
-            return shared->at(static_cast<int>(std::lround(x / h)),
-                              static_cast<int>(std::lround(y / h)));
+            return shared->at(std::min(static_cast<int>(std::lround(x / h)), shared->n_x - 1),
+                              std::min(static_cast<int>(std::lround(y / h)), shared->n_y - 1));
         },
         std::move(grid), coupled, n_threads);
 }

@@ -142,6 +142,15 @@ std::unique_ptr<GridCompliance> grid_compliance(const contact::Case& c, Body bod
 
 using MakeCompliance = std::function<std::unique_ptr<GridCompliance>(contact::ContactPoints grid)>;
 
+/// Half sides of the largest grid that a table of coefficients has positions for [m]. What the grid
+/// has beside the contact need not be more; a contact that has reached its edge (`aside`) needs it.
+contact::Vector2 widest_half(const contact::Case& c, double spacing, double aside) {
+    if (!c.bem.influence || aside > 0) return {contact::infinity, contact::infinity};
+    const InfluenceTable table = read_influence(*c.bem.influence);
+    const auto half = [&](int n) { return (std::floor((n - 1) / 2.) - .5) * spacing; };
+    return {half(table.n_x), half(table.n_y)};
+}
+
 /// On a grid that is enlarged until it covers the contact.
 std::unique_ptr<GridCompliance> fitting(const contact::Case& c, double spacing,
                                         const MakeCompliance& make, double aside,
@@ -150,6 +159,7 @@ std::unique_ptr<GridCompliance> fitting(const contact::Case& c, double spacing,
     // a grows with F_N^(1/3) or d^(1/2) of Hertz' contact: the root covers both controls.
     const double growth = std::sqrt(contact::crest_factor(c));
     const std::shared_ptr<const contact::Indenter> indenter = c.make_indenter();
+    const contact::Vector2 widest = widest_half(c, spacing, aside);
     for (double margin = first_margin;; margin *= enlargement) {
         // A path measured by the model's own radius is known when the model has been pressed.
         const bool own_radius =
@@ -157,12 +167,15 @@ std::unique_ptr<GridCompliance> fitting(const contact::Case& c, double spacing,
         const auto extent = path_extent(c, hertz.contact_radius * (own_radius ? margin : 1), aside);
         const double half_x = margin * growth * hertz.half_widths[0] + extent[0];
         const double half_y = margin * growth * hertz.half_widths[1] + extent[1];
-        auto compliance =
-            make(c.is_cylindrical()
-                     ? make_long_grid(half_x, spacing, c.indenter.length, c.is_line_contact())
-                     : make_grid(half_x, half_y, spacing, mirrored));
+        const auto made = [&](double x, double y) {
+            return make(c.is_cylindrical()
+                            ? make_long_grid(x, spacing, c.indenter.length, c.is_line_contact())
+                            : make_grid(x, y, spacing, mirrored));
+        };
+        auto compliance = made(std::min(half_x, widest[0]), std::min(half_y, widest[1]));
         if (covers(*compliance, c, indenter, extent, margin < widest_by_friction))
             return compliance;
+        if (half_x > widest[0] || half_y > widest[1]) made(half_x, half_y);  // throws
     }
 }
 

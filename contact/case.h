@@ -176,6 +176,7 @@ struct Case {
         std::optional<std::string> file;
         std::optional<std::string> table;
         int steps = 10;  ///< from one row to the next, where the table has no such column
+        CentreOfRotation centre = {};
     };
 
     struct Bem {

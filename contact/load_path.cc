@@ -51,8 +51,9 @@ std::vector<LoadStep> pressing_steps(const Case& c, const LoadStep& pressed) {
 }
 
 /// The state at a row of a prescribed path.
-LoadStep step_to(const PrescribedPath::Row& row, double phase) {
+LoadStep step_to(const PrescribedPath::Row& row, const CentreOfRotation& centre, double phase) {
     LoadStep step;
+    step.centre = centre;
     step.phase = phase;
     step.offset = row.offset;
     step.normal = row.normal;
@@ -71,7 +72,7 @@ void check_carries(const Case& c, const LoadStep& step) {
 LoadPath prescribed(const Case& c) {
     const PrescribedPath& prescribed = *c.prescribed_path;
     LoadPath path;
-    const LoadStep first = step_to(prescribed.rows.front(), 0);
+    const LoadStep first = step_to(prescribed.rows.front(), prescribed.centre, 0);
     if (!prescribed.starts_unloaded()) {
         path.pressing = pressing_steps(c, first);
         // What has slid freely is loaded when it has been pressed.
@@ -84,7 +85,7 @@ LoadPath prescribed(const Case& c) {
         const auto &from = prescribed.rows[r - 1], &to = prescribed.rows[r];
         for (int k = 1; k <= to.steps; ++k) {
             const double share = static_cast<double>(k) / to.steps;
-            LoadStep step = step_to(PrescribedPath::between(from, to, share),
+            LoadStep step = step_to(PrescribedPath::between(from, to, share), prescribed.centre,
                                     static_cast<double>(r - 1) + share);
             step.duration = prescribed.is_timed() ? (to.time - from.time) / to.steps
                                                   : std::numeric_limits<double>::infinity();

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "contact/case.h"
+#include "contact/centre_of_rotation.h"
 #include "contact/control.h"
 #include "contact/vector2.h"
 
@@ -16,9 +17,8 @@ struct LoadStep {
     std::array<TangentialControl, 2> tangential;  ///< x, y
     double duration = 0;   ///< [s], in which strains change linearly; infinite: all relaxes
     bool friction = true;  ///< false: the surface slides freely under the indenter in this step
-    /// Twist of the indenter since the start about the normal through its lowest point, from x
-    /// towards y [rad].
-    double rotation = 0;
+    double rotation = 0;   ///< twist of the indenter since the start, from x towards y [rad]
+    CentreOfRotation centre = {};
     bool recurs = true;  ///< a step at this phase of the period comes again and again
 };
 

@@ -3,6 +3,7 @@
 #include <array>
 #include <vector>
 
+#include "contact/centre_of_rotation.h"
 #include "contact/control.h"
 #include "contact/vector2.h"
 
@@ -14,15 +15,15 @@ namespace tricontact::contact {
 /// without load.
 struct PrescribedPath {
     struct Row {
-        double time = 0;   ///< [s]; 0 throughout where no time is prescribed
-        Vector2 offset{};  ///< of the indenter's lowest point over the substrate, by rolling [m]
-        /// Twist of the indenter about the normal through its lowest point, from x towards y [rad].
-        double rotation = 0;
+        double time = 0;      ///< [s]; 0 throughout where no time is prescribed
+        Vector2 offset{};     ///< of the indenter's lowest point over the substrate, by rolling [m]
+        double rotation = 0;  ///< twist of the indenter about `centre`, from x towards y [rad]
         NormalControl normal;                         ///< positive but for the first row's
         std::array<TangentialControl, 2> tangential;  ///< x, y: forces or shifts
         int steps = 1;                                ///< from the row before
     };
     std::vector<Row> rows;  ///< two or more
+    CentreOfRotation centre = {};
 
     bool starts_unloaded() const { return rows.front().normal.value == 0; }
     /// Whether anything but pressing happens on the way to the first row.

@@ -100,6 +100,7 @@ StepRecord SurfaceModel::record(const LoadStep& step) const {
     const bool mirrored = points().mirrored;
     const auto& p = now().normal->pressure;
     const auto& t = now().tangential.traction;
+    const Vector2 centre = centre_of(step);
     StepRecord r;
     r.phase = step.phase;
     r.offset = step.offset;
@@ -109,19 +110,18 @@ StepRecord SurfaceModel::record(const LoadStep& step) const {
     using Forces = Sums<5>;  // normal, tangential, torque; dissipation
     using Areas = Sums<3>;   // open, stick, slip
     const Blocks all = blocks(now().bound.size());
-    const auto forces = all.sum_points<Forces>([&](Forces& sum, std::size_t i) {
-                               sum[0] += area[i] * p[i];
-                               sum[1] += area[i] * t.x[i];
-                               if (!mirrored) {
-                                   sum[2] += area[i] * t.y[i];
-                                   const Vector2 from{points().x[i] - step.offset[0],
-                                                      points().y[i] - step.offset[1]};
-                                   sum[3] += area[i] * (from[0] * t.y[i] - from[1] * t.x[i]);
-                               }
-                               if (contact_state_[i] == ContactState::slip)
-                                   sum[4] += area[i] * friction_work(i);
-                           })
-                            .values;
+    const auto forces =
+        all.sum_points<Forces>([&](Forces& sum, std::size_t i) {
+               sum[0] += area[i] * p[i];
+               sum[1] += area[i] * t.x[i];
+               if (!mirrored) {
+                   sum[2] += area[i] * t.y[i];
+                   const Vector2 from = Vector2{points().x[i], points().y[i]} - centre;
+                   sum[3] += area[i] * (from[0] * t.y[i] - from[1] * t.x[i]);
+               }
+               if (contact_state_[i] == ContactState::slip) sum[4] += area[i] * friction_work(i);
+           })
+            .values;
     r.normal_force = forces[0];
     r.tangential_force = {forces[1], forces[2]};
     r.torque = forces[3];

@@ -61,7 +61,8 @@ void SurfaceModel::release() {
 
 StepRecord SurfaceModel::roll(const LoadStep& step, double rotation) {
     check_rolls_on(name_, points());
-    StepStart before = {solver_->tractions(), now().displacement, now().shift, rotation, true};
+    StepStart before = {
+        solver_->tractions(), now().displacement, now().shift, rotation, centre_of(step), true};
     advect(points(), before.traction);
     advect(points(), before.displacement);
     substrate_->advect();

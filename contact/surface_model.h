@@ -36,12 +36,12 @@ class SurfaceModel final : public Model {
     bool is_coupled() const override { return !solver_->coupling().is_decoupled(); }
     StepRecord advance(const LoadStep& step) override {
         return take(step, {solver_->tractions(), now().displacement, now().shift,
-                           step.rotation - rotation_});
+                           step.rotation - rotation_, centre_of(step)});
     }
     /// Rolls on by one cell of the grid along x, in the frame that moves with the indenter: its
     /// offset stays, and all fields are advected by one cell before the step is taken. In it the
-    /// indenter also rotates by `rotation` [rad] about z through its lowest point, from x towards
-    /// y. Throws InputError as check_rolls_on().
+    /// indenter also rotates by `rotation` [rad] about the step's centre, from x towards y. Throws
+    /// InputError as check_rolls_on().
     StepRecord roll(const LoadStep& step, double rotation);
     void release() override;
     void enlarge(const ContactAtEdge& reached) override;
@@ -85,6 +85,10 @@ class SurfaceModel final : public Model {
     EnergyBalance update_energy();
     template <class Archive, class Self>
     static void transfer_rest(Archive& archive, Self& model);
+
+    Vector2 centre_of(const LoadStep& step) const {
+        return step.centre.at(step.offset, indenter_->lowest_point());
+    }
 
     std::string name_;
     std::unique_ptr<Substrate> substrate_;

@@ -23,6 +23,7 @@ contact::Vector2 half_extent(const contact::Surface& s) {
 
 RollingState state_of(const contact::Surface& s, const contact::Indenter& indenter) {
     const double area = s.spacing[0] * s.spacing[1];
+    const contact::Vector2 centre = indenter.lowest_point();
     RollingState state;
     double moment = 0;
     for (std::size_t i = 0; i < s.size(); ++i) {
@@ -33,7 +34,7 @@ RollingState state_of(const contact::Surface& s, const contact::Indenter& indent
         state.normal_force += area * p;
         state.force[0] += area * t_x;
         state.force[1] += area * t_y;
-        state.spin_moment += area * (x * t_y - y * t_x);
+        state.spin_moment += area * ((x - centre[0]) * t_y - (y - centre[1]) * t_x);
         state.dissipation += area * s.dissipation[i];
         moment += area * p * x;
         if (p > 0) state.resistance += area * p * indenter.slope(x, y)[0];

@@ -17,7 +17,7 @@
 ///
 /// Slip is the indenter's surface over the substrate's, per rolled way. With u the displacement of
 /// the substrate relative to the indenter (see contact::Compliance) and (x, y) measured from the
-/// contact's centre, it is, once steady,
+/// indenter's lowest point, the centre of rotation, it is, once steady,
 ///   s = (longitudinal - spin y, lateral + spin x) + du/dx,
 /// Kalker (1990), Three-Dimensional Elastic Bodies in Rolling Contact, eq. 1.39. Friction acts on
 /// the substrate along s: force and creepage have the same sign, and a force along +x is that of a
@@ -54,7 +54,7 @@ struct RollingState {
     double normal_force = 0;   ///< F_N [N]
     double indentation = 0;    ///< d [m]
     contact::Vector2 force{};  ///< friction on the substrate [N]
-    double spin_moment = 0;    ///< of friction about z through the centre, on the substrate [N m]
+    double spin_moment = 0;    ///< of friction about the centre of spin, on the substrate [N m]
     double half_length = 0;    ///< of the contact in x [m]
     double half_width = 0;     ///< of the contact in y [m]
     double peak_pressure = 0;  ///< [Pa]

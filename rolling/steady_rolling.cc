@@ -138,8 +138,9 @@ class StaggeredIteration {
         coupling_.update_displacement(normal_.pressure);
         if (drive_.force_ratio)
             drive_.force[0] = *drive_.force_ratio * problem_.friction_coefficient * normal_.force;
-        solve_steady(compliance_, {bound_, coupling_.displacement(), drive_}, problem_.tolerance,
-                     steady_);
+        solve_steady(compliance_,
+                     {bound_, coupling_.displacement(), drive_, problem_.indenter->lowest_point()},
+                     problem_.tolerance, steady_);
         iterations_ += steady_.iterations;
     }
 

@@ -117,7 +117,8 @@ class Newton {
         for (const std::size_t i : active_)
             sliding = std::max(sliding, std::hypot(by_pressure.x[i], by_pressure.y[i]) +
                                             std::abs(problem_.drive.spin) *
-                                                std::hypot(points_.x[i], points_.y[i]));
+                                                std::hypot(points_.x[i] - problem_.centre[0],
+                                                           points_.y[i] - problem_.centre[1]));
         sliding_creepage_ = alpha_ * mean_bound_ + sliding;
     }
 
@@ -131,8 +132,8 @@ class Newton {
         const Creepage& w = solution_.creepage;
         const double ahead = contact::spin_point * points_.spacing[0];
         for (const std::size_t i : active_) {
-            solution_.slip.x[i] += w.longitudinal - w.spin * points_.y[i];
-            solution_.slip.y[i] += w.lateral + w.spin * (points_.x[i] + ahead);
+            solution_.slip.x[i] += w.longitudinal - w.spin * (points_.y[i] - problem_.centre[1]);
+            solution_.slip.y[i] += w.lateral + w.spin * (points_.x[i] + ahead - problem_.centre[0]);
         }
     }
 
@@ -221,7 +222,7 @@ class Newton {
 void bracket(const contact::Compliance& compliance, const SteadyProblem& problem, double tolerance,
              double unit, SteadySolution& solution) {
     Drive drive = problem.drive;  // creepage along x in place of the force
-    const SteadyProblem at_creepage{problem.bound, problem.displacement, drive};
+    const SteadyProblem at_creepage{problem.bound, problem.displacement, drive, problem.centre};
     const auto missing_force = [&](double creepage) {
         drive.creepage[0] = creepage;
         Newton(compliance, at_creepage, tolerance, solution).run();

@@ -83,6 +83,7 @@ struct SteadyProblem {
     const std::vector<double>& bound;              ///< mu p [Pa] per point, 0 outside the contact
     const contact::TangentialField& displacement;  ///< by all but t [m]
     const Drive& drive;
+    contact::Vector2 centre{};  ///< of the spin [m]
 };
 
 struct SteadySolution {

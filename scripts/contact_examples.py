@@ -14,7 +14,7 @@ import subprocess
 import sys
 import tempfile
 
-# What CONTACT prints (examples/*.ref_out of github.com/eve70a/CONTACT, version of 10 May 2023): forces and moment on
+# What CONTACT prints (examples/*.ref_out of github.com/eve70a/CONTACT, the same in the versions of 10 May 2023 and 23 July 2025): forces and moment on
 # body 1 [N, N mm], CREEP X, APPROACH and SHIFT [mm], PMAX [N/mm^2], FRIC.POWER [W], elements. `sign`: -1 where the
 # contact rolls towards -x, `speed` VELOC [mm/s], `cell` DX DY [mm^2].
 STEADY = {

@@ -2,7 +2,6 @@
 #include <optional>
 
 #include "app/commands/command.h"
-#include "app/roll_models.h"
 #include "app/unread_parts.h"
 #include "bem/contact_program_influence.h"
 #include "bem/grid_compliance.h"
@@ -79,7 +78,6 @@ std::optional<std::string> influence_of(const BoundaryElementCase& read,
 void export_to_contact_program(BoundaryElementOptions options) {
     const auto read = read_boundary_elements(options);
     const Case& c = read.c;
-    refuse_rolling_on(c, options.file);
     say_unread_parts(options, "export");
     const std::string name = std::filesystem::path(options.file).stem().string();
     const std::string influence_name = name + ".influence";

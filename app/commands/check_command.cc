@@ -8,6 +8,7 @@
 #include "comparisons/quantities/quantity.h"
 #include "comparisons/quantities/reference.h"
 #include "comparisons/run/input_reading.h"
+#include "comparisons/run/path_section.h"
 #include "io/case/case_keys.h"
 #include "rolling/creep_theory.h"
 #include "walking/input/walk_keys.h"
@@ -47,6 +48,8 @@ std::string derived_values(const Case& c) {
     line("beta", materials.dundurs_beta(), "-", "Dundurs' constant");
     if (c.tractive_rolling)
         line("xi_unit", rolling::creepage_unit(c), "-", "unit of creepage, mu a/R");
+    if (c.prescribed_path && c.prescribed_path->twists())
+        text += "# twist " + comparisons::centre_of_rotation_text(c) + "\n";
     if (c.tractive_rolling && c.tractive_rolling->longitudinal_creepage) return text;
     const comparisons::Reference r = comparisons::reference(c);
     if (std::isfinite(r.tangential_ratio)) {

@@ -5,6 +5,7 @@
 #include "app/commands/command.h"
 #include "bem/contact_program_influence.h"
 #include "bem/grid_compliance.h"
+#include "bem/model.h"
 #include "io/contact_program/import.h"
 #include "io/contact_program/written_case.h"
 #include "io/keys/input_file.h"
@@ -53,8 +54,7 @@ class CaseImport {
         }
         if (n_written_ == 0) options_.refuse(left_out_.front().reason);
         left_out_.insert(left_out_.end(), found_.left_out.begin(), found_.left_out.end());
-        for (const auto& one : left_out_)
-            told_ += fmt::format("{:<21}left out: {}\n", cases(one.first, one.last), one.reason);
+        tell_left_out();
     }
 
     std::string told() const {
@@ -63,6 +63,40 @@ class CaseImport {
     }
 
   private:
+    /// Cases that are left out for the same reason are one line, with the place of the first.
+    void tell_left_out() {
+        struct Reason {
+            std::size_t first = 0, last = 0, n = 0;
+            std::string text;
+        };
+        std::vector<Reason> reasons;
+        for (const auto& one : left_out_) {
+            const auto same = std::ranges::find_if(reasons, [&](const Reason& other) {
+                return without_place(other.text) == without_place(one.reason);
+            });
+            Reason& reason = same != reasons.end() ? *same : reasons.emplace_back();
+            if (reason.n == 0) {
+                reason.first = one.first;
+                reason.text = one.reason;
+            }
+            reason.last = one.last;
+            reason.n += one.last - one.first + 1;
+        }
+        for (const Reason& one : reasons) {
+            const std::size_t within = one.last - one.first + 1;
+            told_ +=
+                fmt::format("{:<21}{}left out: {}\n", cases(one.first, one.last),
+                            one.n == within ? "" : fmt::format("{} of these ", one.n), one.text);
+        }
+    }
+
+    /// What follows the file's name, line and column.
+    std::string without_place(const std::string& reason) const {
+        if (!reason.starts_with(options_.file)) return reason;
+        const std::size_t rule = reason.find(": ", options_.file.size());
+        return rule == std::string::npos ? reason : reason.substr(rule);
+    }
+
     /// The file's own name; of several the number of the first case of CONTACT follows.
     std::string name(const ImportedCase& one) const {
         const bool alone = found_.cases.size() + found_.left_out.size() == 1;
@@ -120,6 +154,13 @@ bool import_written(const CommandOptions& options, const std::string& input) {
     return true;
 }
 
+/// On the case's own cells: coarse ones are pressed deeper than Hertz says.
+double pressed_depth(const Case& c) {
+    return bem::make_model(c, 1, bem::Body::half_space)
+        ->advance(contact::press_step(c))
+        .indentation;
+}
+
 /// Writes the cases of an input file of CONTACT (docs/contact-program.md).
 void import_from_contact_program(CommandOptions options) {
     io::refuse_toml(options.file);
@@ -127,7 +168,7 @@ void import_from_contact_program(CommandOptions options) {
         io::read_input_file(options.file, "input file of CONTACT", largest_input_mb);
     options.choose_folder("_cases");
     if (import_written(options, input)) return;
-    const Import found = io::import_cases(input, options.file, bem::is_coupled);
+    const Import found = io::import_cases(input, options.file, bem::is_coupled, pressed_depth);
     CaseImport work(options, found);
     options.fill(work.names(), [&] { work.write(); });
     std::cout << work.told();

@@ -62,7 +62,8 @@ std::vector<const Magnitude*> answers(const contact::PrescribedPath& path) {
     return list;
 }
 
-report::DocumentTable row_table(const contact::PrescribedPath& path, const Histories& histories) {
+report::DocumentTable row_table(const contact::Case& c, const Histories& histories) {
+    const contact::PrescribedPath& path = *c.prescribed_path;
     report::DocumentTable table{
         .id = "path",
         .title = "At the rows of the path",
@@ -71,6 +72,8 @@ report::DocumentTable row_table(const contact::PrescribedPath& path, const Histo
             "frictional work since the first row.",
         .columns = {{"row"}},
         .folded = path.rows.size() > most_open_rows};
+    if (path.twists())
+        table.note += " Twist, shifts and torque: " + centre_of_rotation_text(c) + ".";
     const auto shown = report::thinned(path.rows.size(), most_rows);
     for (const std::size_t r : shown) table.rows.push_back({static_cast<int>(r)});
     const auto add = [&](const History& history, const std::string& name, const report::Unit& unit,
@@ -142,11 +145,27 @@ std::vector<const StepRecord*> steps_at_rows(const History& history) {
     return rows;
 }
 
+std::string centre_of_rotation_text(const contact::Case& c) {
+    const contact::CentreOfRotation& centre = c.prescribed_path->centre;
+    const auto place = [](const contact::Vector2& at) {
+        return fmt::format("({:.6g}, {:.6g}) mm", 1e3 * at[0] + 0., 1e3 * at[1] + 0.);
+    };
+    if (centre.frame == contact::CentreOfRotation::Frame::substrate)
+        return "about the point " + place(centre.place) + ", at rest on the substrate";
+    const contact::Vector2 lowest = c.make_indenter()->lowest_point();
+    std::string text = "about the indenter's lowest point";
+    if (centre.place != contact::Vector2{})
+        text = "about the point " + place(centre.place) + " from the indenter's lowest point";
+    if (c.indenter.shape == contact::Case::Shape::height_map)
+        text += ", which lies " + place(lowest) + " from the map's middle node";
+    return text + ", and moving with it";
+}
+
 report::DocumentSection path_section(const contact::Case& c, const Histories& histories) {
     if (!c.prescribed_path) return {};
     const contact::PrescribedPath& path = *c.prescribed_path;
     report::DocumentSection section{
-        .id = "path", .heading = "Along the path", .tables = {row_table(path, histories)}};
+        .id = "path", .heading = "Along the path", .tables = {row_table(c, histories)}};
     const auto add = [&](const std::string& id, const std::string& title, const Magnitude& y,
                          const Magnitude* x) {
         // What stays zero has no picture.

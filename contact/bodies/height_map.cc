@@ -107,6 +107,22 @@ MappedIndenter::MappedIndenter(HeightMap map)
     const HeightMap& m = field_.map();
     first_ = {-(m.n_x / 2) * m.spacing[0], -(m.n_y / 2) * m.spacing[1]};
     last_ = {first_[0] + (m.n_x - 1) * m.spacing[0], first_[1] + (m.n_y - 1) * m.spacing[1]};
+    lowest_point_ = find_lowest_point();
+}
+
+Vector2 MappedIndenter::find_lowest_point() const {
+    const HeightMap& m = field_.map();
+    constexpr double rounding = 1e-12;  // of what the heights are made of: level and size
+    const double equal = rounding * (std::abs(lowest_) + std::min(m.spacing[0], m.spacing[1]));
+    Vector2 sum{};
+    int n = 0;
+    for (int j = 0; j < m.n_y; ++j)
+        for (int i = 0; i < m.n_x; ++i) {
+            if (m.at(i, j) - lowest_ > equal) continue;
+            sum = sum + Vector2{static_cast<double>(i), static_cast<double>(j)};
+            ++n;
+        }
+    return {first_[0] + sum[0] / n * m.spacing[0], first_[1] + sum[1] / n * m.spacing[1]};
 }
 
 double MappedIndenter::height(double x, double y) const {

@@ -70,6 +70,7 @@ class RoughIndenter final : public Indenter {
     Vector2 slope(double x, double y) const override {
         return body_->slope(x, y) + roughness_.at(x, y).slope;
     }
+    Vector2 lowest_point() const override { return body_->lowest_point(); }
 
   private:
     double find_lowest() const;
@@ -89,10 +90,15 @@ class MappedIndenter final : public Indenter {
     Vector2 slope(double x, double y) const override {
         return field_.at(x - first_[0], y - first_[1]).slope;
     }
+    /// The lowest node; the mean place of several that are equally low.
+    Vector2 lowest_point() const override { return lowest_point_; }
 
   private:
+    Vector2 find_lowest_point() const;
+
     HeightField field_;
     Vector2 first_, last_;  // outermost nodes [m]
+    Vector2 lowest_point_;
     double lowest_;
 };
 

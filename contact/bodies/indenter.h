@@ -8,8 +8,9 @@
 
 namespace tricontact::contact {
 
-/// Undeformed shape of the indenter, lowest point at the origin, z out of the substrate.
-/// Any height field fits: height maps and tilted bodies derive from this class.
+/// Undeformed shape of the indenter, z out of the substrate. The origin is its position, which for
+/// all but measured bodies is its lowest point. Any height field fits: height maps and tilted
+/// bodies derive from this class.
 class Indenter {
   public:
     virtual ~Indenter() = default;
@@ -18,6 +19,9 @@ class Indenter {
     virtual double height(double x, double y) const = 0;
     /// Gradient of the height [-]; only inside the body.
     virtual Vector2 slope(double x, double y) const = 0;
+    /// Its lowest point [m], roughness not counted: what it twists about unless told otherwise (see
+    /// CentreOfRotation). The origin but for measured bodies.
+    virtual Vector2 lowest_point() const { return {0, 0}; }
     /// Whether the pressure under it is about sqrt(1 - r^2/a^2) times a linear function of r^2, as
     /// under a ball: what moments of the pressure tell a by.
     virtual bool presses_like_a_ball() const { return true; }

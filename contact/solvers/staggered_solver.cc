@@ -60,8 +60,8 @@ void StaggeredSolver::make_solvers() {
 Vector2 StaggeredSolver::rotated(const StepStart& before, std::size_t i) const {
     if (before.rotation == 0) return {};
     const double ahead = before.advected ? spin_point * points().spacing[0] : 0;
-    return {-before.rotation * (points().y[i] - now_.offset[1]),
-            before.rotation * (points().x[i] + ahead - now_.offset[0])};
+    return {-before.rotation * (points().y[i] - before.centre[1]),
+            before.rotation * (points().x[i] + ahead - before.centre[0])};
 }
 
 SurfaceField StaggeredSolver::tractions() const {

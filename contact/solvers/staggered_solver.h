@@ -20,7 +20,8 @@ namespace tricontact::contact {
 struct StepStart {
     SurfaceField traction, displacement;  ///< [Pa], [m]
     Vector2 shift;                        ///< U [m]
-    double rotation = 0;                  ///< of the indenter in the step [rad]
+    double rotation = 0;                  ///< of the indenter in the step [rad], about `centre`
+    Vector2 centre{};                     ///< [m]
     bool advected = false;                ///< by one cell, see advect()
 };
 

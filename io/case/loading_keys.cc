@@ -15,6 +15,7 @@ using Steps = Case::Steps;
 using Until = Case::Until;
 using Tractive = Case::TractiveRolling;
 using Path = Case::PathInput;
+using Centre = contact::CentreOfRotation;
 
 constexpr double full_turn = 2 * std::numbers::pi;
 constexpr std::string_view no_time_reversal = "time does not go backwards";
@@ -29,6 +30,11 @@ Field in_steps(Case& c) {
 template <auto... members>
 Field unless_prescribed(Case& c) {
     return c.path_input ? Field() : in(c, members...);
+}
+
+template <std::size_t axis>
+Field centre_coordinate(Case& c) {
+    return c.path_input ? Field(&c.path_input->centre.place[axis]) : Field();
 }
 
 }  // namespace
@@ -197,7 +203,22 @@ std::vector<CaseKey> path_keys() {
         {integer_key("path.steps", {1, 100000}, "10",
                      "equal steps from one row to the next, where the table has no column `steps`",
                      {.default_value = "10"}),
-         at<&Case::path_input, &Path::steps>}};
+         at<&Case::path_input, &Path::steps>},
+        {choice_key("path.centre_of_rotation",
+                    {choice("indenter", Centre::Frame::indenter),
+                     choice("substrate", Centre::Frame::substrate)},
+                    R"("substrate")",
+                    "what rotation, shifts and torque are about: a point that moves with the "
+                    "indenter, centre_x and centre_y from its lowest point, or one at rest in the "
+                    "substrate's coordinates, in which the offsets are",
+                    {.default_value = R"("indenter")"}),
+         at<&Case::path_input, &Path::centre, &Centre::frame>},
+        {quantity_key("path.centre_x", Dimension::length, {-1e6, 1e6}, R"("0.4 mm")",
+                      "place of the centre of rotation along x", {.default_value = R"("0 m")"}),
+         centre_coordinate<0>},
+        {quantity_key("path.centre_y", Dimension::length, {-1e6, 1e6}, R"("0.4 mm")",
+                      "place of the centre of rotation along y", {.default_value = R"("0 m")"}),
+         centre_coordinate<1>}};
 }
 
 }  // namespace tricontact::io

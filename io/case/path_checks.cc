@@ -46,11 +46,21 @@ bool lies_on_a_line(const PrescribedPath& path) {
     });
 }
 
+/// Of the keys of the centre of rotation one that the case has.
+std::string centre_key(const Document& document) {
+    for (const char* key : {"path.centre_of_rotation", "path.centre_x"})
+        if (document.find(key)) return key;
+    return "path.centre_y";
+}
+
 /// Some bodies, models and materials know fewer motions.
 void check_motions(const Case& c, const Document& document) {
     const PrescribedPath& path = *c.prescribed_path;
     const std::string key = path_key(document);
     const auto refuse_motions = [&](const std::string& what, const std::string& remedy) {
+        if (path.centre != contact::CentreOfRotation{})
+            refuse(document, centre_key(document), what + " has neither twist nor torque",
+                   "omit it, or " + remedy);
         if (path.twists())
             refuse(document, key, what + " cannot be twisted", "omit rotation, or " + remedy);
         if (path.loads_across())
@@ -71,6 +81,10 @@ void check_motions(const Case& c, const Document& document) {
             refuse(document, key, "a cylinder or roller rolls across its axis, along x, only",
                    "omit offset_y, or take a body of revolution");
     }
+    if (c.bem.period && path.twists())
+        refuse(document, key,
+               "a periodic contact cannot be twisted: its images would turn about other points",
+               "omit rotation, or bem.period");
     if (c.law != Case::Law::linear && path.twists())
         refuse(document, key, "fem does not twist the indenter at finite strains",
                "omit rotation, or set substrate.material to \"linear\"");
@@ -109,6 +123,7 @@ void resolve_path(Case& c, const Document& document) {
     told_at(document, path_key(document), [&] {
         c.prescribed_path = input.file ? read_path_file(*input.file, input.steps)
                                        : read_path_text(*input.table, "table", input.steps);
+        c.prescribed_path->centre = input.centre;
     });
     check_alone(c, document);
     const NormalControl hardest = c.prescribed_path->hardest_normal();

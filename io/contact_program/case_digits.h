@@ -17,7 +17,7 @@ struct CaseDigits {
     int normal = 0;      ///< N: 0 depth, 1 force
     int force = 0;       ///< F: which of x and y have a force, 0 to 2
     int stress = 0;      ///< S: points inside; 0 none, 2 and 3 read what is due
-    int variable = 0;    ///< V: 0 friction is the same everywhere
+    int variable = 0;    ///< V: 0 friction is the same everywhere; else one set of it per row
     int friction = 0;    ///< L: 0, 2 to 4, 6 laws, 1 kept
     int cells = 0;       ///< D: 2 new, else kept
     int influence = 0;   ///< C: 0, 1 kept, 2 half-space, 9 of a file

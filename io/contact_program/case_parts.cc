@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "io/contact_program/sequence.h"
@@ -14,7 +15,8 @@ namespace {
 
 constexpr double file_rounding = 1e-6;  // of values in a file, relative
 constexpr double taken_for_rigid = rigid_shear_ratio / 10;
-constexpr double coarsest_tolerance = 1e-2;  // that a case takes
+constexpr double friction_without_effect = .3;  // where FSTAT = 0: a case needs one
+constexpr double coarsest_tolerance = 1e-2;     // that a case takes
 
 bool is_rigid(const ProgramCase& one) {
     return one.shear_modulus[0] >= taken_for_rigid * one.shear_modulus[1];
@@ -85,6 +87,30 @@ contact::MaterialPair materials_of(const ProgramCase& one) {
     return {is_rigid(one) ? std::nullopt : std::optional(material(0)), material(1)};
 }
 
+contact::Vector2 origin_of_case(const ProgramCase& one) {
+    contact::Vector2 origin{};
+    const std::array<int, 2> n{one.n_x, one.n_y};
+    for (const std::size_t axis : {0, 1}) {
+        if (is_line_contact(one) && axis == 1) continue;
+        const double first = one.first[axis], h = one.spacing[axis];
+        const double cells = one.distance.heights
+                                 ? std::floor(n[axis] / 2.)
+                                 : std::round((one.distance.offset[axis] - first) / h);
+        origin[axis] = first + cells * h;
+        if (std::abs(origin[axis]) < file_rounding * h) origin[axis] = 0;
+    }
+    return origin;
+}
+
+bool is_beside_origin(const ProgramCase& one) {
+    constexpr double beside = 4e-4;  // in cells: sizes of five digits, over ten cells
+    if (one.distance.heights) return false;
+    using contact::operator-;
+    const contact::Vector2 aside = one.distance.offset - origin_of_case(one);
+    return std::abs(aside[0]) > beside * one.spacing[0] ||
+           std::abs(aside[1]) > beside * one.spacing[1];
+}
+
 double program_load(const ProgramCase& one) {
     if (one.digits.normal == 1) return one.normal;
     const UndeformedDistance& body = one.distance;
@@ -99,8 +125,9 @@ std::string bodies_text(const ProgramCase& one, const std::string& name) {
         if (!is_rigid(one)) text += elastic_text(elastic(one.shear_modulus[0], one.poisson[0]));
         text += "[substrate]\n" + elastic_text(elastic(one.shear_modulus[1], one.poisson[1]));
     }
-    return text +
-           fmt::format("[friction]\ncoefficient = {}\n", toml_number(one.friction_coefficient));
+    return text + fmt::format("[friction]\ncoefficient = {}\n",
+                              toml_number(one.friction_coefficient > 0 ? one.friction_coefficient
+                                                                       : friction_without_effect));
 }
 
 std::string normal_text(const ProgramCase& one) {

@@ -19,6 +19,13 @@ inline bool is_line_contact(const ProgramCase& one) {
 /// Both bodies; a very stiff indenter is taken for rigid (see rigid_shear_ratio).
 contact::MaterialPair materials_of(const ProgramCase& one);
 
+/// Where the origin of a case lies in the coordinates of the file [m]: at the centre of the cell
+/// that is nearest to the body's lowest point, or under the middle node of its heights, so that
+/// both have the same cells.
+contact::Vector2 origin_of_case(const ProgramCase& one);
+/// Whether the lowest point of a body lies beside that of the origin.
+bool is_beside_origin(const ProgramCase& one);
+
 /// F_N [N], or the depth d [m] of the body's lowest point where N = 0.
 double program_load(const ProgramCase& one);
 

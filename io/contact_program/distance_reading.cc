@@ -145,7 +145,7 @@ class DistanceReading {
             one_.distance.depth = -mm * along_y[0];
             return;
         }
-        set_heights([&](double x, double y) {
+        set_heights(one_, [v, along_y](double x, double y) {
             const double place = (y / mm - v[3]) / v[4];
             const auto last = static_cast<double>(along_y.size() - 2);
             const auto k = static_cast<std::size_t>(std::clamp(std::floor(place), 0., last));
@@ -162,7 +162,7 @@ class DistanceReading {
         for (const std::size_t k : {6, 7})
             if (!(b[k] > 0))
                 lines_.refuse(fmt::format("B({})", k + 1), b[k], "must be positive", "correct it");
-        set_heights([&](double x, double y) {
+        set_heights(one_, [b](double x, double y) {
             x /= mm;
             y /= mm;
             return mm * (b[0] * std::sin(b[1] * (x - b[2])) - b[3] * std::sin(b[4] * (x - b[5])) +
@@ -176,16 +176,6 @@ class DistanceReading {
         one_.distance.data_line = lines_.line();
         auto heights = std::make_shared<std::vector<double>>();
         for (const InputNumber& h : v) heights->push_back(mm * h);
-        one_.distance.heights = std::move(heights);
-    }
-
-    template <class Height>
-    void set_heights(const Height& height) {
-        auto heights = std::make_shared<std::vector<double>>();
-        for (int j = 0; j < one_.n_y; ++j)
-            for (int i = 0; i < one_.n_x; ++i)
-                heights->push_back(height(one_.first[0] + i * one_.spacing[0],
-                                          one_.first[1] + j * one_.spacing[1]));
         one_.distance.heights = std::move(heights);
     }
 
@@ -219,6 +209,16 @@ HertzianCells hertzian_cells(const ProgramCase& one, const HertzInput& input,
         lines.refuse_line(one.cells_line, "IPOTCN < 0", "leads to no contact of finite size",
                           "correct the loads and the values");
     return cells;
+}
+
+void set_heights(ProgramCase& one, std::function<double(double x, double y)> height) {
+    auto heights = std::make_shared<std::vector<double>>();
+    for (int j = 0; j < one.n_y; ++j)
+        for (int i = 0; i < one.n_x; ++i)
+            heights->push_back(
+                height(one.first[0] + i * one.spacing[0], one.first[1] + j * one.spacing[1]));
+    one.distance.heights = std::move(heights);
+    one.distance.height_at = std::move(height);
 }
 
 void read_distance(InputLines& lines, ProgramCase& one) {

@@ -24,5 +24,7 @@ HertzianCells hertzian_cells(const ProgramCase& one, const HertzInput& input,
 
 /// Reads IBASE, IPLAN and what belongs to them into `one`, whose cells are known.
 void read_distance(InputLines& lines, ProgramCase& one);
+/// Heights of all cells by this function of x and y [m].
+void set_heights(ProgramCase& one, std::function<double(double x, double y)> height);
 
 }  // namespace tricontact::io

@@ -3,9 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <filesystem>
 
+#include "contact/bodies/half_space_scales.h"
 #include "contact/error.h"
+#include "io/case/case_reader.h"
 #include "io/contact_program/case_parts.h"
 #include "io/contact_program/sequence.h"
 #include "io/contact_program/sequence_case.h"
@@ -27,8 +31,12 @@ ProgramSequence next_sequence(ProgramSequence cases) {
 /// Imports one sequence.
 class SequenceImport {
   public:
-    SequenceImport(ProgramSequence steps, const std::string& name, const CouplesBodies& is_coupled)
-        : steps_(steps), name_(name), coupled_(couples(is_coupled)) {}
+    SequenceImport(ProgramSequence steps, const std::string& name, const CouplesBodies& is_coupled,
+                   const PressedDepth& pressed_depth)
+        : steps_(steps),
+          name_(name),
+          coupled_(couples(is_coupled)),
+          pressed_depth_(pressed_depth) {}
 
     void write(ImportedCase& out) const {
         for (const ProgramCase& one : steps_) check_known(one, name_);
@@ -37,9 +45,10 @@ class SequenceImport {
         const std::string cases = out.n_steps() == 1
                                       ? fmt::format("case {}", out.first)
                                       : fmt::format("cases {} to {}", out.first, out.last);
-        const std::string heading =
-            fmt::format("title = {}\nmodels = [\"bem\"]\n",
-                        toml_string(fmt::format("Sequence of CONTACT, {}, {}", name_, cases)));
+        const std::string heading = fmt::format(
+            "title = {}\nmodels = [\"bem\"]\n",
+            toml_string(fmt::format("Sequence of CONTACT, {}, {}",
+                                    std::filesystem::path(name_).filename().string(), cases)));
         out.rolls_on = steps_.back().is_rolling();
         out.text = text(heading);
         if (!out.rolls_on) out.text += inside_text();
@@ -47,7 +56,7 @@ class SequenceImport {
         out.influence_file = head().influence_file;
         out.shear_modulus =
             ShearModuli{head().shear_modulus[0], head().shear_modulus[1]}.combined();
-        out.remarks = remarks();
+        out.remarks = remarks(out.text);
     }
 
   private:
@@ -71,12 +80,14 @@ class SequenceImport {
         if (std::ranges::any_of(steps_, &ProgramCase::is_rolling))
             fail(fmt::format("{}:{}:1", name_, steps_.back().digits.line), "T = 1",
                  "goes on from rolling", "begin again by P = 2");
+        const auto path = [&] { return path_case(steps_, name_, heading, pressed_depth_); };
+        if (is_beside_origin(head())) return path();
         if (steps_.size() == 1 && head().digits.tangential == 0)
             return pressing_case(steps_, name_, coupled_, heading);
         try {
             return sequence_case(steps_, name_, coupled_, heading);
         } catch (const contact::InputError&) {
-            return path_case(steps_, name_, heading);
+            return path();
         }
     }
 
@@ -96,16 +107,32 @@ class SequenceImport {
         return table;
     }
 
-    std::vector<std::string> remarks() const {
+    /// What is otherwise in the case of this text.
+    std::vector<std::string> remarks(const std::string& text) const {
         const ProgramCase& last = steps_.back();
         std::vector<std::string> found;
         if (!is_line_contact(last) && !is_close(last.spacing[0], last.spacing[1]))
             found.push_back(fmt::format("cells of {:.6g} x {:.6g} mm became squares of {:.6g} mm",
                                         1e3 * last.spacing[0], 1e3 * last.spacing[1],
                                         1e3 * last.spacing[0]));
-        const double aside = (last.distance.offset[0] - last.first[0]) / last.spacing[0];
-        if (!last.distance.heights && std::abs(aside - std::round(aside)) > 1e-3)
-            found.push_back("the lowest point lies at a cell's centre here, not beside it");
+        if (last.is_rolling() && is_beside_origin(last))
+            found.emplace_back("the lowest point lies at a cell's centre here, not beside it");
+        constexpr double same_step = 1e-3;  // of DX
+        if (last.digits.tangential == 3 && std::abs(last.step / last.spacing[0] - 1) > same_step)
+            found.push_back(fmt::format("the step DQ = {:.6g} mm became one cell, DX = {:.6g} mm",
+                                        1e3 * last.step, 1e3 * last.spacing[0]));
+        if (last.is_rolling() && last.rotation != 0 && creepage_moves(last))
+            found.emplace_back(
+                "creepages are those at the body's lowest point, about which it "
+                "spins here (SPINXO, SPINYO, FACPHI)");
+        if (!last.distance.heights && is_cut_off(text))
+            found.emplace_back(
+                "the contact does not fit into the potential contact, whose edge "
+                "cuts it off in CONTACT and not here");
+        if (last.friction_coefficient == 0)
+            found.emplace_back(
+                "FSTAT = 0 became another coefficient of friction, which has no "
+                "effect without a tangential problem (T = 0)");
         if (last.digits.heat != 0) found.emplace_back("temperatures are not computed (H)");
         if (last.deepest > 0 && last.is_rolling())
             found.emplace_back("stresses inside are not computed while the contact rolls on (S)");
@@ -117,9 +144,29 @@ class SequenceImport {
         return found;
     }
 
+    static bool creepage_moves(const ProgramCase& one) {
+        return one.distance.offset != one.spin_centre || one.spin_ahead != usual_spin_ahead;
+    }
+
+    /// Hertz' contact of some case reaches beyond the cells.
+    bool is_cut_off(const std::string& text) const {
+        const auto half = half_space_scales(parse_case(text, name_ + ", as a case")).half_widths;
+        return std::ranges::any_of(steps_, [&](const ProgramCase& one) {
+            const std::array<int, 2> n{one.n_x, one.n_y};
+            for (std::size_t axis = 0; axis < (is_line_contact(one) ? 1 : 2); ++axis) {
+                const double first = one.first[axis] - one.spacing[axis] / 2,
+                             last = first + n[axis] * one.spacing[axis],
+                             at = one.distance.offset[axis];
+                if (at - half[axis] < first || at + half[axis] > last) return true;
+            }
+            return false;
+        });
+    }
+
     ProgramSequence steps_;
     const std::string& name_;
     bool coupled_;
+    const PressedDepth& pressed_depth_;
 };
 
 }  // namespace
@@ -136,7 +183,8 @@ std::string ImportedCase::text_beside(const std::string& stem) const {
     return out;
 }
 
-Import import_cases(std::string text, const std::string& name, const CouplesBodies& is_coupled) {
+Import import_cases(std::string text, const std::string& name, const CouplesBodies& is_coupled,
+                    const PressedDepth& pressed_depth) {
     const std::vector<ProgramCase> cases = read_program_cases(std::move(text), name);
     Import found;
     for (std::size_t begin = 0; begin < cases.size();) {
@@ -144,7 +192,7 @@ Import import_cases(std::string text, const std::string& name, const CouplesBodi
         ImportedCase one{.first = begin + 1, .last = begin + steps.size()};
         begin += steps.size();
         try {
-            SequenceImport(steps, name, is_coupled).write(one);
+            SequenceImport(steps, name, is_coupled, pressed_depth).write(one);
             found.cases.push_back(std::move(one));
         } catch (const contact::InputError& why) {
             found.left_out.push_back({one.first, one.last, why.what()});

@@ -5,12 +5,16 @@
 #include <string_view>
 #include <vector>
 
-#include "contact/substrates/material.h"
+#include "contact/case.h"
 
 namespace tricontact::io {
 
 /// Whether the model couples normal and tangential contact of these bodies.
 using CouplesBodies = std::function<bool(const contact::MaterialPair&)>;
+
+/// d [m] of a case under its normal force.
+using PressedDepth = std::function<double(const contact::Case&)>;
+double hertzian_depth(const contact::Case& c);
 
 inline constexpr const char* heights_ending = "_heights.csv";
 inline constexpr const char* influence_ending = "_influence.txt";
@@ -44,8 +48,10 @@ struct Import {
 
 /// What an input file of CONTACT's module 3 becomes (docs/contact-program.md): a case for each
 /// sequence that begins anew, P = 2, and each steady state. `name` stands for the file in messages.
+/// `pressed_depth` tells a depth PEN from that of a force on the case's own cells.
 /// Throws contact::InputError with line and column for what is no such file, and with the first
 /// reason where nothing of it is a case.
-Import import_cases(std::string text, const std::string& name, const CouplesBodies& is_coupled);
+Import import_cases(std::string text, const std::string& name, const CouplesBodies& is_coupled,
+                    const PressedDepth& pressed_depth = hertzian_depth);
 
 }  // namespace tricontact::io

@@ -92,7 +92,8 @@ void InputLines::skip_numbers(std::size_t n, std::string_view what) {
     end_of_values();
 }
 
-std::vector<InputNumber> InputLines::angle_and_numbers(std::size_t n, std::string_view what) {
+std::vector<InputNumber> InputLines::angle_and_numbers(std::size_t n, std::string_view what,
+                                                       std::size_t further) {
     std::string_view word = next_word(fmt::format("{} are", what));
     const bool degrees = word.ends_with('d') || word.ends_with('D');
     const auto angle = fortran_number(degrees ? word.substr(0, word.size() - 1) : word);
@@ -101,8 +102,7 @@ std::vector<InputNumber> InputLines::angle_and_numbers(std::size_t n, std::strin
                "give it in radians, or in degrees as 90d");
     std::vector<InputNumber> values{
         {*angle * (degrees ? std::numbers::pi / 180 : 1), line_, column_}};
-    while (values.size() < n) values.push_back(next_number(what));
-    end_of_values();
+    for (const InputNumber& value : numbers(n - 1, what, further)) values.push_back(value);
     return values;
 }
 

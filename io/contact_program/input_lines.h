@@ -31,8 +31,10 @@ class InputLines {
     std::vector<InputNumber> numbers(std::size_t n, std::string_view what, std::size_t further = 0);
     /// Reads as many numbers and forgets them.
     void skip_numbers(std::size_t n, std::string_view what);
-    /// The next `n` numbers, of which the first is an angle [rad]: 90d are degrees.
-    std::vector<InputNumber> angle_and_numbers(std::size_t n, std::string_view what);
+    /// The next `n` numbers, of which the first is an angle [rad]: 90d are degrees. As many as
+    /// `further` more where the same line has them.
+    std::vector<InputNumber> angle_and_numbers(std::size_t n, std::string_view what,
+                                               std::size_t further = 0);
     /// The next word, or what stands between two apostrophes.
     std::string text(std::string_view what);
     /// The next whole number.

@@ -32,6 +32,10 @@ class KnownCase {
                    "only Coulomb friction is computed: none that falls with the slip velocity or "
                    "the temperature",
                    "give L = 0");
+        if (one_.digits.tangential != 0 && one_.friction_coefficient == 0)
+            refuse(one_.friction_line, "FSTAT = 0",
+                   "no tangential problem is solved without friction",
+                   "give T = 0, or a positive FSTAT");
         if (one_.influence != 2 && one_.influence != 9)
             refuse(one_.materials_line, fmt::format("C = {}", one_.influence),
                    "only half-spaces with constant tractions per cell and coefficients of a file "
@@ -74,9 +78,6 @@ class KnownCase {
     }
 
     void check_motion() const {
-        if (one_.spins_elsewhere)
-            refuse(one_.loads_line, "SPINXO, SPINYO", "the indenter turns about its lowest point",
-                   "give 0");
         if (one_.digits.material == 1 && one_.digits.tangential != 3)
             refuse(one_.digits.lines[1], "M = 1",
                    "viscoelastic bodies are read in steady rolling alone, as CONTACT takes them",

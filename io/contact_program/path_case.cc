@@ -13,9 +13,12 @@ namespace tricontact::io {
 namespace {
 
 using contact::Vector2;
+using contact::operator+;
+using contact::operator-;
+using contact::operator*;
 
 constexpr double same_depth = 1e-3;  // a depth that is that of a force, but for its rounding
-constexpr double same_place = 1e-9;  // of offsets, in cells
+constexpr double same_place = 1e-9;  // of places, in cells
 
 /// Without the sign of zero.
 double unsigned_zero(double value) {
@@ -25,16 +28,21 @@ double unsigned_zero(double value) {
 /// Reads rows of loads and motions out of shifts.
 class PathReading {
   public:
-    PathReading(ProgramSequence steps, const std::string& name) : steps_(steps), name_(name) {
+    PathReading(ProgramSequence steps, const std::string& name, const PressedDepth& pressed_depth)
+        : steps_(steps), name_(name), pressed_depth_(pressed_depth) {
         for (const ProgramCase& one : steps.subspan(1))
             if (one.digits.tangential == 0)
                 refuse(one.digits.line, "T = 0", "only the first case presses without friction",
                        "give T = 1");
         by_force_ = head().digits.normal == 1;
-        turns_ =
-            std::ranges::any_of(steps, [](const ProgramCase& one) { return one.rotation != 0; });
+        const auto turning =
+            std::ranges::find_if(steps, [](const ProgramCase& one) { return one.rotation != 0; });
+        turns_ = turning != steps.end();
+        origin_ = origin_of_case(head());
+        if (turns_) centre_ = turning->spin_centre;
         for (const int axis : {0, 1}) {
             moves_[axis] = moves(axis);
+            is_aside_[axis] = is_aside(axis);
             kind_[axis] = kind_along(axis);
         }
     }
@@ -48,7 +56,7 @@ class PathReading {
             if (kind_[axis] == Kind::force)
                 table += fmt::format(", tangential_force_{} [N]", letter);
             if (kind_[axis] == Kind::shift) table += fmt::format(", shift_{} [mm]", letter);
-            if (moves_[axis]) table += fmt::format(", offset_{} [mm]", letter);
+            if (is_aside_[axis]) table += fmt::format(", offset_{} [mm]", letter);
         }
         if (turns_) table += ", rotation [rad]";
         table += "\n";
@@ -56,14 +64,18 @@ class PathReading {
         table += row(head(), 0, {}, 0, depth, !frictionless);
         Vector2 shift{};
         double rotation = 0;
-        for (const ProgramCase& one : steps_.subspan(frictionless ? 1 : 0)) {
+        const auto further = steps_.subspan(frictionless ? 1 : 0);
+        for (const ProgramCase& one : further) {
+            const Vector2 moved = shift_at_centre(one);
             for (const int axis : {0, 1})
-                if (one.digits.force <= axis) shift[axis] += one.tangential[axis];
+                if (one.digits.force <= axis) shift[axis] += moved[axis];
             rotation += one.rotation;
             table += row(one, 1, shift, rotation, depth, false);
         }
+        if (further.empty()) table += row(head(), 0, {}, 0, depth, false);  // a path has two rows
         return heading + bodies + (frictionless ? "[load]\npress = \"frictionless\"\n" : "") +
-               "[path]\nsteps = 1\ntable = \"\"\"\n" + table + "\"\"\"\n" + cells_text(head());
+               "[path]\nsteps = 1\n" + centre_text() + "table = \"\"\"\n" + table + "\"\"\"\n" +
+               cells_text(head());
     }
 
   private:
@@ -76,6 +88,34 @@ class PathReading {
         fail(fmt::format("{}:{}:1", name_, line), subject, rule, remedy);
     }
 
+    /// The twist of all cases is about the point of the first that has one: what the indenter is
+    /// shifted by there, where a case prescribes the shift of another point [m].
+    Vector2 shift_at_centre(const ProgramCase& one) const {
+        const Vector2 arm = centre_ - one.spin_centre;
+        return one.tangential + one.rotation * Vector2{-arm[1], arm[0]};
+    }
+
+    std::string centre_text() const {
+        if (!turns_) return {};
+        std::string text = "centre_of_rotation = \"substrate\"\n";
+        for (const int axis : {0, 1})
+            text += fmt::format("centre_{} = \"{} mm\"\n", axis == 0 ? "x" : "y",
+                                1e3 * from_origin(centre_, axis));
+        return text;
+    }
+
+    /// Without the rounding of what lies at it [m].
+    double from_origin(const Vector2& place, int axis) const {
+        const double distance = place[axis] - origin_[axis];
+        return std::abs(distance) > same_place * head().spacing[0] ? distance : 0;
+    }
+
+    bool is_aside(int axis) const {
+        return !head().distance.heights && std::ranges::any_of(steps_, [&](const ProgramCase& one) {
+            return from_origin(one.distance.offset, axis) != 0;
+        });
+    }
+
     bool moves(int axis) const {
         const double start = head().distance.offset[axis];
         return std::ranges::any_of(steps_, [&](const ProgramCase& one) {
@@ -83,25 +123,23 @@ class PathReading {
         });
     }
 
-    /// Forces or shifts along an axis. No shift stands for no force where all is symmetric: while
-    /// the indenter is pressed, and along y.
+    /// Forces or shifts along an axis. No shift stands for no force where all is symmetric about
+    /// the other one.
     Kind kind_along(int axis) const {
         const ProgramCase *force = nullptr, *shift = nullptr;
-        bool held = false;
+        const bool is_symmetric = !turns_ && !moves_[axis] && !head().distance.heights;
         for (const ProgramCase& one : steps_) {
             if (one.digits.tangential == 0) continue;
             const bool forced = one.digits.force > axis;
-            const bool loaded = one.tangential[axis] != 0;
-            if (forced && loaded) force = &one;
-            if (!forced && (loaded || (force && axis == 0))) shift = &one;
-            held |= !forced && axis == 0;
+            const bool counts = one.tangential[axis] != 0 || !is_symmetric;
+            if (forced && counts) force = &one;
+            if (!forced && (counts || force)) shift = &one;
         }
         if (force && shift)
             refuse(shift->loads_line, fmt::format("F = {}", shift->digits.force),
                    "prescribes a shift where other cases of the sequence have a force",
                    "keep F, or begin another sequence by P = 2");
-        if (force) return Kind::force;
-        return shift || (held && moves_[0]) ? Kind::shift : Kind::none;
+        return force ? Kind::force : shift ? Kind::shift : Kind::none;
     }
 
     /// Of the first case's force, where others prescribe a depth [m].
@@ -115,7 +153,7 @@ class PathReading {
         const auto c = parse_case(beginning + "[load]\n" + normal_text(head()) +
                                       "tangential_ratio = 0\n" + cells_text(head()),
                                   name_ + ", as a case");
-        return contact::half_space_scales(c).indentation;
+        return pressed_depth_(c);
     }
 
     double normal_value(const ProgramCase& one, double depth) const {
@@ -138,8 +176,8 @@ class PathReading {
                 text += fmt::format(", {}", unsigned_zero(share * force(one, axis, load)));
             if (kind_[axis] == Kind::shift)
                 text += fmt::format(", {}", unsigned_zero(share * 1e3 * shift[axis]));
-            if (moves_[axis])
-                text += fmt::format(", {}", unsigned_zero(1e3 * one.distance.offset[axis]));
+            if (is_aside_[axis])
+                text += fmt::format(", {}", 1e3 * from_origin(one.distance.offset, axis));
         }
         if (turns_) text += fmt::format(", {}", unsigned_zero(share * rotation));
         return text + "\n";
@@ -156,15 +194,23 @@ class PathReading {
 
     ProgramSequence steps_;
     const std::string& name_;
+    const PressedDepth& pressed_depth_;
     bool by_force_ = false, turns_ = false;
-    bool moves_[2] = {};
+    Vector2 origin_{};                       // of the case there [m]
+    Vector2 centre_{};                       // of rotation, there [m]
+    bool moves_[2] = {}, is_aside_[2] = {};  // from the origin
     Kind kind_[2] = {};
 };
 
 }  // namespace
 
-std::string path_case(ProgramSequence steps, const std::string& name, const std::string& heading) {
-    return PathReading(steps, name).text(heading);
+double hertzian_depth(const contact::Case& c) {
+    return contact::half_space_scales(c).indentation;
+}
+
+std::string path_case(ProgramSequence steps, const std::string& name, const std::string& heading,
+                      const PressedDepth& pressed_depth) {
+    return PathReading(steps, name, pressed_depth).text(heading);
 }
 
 std::string pressing_case(ProgramSequence steps, const std::string& name, bool is_coupled,

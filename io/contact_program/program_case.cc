@@ -56,16 +56,11 @@ class CaseReading {
         if (digits.friction != 1 && digits.variable == 0) read_friction(1);
         if (digits.influence >= 2) read_materials();
         if (digits.heat == 3) read_heat();
-        if (digits.cells == 2 && digits.distance != 2)
+        if (digits.cells == 2 && digits.distance == 0)
             lines_.refuse_line(digits.lines[1], "D, Z", "new cells need a new undeformed distance",
-                               "give Z = 2");
+                               "give Z = 1 or 2");
         if (digits.cells == 2) read_cells();
-        if (digits.distance == 2) {
-            if (current_.is_hertzian)
-                place_hertzian();
-            else
-                read_distance(lines_, current_);
-        }
+        if (digits.distance != 0) place_body();
         if (digits.friction != 1 && digits.variable != 0) read_friction(current_.n_y);
         if (digits.extra == 9)
             lines_.skip_numbers(2 * static_cast<std::size_t>(current_.n_x) * current_.n_y,
@@ -124,7 +119,8 @@ class CaseReading {
         for (const int axis : {0, 1})
             current_.tangential[axis] = v[1 + axis] * (forces > axis || rolling ? 1 : millimetre);
         current_.rotation = v[3] / (rolling ? millimetre : 1);
-        current_.spins_elsewhere = v.size() == 6 && (v[4] != 0 || v[5] != 0);
+        current_.spin_centre = {};
+        if (v.size() == 6) current_.spin_centre = {millimetre * v[4], millimetre * v[5]};
     }
 
     /// As many sets of them as cells along y where friction varies.
@@ -135,7 +131,9 @@ class CaseReading {
         for (int k = 0; k < sets; ++k) {
             if (law == 0) {
                 const auto v = lines_.numbers(2, "FSTAT and FKIN");
-                demand_positive(v[0], "FSTAT");
+                // Without a tangential problem it has no effect: see check_known().
+                if (!(v[0] >= 0))
+                    lines_.refuse("FSTAT", v[0], "must not be negative", "correct it");
                 if (std::abs(v[1] - v[0]) > same * v[0])
                     lines_.refuse("FKIN", v[1], "must be FSTAT in Coulomb friction", "correct it");
                 current_.friction_coefficient = v[0];
@@ -169,18 +167,19 @@ class CaseReading {
         }
         if (current_.digits.bound == 1) lines_.skip_numbers(1, "FLXZ");
         if (material == 1) read_creep();
-        constexpr std::size_t further[] = {0, 0, 4, 3, 4};  // by M
+        constexpr std::size_t further[] = {0, 0, 4, 3, 4, 3, 0, 0};  // by M
         lines_.skip_numbers(further[material], "constants of the material");
     }
 
     void read_rolling() {
-        const auto v = lines_.angle_and_numbers(3, "CHI, DQ and VELOC");
+        const auto v = lines_.angle_and_numbers(3, "CHI, DQ and VELOC", 1);
         demand_positive(v[1], "DQ");
         demand_positive(v[2], "VELOC");
         current_.rolling_line = lines_.line();
         current_.direction = v[0];
         current_.step = millimetre * v[1];
         current_.speed = millimetre * v[2];
+        current_.spin_ahead = v.size() == 4 ? v[3].value : usual_spin_ahead;
     }
 
     void read_creep() {
@@ -237,6 +236,20 @@ class CaseReading {
             current_.spacing[axis] = size;
             current_.first[axis] = by_corner ? from + size / 2 : from;
         }
+    }
+
+    /// The bodies' distance over these cells: a new one, or that which is known (Z = 1).
+    void place_body() {
+        if (current_.is_hertzian) return place_hertzian();
+        if (current_.digits.distance == 2) return read_distance(lines_, current_);
+        const UndeformedDistance& known = current_.distance;
+        if (!known.heights) return;
+        if (known.height_at)
+            set_heights(current_, known.height_at);
+        else if (known.heights->size() != static_cast<std::size_t>(current_.n_x) * current_.n_y)
+            lines_.refuse_line(current_.digits.lines[1], "Z = 1",
+                               "the heights that are known are those of other cells",
+                               "give Z = 2 and the heights of these");
     }
 
     void place_hertzian() {

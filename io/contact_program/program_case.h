@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -23,7 +24,11 @@ struct UndeformedDistance {
     bool is_inclined = false;   ///< along an axis without curvature
     /// Per cell, x fastest; null: quadratic.
     std::shared_ptr<const std::vector<double>> heights;
+    std::function<double(double x, double y)> height_at;  ///< of them [m]; empty: listed
 };
+
+/// FACPHI where it is not given.
+inline constexpr double usual_spin_ahead = 1. / 6;
 
 /// One case of an input file of CONTACT's module 3, complete: what it keeps of the one before is
 /// copied. SI units.
@@ -33,7 +38,7 @@ struct ProgramCase {
     double normal = 0;              ///< F_N [N], or d [m] where N = 0
     contact::Vector2 tangential{};  ///< FX, FY over mu F_N on body 1, or shifts [m], creepages by F
     double rotation = 0;            ///< CPHI: of a shift [rad], of rolling [rad/m]
-    bool spins_elsewhere = false;   ///< about another point than the origin
+    contact::Vector2 spin_centre{};  ///< SPINXO, SPINYO: what CPHI is about [m]
 
     double tolerance = 0;  ///< EPS
     int friction_line = 0;
@@ -41,9 +46,10 @@ struct ProgramCase {
     double friction_coefficient = 0;  ///< of the last L = 0
 
     int rolling_line = 0;
-    double direction = 0;  ///< CHI [rad]
-    double step = 0;       ///< DQ [m]
-    double speed = 0;      ///< VELOC [m/s]
+    double direction = 0;   ///< CHI [rad]
+    double step = 0;        ///< DQ [m]
+    double speed = 0;       ///< VELOC [m/s]
+    double spin_ahead = 0;  ///< FACPHI: where spin is taken, of a step ahead of a cell's centre
 
     int materials_line = 0;
     int influence = 0;                                 ///< C of the last one that was not kept

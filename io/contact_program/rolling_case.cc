@@ -12,6 +12,11 @@ namespace tricontact::io {
 
 namespace {
 
+using contact::Vector2;
+using contact::operator+;
+using contact::operator-;
+using contact::operator*;
+
 constexpr double same_direction = 1e-6;  // [rad]
 constexpr double same_step = 1e-3;       // of DX
 
@@ -100,7 +105,7 @@ class RollingReading {
                    one.digits.normal == rolling_.digits.normal,
                one.digits.line, "F or N");
         demand(is_close(one.normal, rolling_.normal) && one.tangential == rolling_.tangential &&
-                   one.rotation == rolling_.rotation,
+                   one.rotation == rolling_.rotation && one.spin_centre == rolling_.spin_centre,
                one.loads_line, "the load or creepage");
         demand(one.distance.offset == rolling_.distance.offset, one.distance.data_line,
                "the place of the body");
@@ -118,12 +123,21 @@ class RollingReading {
         return text;
     }
 
+    /// Of the indenter at its lowest point, about which it spins here, from those at the point
+    /// SPINXO, SPINYO; along an axis with a force there is none.
+    Vector2 creepage() const {
+        const double ahead = (rolling_.spin_ahead - usual_spin_ahead) * rolling_.step * sign_;
+        const Vector2 arm = rolling_.distance.offset + Vector2{ahead, 0} - rolling_.spin_centre;
+        return rolling_.tangential + rolling_.rotation * Vector2{-arm[1], arm[0]};
+    }
+
     std::string drive_text() const {
         std::string text;
+        const auto [along, aside] = creepage();
         if (rolling_.digits.force == 0)
-            text += fmt::format("longitudinal_creepage = {}\n",
-                                toml_number(sign_ * rolling_.tangential[0] + 0.));
-        const double across = rolling_.tangential[1], spin = rolling_.rotation;
+            text += fmt::format("longitudinal_creepage = {}\n", toml_number(sign_ * along + 0.));
+        const double across = rolling_.digits.force == 2 ? rolling_.tangential[1] : aside;
+        const double spin = rolling_.rotation;
         if (rolling_.digits.force == 2 && across != 0)
             refuse(rolling_.loads_line, fmt::format("FY = {}", across),
                    "across the way a creepage is prescribed, or no force acts",

@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "contact/solvers/contact_region.h"
 #include "io/keys/messages.h"
@@ -12,43 +14,8 @@ namespace tricontact::io {
 namespace {
 
 using contact::Case;
-using contact::LoadStep;
 using contact::NormalControl;
 using contact::Vector2;
-
-/// What the half-space and layer of CONTACT do not do.
-void check_bodies(const Case& c, bool is_coupled) {
-    if (c.relaxation)
-        fail("substrate.relaxation", "", "CONTACT takes relaxing bodies in steady rolling alone",
-             "such a case cannot be written for it");
-    if (c.bem.period) fail("bem.period", "", "CONTACT has no periodic contacts", "omit it");
-    if (is_coupled && !c.contact.coupling)
-        fail("contact.coupling", "", "CONTACT always couples such bodies", "omit it");
-    const auto out_of_range = [](const contact::Material& m) { return m.poisson < 0; };
-    if (out_of_range(c.substrate) || (c.indenter.material && out_of_range(*c.indenter.material)))
-        fail("poisson", "", "CONTACT takes Poisson's ratios from 0 to 1/2",
-             "such a material cannot be written for it");
-}
-
-/// F_T is over mu F_N there; what F_N will be under a prescribed depth only a run knows.
-void check_loads(const Case& c) {
-    if (c.tractive_rolling)
-        fail("tractive_rolling", "", "rolling on is not written as shifts in fixed coordinates",
-             "give [rolling], or none");
-    if (c.rolling && c.rolling->amplitude_reference == Case::AmplitudeReference::model)
-        fail("rolling.amplitude_reference", "", "the model's radius is known by a run alone",
-             "take \"hertz\", or give rolling.amplitude");
-    if (c.load.is_by_limit())
-        fail(c.load.limit_key(), "", "the model's limit is known by a run alone",
-             "give load.tangential_ratio");
-    if (!c.load.indentation) return;
-    if (c.rolling)
-        fail("load.indentation", "", "CONTACT takes F_T over the F_N of each step",
-             "give load.normal_force where the indenter rolls");
-    if (c.load.tangential_force)
-        fail("load.tangential_force", "", "CONTACT takes F_T over F_N, which d does not tell",
-             "give load.tangential_ratio");
-}
 
 constexpr double in_mm = 1e3;           // in 1 m
 constexpr double per_square_mm = 1e-6;  // 1 Pa in N/mm^2
@@ -122,44 +89,68 @@ struct SequenceWriter {
 
     void append(std::size_t number, const SequenceStep& step, const SequenceStep* before) {
         const bool moved = !before || step.offset != before->offset;
+        const bool starts_rolling = before && step.is_rolling() && !before->is_rolling();
         text_ += fmt::format("\n% {}\n 3 MODULE\n", number);
-        append_digits(step, before == nullptr, moved);
+        append_digits(step, before == nullptr, moved, starts_rolling);
         if (!before)
             text_ += fmt::format(" {} {} {}   MAXGS, MAXIN, MAXNR, MAXOUT, EPS\n", inner_iterations,
                                  is_coupled_ ? turns_if_coupled : 1, case_.bem.tolerance);
         append_loads(step);
         if (!before) {
             text_ += fmt::format(" {0} {0}   FSTAT, FKIN\n", case_.friction_coefficient);
-            append_materials();
+            append_materials(step);
             text_ +=
                 fmt::format(" 3   IPOTCN\n {} {} {} {} {} {}   MX, MY, XC1, YC1, DX, DY\n",
                             grid_.n_x, grid_.n_y, in_mm * grid_.first[0], in_mm * grid_.first[1],
                             in_mm * grid_.spacing[0], in_mm * grid_.spacing[1]);
         }
+        if (starts_rolling) append_materials(step);
         if (moved)
             text_ += curvature_ ? quadratic_distance(*curvature_, step.offset)
                                 : distance_per_cell(grid_, *body_, step.offset);
     }
 
-    void append_digits(const SequenceStep& step, bool first, bool moved) {
+    void append_digits(const SequenceStep& step, bool first, bool moved, bool starts_rolling) {
         const bool force = step.normal.kind == NormalControl::Kind::force;
-        text_ += fmt::format(" {}0{:d}{:d}{}0   P-B-T-N-F-S\n", first ? 2 : 0, step.tangential,
-                             force, step.tangential ? 2 : 0);
+        text_ += fmt::format(" {}0{:d}{:d}{}0   P-B-T-N-F-S\n",
+                             first || step.motion == SequenceStep::Motion::steady ? 2 : 0,
+                             step.tangential ? static_cast<int>(step.motion) : 0, force,
+                             step.tangential ? step.n_forced() : 0);
         const int influence = influence_ ? 9 : 2;
         text_ += first ? fmt::format(" 002{}020   V-L-D-C-M-Z-E\n", influence)
-                       : fmt::format(" 01000{}0   V-L-D-C-M-Z-E\n", moved ? 2 : 0);
+                       : fmt::format(" 010{}0{}0   V-L-D-C-M-Z-E\n", starts_rolling ? influence : 0,
+                                     moved ? 2 : 0);
         text_ += fmt::format(" 0{0:d}{0:d}0211   H-G-I-A-O-W-R\n", !first);
     }
 
-    /// FX is on the indenter, against F_T on the substrate.
+    /// Forces FX, FY are on the indenter, against those on the substrate; shifts are the indenter's
+    /// at SPINXO, SPINYO.
     void append_loads(const SequenceStep& step) {
         const bool force = step.normal.kind == NormalControl::Kind::force;
-        text_ += fmt::format(" {} {} 0 0   {}, {}, CPHI\n", step.normal.value * (force ? 1 : in_mm),
-                             step.force_ratio == 0 ? 0 : -step.force_ratio, force ? "FN" : "PEN",
-                             step.tangential ? "FX, FY" : "CKSI, CETA");
+        const bool turns = step.tangential && step.rotation != 0;
+        std::string values = fmt::format("{}", step.normal.value * (force ? 1 : in_mm));
+        std::string names = force ? "FN" : "PEN";
+        for (const int axis : {0, 1}) {
+            const bool forced = step.tangential && step.is_forced(axis);
+            const double value = step.tangential ? step.along[axis].value : 0;
+            const double unit = forced ? -1 : step.is_rolling() ? 1 : in_mm;
+            values += fmt::format(" {}", value == 0 ? 0 : value * unit);
+            names += forced ? (axis == 0 ? ", FX" : ", FY") : (axis == 0 ? ", CKSI" : ", CETA");
+        }
+        values += fmt::format(" {}", turns ? step.rotation / (step.is_rolling() ? in_mm : 1) : 0);
+        names += ", CPHI";
+        if (turns && step.centre != Vector2{}) {
+            values += fmt::format(" {} {}", in_mm * step.centre[0], in_mm * step.centre[1]);
+            names += ", SPINXO, SPINYO";
+        }
+        text_ += fmt::format(" {}   {}\n", values, names);
     }
 
-    void append_materials() {
+    void append_materials(const SequenceStep& step) {
+        constexpr double speed_without_effect = 1000;  // [mm/s]: nothing relaxes
+        if (step.is_rolling())
+            text_ += fmt::format(" 0 {} {}   CHI, DQ, VELOC\n", in_mm * grid_.spacing[0],
+                                 speed_without_effect);
         if (influence_) text_ += fmt::format(" '{}'   CFNAME\n", *influence_);
         const auto [indenter, substrate] = shear_moduli(case_);
         const auto& material = case_.indenter.material;
@@ -171,31 +162,6 @@ struct SequenceWriter {
 };
 
 }  // namespace
-
-std::vector<SequenceStep> sequence_of(const Case& c, bool is_coupled) {
-    check_bodies(c, is_coupled);
-    check_loads(c);
-    const double radius = c.rolling ? half_space_scales(c).contact_radius : 0;
-    const auto path = make_load_path(c, c.load.normal_force.value_or(1), radius);
-
-    std::vector<SequenceStep> steps;
-    const auto append = [&](const std::vector<LoadStep>& part) {
-        for (const LoadStep& step : part) {
-            // Under a prescribed depth the path was made for F_N = 1 N.
-            const bool force = step.normal.kind == NormalControl::Kind::force;
-            const double limit = c.friction_coefficient * (force ? step.normal.value : 1);
-            steps.push_back(
-                {step.friction, step.normal, step.tangential[0].value / limit, step.offset});
-        }
-    };
-    if (is_coupled)
-        append(path.pressing);
-    else
-        steps.push_back({.tangential = false, .normal = press_step(c).normal});
-    append(path.loading);
-    for (int n = 0; n < path.max_periods; ++n) append(path.period);
-    return steps;
-}
 
 ShearModuli shear_moduli(const Case& c) {
     const double substrate = c.substrate.shear_modulus();

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -10,18 +11,35 @@
 
 namespace tricontact::io {
 
-/// One quasi-static step as the program CONTACT takes it in world-fixed coordinates.
+/// One step as the program CONTACT takes it: quasi-static in coordinates that are fixed to the
+/// substrate, or rolling on in those that move with the contact.
 struct SequenceStep {
-    bool tangential = true;         ///< a shift, T = 1; else pressing without friction, T = 0
+    /// T: a shift, a step of one cell further, the steady state.
+    enum class Motion { shift = 1, rolls_on, steady };
+
+    bool tangential = true;  ///< else pressing without friction, T = 0
+    Motion motion = Motion::shift;
     contact::NormalControl normal;  ///< at the end of the step
-    double force_ratio = 0;         ///< F_T/(mu F_N) along x on the substrate [-]
-    contact::Vector2 offset{};      ///< of the indenter's lowest point [m]
+    /// Along x and y the force on the substrate over mu F_N [-], or the shift of this step [m]; of
+    /// rolling on the creepage [-].
+    std::array<contact::TangentialControl, 2> along{no_force, no_force};
+    contact::Vector2 offset{};  ///< of the indenter [m]
+    double rotation = 0;        ///< of the indenter in this step [rad]; spin of rolling on [rad/m]
+    contact::Vector2 centre{};  ///< that rotation and shift are about [m]
+
+    bool is_rolling() const { return motion != Motion::shift; }
+
+    static constexpr contact::TangentialControl no_force{contact::TangentialControl::Kind::ratio};
+    bool is_forced(int axis) const { return along[axis].kind == no_force.kind; }
+    /// CONTACT's digit F: along how many axes a force is prescribed, x before y.
+    int n_forced() const { return is_forced(0) + is_forced(1); }
 };
 
 /// The steps of a case from the first touch to the end of its last period: whether it settles
-/// before is not known ahead. `is_coupled`: normal and tangential contact, so that the way of
-/// pressing matters; else the contact is pressed in one step. Throws contact::InputError, naming
-/// the key, for a case that such a sequence cannot say.
+/// before is not known ahead. What rolls on is pressed, rolls on from rest, and is steady at last.
+/// `is_coupled`: normal and tangential contact, so that the way of pressing matters; else the
+/// contact is pressed in one step. Throws contact::InputError, naming the key, for a case that such
+/// a sequence cannot say.
 std::vector<SequenceStep> sequence_of(const contact::Case& c, bool is_coupled);
 
 /// How many times the substrate's shear modulus a rigid indenter has in such a sequence, which

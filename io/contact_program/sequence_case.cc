@@ -29,6 +29,10 @@ class SequenceReading {
         if (head().distance.heights)
             refuse(head().distance.line, "IBASE", "heights do not tell how the body moves on",
                    "give 1");
+        for (const ProgramCase& one : steps)
+            if (one.rotation != 0)
+                refuse(one.loads_line, fmt::format("CPHI = {}", one.rotation),
+                       "a case that rolls to and fro has no twist", "give 0");
         find_loading();
         find_period();
     }
@@ -154,14 +158,13 @@ class SequenceReading {
     void check_tangential(const ProgramCase& given, const SequenceStep& expected) const {
         const int forces = given.digits.force;
         const bool symmetric_in_y = std::abs(turning_point_[1]) <= rounding * head().spacing[0];
-        if ((forces == 0 && (expected.force_ratio != 0 || !is_upright(given))) ||
-            (forces == 1 && !symmetric_in_y))
+        const double ratio = expected.along[0].value;
+        if ((forces == 0 && (ratio != 0 || !is_upright(given))) || (forces == 1 && !symmetric_in_y))
             refuse(given.digits.line, fmt::format("F = {}", forces),
                    "prescribes a shift where a case has a force", "give 2");
-        if (!is_close(-given.tangential[0], expected.force_ratio))
+        if (!is_close(-given.tangential[0], ratio))
             refuse(given.loads_line, fmt::format("FX = {}", given.tangential[0]),
-                   fmt::format("is not {:.7g}, the load of the case", -expected.force_ratio),
-                   "keep it constant");
+                   fmt::format("is not {:.7g}, the load of the case", -ratio), "keep it constant");
         if (given.tangential[1] != 0)
             refuse(given.loads_line, "FY", "there is no load along y", "give 0");
     }

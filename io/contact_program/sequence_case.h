@@ -3,6 +3,7 @@
 #include <string>
 
 #include "io/contact_program/case_parts.h"
+#include "io/contact_program/import.h"
 
 namespace tricontact::io {
 
@@ -14,8 +15,9 @@ std::string sequence_case(ProgramSequence steps, const std::string& name, bool i
                           const std::string& heading);
 
 /// The case that follows these shifts row by row, whatever they are ([path]). Throws
-/// contact::InputError for what no row says.
-std::string path_case(ProgramSequence steps, const std::string& name, const std::string& heading);
+/// contact::InputError for what no row says. `pressed_depth`: see import_cases().
+std::string path_case(ProgramSequence steps, const std::string& name, const std::string& heading,
+                      const PressedDepth& pressed_depth);
 
 /// The normal problem alone, T = 0, as a case without tangential load.
 std::string pressing_case(ProgramSequence steps, const std::string& name, bool is_coupled,

@@ -68,6 +68,30 @@ awk -v a="$(shift_of run_still/bem)" -v b="$(shift_of run_map/bem)" \
     'BEGIN { exit !(a > 0 && (a / b - 1) ^ 2 < 1e-8) }' ||
     complain "shifts $(shift_of run_still/bem) and $(shift_of run_map/bem)"
 
+# A path comes back from its numbers alone: the same forces, work and energy, step by step. Shifts and torque are about
+# the file's origin there, about the moving lowest point here.
+cases=$source_dir/examples/cases
+coarse=(--set bem.cells_per_radius=6 --set output.vtk=none)
+"$program" export "$cases/path_twist.toml" --model bem "${coarse[@]}" --output path >told.txt ||
+    complain "export of a path: $(cat told.txt)"
+grep -q "CPHI, SPINXO, SPINYO$" path/path_twist.inp || complain "the twist's centre is not written"
+sed '/^% Case of Tricontact/,$d' path/path_twist.inp >path/plain.inp
+"$program" import path/plain.inp --output path_back >told.txt || complain "import of a path: $(cat told.txt)"
+grep -q '^centre_of_rotation = "substrate"' path_back/plain.toml || complain "the centre of rotation: $(cat path_back/plain.toml)"
+"$program" run "$cases/path_twist.toml" --models bem "${coarse[@]}" --output run_path --quiet --no-report || complain "run of a path"
+"$program" run path_back/plain.toml --output run_path_back --quiet --no-report || complain "run of an imported path"
+for name in normal_force_N tangential_force_x_N tangential_force_y_N dissipation_J stored_energy_J; do
+    paste <(column "$name" run_path/bem/history.csv) <(column "$name" run_path_back/bem/history.csv) |
+        awk 'NF == 2 { n++; if (($1 - $2) ^ 2 > 1e-12 * ($1 ^ 2 + 1e-12)) bad = 1 } END { exit !(n > 20 && !bad) }' ||
+        complain "$name differs: $(paste <(column "$name" run_path/bem/history.csv) <(column "$name" run_path_back/bem/history.csv) | head -5)"
+done
+# What rolls on comes back as its steps from rest and its steady state.
+"$program" export "$cases/rolling_spin.toml" --model bem --set bem.cells_per_radius=6 --output roll >told.txt ||
+    complain "export of rolling on: $(cat told.txt)"
+sed '/^% Case of Tricontact/,$d' roll/rolling_spin.inp >roll/plain.inp
+"$program" import roll/plain.inp --output roll_back >told.txt || complain "import of rolling on: $(cat told.txt)"
+[ "$(grep -c "for tricontact roll$" told.txt)" -eq 2 ] || complain "rolling on became: $(cat told.txt)"
+
 # 2. The layer: coefficients beside the input, its own at zero positive, as many lines as it says.
 "$program" export ball.toml --model bem-layer --output layer >/dev/null || complain "export of the layer"
 grep -q "^ 'ball.influence' " layer/ball.inp || complain "the file of coefficients is not named"

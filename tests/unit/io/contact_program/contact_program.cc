@@ -67,7 +67,7 @@ void expect_same_back(const std::vector<std::string>& overrides, const std::stri
         EXPECT_EQ(a[k].tangential, b[k].tangential);
         EXPECT_EQ(a[k].normal.kind, b[k].normal.kind);
         expect_close(a[k].normal.value, b[k].normal.value, "normal");
-        expect_close(a[k].force_ratio, b[k].force_ratio, "tangential");
+        expect_close(a[k].along[0].value, b[k].along[0].value, "tangential");
         for (int axis : {0, 1})
             EXPECT_NEAR(a[k].offset[axis], b[k].offset[axis], 1e-12 * first.grid.spacing[0]);
     }

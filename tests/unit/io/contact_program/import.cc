@@ -200,7 +200,7 @@ RC_GTEST_PROP(ImportedCases, WhatIsExportedComesBack, ()) {
         const double h = compliance->points().spacing[0];
         for (std::size_t k = 0; k < a.size(); ++k) {
             RC_ASSERT(std::abs(a[k].normal.value / b[k].normal.value - 1) < 1e-9);
-            RC_ASSERT(std::abs(a[k].force_ratio - b[k].force_ratio) < 1e-9);
+            RC_ASSERT(std::abs(a[k].along[0].value - b[k].along[0].value) < 1e-9);
             RC_ASSERT(std::hypot(a[k].offset[0] - b[k].offset[0], a[k].offset[1] - b[k].offset[1]) <
                       1e-9 * h);
         }
