@@ -57,7 +57,9 @@ std::vector<DocumentTable::Column> columns(const Texts&... texts) {
 
 /// A statement that comes first in a report.
 struct Verdict {
-    enum class Standing { holds, fails, cannot_tell, finding };
+    /// Of an assumption it holds, is violated or not testable; a comparison with a tolerance
+    /// passes, fails or is not resolved.
+    enum class Standing { holds, violated, not_testable, finding, pass, fail, not_resolved };
 
     Standing standing = Standing::finding;
     std::string sentence;   ///< with its number

@@ -31,9 +31,12 @@ data object(std::initializer_list<std::pair<const char*, data>> members) {
 data verdict(const Verdict& content) {
     // By standing, class and word: colour is never the only difference.
     constexpr std::pair<const char*, const char*> words[] = {{"holds", "holds"},
-                                                             {"fails", "fails"},
-                                                             {"cannot_tell", "cannot tell"},
-                                                             {"finding", "finding"}};
+                                                             {"violated", "violated"},
+                                                             {"not_testable", "not testable"},
+                                                             {"finding", "finding"},
+                                                             {"pass", "pass"},
+                                                             {"fail", "fail"},
+                                                             {"not_resolved", "not resolved"}};
     const auto& [name, word] = words[static_cast<int>(content.standing)];
     return object({{"class", name},
                    {"standing", content.word.empty() ? word : content.word},

@@ -80,7 +80,7 @@ bool differ(const Results& a, const Results& b) {
 }
 
 Verdict::Standing standing_of(double change) {
-    return std::abs(change) < tolerance ? Verdict::Standing::holds : Verdict::Standing::fails;
+    return std::abs(change) < tolerance ? Verdict::Standing::holds : Verdict::Standing::violated;
 }
 
 Verdict effect(const std::string& assumption, const char* words, double change,
@@ -105,7 +105,7 @@ void add_model_verdicts(const Case& c, const std::vector<Results>& results,
             report::display_name(s.model) + " beside " + report::display_name(other->model);
         if (differ(s, *other))
             verdicts.push_back(
-                {Verdict::Standing::fails,
+                {Verdict::Standing::violated,
                  fmt::format("{}: {} instead of {} ({}).", report::capitalised(names_of(removed)),
                              contact::name_of(*s.state()), contact::name_of(*other->state()),
                              pair)});
@@ -121,7 +121,7 @@ void add_disagreements(const Case& c, const std::vector<Results>& results,
     for (const Results& s : results)
         if (traits_of(c, s.model) == traits_of(c, reference.model) && differ(s, reference))
             verdicts.push_back(
-                {Verdict::Standing::cannot_tell,
+                {Verdict::Standing::not_testable,
                  fmt::format("{} and {} take the same for granted and do not agree on the verdict "
                              "({} against {}): compare their distance to the limit, the periods "
                              "run and the resolution.",
@@ -216,9 +216,10 @@ Verdict answer_of(const Case& c, const Results& s, const std::optional<Numerical
     const char* const word = contact::name_of(*s.state());
     Verdict told = [&] {
         if (*s.state() == State::ratcheting)
-            return verdict(Verdict::Standing::fails, "Every period shifts the indenter by ", word);
+            return verdict(Verdict::Standing::violated, "Every period shifts the indenter by ",
+                           word);
         if (*s.state() == State::undecided)
-            return verdict(Verdict::Standing::cannot_tell,
+            return verdict(Verdict::Standing::not_testable,
                            fmt::format("After {} periods the shift is ", s.periods()), word);
         if (!s.number(settled_shift))
             return verdict(Verdict::Standing::holds,
@@ -233,7 +234,7 @@ Verdict answer_of(const Case& c, const Results& s, const std::optional<Numerical
                        word);
     }();
     if (const auto other = error ? error->other_state() : std::nullopt) {
-        told.standing = Verdict::Standing::cannot_tell;
+        told.standing = Verdict::Standing::not_testable;
         told.sentence += fmt::format(
             " Coarser meshes or longer steps come to {}: refine before relying on the verdict.",
             contact::name_of(*other));
@@ -298,7 +299,7 @@ std::vector<Verdict> assumption_verdicts(const Case& c, const std::vector<Result
                                       headline_of(results.back()).words, *change,
                                       report::display_name(twin.model) + " without relaxation"));
     }
-    verdicts.push_back({Verdict::Standing::cannot_tell,
+    verdicts.push_back({Verdict::Standing::not_testable,
                         "Taken for granted by all: " + not_tested(c, results) + ".", "not tested"});
     return verdicts;
 }

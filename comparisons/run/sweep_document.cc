@@ -92,10 +92,10 @@ std::vector<report::Verdict> verdicts_of(const Sweep& sweep) {
     const std::string counted = fmt::format("{} {}", n, n == 1 ? "point" : "points");
     std::vector<report::Verdict> verdicts;
     if (n_failed == 0)
-        verdicts.push_back({report::Verdict::Standing::holds, counted + " computed, none failed."});
+        verdicts.push_back({report::Verdict::Standing::pass, counted + " computed, none failed."});
     else
         verdicts.push_back(
-            {report::Verdict::Standing::fails, fmt::format("{} of {} failed.", n_failed, counted)});
+            {report::Verdict::Standing::fail, fmt::format("{} of {} failed.", n_failed, counted)});
     using enum contact::State;
     std::vector<std::string> models;
     std::map<std::string, std::map<contact::State, int>> states;

@@ -37,7 +37,7 @@ std::string finding_of(const MappingGroup& group) {
                                            report::significant(least.kappa.value, 3),
                                            report::significant(most.kappa.value, 3));
     if (one.is_negligible) return claim + "holds to 0.1 % of u_sd; " + points;
-    if (one.finding == Standing::fails)
+    if (one.finding == Standing::violated)
         return claim + "does not hold: " + points + ", further apart than their numerical errors";
     const std::string known =
         fmt::format("{} of {} points know it to 10 %", one.n_telling, group.points.size());
@@ -56,13 +56,14 @@ std::string finding_of(const MappingGroup& group) {
 
 report::Verdict constant_verdict(const MappingGroup& group) {
     if (!group.constant)
-        return {Standing::cannot_tell, fmt::format("{}: κ cannot be fitted to {} settled points",
-                                                   name_of(group), group.points.size())};
+        return {Standing::not_testable, fmt::format("{}: κ cannot be fitted to {} settled points",
+                                                    name_of(group), group.points.size())};
     const std::string value = "κ = " + interval(group.constant->fit.parameters.front());
     const MappingUse* use = use_named(group, "fitted");
     if (!use)
-        return {Standing::fails, fmt::format("{}: {} lies beyond what the formula takes (0 to 3/2)",
-                                             name_of(group), value)};
+        return {Standing::violated,
+                fmt::format("{}: {} lies beyond what the formula takes (0 to 3/2)", name_of(group),
+                            value)};
     return {
         group.one.finding,
         fmt::format("{}: {}; by least squares κ = {}, which misses u_sd by {} in the median, {} "
@@ -78,9 +79,9 @@ void add_thesis_mapping(std::vector<report::Verdict>& verdicts, const MappingGro
     const bool contradicted = use->n_beyond_bars > 0 || use->n_ratcheting > 0;
     const bool compared = group.one.is_known;
     verdicts.push_back(
-        {contradicted ? Standing::fails
+        {contradicted ? Standing::violated
          : compared   ? Standing::holds
-                      : Standing::cannot_tell,
+                      : Standing::not_testable,
          fmt::format("{}: the thesis' κ = {} misses u_sd by {} in the median, {} at worst (w = {}, "
                      "f_T = {})",
                      name_of(group), use->kappa, report::share(use->median),
@@ -101,7 +102,7 @@ void add_root(std::vector<report::Verdict>& verdicts, const RatchetingGroup& gro
                               group.n_turning_points_only)
                 : fmt::format("{} ratcheting points", group.points.size());
         verdicts.push_back(
-            {Standing::cannot_tell, fmt::format("{}: η, from {}", name_of(group), why)});
+            {Standing::not_testable, fmt::format("{}: η, from {}", name_of(group), why)});
         return;
     }
     const statistics::Estimate& c = group.root->fit.parameters.front();
@@ -117,7 +118,7 @@ void add_root(std::vector<report::Verdict>& verdicts, const RatchetingGroup& gro
     if (ratios.empty() || group.model == "mdr" || !elastic) return;
     const auto [least, most] = std::ranges::minmax_element(ratios);
     verdicts.push_back(
-        {*least > 0.9 && *most < 1.1 ? Standing::holds : Standing::fails,
+        {*least > 0.9 && *most < 1.1 ? Standing::holds : Standing::violated,
          fmt::format("{}: the thesis' formula gives {} of Δu in the median, {} to {}",
                      name_of(group), report::share(statistics::median(ratios)),
                      report::share(*least), report::share(*most))});
@@ -139,7 +140,7 @@ void add_limit(std::vector<report::Verdict>& verdicts, const StudyFit& fit,
         if (!worst || std::abs(excess(*p)) > std::abs(excess(*worst))) worst = p;
     if (!worst || worst->amplitude_ratio == 0) return;
     verdicts.push_back(
-        {std::abs(excess(*worst)) < 0.01 ? Standing::holds : Standing::fails,
+        {std::abs(excess(*worst)) < 0.01 ? Standing::holds : Standing::violated,
          fmt::format("{}: the thesis' limit f_T,lim = {} lies {} {} the model's at w = {} "
                      "({} against {})",
                      name_of(group), is_parallel(group.angle) ? "1 − w" : "1 − 1.1 w + 0.1 w³",
@@ -156,7 +157,7 @@ std::vector<report::Verdict> fit_verdicts(const StudyFit& fit) {
     std::vector<report::Verdict> verdicts;
     // What the thesis' formulas are about is elastic.
     const bool elastic = fit.caveat.empty();
-    if (!elastic) verdicts.push_back({Standing::cannot_tell, fit.caveat});
+    if (!elastic) verdicts.push_back({Standing::not_testable, fit.caveat});
     for (const MappingGroup& group : fit.mapping) {
         verdicts.push_back(constant_verdict(group));
         if (elastic) add_thesis_mapping(verdicts, group);
@@ -167,7 +168,7 @@ std::vector<report::Verdict> fit_verdicts(const StudyFit& fit) {
     }
     for (const ModelDifference& d : fit.differences)
         if (d.quantity == &quantities::settled_shift || d.quantity == &quantities::shift_increment)
-            verdicts.push_back({d.n_with_bars() == 0 ? Standing::cannot_tell : Standing::finding,
+            verdicts.push_back({d.n_with_bars() == 0 ? Standing::not_testable : Standing::finding,
                                 difference_sentence(d)});
     return verdicts;
 }

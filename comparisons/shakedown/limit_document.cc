@@ -49,7 +49,7 @@ report::Verdict model_verdict(const ModelLimit& m, const char* symbol) {
                 text + fmt::format("; the coupled contact has its limit {} the uncoupled {}.",
                                    where, exact)};
     }
-    return {within ? Standing::holds : Standing::fails,
+    return {within ? Standing::pass : Standing::fail,
             text + fmt::format("; the exact limit of uncoupled contact is {}{}.", exact,
                                within ? ", within bisection and resolution" : "")};
 }
@@ -82,7 +82,7 @@ void add_thesis(const LimitStudy& study, const char* symbol,
             off += fmt::format("{}{} that of {}", off.empty() ? "" : ", ",
                                apart(*study.thesis, m.bracket.centre()),
                                report::display_name(m.model));
-    verdicts.push_back({any ? Standing::holds : Standing::fails,
+    verdicts.push_back({any ? Standing::pass : Standing::fail,
                         fmt::format("The thesis' limit {} = {:.4g}{}{}.", symbol, *study.thesis,
                                     off.empty() ? " agrees" : " lies ", off)});
 }

@@ -58,7 +58,7 @@ static void to_json(json& out, const MappingUse& use) {
 }
 
 static void to_json(json& out, const OneMapping& one) {
-    static constexpr const char* names[] = {"holds", "fails", "cannot tell"};
+    static constexpr const char* names[] = {"holds", "violated", "not testable"};
     const bool some = one.low <= one.high;
     out = {{"finding", names[static_cast<int>(one.finding)]},
            {"kappa_low", some ? json(one.low) : json()},

@@ -62,12 +62,12 @@ std::string threshold_text(const Criterion& criterion) {
 }
 
 const char* word_of(Standing standing) {
-    constexpr const char* words[] = {"holds", "fails", "cannot tell"};
+    constexpr const char* words[] = {"holds", "violated", "not testable"};
     return words[static_cast<int>(standing)];
 }
 
 const char* finding_of(Standing standing) {
-    constexpr const char* findings[] = {"holds", "assumption violated", "not testable"};
+    constexpr const char* findings[] = {"holds", "violated", "not testable"};
     return findings[static_cast<int>(standing)];
 }
 

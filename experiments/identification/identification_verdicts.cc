@@ -69,7 +69,7 @@ std::optional<Verdict> bias(const IdentificationStudy& study) {
         reference.name, report::quantity(of_layer, "Pa", 3));
     if (overlap(*half_space, reference, young_key))
         return Verdict{
-            cannot_tell,
+            not_resolved,
             sentence +
                 "their intervals overlap, the measurement does not tell how far they are apart."};
     sentence += off(ratio);
@@ -81,7 +81,7 @@ std::optional<Verdict> bias(const IdentificationStudy& study) {
     if (mu && other && !overlap(*half_space, reference, friction_key))
         sentence += "; its mu is " + off(half_space->found.parameters[*mu].value /
                                          reference.found.parameters[*other].value);
-    return Verdict{fails, sentence + "."};
+    return Verdict{violated, sentence + "."};
 }
 
 /// What linear elasticity of the layer makes of E, beside fem at finite strains.
@@ -104,7 +104,7 @@ std::optional<Verdict> bias_of_small_strains(const IdentificationStudy& study) {
                     report::quantity(small, "Pa", 3), report::quantity(finite, "Pa", 3));
     if (overlap(*linear, *fem, young_key))
         return Verdict{holds, sentence + "no more apart than these data resolve."};
-    return Verdict{fails, sentence + off(small / finite) + '.'};
+    return Verdict{violated, sentence + off(small / finite) + '.'};
 }
 
 /// Of the tables whose errors are known.
@@ -118,7 +118,7 @@ Verdict explains(const IdentifiedModel& model) {
         }
     const bool good = !is_rejected(model);
     return {
-        good ? holds : fails,
+        good ? pass : fail,
         fmt::format("{} {} the measurement: chi^2 = {} with {:.4g} degrees of freedom, {} by "
                     "chance.",
                     model.name, good ? "explains" : "does not explain",
@@ -128,22 +128,22 @@ Verdict explains(const IdentifiedModel& model) {
 /// Parameters of which nothing is told alone, in the products that are told, or at all.
 void add_untold(const IdentifiedModel& model, std::vector<Verdict>& verdicts) {
     for (const ToldCombination& one : told_combinations(model.found))
-        verdicts.push_back({cannot_tell, model.name + ": " + sentence(one, model.found)});
+        verdicts.push_back({not_resolved, model.name + ": " + sentence(one, model.found)});
     const auto mu = model.found.find(friction_key);
     if (mu && std::isinf(model.found.parameters[*mu].likelihood.high))
-        verdicts.push_back({cannot_tell, model.name +
-                                             " cannot tell mu: all larger ones are as likely. "
-                                             "Measure at larger forces, closer to sliding."});
+        verdicts.push_back({not_resolved, model.name +
+                                              " cannot tell mu: all larger ones are as likely. "
+                                              "Measure at larger forces, closer to sliding."});
 }
 
 /// A fit that looks good is no proof of the half-space.
 std::optional<Verdict> fit_tells_nothing(const IdentificationStudy& study) {
     const auto good = [](const IdentifiedModel& m) { return m.found.goodness && !is_rejected(m); };
     const auto biased = bias(study);
-    if (study.models.size() < 2 || !biased || biased->standing != fails ||
+    if (study.models.size() < 2 || !biased || biased->standing != violated ||
         !std::ranges::all_of(study.models, good))
         return {};
-    return Verdict{cannot_tell,
+    return Verdict{not_resolved,
                    "The measurement alone does not show which model is right: all of them pass "
                    "through it. The thickness of the layer decides."};
 }

@@ -87,9 +87,9 @@ std::optional<Verdict> model_to_use(const IdentificationStudy& study) {
     if (study.models.size() < 2) return {};
     const IdentifiedModel& reference = reference_model(study);
     if (is_rejected(reference))
-        return Verdict{fails, fmt::format("None of the values is to be used before the reason is "
-                                          "known: chi^2 rejects {}, the most complete model.",
-                                          reference.name)};
+        return Verdict{fail, fmt::format("None of the values is to be used before the reason is "
+                                         "known: chi^2 rejects {}, the most complete model.",
+                                         reference.name)};
     const auto half_space = std::ranges::find(study.models, "half-space", &IdentifiedModel::name);
     if (half_space == study.models.end() || &*half_space == &reference)
         return Verdict{finding, "Use the values of " + reference.name + "."};

@@ -29,7 +29,7 @@ std::string numbers_with_errors(const ExperimentEvaluation& e) {
 }
 
 const char* agrees(std::optional<bool> differs) {
-    return !differs ? "cannot tell" : *differs ? "no" : "yes";
+    return !differs ? "not resolved" : *differs ? "no" : "yes";
 }
 
 report::DocumentTable values_table(const ExperimentEvaluation& e) {

@@ -162,7 +162,7 @@ constexpr double known_friction = 0.05;
 report::Verdict agreement_verdict(const WalkGrid& grid) {
     const TiltingAgreement agreement = tilting_agreement(grid);
     const bool holds = agreement.share() >= enough_agreement;
-    return {holds ? report::Verdict::Standing::holds : report::Verdict::Standing::finding,
+    return {holds ? report::Verdict::Standing::pass : report::Verdict::Standing::finding,
             fmt::format("Machines tilt where μ > μ_c, so that they cannot slide steadily, and only "
                         "there, in {} of {} cells ({:.1f} %).{}",
                         agreement.n_agreeing, agreement.n_cells, 100 * agreement.share(),

@@ -81,7 +81,7 @@ report::Verdict loading(const WalkReport& report) {
     const Machine& machine = report.walk_case.machine;
     const double load =
         spring_force(machine, report.walk.tail.back().motion) / sliding_force(machine);
-    return {Standing::cannot_tell,
+    return {Standing::not_resolved,
             fmt::format("Does not slide yet: the spots stick, and the base still loads the spring, "
                         "by T = {} to {} of the force of steady sliding. That takes until t = {} "
                         "at least; a longer [time] end tells its friction.",
@@ -100,7 +100,7 @@ report::Verdict too_short(const WalkReport& report) {
     if (result.regime == Regime::chaotic && rotation > 0.2)
         reason += ", and |φ| has come to " + report::share(rotation) + " of where it falls over";
     return {
-        Standing::cannot_tell,
+        Standing::not_resolved,
         fmt::format("Too short: the transient was not over by T = {}, {}. So far {}, whose error "
                     "covers what it may still become; a longer [time] end tells.",
                     significant(report.walk_case.time.end, 5), reason, friction(result))};

@@ -50,8 +50,8 @@ Document document() {
             .title = "Layer & <b>half-space</b>",
             .lead = "How far does f_T go?",
             .verdicts = {{Verdict::Standing::holds, "The limit holds."},
-                         {Verdict::Standing::fails, "κ is no constant."},
-                         {Verdict::Standing::cannot_tell, "Too few points."},
+                         {Verdict::Standing::violated, "κ is no constant."},
+                         {Verdict::Standing::not_testable, "Too few points."},
                          {Verdict::Standing::finding, "E = 5.2 MPa."}},
             .settings = {{"layer", "8 mm"}},
             .sections = {{"first", "First", {"Words <i>."}, {curves(), contour_map()}, {table()}}},
@@ -155,8 +155,8 @@ TEST(ChartLibrary, CanStandInAPageAndNamesItsLicence) {
 TEST(DocumentHtml, VerdictsComeFirstAndInWords) {
     const std::string page = document_html(document());
     EXPECT_TRUE(contains(page, "<li class=\"holds\"><b>holds</b> <span>The limit holds."));
-    EXPECT_TRUE(contains(page, "<li class=\"fails\"><b>fails</b>"));
-    EXPECT_TRUE(contains(page, "<li class=\"cannot_tell\"><b>cannot tell</b>"));
+    EXPECT_TRUE(contains(page, "<li class=\"violated\"><b>violated</b>"));
+    EXPECT_TRUE(contains(page, "<li class=\"not_testable\"><b>not testable</b>"));
     EXPECT_TRUE(contains(page, "<li class=\"finding\"><b>finding</b>"));
     EXPECT_LT(page.find("class=\"verdicts\""), page.find("<figure"));
 }

@@ -78,7 +78,7 @@ TEST(Report, AnswersFirst) {
     EXPECT_NEAR(std::get<double>(mdr[3]), 100 * (ratio - 1), 1e-9);
     EXPECT_TRUE(contains(std::get<std::string>(mdr.back()), "springs on a line"));
     const report::Verdict& springs = document.verdicts.front();
-    EXPECT_EQ(springs.standing, report::Verdict::Standing::fails);
+    EXPECT_EQ(springs.standing, report::Verdict::Standing::violated);
     EXPECT_TRUE(contains(springs.sentence, report::percent(ratio))) << springs.sentence;
     EXPECT_TRUE(contains(springs.sentence, "(MDR beside BEM)")) << springs.sentence;
 }
@@ -90,7 +90,7 @@ TEST(Report, AnAssumptionThatChangesLittleHolds) {
     for (double& shift : histories[0].shift_per_period) shift *= 1.04;
     const auto verdicts = run_document(synthetic::unit_case(), "", "1", histories).verdicts;
     EXPECT_EQ(verdicts.front().standing, report::Verdict::Standing::holds);
-    EXPECT_EQ(verdicts.back().standing, report::Verdict::Standing::cannot_tell);
+    EXPECT_EQ(verdicts.back().standing, report::Verdict::Standing::not_testable);
     EXPECT_TRUE(contains(verdicts.back().sentence, "small strains")) << verdicts.back().sentence;
 }
 

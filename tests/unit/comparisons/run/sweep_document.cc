@@ -37,13 +37,13 @@ TEST(SweepDocument, CountsWhatBecameOfThePoints) {
     Sweep some = sweep();
     report::Document document = sweep_document(some);
     ASSERT_EQ(document.verdicts.size(), 3u);
-    EXPECT_EQ(document.verdicts[0].standing, report::Verdict::Standing::holds);
+    EXPECT_EQ(document.verdicts[0].standing, report::Verdict::Standing::pass);
     EXPECT_EQ(document.verdicts[0].sentence, "8 points computed, none failed.");
     EXPECT_EQ(document.verdicts[2].sentence,
               "BEM layer: of 4 rolling points, 2 shake down, 2 ratchet, 0 stay undecided.");
     some.points[1].error = "no convergence";
     document = sweep_document(some);
-    EXPECT_EQ(document.verdicts[0].standing, report::Verdict::Standing::fails);
+    EXPECT_EQ(document.verdicts[0].standing, report::Verdict::Standing::fail);
     EXPECT_EQ(document.verdicts[0].sentence, "1 of 8 points failed.");
     const report::DocumentTable& failed = document.sections.back().tables.back();
     EXPECT_EQ(report::table_csv(failed),
