@@ -58,7 +58,7 @@ report::DocumentTable goodness_table(const IdentificationStudy& study) {
             "chi^2: residuals over their standard errors, squared; p: how often noise alone "
             "exceeds it. Errors that a table does not state are estimated from its residuals "
             "(root mean square over the degrees of freedom, observations less the share of the "
-            "parameters that the table tells), and nothing says whether a model fits it.",
+            "parameters that the table determines), and whether a model fits it is not testable.",
         .columns =
             report::columns("model", "table", "chi^2", "degrees of freedom", "p", "R^2:6",
                             "standard error of an observation [SI]:3", "interpolation error:2")};
@@ -115,7 +115,7 @@ report::Document identification_document(const IdentificationStudy& study) {
     report::Document document{.kind = "Identification",
                               .title = study.title,
                               .lead =
-                                  "Which values of the rig do the measured ones have? Every "
+                                  "Which values explain the measurements? Every "
                                   "model is fitted by least squares on its own.",
                               .verdicts = identification_verdicts(study),
                               .settings = study.settings,
@@ -123,6 +123,9 @@ report::Document identification_document(const IdentificationStudy& study) {
     if (study.models.size() > 1)
         document.lead +=
             " The differences between their answers are what the simpler one leaves out.";
+    document.answer = document.verdicts.front();  // the values of the most complete model
+    document.answer->word = "identified";
+    document.verdicts.erase(document.verdicts.begin());
     report::DocumentSection fit{.id = "fit_section",
                                 .heading = "Fit",
                                 .figures = fit_figures(study),

@@ -86,6 +86,8 @@ bool overlap(const IdentifiedModel& a, const IdentifiedModel& b, const std::stri
 std::optional<report::Verdict> model_to_use(const IdentificationStudy& study);
 /// Chance exceeds the sum of squares so rarely that the model is to blame.
 bool is_rejected(const IdentifiedModel& model);
+/// The threshold of that: "p at least 0.05".
+std::string rejection_text();
 
 /// "layer: posterior E = 3.79 MPa (3.74 to 3.83), mu = 0.61 (0.60 to 0.62), correlation -0.97; as
 /// good as 812 independent points (autocorrelation time 31 steps, 62 % accepted)."

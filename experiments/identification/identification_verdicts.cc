@@ -70,18 +70,27 @@ std::optional<Verdict> bias(const IdentificationStudy& study) {
     if (overlap(*half_space, reference, young_key))
         return Verdict{
             not_resolved,
-            sentence +
-                "their intervals overlap, the measurement does not tell how far they are apart."};
+            sentence + "their intervals overlap; the measurement does not resolve the difference."};
+    std::string effect = "E " + off(ratio);
     sentence += off(ratio);
     if (study.thickness_ratio)
         sentence += fmt::format("; the layer is {} contact widths thick",
                                 report::significant(*study.thickness_ratio, 2));
     const auto mu = half_space->found.find(friction_key),
                other = reference.found.find(friction_key);
-    if (mu && other && !overlap(*half_space, reference, friction_key))
-        sentence += "; its mu is " + off(half_space->found.parameters[*mu].value /
-                                         reference.found.parameters[*other].value);
-    return Verdict{violated, sentence + "."};
+    if (mu && other && !overlap(*half_space, reference, friction_key)) {
+        const std::string of_mu =
+            off(half_space->found.parameters[*mu].value / reference.found.parameters[*other].value);
+        sentence += "; its mu is " + of_mu;
+        effect += ", mu " + of_mu;
+    }
+    return Verdict{.standing = violated,
+                   .sentence = sentence + ".",
+                   .subject = "half-space",
+                   .number = fmt::format("E = {}, {} {}", report::quantity(of_half_space, "Pa", 3),
+                                         reference.name, report::quantity(of_layer, "Pa", 3)),
+                   .threshold = "their intervals",
+                   .effect = effect};
 }
 
 /// What linear elasticity of the layer makes of E, beside fem at finite strains.
@@ -117,12 +126,18 @@ Verdict explains(const IdentifiedModel& model) {
             degrees += table.degrees_of_freedom;
         }
     const bool good = !is_rejected(model);
-    return {
-        good ? pass : fail,
-        fmt::format("{} {} the measurement: chi^2 = {} with {:.4g} degrees of freedom, {} by "
-                    "chance.",
-                    model.name, good ? "explains" : "does not explain",
-                    report::significant(squares, 3), degrees, report::p_value(*found.goodness))};
+    return {.standing = good ? pass : fail,
+            .sentence = fmt::format(
+                "{} {} the measurement: chi^2 = {} with {:.4g} degrees of freedom, {} by "
+                "chance.",
+                model.name, good ? "explains" : "does not explain", report::significant(squares, 3),
+                degrees, report::p_value(*found.goodness)),
+            .subject = model.name + " explains the measurement",
+            .number = fmt::format("χ² = {}, {:.4g} degrees of freedom, {}",
+                                  report::significant(squares, 3), degrees,
+                                  report::p_value(*found.goodness)),
+            .threshold = rejection_text(),
+            .effect = good ? "" : "its values do not count"};
 }
 
 /// Parameters of which nothing is told alone, in the products that are told, or at all.
@@ -131,9 +146,10 @@ void add_untold(const IdentifiedModel& model, std::vector<Verdict>& verdicts) {
         verdicts.push_back({not_resolved, model.name + ": " + sentence(one, model.found)});
     const auto mu = model.found.find(friction_key);
     if (mu && std::isinf(model.found.parameters[*mu].likelihood.high))
-        verdicts.push_back({not_resolved, model.name +
-                                              " cannot tell mu: all larger ones are as likely. "
-                                              "Measure at larger forces, closer to sliding."});
+        verdicts.push_back(
+            {not_resolved, model.name +
+                               ": mu is not identifiable: all larger values are as likely. "
+                               "Measure at larger forces, closer to sliding."});
 }
 
 /// A fit that looks good is no proof of the half-space.
@@ -163,7 +179,7 @@ std::string shown(const IdentifiedModel& model, std::size_t k) {
     const auto [low, high] = full_interval(model, k);
     const bool is_open_below = low <= p.low && p.scale != FreeParameter::Scale::reciprocal;
     const bool is_open_above = high >= p.high;
-    if (is_open_above && is_open_below) return "cannot be told";
+    if (is_open_above && is_open_below) return "not identifiable";
     if (is_open_above && std::isinf(high)) return "above " + p.shown(low);
     if (is_open_below) return "below " + p.shown(high);
     return fmt::format("{} ({} to {})", p.shown(model.found.parameters[k].value), p.shown(low),

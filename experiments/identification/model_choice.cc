@@ -83,6 +83,10 @@ bool is_rejected(const IdentifiedModel& model) {
     return model.found.goodness && *model.found.goodness < least_goodness;
 }
 
+std::string rejection_text() {
+    return "p at least " + report::significant(least_goodness, 2);
+}
+
 std::optional<Verdict> model_to_use(const IdentificationStudy& study) {
     if (study.models.size() < 2) return {};
     const IdentifiedModel& reference = reference_model(study);
