@@ -116,7 +116,7 @@ std::vector<report::Verdict> strain_verdicts(const StrainDeviation& deviation) {
     for (const report::Verdict& verdict : further_verdicts(deviation)) verdicts.push_back(verdict);
     if (deviation.n_failed_runs > 0)
         verdicts.push_back(
-            {Standing::not_testable,
+            {Standing::fail,
              fmt::format("Failed runs: {}; their values are missing.", deviation.n_failed_runs)});
     return verdicts;
 }

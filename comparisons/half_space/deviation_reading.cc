@@ -112,7 +112,7 @@ std::vector<report::Verdict> deviation_verdicts(const HalfSpaceDeviation& deviat
         if (verdict) verdicts.push_back(*verdict);
     if (deviation.n_failed_runs > 0)
         verdicts.push_back(
-            {Standing::not_testable,
+            {Standing::fail,
              fmt::format("Failed runs: {}; their values are missing.", deviation.n_failed_runs)});
     return verdicts;
 }

@@ -36,7 +36,7 @@ json variant_json(const LoadingVariant& v) {
             {"why_none", v.other ? json() : json(v.why_none)}};
 }
 
-/// A shift [m]. Where the other has none to compare, its verdict stands in the place of a number.
+/// A shift [m]. Where the other has none to compare, its verdict stands instead of a number.
 std::vector<Cell> row(const LoadingVariant& v, const std::string& what, double chosen,
                       std::optional<double> changed, std::optional<double> error,
                       const std::string& other_verdict = "") {

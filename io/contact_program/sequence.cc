@@ -46,7 +46,7 @@ void check_loads(const Case& c) {
         fail("load.indentation", "", "CONTACT takes F_T over the F_N of each step",
              "give load.normal_force where the indenter rolls");
     if (c.load.tangential_force)
-        fail("load.tangential_force", "", "CONTACT takes F_T over F_N, which d does not tell",
+        fail("load.tangential_force", "", "CONTACT takes F_T over F_N, which d does not give",
              "give load.tangential_ratio");
 }
 

@@ -142,7 +142,7 @@ report::DocumentTable region_table(const WalkGrid& grid) {
         .id = "regions",
         .title = "Shares of the map",
         .note =
-            "Errors, 95 %: where in a cell a region ends, which a finer grid would tell. Second "
+            "Errors, 95 %: where in a cell a region ends, which a finer grid would resolve. Second "
             "half: plain means over it, the reading that gives the numbers of Wetter (2016); as "
             "judged: after the transient, whole periods of limit cycles.",
         .columns = {{"region"}, {"definition"}, {"as judged [%]"}, {"second half [%]"}}};
@@ -193,7 +193,7 @@ report::Verdict flutter_verdict(const WalkGrid& grid) {
                                         "vibration does not grow from small disturbances.",
                                         n - n_agreeing, n)};
     return {.sentence = fmt::format(
-                "Linear stability tells of {} of {} machines that do not tilt whether they slide "
+                "Linear stability predicts for {} of {} machines that do not tilt whether they slide "
                 "steadily; {} slide though sliding flutters, {} do not though it is stable.",
                 n_agreeing, n, n_steady_above, n - n_agreeing - n_steady_above)};
 }

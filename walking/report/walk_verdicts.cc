@@ -84,7 +84,7 @@ report::Verdict loading(const WalkReport& report) {
     return {Standing::not_resolved,
             fmt::format("Does not slide yet: the spots stick, and the base still loads the spring, "
                         "by T = {} to {} of the force of steady sliding. That takes until t = {} "
-                        "at least; a longer [time] end tells its friction.",
+                        "at least; a longer [time] end is needed for its friction.",
                         significant(report.walk_case.time.end, 5), report::share(load, 3),
                         significant(loading_time(machine), 3))};
 }
@@ -102,7 +102,7 @@ report::Verdict too_short(const WalkReport& report) {
     return {
         Standing::not_resolved,
         fmt::format("Too short: the transient was not over by T = {}, {}. So far {}, whose error "
-                    "covers what it may still become; a longer [time] end tells.",
+                    "covers what it may still become; a longer [time] end is needed.",
                     significant(report.walk_case.time.end, 5), reason, friction(result))};
 }
 
@@ -146,7 +146,7 @@ report::Verdict outcome(const WalkReport& report) {
         Standing::finding,
         fmt::format("Chaotic to the end: {}{}; 95 % interval by its autocorrelation over the last "
                     "{}. It is that of this chaos, whose mean life is above {} (95 %); whether it "
-                    "ends later no run tells. Single numbers of a chaotic motion mean nothing.",
+                    "ends later is not resolved by a run. Single numbers of a chaotic motion mean nothing.",
                     friction(result), reduction(result), significant(result.observed),
                     significant(result.observed / 3, 2))};
 }

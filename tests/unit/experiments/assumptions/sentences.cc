@@ -226,7 +226,7 @@ TEST(RigSentences, MeasuredSizesWithoutAnErrorAreNotJudged) {
     rig.data["D_c"] = {9e-3};
     const std::string words = contact_of(rig);
     EXPECT_TRUE(says(words, "whose error is not given")) << words;
-    for (const char* verdict : {"fits", "cannot tell the two apart"})
+    for (const char* verdict : {"fits", "does not distinguish the two"})
         EXPECT_FALSE(says(words, verdict)) << words;
 }
 
