@@ -47,7 +47,9 @@ std::optional<double> energy_error(const RollingState& steady) {
     double work = 0, size = 0;
     for (const double part : parts) work += part, size += std::abs(part);
     const double dissipation = steady.dissipation + steady.material_dissipation;
-    // Without forces friction works against itself alone.
+    const bool slides = longitudinal != 0 || lateral != 0 || spin != 0;
+    if (!slides && steady.material_dissipation == 0) return std::nullopt;
+    // Bodies that creep without a force are not worked upon from outside.
     size = std::max(size, dissipation);
     if (!(size > 0)) return std::nullopt;
     return std::abs(dissipation - work) / size;

@@ -131,7 +131,8 @@ TEST(ChartJson, ModelsHaveOneColourEverywhere) {
                      {.name = "MDR layer"},
                      {.name = "BEM layer"}};
     std::string styles;
-    for (const auto& curve : figure_json(figure)["curves"]) styles += curve["style"].dump() + " ";
+    const auto json = figure_json(figure);
+    for (const auto& curve : json["curves"]) styles += curve["style"].dump() + " ";
     EXPECT_EQ(styles, "0 3 2 4 2 ");  // what is no model takes the first that no model has
 }
 

@@ -158,6 +158,21 @@ TEST(TractiveReport, ReadsTheTransient) {
     EXPECT_FALSE(creepage_at(report.runs[0], .57, .999));
 }
 
+// Found: "differs by 0.014 of it" where friction dissipates 2.8 % more than the creepage works, at
+// half of the friction limit: the denominator was the work at that limit.
+TEST(TractiveReport, TheEnergyErrorIsOverTheWork) {
+    RollingState s;
+    s.normal_force = 10;
+    s.creepage.longitudinal = 1e-3;
+    s.force = {2, 0};
+    s.dissipation = 1.028 * 2e-3;
+    EXPECT_NEAR(energy_error(s).value(), .028, 1e-12);
+    RollingReport report = report_of(.5);
+    for (RollingRun& run : report.runs) run.history.steady.dissipation *= 1.028;
+    const std::string text = report::document_html(rolling_document(report));
+    EXPECT_NE(text.find("dissipation differs by 2.8"), std::string::npos);
+}
+
 TEST(TractiveReport, ClosedFormsAreNamedWhereTheyAreMeant) {
     const auto words = [](const RollingReport& report) {
         std::string text = transient_section(report).figures.front().caption;
