@@ -49,8 +49,8 @@ std::optional<double> energy_error(const RollingState& steady) {
     const double dissipation = steady.dissipation + steady.material_dissipation;
     const bool slides = longitudinal != 0 || lateral != 0 || spin != 0;
     if (!slides && steady.material_dissipation == 0) return std::nullopt;
-    // Bodies that creep without a force are not worked upon from outside.
-    size = std::max(size, dissipation);
+    // Bodies that creep without a force are hardly worked upon from outside.
+    if (size < dissipation / 2) size = dissipation;
     if (!(size > 0)) return std::nullopt;
     return std::abs(dissipation - work) / size;
 }
