@@ -9,6 +9,7 @@
 #include <span>
 
 #include "animation/canvas.h"
+#include "report/plot_style.h"
 
 namespace tricontact::animation {
 
@@ -22,8 +23,14 @@ const std::vector<Colour> magnitudes{
     {253, 231, 37}, {94, 201, 98}, {33, 145, 140}, {59, 82, 139}, {68, 1, 84}};
 const std::vector<Colour> signs{
     {0, 114, 178}, {160, 200, 225}, {247, 247, 247}, {240, 180, 130}, {213, 94, 0}};
-constexpr Colour sticks{70, 86, 120}, slips{213, 150, 60}, ink{33, 38, 43}, soft{140, 146, 152},
-    curve{0, 114, 178};
+Colour colour_from(const std::string& text) {  // "#rrggbb"
+    const auto part = [&](int at) {
+        return static_cast<unsigned char>(std::stoi(text.substr(at, 2), nullptr, 16));
+    };
+    return {part(1), part(3), part(5)};
+}
+const Colour sticks = colour_from(report::stick_colour), slips = colour_from(report::slip_colour);
+constexpr Colour ink{33, 38, 43}, soft{140, 146, 152}, curve{0, 114, 178};
 
 constexpr int width = 800, margin = 24, scale_room = 130;
 constexpr double most_map_height = 560, history_height = 150, head = 74;

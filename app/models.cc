@@ -46,7 +46,7 @@ std::unique_ptr<contact::Model> make_model(const std::string& name, const Case& 
 #endif
     if (name == "atlas")
         throw contact::InputError(
-            "models: atlas runs nothing: it knows what runs came to; take tricontact predict, or "
+            "models: atlas runs nothing: it holds what runs came to; take tricontact predict, or "
             "name another model");
     throw contact::InputError("models: this program was built without the model " + name);
 }

@@ -41,7 +41,7 @@ atlas::Value predicted(const Case& c, const std::string& model, const std::strin
     for (const auto& entry : p.entries)
         if (entry.quantity->key == quantity + "_m") return entry.value;
     throw contact::InputError(
-        fmt::format("{}: the maps do not tell the {}{}", model, quantity,
+        fmt::format("{}: the maps do not give the {}{}", model, quantity,
                     p.gaps.empty() ? "" : fmt::format(": {}", fmt::join(p.gaps, "; "))));
 }
 
@@ -105,7 +105,7 @@ DesignStudy design_study(const DesignInput& input) {
     const auto& best = study.solution.best;
     if (!std::isfinite(best.worst()))
         throw contact::InputError(fmt::format(
-            "[design]: nowhere within the bounds can all requirements be told: {}",
+            "[design]: nowhere within the bounds can all requirements be evaluated: {}",
             evaluation.reason().empty() ? "a criterion is missing" : evaluation.reason()));
     if (input.resolution)
         study.comparison = comparison_of(input, input.at(best.fractions), study.model);

@@ -27,6 +27,7 @@ json curves_json(const std::vector<Curve>& curves, const FigureStyles& styles) {
     json result = json::array();
     for (std::size_t i = 0; i < curves.size(); ++i)
         result.push_back({{"name", chart_label(curves[i].name)},
+                          {"detail", curves[i].detail},
                           {"x", curves[i].x},
                           {"y", curves[i].y},
                           {"x_error", curves[i].x_error},
@@ -69,7 +70,7 @@ static void to_json(json& out, const ContourMap& map) {
 }
 
 static void to_json(json& out, const Kind& kind) {
-    out = {{"name", kind.name}, {"shade", kind.shade}};
+    out = {{"name", kind.name}, {"shade", kind.shade}, {"colour", kind.colour}};
 }
 
 static void to_json(json& out, const Strip::Stretch& stretch) {

@@ -57,12 +57,27 @@ std::vector<DocumentTable::Column> columns(const Texts&... texts) {
 
 /// A statement that comes first in a report.
 struct Verdict {
-    enum class Standing { holds, fails, cannot_tell, finding };
+    /// Of an assumption it holds, is violated or not testable; a comparison with a tolerance
+    /// passes, fails or is not resolved.
+    enum class Standing { holds, violated, not_testable, finding, pass, fail, not_resolved };
 
     Standing standing = Standing::finding;
     std::string sentence;   ///< with its number
     std::string word = {};  ///< instead of the standing's
+    /// As a row of a table, if it has a subject: the assumption or what is compared; the number
+    /// that decides; its threshold; what follows for what is measured.
+    std::string subject = {}, number = {}, threshold = {}, effect = {};
 };
+
+/// "holds", "violated", "not testable", "finding", "pass", "fail", "not resolved": the words of
+/// pages, terminal and JSON.
+const char* word_of(Verdict::Standing standing);
+
+/// The verdicts with a subject as a table, failures first.
+DocumentTable verdict_table(const std::vector<Verdict>& verdicts);
+
+/// Failures first, then what could not be decided, then the rest, each in the given order.
+std::vector<Verdict> by_severity(std::vector<Verdict> verdicts);
 
 struct DocumentSection {
     std::string id;  ///< letters, digits, hyphens, underscores

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <initializer_list>
 #include <kainjow/mustache.hpp>
 #include <stdexcept>
@@ -29,12 +30,10 @@ data object(std::initializer_list<std::pair<const char*, data>> members) {
 }
 
 data verdict(const Verdict& content) {
-    // By standing, class and word: colour is never the only difference.
-    constexpr std::pair<const char*, const char*> words[] = {{"holds", "holds"},
-                                                             {"fails", "fails"},
-                                                             {"cannot_tell", "cannot tell"},
-                                                             {"finding", "finding"}};
-    const auto& [name, word] = words[static_cast<int>(content.standing)];
+    // Class and word: colour is never the only difference.
+    const std::string word = word_of(content.standing);
+    std::string name = word;
+    std::ranges::replace(name, ' ', '_');
     return object({{"class", name},
                    {"standing", content.word.empty() ? word : content.word},
                    {"sentence", typeset(content.sentence)}});
@@ -130,11 +129,18 @@ data section(const DocumentSection& content, const std::string& plots) {
 void set_answer(const Document& document, data& page) {
     data list{data::type::list}, answer{data::type::list}, comparison{data::type::list},
         figure{data::type::list};
-    for (const Verdict& each : document.verdicts) list << verdict(each);
+    const DocumentTable judged = verdict_table(document.verdicts);
+    data judged_list{data::type::list};
+    if (!judged.rows.empty()) judged_list << table(judged);
+    bool has_cards = false;
+    for (const Verdict& each : by_severity(document.verdicts))
+        if (each.subject.empty()) list << verdict(each), has_cards = true;
     if (document.answer) answer << verdict(*document.answer);
     if (document.comparison) comparison << table(*document.comparison);
     if (document.figure) figure << figure_data(*document.figure, document.plots);
-    page.set("has_verdicts", !document.verdicts.empty());
+    page.set("has_verdicts", has_cards);
+    page.set("has_judged", !judged.rows.empty());
+    page.set("judged", judged_list);
     page.set("verdicts_heading", document.verdicts_heading);
     page.set("verdicts", list);
     page.set("has_answer", document.answer.has_value());
@@ -168,6 +174,7 @@ void set_scripts(const Document& document, data& page) {
     for (const Figure& each : figures)
         list << object({{"id", each.id}, {"json", script_json(figure_json(each))}});
     page.set("colours", colours);
+    page.set("states", stick_colour + ' ' + slip_colour);
     page.set("has_figures", !figures.empty());
     page.set("figure_data", list);
     page.set("library", std::string(figures.empty() ? "" : chart_library()));
@@ -210,6 +217,34 @@ void set_origin(const Document& document, data& page) {
 }
 
 }  // namespace
+
+const char* word_of(Verdict::Standing standing) {
+    constexpr const char* words[] = {"holds", "violated", "not testable", "finding",
+                                     "pass",  "fail",     "not resolved"};
+    return words[static_cast<int>(standing)];
+}
+
+DocumentTable verdict_table(const std::vector<Verdict>& verdicts) {
+    DocumentTable table{.id = "verdicts",
+                        .title = "Verdicts",
+                        .columns = columns("assumption or comparison", "verdict", "number",
+                                           "threshold", "effect on what is measured")};
+    for (const Verdict& one : by_severity(verdicts))
+        if (!one.subject.empty())
+            table.rows.push_back({one.subject,
+                                  one.word.empty() ? std::string(word_of(one.standing)) : one.word,
+                                  one.number, one.threshold, one.effect});
+    return table;
+}
+
+std::vector<Verdict> by_severity(std::vector<Verdict> verdicts) {
+    using enum Verdict::Standing;
+    std::ranges::stable_sort(verdicts, {}, [](const Verdict& one) {
+        const bool is_bad = one.standing == violated || one.standing == fail;
+        return is_bad ? 0 : one.standing == not_testable || one.standing == not_resolved ? 1 : 2;
+    });
+    return verdicts;
+}
 
 std::vector<Figure> figures_of(const Document& document) {
     std::vector<Figure> figures;

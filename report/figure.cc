@@ -16,6 +16,11 @@ namespace {
 
 using Style = std::optional<int>;
 
+/// The colour that a curve has of itself.
+Style own_style(const Curve& curve) {
+    return curve.colour || curve.theory ? curve.colour : model_style(curve.name);
+}
+
 Style known_style(const std::map<std::string, Style>& styles, const std::string& name) {
     const auto found = styles.find(name);
     return found == styles.end() || name.empty() ? Style() : found->second;
@@ -27,12 +32,12 @@ FigureStyles styles_of(const Figure& figure) {
     FigureStyles result;
     std::set<int> taken;
     for (const Curve& curve : figure.curves)
-        if (curve.colour) taken.insert(*curve.colour);
+        if (const Style own = own_style(curve)) taken.insert(*own);
     std::map<std::string, Style> styles;
     std::vector<std::string> theories;
     int next = 0;
     for (const Curve& curve : figure.curves) {
-        Style style = curve.colour;
+        Style style = own_style(curve);
         if (!style && !curve.theory) style = known_style(styles, curve.name);
         if (!style && !curve.theory) {
             while (taken.contains(next)) ++next;

@@ -18,7 +18,11 @@ struct Curve {
     Kind kind = Kind::line;
     /// A closed form: in grey unless it has a colour; dashed, each name in its own way.
     bool theory = false;
-    std::optional<int> colour = {};  ///< equal numbers, equal colours; empty: the next one
+    /// Equal numbers, equal colours; the next five have the same with other markers and dashes.
+    /// Empty: that of the model of this name, else the next one.
+    std::optional<int> colour = {};
+    /// What tells it from others of its name, "f_T = 0.3": in its data and under the pointer.
+    std::string detail = {};
 
     void add(double at, double value) {
         x.push_back(at);
@@ -63,10 +67,11 @@ struct FigureAxis {
     std::optional<double> low = {}, high = {};  ///< ends; empty: chosen; low > high: reversed
 };
 
-/// What a place can be, as "stick": areas of it are drawn in a shade of grey.
+/// What a place can be, as "stick".
 struct Kind {
     std::string name;
-    double shade = 0;  ///< from that of the background, 0, to that of the letters, 1
+    double shade = 0;  ///< of grey, from that of the background, 0, to that of the letters, 1
+    std::string colour = {};  ///< "#rrggbb", as dark as that shade on white; empty: the grey
 };
 
 /// Stretches of kinds along the first axis, a row beneath the curves.
@@ -102,6 +107,9 @@ struct Figure {
     std::vector<Panel> panels = {};  ///< instead of curves, bands and map
     bool equal_scales = false;       ///< one unit is as long along either axis
 };
+
+/// Numbers of the colours of what sticks and what slips.
+inline constexpr int stick_style = -1, slip_style = -2;
 
 /// Colours, markers and dashes of a figure, whoever draws it.
 struct FigureStyles {

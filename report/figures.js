@@ -1,15 +1,17 @@
 // What plotly.js is told of a page's figures: traces and layout, in the colours of a theme, for a width in px.
 
 const figures = (() => {
-const colours = document.getElementById("content").dataset.colours.split(" ");
+const {colours: of_models, states: of_states} = document.getElementById("content").dataset;
+const colours = of_models.split(" "), states = of_states.split(" ");  // stick, slip
 // In the order of plot_style.h.
 const markers = ["circle", "square", "triangle-up", "diamond", "triangle-down",
-                 "circle-open", "square-open", "diamond-open"];
+                 "circle-open", "square-open", "triangle-up-open", "diamond-open", "triangle-down-open"];
 const dashes = ["solid", "dash", "dot", "dashdot", "longdash", "longdashdot"];
 const most_grounds = 30;
 
 function colour_of(style, theme) {
-    return style === null ? theme.soft : colours[style % colours.length];
+    if (style === null) return theme.soft;
+    return style < 0 ? states[-style - 1] : colours[style % colours.length];
 }
 
 function error_bars(errors) {
@@ -17,18 +19,19 @@ function error_bars(errors) {
 }
 
 function curve_trace(curve, theme, place = {}) {
-    const style = curve.style ?? 0;
+    const style = curve.style ?? 0, marker = style < 0 ? -style - 1 : style;
     const points = curve.kind !== "line", lines = curve.kind !== "points";
     return {
         ...place, type: "scatter", name: curve.name, x: curve.x, y: curve.y,
         mode: lines ? (points ? "lines+markers" : "lines") : "markers",
+        ...(curve.detail ? {hovertemplate: `%{x:.4g}, %{y:.4g}<br>${curve.detail}`} : {}),
         legendgroup: "curve " + curve.name, showlegend: curve.named && !place.xaxis,
         error_x: error_bars(curve.x_error), error_y: error_bars(curve.y_error),
         line: {
             color: colour_of(curve.style, theme), width: 1.8,
             dash: dashes[curve.dash % dashes.length],
         },
-        marker: {color: colour_of(curve.style, theme), size: 7, symbol: markers[style % markers.length]},
+        marker: {color: colour_of(curve.style, theme), size: 7, symbol: markers[marker % markers.length]},
         connectgaps: false,
     };
 }
@@ -93,8 +96,9 @@ function map_traces(map, theme) {
     return traces;
 }
 
-// A shade from that of the background, 0, to that of the letters, 1.
-function shaded(shade, theme) {
+// A kind's colour, or its shade from that of the background, 0, to that of the letters, 1.
+function shaded({colour, shade}, theme) {
+    if (colour) return colour;
     const parts = colour => [1, 3, 5].map(at => parseInt(colour.slice(at, at + 2), 16));
     const [from, to] = [parts(theme.panel), parts(theme.text)];
     return `rgb(${from.map((part, i) => Math.round(part + shade * (to[i] - part)))})`;
@@ -109,7 +113,7 @@ function strip_traces(figure, theme) {
             y: strip.stretches.map(() => strip.name), base: strip.stretches.map(([, begin]) => begin),
             x: strip.stretches.map(([, begin, end]) => end - begin), text: kinds.map(kind => kind.name),
             textposition: "inside", insidetextanchor: "middle", textangle: 0, constraintext: "inside",
-            marker: {color: kinds.map(kind => shaded(kind.shade, theme)),
+            marker: {color: kinds.map(kind => shaded(kind, theme)),
                      line: {color: theme.panel, width: 1}},
         };
     });
@@ -127,13 +131,17 @@ function rows_of_panels(figure, width) {
 }
 
 function panel_traces(figure, theme, width) {
+    const n = figure.kinds.length;
+    // A stretch of one colour for each kind.
+    const colours_of_kinds = figure.kinds.flatMap((kind, i) =>
+        [[i / n, shaded(kind, theme)], [(i + 1) / n, shaded(kind, theme)]]);
     const {n_columns} = rows_of_panels(figure, width), axis = k => k ? k + 1 : "";
     return figure.panels.flatMap((panel, i) => {
         const place = {xaxis: "x" + axis(i), yaxis: "y" + axis(Math.floor(i / n_columns))};
-        const of_kinds = get => panel.rows.map(row => row.map(kind => kind < 0 ? null : get(figure.kinds[kind])));
+        const of_kinds = get => panel.rows.map(row => row.map(kind => kind < 0 ? null : get(kind)));
         return [{
-            ...place, type: "heatmap", x: panel.x, y: panel.y, zmin: 0, zmax: 1,
-            colorscale: [[0, theme.panel], [1, theme.text]], z: of_kinds(kind => kind.shade), text: of_kinds(kind => kind.name), showscale: false,
+            ...place, type: "heatmap", x: panel.x, y: panel.y, zmin: -0.5, zmax: n - 0.5,
+            colorscale: colours_of_kinds, z: of_kinds(kind => kind), text: of_kinds(kind => figure.kinds[kind].name), showscale: false,
             hovertemplate: "%{x:.3g}, %{y:.3g}: %{text}<extra></extra>",
         }, ...panel.curves.map(curve => curve_trace(curve, theme, place))];
     });

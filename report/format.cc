@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <iterator>
 
 namespace tricontact::report {
 
@@ -79,6 +80,13 @@ std::string display_name(const std::string& model) {
         name[i] = capital(name[i]);
     std::ranges::replace(name, '-', ' ');
     return name;
+}
+
+std::optional<int> model_style(const std::string& model) {
+    constexpr const char* models[] = {"mdr", "bem", "bem-layer", "fem", "mdr-layer"};
+    for (int i = 0; i < static_cast<int>(std::size(models)); ++i)
+        if (model == models[i] || model == display_name(models[i])) return i;
+    return {};
 }
 
 std::string id_of_model(std::string model) {

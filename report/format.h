@@ -50,6 +50,9 @@ std::string given_quantity(double value, const std::string& base);
 
 /// "mdr" -> "MDR", "bem-layer" -> "BEM layer".
 std::string display_name(const std::string& model);
+/// The number of a model's colour, the same in every figure: of "bem-layer" or "BEM layer". Empty
+/// for what is no model.
+std::optional<int> model_style(const std::string& model);
 /// What stands for a model in the id of a figure or table: "bem_layer".
 std::string id_of_model(std::string model);
 

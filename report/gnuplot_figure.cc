@@ -15,9 +15,18 @@ namespace {
 constexpr int most_key_columns = 2;
 constexpr int key_line = 22;  // height of a line of the key [CSS pixels]
 
-std::string grey(double shade) {
-    const int level = static_cast<int>(std::lround(255 * (1 - shade)));
+std::string fill_of(const Kind& kind) {
+    if (!kind.colour.empty()) return kind.colour;
+    const int level = static_cast<int>(std::lround(255 * (1 - kind.shade)));
     return fmt::format("#{0:02x}{0:02x}{0:02x}", level);
+}
+
+/// The colour of the curve of a strip's name.
+std::string colour_of_strip(const Figure& figure, std::size_t row) {
+    const FigureStyles styles = styles_of(figure);
+    for (std::size_t i = 0; i < figure.curves.size(); ++i)
+        if (figure.curves[i].name == figure.strips[row].name) return colour_of(styles.curves[i]);
+    return model_colour(row);
 }
 
 void add_bands(const Figure& figure, const FigureStyles& styles, Parts& parts) {
@@ -63,13 +72,13 @@ std::string strip_panel(const Figure& figure) {
     for (std::size_t row = 0; row < figure.strips.size(); ++row) {
         const double middle = static_cast<double>(row) + 0.5;
         text += fmt::format("set label {} at graph -0.015, first {} right textcolor rgb '{}'\n",
-                            quoted(figure.strips[row].name), middle, model_colour(row));
+                            quoted(figure.strips[row].name), middle, colour_of_strip(figure, row));
         for (const auto& [index, begin, end] : figure.strips[row].stretches) {
             const Kind& kind = figure.kinds[index];
             text += fmt::format(
                 "set object rectangle from {:.5g},{} to {:.5g},{} fillcolor rgb '{}' fillstyle "
                 "solid border linecolor rgb '#ffffff' front\n",
-                begin, middle - 0.4, end, middle + 0.4, grey(kind.shade));
+                begin, middle - 0.4, end, middle + 0.4, fill_of(kind));
             if (end - begin < letter_width * width * static_cast<double>(kind.name.size()))
                 continue;
             text += fmt::format("set label {} at {:.5g},{} center front textcolor rgb '{}'\n",
@@ -83,11 +92,13 @@ std::string strip_panel(const Figure& figure) {
 Picture curves_picture(const Figure& figure, const PictureLayout& layout) {
     const FigureStyles styles = styles_of(figure);
     const Key key(figure, styles.named, layout.width);
-    Parts parts{.in_grey = layout.in_grey};
+    Parts parts{
+        .in_grey = layout.in_grey, .log_x = figure.x.logarithmic, .log_y = figure.y.logarithmic};
     add_bands(figure, styles, parts);
     add_curves(figure.curves, styles, false, true, parts);
     if (parts.plots.empty()) parts.plots.emplace_back("NaN notitle");
-    const std::string head = parts.data + plot_style() + axes(figure) + key.commands();
+    const std::string head =
+        parts.data + plot_style() + axes(figure, layout.width - 110) + key.commands();
     if (figure.strips.empty()) {
         const int more_key = layout.in_grey ? key_line * std::max(0, key.rows - 1) : 0;
         return {layout.width, layout.height + more_key, head + parts.plot()};
@@ -147,6 +158,17 @@ constexpr const char* lines_apart =
     "do for [k=1:|$lines|] { print $lines[k]; if (strlen($lines[k]) < 2) { print '' } }\n"
     "set print\n";
 
+/// From the least to the largest value, whatever else is drawn: curves lie at the height 0.
+std::string colour_bar(const ContourMap& map) {
+    double low = INFINITY, high = -INFINITY;
+    for (const double value : map.values)
+        if (std::isfinite(value)) low = std::min(low, value), high = std::max(high, value);
+    if (!(low < high)) return fmt::format("set cblabel {}\n", quoted(map.label));
+    const int letters = longest_tic(low, high, (high - low) / 8);
+    return fmt::format("set cbrange [{:.6g}:{:.6g}]\nset cblabel {} offset {},0\n", low, high,
+                       quoted(map.label), std::max(0, letters - 3));
+}
+
 Picture map_picture(Figure figure, const PictureLayout& layout) {
     // Around the frame [CSS pixels]: labels of the axes, the bar of colours, the key.
     constexpr int left = 84, right = 116, foot = 70, head = 16;
@@ -172,23 +194,22 @@ Picture map_picture(Figure figure, const PictureLayout& layout) {
     const auto share = [](int pixels, int all) { return static_cast<double>(pixels) / all; };
     const std::string levels =
         map.levels.empty() ? "auto 8" : fmt::format("discrete {:.6g}", fmt::join(map.levels, ", "));
-    return {
-        width, height,
-        grid_data(map) + parts.data + plot_style() + axes(figure) +
-            (has_values ? fmt::format("set contour base\nset cntrparam levels {}\nunset "
-                                      "surface\nset table $lines\nsplot $map using 1:2:3\n"
-                                      "unset table\nset surface\nunset contour\n{}",
-                                      levels, lines_apart)
-                        : "") +
-            fmt::format("set border 15\nunset grid\nset pm3d map interpolate 2,2\n{}"
-                        "set lmargin at screen {:.4g}\nset rmargin at screen {:.4g}\n"
-                        "set tmargin at screen {:.4g}\nset bmargin at screen {:.4g}\n"
-                        "set cblabel {}\nset key at screen {:.4g},{:.4g} top center maxcols 1 "
-                        "samplen 1.6\n",
-                        palette, share(left, width), share(left + frame, width),
-                        share(foot + map_height, height), share(foot, height), quoted(map.label),
-                        share(left + frame / 2, width), share(height - head / 2, height)) +
-            parts.plot("splot")};
+    return {width, height,
+            grid_data(map) + parts.data + plot_style() + axes(figure, frame) + colour_bar(map) +
+                (has_values ? fmt::format("set contour base\nset cntrparam levels {}\nunset "
+                                          "surface\nset table $lines\nsplot $map using 1:2:3\n"
+                                          "unset table\nset surface\nunset contour\n{}",
+                                          levels, lines_apart)
+                            : "") +
+                fmt::format("set border 15\nunset grid\nset pm3d map interpolate 2,2\n{}"
+                            "set lmargin at screen {:.4g}\nset rmargin at screen {:.4g}\n"
+                            "set tmargin at screen {:.4g}\nset bmargin at screen {:.4g}\n"
+                            "set key at screen {:.4g},{:.4g} top center maxcols 1 "
+                            "samplen 1.6\n",
+                            palette, share(left, width), share(left + frame, width),
+                            share(foot + map_height, height), share(foot, height),
+                            share(left + frame / 2, width), share(height - head / 2, height)) +
+                parts.plot("splot")};
 }
 
 /// Runs of a kind along the rows, as boxes (x, y, x_low, x_high, y_low, y_high): far fewer than
@@ -224,7 +245,7 @@ Picture panels_picture(const Figure& figure) {
     const int map_height = static_cast<int>(std::lround(panel_width * ratio));
     const int width = side + n * (panel_width + gap), height = head + map_height + foot;
     std::string script =
-        plot_style() + axes(figure) +
+        plot_style() + axes(figure, panel_width) +
         fmt::format(
             "unset key\nunset grid\nset border 15\nset xtics 1\nset ytics 1\n"
             "set multiplot\nset tmargin at screen {:.6g}\nset bmargin at screen {:.6g}\n",
@@ -238,7 +259,7 @@ Picture panels_picture(const Figure& figure) {
                 parts.plots.push_back(fmt::format(
                     "{} using 1:2:3:4:5:6 with boxxyerror fillstyle solid noborder fillcolor rgb "
                     "'{}'",
-                    parts.add_data(columns), grey(figure.kinds[kind].shade)));
+                    parts.add_data(columns), fill_of(figure.kinds[kind])));
         add_curves(panel.curves, styles_of({.curves = panel.curves}), false, false, parts);
         script += parts.data +
                   fmt::format(

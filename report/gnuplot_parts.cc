@@ -21,6 +21,22 @@ std::string end_of(std::optional<double> value) {
     return value ? fmt::format("{:.6g}", *value) : "*";
 }
 
+/// The steps between tics in their order: 1, 2 and 5 times powers of ten.
+double next_step(double step) {
+    const double power = std::pow(10, std::floor(std::log10(step) + 1e-9));
+    return step < 1.5 * power ? 2 * power : step < 3 * power ? 5 * power : 10 * power;
+}
+
+/// Between the tics of a linear axis along x: the least step whose numbers stand apart.
+double tic_step(double low, double high, int width) {
+    constexpr int letter = 9, apart = 14;  // [CSS pixels]
+    double step = std::pow(10, std::floor(std::log10((high - low) / 10)));
+    while ((std::floor((high - low) / step) + 1) * (letter * longest_tic(low, high, step) + apart) >
+           width)
+        step = next_step(step);
+    return step;
+}
+
 /// Commands of one axis, 'x' or 'y'.
 std::string axis_commands(char name, const FigureAxis& axis, Extent extent) {
     std::string text = fmt::format("set {0}label {1}\nset {0}range [{2}:{3}]\n", name,
@@ -38,6 +54,34 @@ bool has_markers(const std::vector<Curve>& curves, const Curve& line) {
            });
 }
 
+/// As vectors with heads across: gnuplot's own error bars clear a disc in their middle, which
+/// erases markers and curves.
+void add_bars(const Curve& curve, const std::string& colour, Parts& parts) {
+    const std::vector<double> none(curve.x.size(), 0);
+    const auto add = [&](const std::vector<double>& middle, const std::vector<double>& errors,
+                         bool logarithmic, bool along_x) {
+        std::vector<double> low, length;
+        for (std::size_t i = 0; i < middle.size(); ++i) {
+            const double end = middle[i] - errors[i], far = middle[i] + errors[i];
+            // What reaches below zero goes on to the end of a logarithmic axis.
+            low.push_back(logarithmic && !(end > 0) ? middle[i] / 100 : end);
+            length.push_back(far - low.back());
+        }
+        parts.plots.push_back(fmt::format(
+            "{} using 1:2:3:4 with vectors heads size graph 0.008,90 linewidth 1 linecolor rgb "
+            "'{}' notitle",
+            along_x ? parts.add_data({low, curve.y, length, none})
+                    : parts.add_data({curve.x, low, none, length}),
+            colour));
+    };
+    if (!curve.x_error.empty()) add(curve.x, curve.x_error, parts.log_x, true);
+    if (!curve.y_error.empty()) add(curve.y, curve.y_error, parts.log_y, false);
+}
+
+int marker_of(int style) {
+    return model_marker(static_cast<std::size_t>(style < 0 ? -style - 1 : style));
+}
+
 }  // namespace
 
 std::string quoted(const std::string& text) {
@@ -45,16 +89,33 @@ std::string quoted(const std::string& text) {
 }
 
 std::string colour_of(std::optional<int> style) {
+    if (style == stick_style) return stick_colour;
+    if (style == slip_style) return slip_colour;
     return style ? model_colour(static_cast<std::size_t>(*style)) : theory_colour;
 }
 
-std::string axes(const Figure& figure) {
+int longest_tic(double low, double high, double step) {
+    const double largest = std::max(std::abs(low), std::abs(high));
+    if (!(largest > 0)) return 1;
+    const int exponent = static_cast<int>(std::floor(std::log10(largest) + 1e-9));
+    const int of_step = static_cast<int>(std::floor(std::log10(step) + 1e-9));
+    // As '%h' writes them: "12.5", "0.002", beyond that "1.5 x 10^{-6}", some eight letters.
+    if (exponent > 5 || of_step < -5) return 8;
+    return (low < 0) + std::max(exponent, 0) + 1 + (of_step < 0 ? 1 - of_step : 0);
+}
+
+std::string axes(const Figure& figure, int width) {
     Extent x, y;
     for (const Curve& curve : figure.curves) x.include(curve.x), y.include(curve.y);
     for (const Band& band : figure.bands)
         x.include(band.x), y.include(band.low), y.include(band.high);
     if (figure.map) x.include(figure.map->x), y.include(figure.map->y);
-    return axis_commands('x', figure.x, x) + axis_commands('y', figure.y, y);
+    std::string text = axis_commands('x', figure.x, x) + axis_commands('y', figure.y, y);
+    const double low = std::min(figure.x.low.value_or(x.low), figure.x.high.value_or(x.high)),
+                 high = std::max(figure.x.low.value_or(x.low), figure.x.high.value_or(x.high));
+    if (!figure.x.logarithmic && std::isfinite(low) && high - low > 1e-9 * std::abs(high))
+        text += fmt::format("set xtics {:.6g}\n", tic_step(low, high, width));
+    return text;
 }
 
 void add_curves(const std::vector<Curve>& curves, const FigureStyles& styles, bool flat,
@@ -67,14 +128,14 @@ void add_curves(const std::vector<Curve>& curves, const FigureStyles& styles, bo
         const std::string colour = colour_of(styles.curves[i]);
         const bool at_some_places = parts.in_grey && !flat && styles.curves[i] &&
                                     curve.kind == Curve::Kind::line && !has_markers(curves, curve);
+        if (!flat) add_bars(curve, colour, parts);
         const Curve::Kind kind = at_some_places ? Curve::Kind::line_and_points : curve.kind;
         std::string plot = fmt::format("{} using {} with {} linecolor rgb '{}'",
                                        parts.add_data({curve.x, curve.y}), flat ? "1:2:(0)" : "1:2",
                                        kinds[static_cast<int>(kind)], colour);
         const std::string line = fmt::format(" linewidth 1.5 dashtype {}", styles.dashes[i] + 1);
         const std::string marker =
-            fmt::format(" pointtype {} pointsize 0.7",
-                        model_marker(static_cast<std::size_t>(styles.curves[i].value_or(0))));
+            fmt::format(" pointtype {} pointsize 0.7", marker_of(styles.curves[i].value_or(0)));
         if (curve.kind != Curve::Kind::points) plot += line;
         if (kind != Curve::Kind::line) plot += marker;
         if (at_some_places)
@@ -88,12 +149,6 @@ void add_curves(const std::vector<Curve>& curves, const FigureStyles& styles, bo
             parts.plots.push_back(
                 fmt::format("keyentry with linespoints linecolor rgb '{}'{}{} title {}", colour,
                             line, marker, quoted(curve.name)));
-        for (const auto& [errors, axis] : {std::pair(&curve.x_error, 'x'), {&curve.y_error, 'y'}})
-            if (!errors->empty() && !flat)
-                parts.plots.push_back(fmt::format(
-                    "{} using 1:2:3 with {}errorbars pointtype 0 linewidth 1 linecolor rgb '{}' "
-                    "notitle",
-                    parts.add_data({curve.x, curve.y, *errors}), axis, colour));
     }
 }
 

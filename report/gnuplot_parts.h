@@ -18,12 +18,17 @@ std::string quoted(const std::string& text);
 /// Colour of a curve or band; of theory where it has no model's style.
 std::string colour_of(std::optional<int> style);
 
-/// Commands of both axes: labels, ranges, logarithms.
-std::string axes(const Figure& figure);
+/// Letters of the longest number beside an axis from `low` to `high` with tics that far apart.
+int longest_tic(double low, double high, double step);
+
+/// Commands of both axes: labels, ranges, logarithms; along x no more tics than have room on a
+/// width [CSS pixels].
+std::string axes(const Figure& figure, int width);
 
 /// Inline data and what draws them.
 struct Parts {
-    bool in_grey = false;  ///< lines have markers at some places
+    bool in_grey = false;               ///< lines have markers at some places
+    bool log_x = false, log_y = false;  ///< axes
     std::string data = {};
     std::vector<std::string> plots = {};
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -21,8 +22,13 @@ struct FilmGrid {
 /// contact, a byte each; beside them the surface around the contact and sections below it.
 struct Film {
     enum Field { pressure, traction_x, traction_y, gap, state, n_fields };
+    /// What of a run is played: before the first period, that period and the last one; or the rows
+    /// of a prescribed path.
+    enum class Part { pressed, loaded, first_period, last_period, path };
     struct Frame {
-        std::string label;    ///< "n = 2.25": equal at equal instants of other films
+        std::string label;  ///< "n = 2.25", "row 3"
+        Part part = Part::path;
+        double phase = 0;     ///< of its period, up to 1; of a path the row
         double x = 0, y = 0;  ///< of the indenter [mm]
         double shift = 0;     ///< [µm]
         double position = 0;  ///< on the axis of `steps`
@@ -45,6 +51,7 @@ struct Film {
     /// The largest p, |tau|, gap and von Mises' stress, in words: what 255, or 127 to either side
     /// of 128, stands for.
     std::string largest_pressure, largest_traction, largest_gap, largest_von_mises;
+    std::array<double, 4> largest{};  ///< the same [Pa], [Pa], [m], [Pa]
     std::vector<Frame> frames;
     /// Frame after frame, field after field, the masked cells in their order. State: 0 open, 1
     /// stick, 2 slip.
@@ -65,9 +72,17 @@ struct Film {
 
 /// Films of the models of one case, side by side.
 struct Player {
+    /// An instant that all models have: the same row of the path, or the same share of the first or
+    /// of the last period, whichever number that period has.
+    struct Instant {
+        std::string label;
+        std::vector<int> frames;  ///< of each film; -1: it has none, as it is never loaded
+    };
     std::string caption;
     std::string axis;  ///< of the positions: "period n [-]"
     std::vector<Film> films;
+    std::vector<Instant> instants;       ///< in their order; the page opens on the last one
+    std::array<std::string, 4> largest;  ///< of all films, in words: the end of a common scale
     /// Height of the indenter over its lowest point, at positions from there: up to `highest_body`
     /// [µm] in 65534 steps; 65535: beyond its rim. Empty where no film has a relief.
     FilmGrid body;

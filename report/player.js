@@ -28,7 +28,8 @@ function ramp(colours, share) {
 }
 const table = (colours, n = 256) => Array.from({length: n}, (_, i) => ramp(colours, i / (n - 1)));
 const magnitudes = table(ramps.magnitude), signs = table(ramps.sign);
-const states = [null, [70, 86, 120], [213, 150, 60]];  // open, stick, slip
+const states = [null, ...document.getElementById("content").dataset.states.split(" ")  // open, stick, slip
+    .map(colour => [1, 3, 5].map(at => parseInt(colour.slice(at, at + 2), 16)))];
 
 function element(name, properties = {}, children = []) {
     const made = Object.assign(document.createElement(name), properties);
@@ -69,16 +70,15 @@ if (!window.DecompressionStream) {
     return;
 }
 const films = await Promise.all(content.films.map(film_of));
-// The film with most instants leads; others show the same instant, or what they have before it.
-const leader = films.reduce((a, b) => (b.frames.length > a.frames.length ? b : a));
-for (const film of films) {
-    let last = 0;
-    film.follows = leader.frames.map(frame => {
-        const same = film.frames.findIndex(own => own.label === frame.label);
-        if (same >= 0) last = same;
-        return last;
+const {instants} = content;
+// Of each film its frame at every instant; -1: none. `shares`: its largest values over those of all.
+films.forEach((film, i) => {
+    film.follows = instants.map(instant => instant.frames[i]);
+    film.shares = film.values.map((own, field) => {
+        const all = Math.max(...films.map(each => each.values[field]));
+        return all > 0 ? own / all : 1;
     });
-}
+});
 
 let theme = charts.screen();
 const colour = name => theme[name];
@@ -94,14 +94,18 @@ function fields_of(film, frame) {
     });
 }
 
+// What a film's own largest value of a field is on the scale that is drawn.
+const place_of = {pressure: 0, traction: 1, traction_x: 1, gap: 2, von_mises: 3};
+const share_of = (film, field) => (part("own").checked ? 1 : film.shares[place_of[field]] ?? 1);
+
 // The colour of the k-th cell in the field that is chosen; null: none.
-function colour_of(shown, [pressure, tau_x, tau_y, gap, state], k) {
+function colour_of(shown, [pressure, tau_x, tau_y, gap, state], k, share) {
     if (shown === "state") return states[state[k]];
-    if (shown === "gap") return gap[k] ? magnitudes[gap[k]] : null;
+    if (shown === "gap") return gap[k] ? magnitudes[Math.round(share * gap[k])] : null;
     if (!state[k]) return null;
-    if (shown === "pressure") return magnitudes[pressure[k]];
-    if (shown === "traction_x") return signs[tau_x[k]];
-    return magnitudes[traction(tau_x[k], tau_y[k])];
+    if (shown === "pressure") return magnitudes[Math.round(share * pressure[k])];
+    if (shown === "traction_x") return signs[128 + Math.round(share * (tau_x[k] - 128))];
+    return magnitudes[Math.round(share * traction(tau_x[k], tau_y[k]))];
 }
 const traction = (tau_x, tau_y) => Math.min(255, Math.round(Math.hypot(tau_x - 128, tau_y - 128) * 2));
 
@@ -121,17 +125,29 @@ function pen_on(canvas, height_ratio) {
 }
 
 function paint(film, frame) {
-    if (film.line) paint_line(film, frame);
+    if (frame < 0) {
+        say(film.canvas, "not part of this run");
+        if (film.section) film.section.canvas.hidden = true;
+    } else if (film.line) paint_line(film, frame);
     else paint_surface(film, frame);
-    if (film.section) paint_section(film, frame);
+    if (film.section && frame >= 0) paint_section(film, frame);
+}
+
+// Words instead of a picture.
+function say(canvas, words, height_ratio = 0.62) {
+    const pen = pen_on(canvas, height_ratio);
+    pen.fillStyle = colour("soft");
+    pen.font = `${12 * (devicePixelRatio || 1)}px system-ui, sans-serif`;
+    pen.textAlign = "center";
+    pen.fillText(words, canvas.width / 2, canvas.height / 2);
 }
 
 function paint_surface(film, frame) {
     const shown = part("field").value, [n_x, n_y] = film.n, pixels = film.pixels.data;
-    const fields = fields_of(film, frame);
+    const fields = fields_of(film, frame), share = share_of(film, shown);
     pixels.fill(0);
     for (let k = 0; k < film.cells.length; ++k) {
-        const rgb = colour_of(shown, fields, k);
+        const rgb = colour_of(shown, fields, k, share);
         if (!rgb) continue;
         const column = film.cells[k] % n_x, row = n_y - 1 - Math.floor(film.cells[k] / n_x);  // y upwards
         set_pixel(pixels, 4 * (row * n_x + column), rgb);
@@ -158,11 +174,13 @@ function paint_line(film, frame) {
     const pen = pen_on(film.canvas, 0.62), {width, height} = film.canvas, ratio = devicePixelRatio || 1;
     const band = 12 * ratio, bottom = height - 2 * band, top = 8 * ratio;
     const zero = shown === "traction_x" ? (top + bottom) / 2 : bottom;
-    const share = {gap: k => gap[k] / 255, traction_x: k => (tau_x[k] - 128) / 127,
-                   traction: k => traction(tau_x[k], tau_y[k]) / 255}[shown] ?? (k => pressure[k] / 255);
+    const own = share_of(film, shown === "state" ? "pressure" : shown);
+    const height_of = {gap: k => gap[k] / 255, traction_x: k => (tau_x[k] - 128) / 127,
+                       traction: k => traction(tau_x[k], tau_y[k]) / 255}[shown] ?? (k => pressure[k] / 255);
+    const share = k => own * height_of(k);
     const cell = width / n_x;
     for (let k = 0; k < film.cells.length; ++k) {
-        const x = film.cells[k] * cell, rgb = colour_of(shown, fields, k);
+        const x = film.cells[k] * cell, rgb = colour_of(shown, fields, k, own);
         if (state[k]) {
             pen.fillStyle = `rgb(${states[state[k]]})`;
             pen.fillRect(x, height - 1.5 * band, cell + 1, band);
@@ -190,18 +208,13 @@ function paint_section(film, frame) {
     const {section} = film, [n_x, n_y] = section.n, place = film.frames[frame].section;
     section.canvas.hidden = !section.bytes || !part("section").checked;
     if (section.canvas.hidden) return;
-    const pen = pen_on(section.canvas, n_y * section.spacing[1] / (n_x * section.spacing[0]));
-    const {width, height} = section.canvas;
-    if (place === undefined) {
-        pen.fillStyle = colour("soft");
-        pen.font = `${12 * (devicePixelRatio || 1)}px system-ui, sans-serif`;
-        pen.textAlign = "center";
-        pen.fillText("not computed at this instant", width / 2, height / 2);
-        return;
-    }
+    const height_ratio = n_y * section.spacing[1] / (n_x * section.spacing[0]);
+    if (place === undefined) return say(section.canvas, "not computed at this instant", height_ratio);
+    const pen = pen_on(section.canvas, height_ratio), {width, height} = section.canvas;
+    const share = share_of(film, "von_mises");
     const pixels = section.pixels.data, values = section.bytes.subarray(place * n_x * n_y, (place + 1) * n_x * n_y);
     pixels.fill(0);
-    for (let k = 0; k < values.length; ++k) if (values[k]) set_pixel(pixels, 4 * k, magnitudes[values[k]]);
+    for (let k = 0; k < values.length; ++k) if (values[k]) set_pixel(pixels, 4 * k, magnitudes[Math.round(share * values[k])]);
     section.image.getContext("2d").putImageData(section.pixels, 0, 0);
     pen.imageSmoothingEnabled = true;
     pen.drawImage(section.image, 0, 0, width, height);
@@ -276,33 +289,59 @@ function chart(canvas) {
         film[up].forEach((value, k) => pen[k ? "lineTo" : "moveTo"](x_of(film[across][k]), y_of(value)));
         pen.stroke();
         const frame = film.frames[film.follows[now]];
+        if (!frame) return;
         pen.beginPath();
         pen.arc(x_of(frame[across]), y_of(frame[up]), 4.5 * ratio, 0, 2 * Math.PI);
         pen.fill();
     });
 }
 
-// What the largest colour of the film stands for.
-function scale_of(film) {
-    const field = part("field").value;
+// Where the film is, and its largest values.
+function words_of_film(film) {
+    const field = part("field").value, frame = film.frames[film.follows[now]];
     const largest = {pressure: film.largest[0], traction: film.largest[1], traction_x: film.largest[1],
                      gap: film.largest[2]}[field];
-    let words = film.line ? `, along its ${film.line}` : "";
-    if (largest) words += `: up to ${field === "traction_x" ? "± " : ""}${largest}`;
+    let words = frame ? `, ${frame.label}, indenter at ${minus(frame.x.toFixed(2))}, ${minus(frame.y.toFixed(2))} mm` : "";
+    if (film.line) words += `; along its ${film.line}`;
+    if (largest) words += `; up to ${field === "traction_x" ? "± " : ""}${largest}`;
     if (film.section && part("section")?.checked) words += `; below: von Mises’ stress up to ${film.largest[3]}`;
     return words;
 }
 
+// The colours and what their ends stand for.
+const gradient = colours => `linear-gradient(to right, ${colours.map(rgb => `rgb(${rgb})`).join(", ")})`;
+function ramp_of(colours) {
+    const made = element("span", {className: "ramp"});
+    made.style.background = gradient(colours);
+    return made;
+}
+function draw_bar() {
+    const field = part("field").value, bar = part("bar");
+    if (field === "state") {
+        bar.replaceChildren(...["stick", "slip"].flatMap((name, i) => {
+            const made = element("span", {className: "state"});
+            made.style.background = `rgb(${states[i + 1]})`;
+            return [made, name];
+        }));
+        return;
+    }
+    const end = part("own").checked ? "each model’s largest" : content.largest[place_of[field]];
+    const sign = field === "traction_x";
+    bar.replaceChildren(sign ? `−${end}` : "0", ramp_of(sign ? ramps.sign : ramps.magnitude), end);
+    if (!part("section")?.checked) return;
+    const below = part("own").checked ? "each model’s largest" : content.largest[place_of.von_mises];
+    bar.append("· below the surface: von Mises’ stress, 0", ramp_of(ramps.magnitude), below);
+}
+
 function show(frame) {
     now = frame;
-    const {label, x, y} = leader.frames[frame];
     part("scrub").value = frame;
-    const words = `${label}, indenter at ${minus(x.toFixed(2))}, ${minus(y.toFixed(2))} mm`;
-    part("label").textContent = words;
-    part("scrub").setAttribute("aria-valuetext", words);
+    part("label").textContent = instants[frame].label;
+    part("scrub").setAttribute("aria-valuetext", instants[frame].label);
     for (const film of films) paint(film, film.follows[frame]);
     for (const id of ["history", "loop", "force"]) chart(part(id));
-    films.forEach((film, i) => { part("of_" + i).textContent = scale_of(film); });
+    films.forEach((film, i) => { part("of_" + i).textContent = words_of_film(film); });
+    draw_bar();
     scene?.show(now);
 }
 
@@ -316,12 +355,12 @@ function play() {
     if (timer) return pause();
     part("play").textContent = "Pause";
     part("play").setAttribute("aria-pressed", "true");
-    timer = setInterval(() => show((now + 1) % leader.frames.length), 1000 / Number(part("speed").value));
+    timer = setInterval(() => show((now + 1) % instants.length), 1000 / Number(part("speed").value));
 }
 
-// Instants of the leader at which some film has a section.
-const with_section = leader.frames.map((_, k) => k)
-    .filter(k => films.some(film => film.section && film.frames[film.follows[k]].section !== undefined));
+// Instants at which some film has a section.
+const with_section = instants.map((_, k) => k)
+    .filter(k => films.some(film => film.section && film.frames[film.follows[k]]?.section !== undefined));
 if (with_section.length) {
     const box = element("input", {type: "checkbox", id: "player_section"});
     box.addEventListener("change", async () => {
@@ -362,11 +401,11 @@ part("open_scene")?.addEventListener("click", async () => {
 });
 
 if (matchMedia("(prefers-reduced-motion: reduce)").matches) part("speed").value = part("speed").options[0].value;
-part("scrub").max = leader.frames.length - 1;
+part("scrub").max = instants.length - 1;
 part("scrub").addEventListener("input", event => { pause(); show(Number(event.target.value)); });
 part("play").addEventListener("click", play);
 part("speed").addEventListener("change", () => { if (timer) { pause(); play(); } });
-for (const id of ["field", "arrows"]) part(id).addEventListener("change", () => show(now));
+for (const id of ["field", "arrows", "own"]) part(id).addEventListener("change", () => show(now));
 root.addEventListener("keydown", event => {
     const tag = event.target.tagName;
     if (event.key === " " && tag !== "BUTTON" && tag !== "SELECT" && tag !== "INPUT") {
@@ -383,6 +422,5 @@ matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => show
 addEventListener("beforeprint", () => { pause(); show_in(charts.paper); });
 addEventListener("afterprint", () => show_in(charts.screen()));
 part("controls").hidden = false;
-// The last instant of the first period says more than an unloaded contact.
-show(Math.min(leader.frames.length - 1, 2 + Math.floor((leader.frames.length - 2) / 2)));
+show(instants.length - 1);
 })();

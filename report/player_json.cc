@@ -78,6 +78,7 @@ json film_json(const Film& film) {
         {"mask", packed_bits(film.mask)},
         {"largest",
          {film.largest_pressure, film.largest_traction, film.largest_gap, film.largest_von_mises}},
+        {"values", {film.largest[0], film.largest[1], film.largest[2], film.largest[3]}},
         {"frames", frames},
         {"bytes", packed_bytes(film.bytes)},
         {"position", position},
@@ -101,7 +102,13 @@ json film_json(const Film& film) {
 json player_json(const Player& player) {
     json films = json::array();
     for (const Film& film : player.films) films.push_back(film_json(film));
-    json result{{"axis", player.axis}, {"films", films}};
+    json instants = json::array();
+    for (const auto& [label, frames] : player.instants)
+        instants.push_back({{"label", label}, {"frames", frames}});
+    json result{{"axis", player.axis},
+                {"films", films},
+                {"instants", instants},
+                {"largest", player.largest}};
     if (!player.body_heights.empty()) {
         result["body"] = grid_json(player.body);
         result["body"]["highest"] = rounded(player.highest_body);

@@ -226,11 +226,15 @@ globalThis.contact_scene = ({place, films, body, colour, element, redraw}) => {
         const {film} = substrate(), place_of = film.follows[now], frame = film.frames[place_of];
         const magnification = Number(scale.value);
         for (const each of substrates) scene.remove(each.mesh);
+        indenter.mesh.visible = with_body.checked && frame !== undefined;
+        if (!frame) {
+            words.textContent = `${film.name}: not part of this run`;
+            return draw();
+        }
         scene.add(substrate().mesh);
         const ground = new Color(colour("line"));
         substrate().show(place_of, magnification,
                          {ground: `#${ground.getHexString()}`, lines: colour("soft")});
-        indenter.mesh.visible = with_body.checked;
         indenter.show(frame, magnification);
         words.textContent = `${film.name}, ${frame.label}: heights × ${magnification}, lines every ` +
             `${Number(fitting_step(substrate().width).toPrecision(1))} mm; the indenter’s lowest point is ` +

@@ -21,7 +21,9 @@ std::string model_colour(std::size_t i) {
 }
 
 int model_marker(std::size_t i) {
-    constexpr std::array markers{7, 5, 9, 13, 11};  // gnuplot's filled shapes
+    // gnuplot's filled shapes, then the same ones open: for five further curves of the same
+    // colours.
+    constexpr std::array markers{7, 5, 9, 13, 11, 6, 4, 8, 12, 10};
     return markers[i % markers.size()];
 }
 
@@ -39,10 +41,14 @@ std::string plot_style() {
 
 std::string data_block(const std::string& name, const std::vector<std::vector<double>>& columns) {
     std::string text = name + " << EOD\n";
+    bool is_gap = true;  // an empty line ends a curve; gnuplot would join it over a missing value
     for (std::size_t row = 0; row < columns.front().size(); ++row) {
-        for (const auto& column : columns)
-            text += std::isfinite(column[row]) ? fmt::format("{:.6g} ", column[row]) : "NaN ";
-        text += '\n';
+        const bool is_known = std::ranges::all_of(
+            columns, [row](const auto& column) { return std::isfinite(column[row]); });
+        if (is_known)
+            for (const auto& column : columns) text += fmt::format("{:.6g} ", column[row]);
+        if (is_known || !is_gap) text += '\n';
+        is_gap = !is_known;
     }
     return text + "EOD\n";
 }

@@ -12,6 +12,8 @@ std::string model_colour(std::size_t i);
 int model_marker(std::size_t i);
 
 inline const std::string theory_colour = "#555555";
+/// What sticks and what slips, in every figure, player and film: apart by lightness, too.
+inline const std::string stick_colour = "#465678", slip_colour = "#d5963c";
 
 /// Commands every plot begins with: frame, grid, tics, fonts.
 std::string plot_style();
@@ -19,7 +21,8 @@ std::string plot_style();
 /// A label in gnuplot's notation: "u_stat [1]" -> "u_{stat} [1]".
 std::string gnuplot_label(const std::string& text);
 
-/// Inline data named `name` (with its $), one row per element of equally long columns.
+/// Inline data named `name` (with its $), one row per element of equally long columns; where a
+/// value is undefined, an empty line, which is a gap of a curve or band.
 std::string data_block(const std::string& name, const std::vector<std::vector<double>>& columns);
 
 }  // namespace tricontact::report

@@ -44,12 +44,12 @@ std::string steady_sentence(const RollingReport& report, const RollingRun& run) 
 std::string energy_sentence(const RollingReport& report) {
     std::optional<double> worst;
     for (const RollingRun& run : report.runs)
-        worst = std::max(worst, energy_error(run.history.steady, report.c.friction_coefficient));
+        worst = std::max(worst, energy_error(run.history.steady));
     if (!worst) return {};
     return fmt::format(
-        "What friction{} differs from what creepage, spin and resistance work by {} of it.",
-        report.c.relaxation ? " and material dissipate" : " dissipates",
-        report::significant(worst, 2));
+        "Energy balance: {} differs by {} from the work of creepage, spin and resistance.",
+        report.c.relaxation ? "dissipation by friction and material" : "dissipation",
+        report::share(*worst, 2));
 }
 
 /// MDR's creep over that of three dimensions beside what closed forms have for it.

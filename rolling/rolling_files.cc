@@ -46,7 +46,7 @@ const Column columns[] = {
     {"material_dissipation_J_per_m",
      [](auto& s, double) -> Json { return s.material_dissipation; }},
     {"resistance_N", [](auto& s, double) -> Json { return s.resistance; }},
-    {"energy_error", [](auto& s, double mu) -> Json { return energy_error(s, mu); }, In::summary},
+    {"energy_error", [](auto& s, double) -> Json { return energy_error(s); }, In::summary},
     {"pressure_lead_m", [](auto& s, double) -> Json { return s.pressure_lead; }},
     {"iterations", [](auto& s, double) -> Json { return s.iterations; }, In::summary},
     {"residual", [](auto& s, double) -> Json { return s.residual; }}};

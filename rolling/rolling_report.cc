@@ -40,16 +40,19 @@ double force_ratio(const RollingState& state, double friction_coefficient) {
     return state.force[0] / (friction_coefficient * state.normal_force);
 }
 
-std::optional<double> energy_error(const RollingState& steady, double friction_coefficient) {
+std::optional<double> energy_error(const RollingState& steady) {
     const auto& [longitudinal, lateral, spin] = steady.creepage;
-    const double work = longitudinal * steady.force[0] + lateral * steady.force[1] +
-                        spin * steady.spin_moment + steady.resistance;
-    const double size = std::sqrt(steady.contact_area);
-    const double sliding = std::abs(longitudinal) + std::abs(lateral) + std::abs(spin) * size;
-    if (sliding == 0 && steady.material_dissipation == 0) return std::nullopt;
-    const double unit =
-        friction_coefficient * steady.normal_force * sliding + std::abs(steady.resistance);
-    return std::abs(steady.dissipation + steady.material_dissipation - work) / unit;
+    const double parts[] = {longitudinal * steady.force[0], lateral * steady.force[1],
+                            spin * steady.spin_moment, steady.resistance};
+    double work = 0, size = 0;
+    for (const double part : parts) work += part, size += std::abs(part);
+    const double dissipation = steady.dissipation + steady.material_dissipation;
+    const bool slides = longitudinal != 0 || lateral != 0 || spin != 0;
+    if (!slides && steady.material_dissipation == 0) return std::nullopt;
+    // Bodies that creep without a force are hardly worked upon from outside.
+    if (size < dissipation / 2) size = dissipation;
+    if (!(size > 0)) return std::nullopt;
+    return std::abs(dissipation - work) / size;
 }
 
 std::optional<double> creepage_at(const RollingRun& run, double friction_coefficient,

@@ -46,7 +46,7 @@ double force_ratio(const RollingState& state, double friction_coefficient);
 /// |What friction and material dissipate - creepage . force - spin . moment - resistance| over what
 /// mu F_N works on the sliding that creepage and spin prescribe, and the resistance: zero in a
 /// steady state. Empty where nothing creeps or resists.
-std::optional<double> energy_error(const RollingState& steady, double friction_coefficient);
+std::optional<double> energy_error(const RollingState& steady);
 
 /// Longitudinal creepage of one state of the run's curve at a force ratio, by linear interpolation
 /// of xi over (1 - |f|)^(1/3), in which creep curves are nearly straight; empty beyond the curve.

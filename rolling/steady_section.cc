@@ -34,7 +34,7 @@ report::DocumentTable steady_table(const RollingReport& report) {
                               s.spin_moment / limit / s.half_length, s.half_length * 1e3,
                               s.half_width * 1e3, s.peak_pressure * 1e-6,
                               s.stick_area / s.contact_area, s.dissipation,
-                              energy_error(s, mu).value_or(contact::undefined), s.residual});
+                              energy_error(s).value_or(contact::undefined), s.residual});
     }
     return table;
 }

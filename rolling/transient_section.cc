@@ -170,8 +170,8 @@ report::Figure zone_figure(const RollingRun& run) {
             "that of the slip over its largest.",
         .x = {"x/a [-]"},
         .y = {"y/a [-]"},
-        .curves = {zone(s, a, ContactState::stick, "stick", 0),
-                   zone(s, a, ContactState::slip, "slip", 1), slip_strokes(s, a)}};
+        .curves = {zone(s, a, ContactState::stick, "stick", report::stick_style),
+                   zone(s, a, ContactState::slip, "slip", report::slip_style), slip_strokes(s, a)}};
     std::erase_if(figure.curves, [](const report::Curve& curve) { return curve.x.empty(); });
     return figure;
 }

@@ -153,6 +153,16 @@ async function check_player(expect, settle) {
     const end = seen();
     expect(words !== part("label").textContent, "the last instant is told as the first");
     canvases.forEach((canvas, i) => expect(first[i] !== end[i], `${canvas.ariaLabel}: the same at both ends`));
+    // All models stand at one instant, each with its own n; one scale for all until somebody asks for their own.
+    const captions = [...document.querySelectorAll("#player .films figcaption")].map(caption => caption.textContent);
+    const n_films = document.querySelectorAll("#player canvas[data-film]").length;
+    expect(captions.slice(0, n_films).every(text => /, (n = |row |pressed|loaded)/.test(text)),
+           "a model does not say at which instant it is");
+    expect(part("bar").querySelector(".ramp, .state"), "the player has no colour bar");
+    part("own").click();
+    expect(n_films < 2 || seen().some((picture, i) => picture !== end[i]), "own scales are the common one");
+    part("own").click();
+    expect(seen().every((picture, i) => picture === end[i]), "the common scale does not come back");
     const pictures = new Set();
     for (const option of part("field").options) {
         part("field").value = option.value;

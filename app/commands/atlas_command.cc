@@ -24,7 +24,7 @@ using comparisons::Quantity;
 
 struct AtlasOptions : CommandOptions {
     std::string shard;     ///< "i/n": the i-th of n parts of all runs; empty: everything
-    std::string finished;  ///< an atlas to be checked, in the place of a new one
+    std::string finished;  ///< an atlas to be checked, instead of a new one
     int n_checks = 0;      ///< random points
     int seed = 1;
     bool retry_failed = false;
@@ -248,7 +248,8 @@ Command atlas_command() {
         .option("--shard", &AtlasOptions::shard, "Only the i-th of n parts of the runs", "i/n")
         .number("--check", &AtlasOptions::n_checks,
                 "Compare with so many random points, computed more finely", 1, 10000)
-        .number("--seed", &AtlasOptions::seed, "Of the random points (1)", 0, 2147483647)
+        .number("--seed", &AtlasOptions::seed, "Seed of the random check points (default 1)", 0,
+                2147483647)
         .option("--atlas", &AtlasOptions::finished, "Check this atlas, do not build one", "FILE")
         .output("Folder (results/<study>)")
         .flag("--retry-failed", &AtlasOptions::retry_failed, "Compute failed runs again")

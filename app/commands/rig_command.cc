@@ -34,19 +34,19 @@ double static_shift(const experiments::Rig& rig, bool coupled) {
 void print(const experiments::RigReport& report, std::ostream& out) {
     out << report.title << '\n';
     for (const experiments::Assumption& one : report.assumptions) {
-        out << fmt::format("{}: {}\n", experiments::finding_of(one.standing()), one.claim);
+        out << fmt::format("{}: {}\n", report::word_of(one.standing()), one.claim);
         for (const experiments::Criterion& criterion : one.criteria)
             out << fmt::format(
                 "{:4}{} = {}, {}: {}{}\n", "", criterion.calculation.symbol,
                 experiments::text_of(criterion.calculation.result, criterion.calculation.unit),
-                experiments::threshold_text(criterion), experiments::word_of(criterion.standing()),
+                experiments::threshold_text(criterion), report::word_of(criterion.standing()),
                 criterion.probability_violated
                     ? fmt::format("; violated in {} % of the samples",
                                   report::significant(100 * *criterion.probability_violated, 3))
                     : "");
         if (const std::string effects = experiments::effects_text(report, one.name);
             !effects.empty())
-            out << fmt::format("{:4}taking it for granted: {}\n", "", effects);
+            out << fmt::format("{:4}effect of the assumption: {}\n", "", effects);
         for (const std::string& missing : one.missing)
             out << fmt::format("{:4}not given: {}\n", "", missing);
         if (!one.consequence.empty()) out << fmt::format("{:4}{}\n", "", one.consequence);
@@ -100,7 +100,7 @@ void check_assumptions(RigOptions options) {
 }  // namespace
 
 Command rig_command() {
-    return Declared<RigOptions>("rig", "Check what the evaluation of a rig takes for granted",
+    return Declared<RigOptions>("rig", "Check what the evaluation of a rig assumes",
                                 check_assumptions)
         .on_case()
         .number("--samples", &RigOptions::samples,

@@ -37,12 +37,11 @@ CaseRun compute(const Case& c, const RunOptions& options) {
     const std::string resolved = io::write_case(c);
     options.write(resolved_case_name, resolved);
     std::vector<report::Film> films;
-    int n_models = 0;
     const auto run_one = [&](const std::string& name, comparisons::LoadingStudy* study) {
         comparisons::ContactFilm film(c);
         contact::History history =
             run_model(name, c, resolved, options, study, options.report ? &film : nullptr);
-        if (auto played = film.film(history, n_models++)) films.push_back(std::move(*played));
+        if (auto played = film.film(history)) films.push_back(std::move(*played));
         return history;
     };
     CaseRun run = run_models(c, options, options.sayer(), run_one);
@@ -65,6 +64,11 @@ std::string metres(double value) {
     return fmt::format("{:.3g} {}", value / unit.factor, symbol);
 }
 
+const char* by_limit_words(contact::State state) {
+    return state == contact::State::shakedown ? " (f_T is below the exact limit)"
+                                              : " (f_T is above the exact limit)";
+}
+
 /// What a model came to, as a line for people: state, shift in micrometres or the like and in its
 /// U_max, time. Without rolling and tangential force: the pressed contact.
 std::string line_of(const comparisons::Results& r) {
@@ -75,7 +79,7 @@ std::string line_of(const comparisons::Results& r) {
     };
     if (const auto state = r.state())
         fmt::format_to(std::back_inserter(line), "{}{}, ", contact::name_of(*state),
-                       r.verdict.by_limit ? " by the limit of uncoupled contact" : "");
+                       r.verdict.by_limit ? by_limit_words(*state) : "");
     if (r.state() || r.number(final_shift) != 0.)
         fmt::format_to(std::back_inserter(line), "U = {} ({:.4g} U_max)", length(final_shift),
                        r.number(final_shift_ratio).value_or(0));

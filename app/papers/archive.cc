@@ -106,7 +106,7 @@ Archive read_archive(const std::string& path) {
     files.erase(found);
     try {
         if (list.at("format") != format_name)
-            refuse(path, "is of a format that this version does not know");
+            refuse(path, "is of a format that this version does not read");
         Archive archive = parsed(list);
         check_digests(path, list.at("digests"), files);
         if (archive.calls.empty()) refuse(path, "names no command");

@@ -69,7 +69,8 @@ report::DocumentSection strain_method(const StrainDeviation& deviation) {
         "which strains grow, from 0 on, where the linear law is exact; nothing is extrapolated."};
     if (contact.amplitude > 0)
         section.paragraphs.push_back(
-            "Points of the case's thickness from F_N/4 to 4 F_N were rolled to and fro by turning "
+            "Points of the case's thickness from F_N/4 to 4 F_N were rolled back and forth by "
+            "turning "
             "points until the "
             "shift was settled, with w = W/a = " +
             report::significant(contact.amplitude, 3) + " of the linear layer's contact radius.");

@@ -64,7 +64,7 @@ report::Verdict row_verdict(const StrainDeviation& deviation, const StrainRow& r
     const std::string along = thresholds_sentence(
         deviation_along(deviation, row.quantity, StrainAxis::normal_force), true, "F_N", "N");
     if (!along.empty()) text += fmt::format("; it is {}, at this thickness", along);
-    return {size > tolerable_strain_error ? Standing::fails : Standing::holds, text + "."};
+    return {size > tolerable_strain_error ? Standing::violated : Standing::holds, text + "."};
 }
 
 /// Where the static shift is off over F_T and over b.
@@ -116,7 +116,7 @@ std::vector<report::Verdict> strain_verdicts(const StrainDeviation& deviation) {
     for (const report::Verdict& verdict : further_verdicts(deviation)) verdicts.push_back(verdict);
     if (deviation.n_failed_runs > 0)
         verdicts.push_back(
-            {Standing::cannot_tell,
+            {Standing::fail,
              fmt::format("Failed runs: {}; their values are missing.", deviation.n_failed_runs)});
     return verdicts;
 }

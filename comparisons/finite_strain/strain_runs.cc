@@ -24,7 +24,8 @@ constexpr int press_steps = 10;
 void require_finite_strains(const Case& c) {
     if (!contact::is_hertz_round(c))
         throw contact::InputError(
-            "indenter.shape: at finite strains fem knows smooth paraboloids and spheres; take one "
+            "indenter.shape: at finite strains fem computes smooth paraboloids and spheres; take "
+            "one "
             "of them");
     if (!c.contact.coupling)
         throw contact::InputError(

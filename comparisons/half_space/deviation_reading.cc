@@ -44,7 +44,7 @@ report::Verdict layer_verdict(const HalfSpaceDeviation& deviation) {
         text += fmt::format(", U_max {}", beside(quantities::unit_shift));
     const bool fails = std::ranges::any_of(
         deviation.here, [](const auto& one) { return std::abs(one.second - 1) > tolerable; });
-    return {fails ? Standing::fails : Standing::holds, text + "."};
+    return {fails ? Standing::violated : Standing::holds, text + "."};
 }
 
 report::Verdict modulus_verdict(const HalfSpaceDeviation& deviation) {
@@ -112,7 +112,7 @@ std::vector<report::Verdict> deviation_verdicts(const HalfSpaceDeviation& deviat
         if (verdict) verdicts.push_back(*verdict);
     if (deviation.n_failed_runs > 0)
         verdicts.push_back(
-            {Standing::cannot_tell,
+            {Standing::fail,
              fmt::format("Failed runs: {}; their values are missing.", deviation.n_failed_runs)});
     return verdicts;
 }

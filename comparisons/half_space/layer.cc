@@ -109,13 +109,14 @@ theory::ElasticLayer elastic_layer(const Case& c) {
 
 std::string why_no_exact_theory(const Case& c) {
     if (c.indenter.shape == Case::Shape::ellipsoid)
-        return "the exact theory knows bodies of revolution, the indenter is an ellipsoid";
+        return "the exact theory covers bodies of revolution, the indenter is an ellipsoid";
     if (c.indenter.roughness || contact::is_nominally_flat(c))
-        return "the exact theory knows smooth bodies, the indenter is rough";
-    if (!c.layer.lower.empty()) return "the exact theory knows one layer, the case has more";
+        return "the exact theory covers smooth bodies, the indenter is rough";
+    if (!c.layer.lower.empty()) return "the exact theory covers one layer, the case has more";
     if (c.layer.base == Case::Base::half_space)
-        return "the exact theory knows a rigid ground, that of the case is elastic";
-    if (c.bem.period) return "the exact theory knows one indenter, the case has one in each period";
+        return "the exact theory covers a rigid ground, that of the case is elastic";
+    if (c.bem.period)
+        return "the exact theory covers one indenter, the case has one in each period";
     if (c.bem.influence) return "the influence coefficients of the case come from a file";
     if (c.indenter.material && c.indenter.material->plane_compliance() >
                                    negligible_compliance * c.substrate.plane_compliance())

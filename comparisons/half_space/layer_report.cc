@@ -107,7 +107,7 @@ std::string width_sentence(const Case& c, const LayerComparison& layer) {
     if (std::min(layer.half_width.value_or(far), layer.half_depth.value_or(far)) < far)
         text += fmt::format(
             " Less than {} may be felt; exact layer and half-space are infinitely "
-            "wide and do not tell by how much.",
+            "wide and do not show by how much.",
             far);
     return text;
 }

@@ -97,7 +97,7 @@ constinit const Quantity amplitude{
     .symbol = "W",
     .unit = "m",
     .name = "amplitude",
-    .meaning = "Amplitude of the rolling to and fro.",
+    .meaning = "Amplitude of the rolling back and forth.",
     .of = [](const Subject& s) { return finite(s.history.amplitude); }};
 
 constinit const Quantity amplitude_ratio{

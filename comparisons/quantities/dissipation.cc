@@ -87,7 +87,7 @@ constinit const Quantity slip_path{
     .unit = "m",
     .name = "largest slip path of a point",
     .meaning =
-        "Way that the point of the surface which slips most slips to and fro in the last "
+        "Way that the point of the surface which slips most slips back and forth in the last "
         "period: what fretting maps are drawn over.",
     .defined =
         "with rolling; not of `mdr` and `mdr-layer`, whose springs are no points of the surface",

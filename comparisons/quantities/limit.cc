@@ -25,7 +25,7 @@ constinit const Quantity limit_amplitude_ratio{
     .name = "shakedown limit of the amplitude",
     .meaning =
         "Amplitude at which the least pressures carry no more than this f_T, over a: the "
-        "model's own upright pressures, moved to and fro along the rolling direction. Costs "
+        "model's own upright pressures, moved back and forth along the rolling direction. Costs "
         "some 64 passes over the contact's points per contact radius.",
     .defined = "with rolling under constant loads, 0 < f_T < 1; not of periodic surfaces",
     .source = "Wetter (2016), 3.2.13",

@@ -29,7 +29,7 @@ double final_shift_of(const History& h) {
 
 std::optional<double> settled_shift_of(const Subject& s) {
     const contact::Verdict& v = s.history.verdict;
-    // Also where it is undecided whether all sticks in the end or some slips to and fro.
+    // Also where it is undecided whether all sticks in the end or some slips back and forth.
     if (!rolled(s) || v.state == State::ratcheting || !(v.remaining_error <= settled_within))
         return {};
     return final_shift_of(s.history) + v.remaining * s.history.scales.unit_shift;

@@ -82,7 +82,7 @@ bool differ(const Results& a, const Results& b) {
 }
 
 Verdict::Standing standing_of(double change) {
-    return std::abs(change) < tolerance ? Verdict::Standing::holds : Verdict::Standing::fails;
+    return std::abs(change) < tolerance ? Verdict::Standing::holds : Verdict::Standing::violated;
 }
 
 Verdict effect(const std::string& assumption, const char* words, double change,
@@ -107,7 +107,7 @@ void add_model_verdicts(const Case& c, const std::vector<Results>& results,
             report::display_name(s.model) + " beside " + report::display_name(other->model);
         if (differ(s, *other))
             verdicts.push_back(
-                {Verdict::Standing::fails,
+                {Verdict::Standing::violated,
                  fmt::format("{}: {} instead of {} ({}).", report::capitalised(names_of(removed)),
                              contact::name_of(*s.state()), contact::name_of(*other->state()),
                              pair)});
@@ -124,9 +124,9 @@ void add_disagreements(const Case& c, const std::vector<Results>& results,
     for (const Results& s : results)
         if (traits_of(c, s.model) == traits_of(c, reference.model) && differ(s, reference))
             verdicts.push_back(
-                {Verdict::Standing::cannot_tell,
-                 fmt::format("{} and {} take the same for granted and do not agree on the verdict "
-                             "({} against {}): compare their distance to the limit, the periods "
+                {Verdict::Standing::not_resolved,
+                 fmt::format("{} and {} make the same assumptions but reach different verdicts "
+                             "({} and {}): compare their distance to the limit, the periods "
                              "run and the resolution.",
                              report::display_name(s.model), report::display_name(reference.model),
                              contact::name_of(*s.state()), contact::name_of(*reference.state()))});
@@ -235,10 +235,16 @@ Verdict answer_of(const Case& c, const Results& s, const std::optional<Numerical
     const char* const word = contact::name_of(*s.state());
     Verdict told = [&] {
         if (*s.state() == State::ratcheting)
-            return verdict(Verdict::Standing::fails, "Every period shifts the indenter by ", word);
-        if (*s.state() == State::undecided)
-            return verdict(Verdict::Standing::cannot_tell,
-                           fmt::format("After {} periods the shift is ", s.periods()), word);
+            return verdict(Verdict::Standing::violated, "Every period shifts the indenter by ",
+                           word);
+        if (*s.state() == State::undecided) {
+            Verdict open =
+                verdict(Verdict::Standing::not_resolved,
+                        fmt::format("After {} periods the shift is ", s.periods()), word);
+            if (!s.verdict.missing.empty())
+                open.sentence += " Undecided: " + s.verdict.missing + ".";
+            return open;
+        }
         if (!s.number(settled_shift))
             return verdict(Verdict::Standing::holds,
                            fmt::format("It settles, but after {} periods it is not known where; so "
@@ -247,12 +253,12 @@ Verdict answer_of(const Case& c, const Results& s, const std::optional<Numerical
                            word);
         return verdict(Verdict::Standing::holds,
                        *s.state() == State::cyclic_slip
-                           ? "Slipping to and fro for ever, the indenter settles at a shift of "
+                           ? "Cyclic slip persists; the shift settles at "
                            : "The indenter settles at a shift of ",
                        word);
     }();
     if (const auto other = error ? error->other_state() : std::nullopt) {
-        told.standing = Verdict::Standing::cannot_tell;
+        told.standing = Verdict::Standing::not_resolved;
         told.sentence += fmt::format(
             " Coarser meshes or longer steps come to {}: refine before relying on the verdict.",
             contact::name_of(*other));
@@ -274,7 +280,7 @@ report::DocumentTable models_table(const Case& c, const std::vector<Results>& re
                     {.heading = "state"},
                     {.heading = fmt::format("{} [{}]", headline.words, unit.symbol)},
                     {.heading = "beside " + name + " [%]", .change = true},
-                    {.heading = "takes for granted"}}};
+                    {.heading = "assumes"}}};
     const unsigned of_reference = traits_of(c, reference.model);
     for (std::size_t i = results.size(); i-- > 0;) {
         const Results& s = results[i];
@@ -294,6 +300,11 @@ report::DocumentTable models_table(const Case& c, const std::vector<Results>& re
                               : extra      ? names_of(extra)
                                            : "the same as " + name});
     }
+    // Of a run that is undecided, what is missing: one beside the answer is not left unexplained.
+    for (const Results& s : results)
+        if (!s.verdict.missing.empty() && &s != &reference)
+            table.note += fmt::format("{}{} is undecided: {}.", table.note.empty() ? "" : " ",
+                                      report::display_name(s.model), s.verdict.missing);
     return table;
 }
 
@@ -318,8 +329,8 @@ std::vector<Verdict> assumption_verdicts(const Case& c, const std::vector<Result
                                       report::display_name(twin.model) + " without relaxation"));
     }
     std::ranges::move(border_verdicts(c, results), std::back_inserter(verdicts));
-    verdicts.push_back({Verdict::Standing::cannot_tell,
-                        "Taken for granted by all: " + not_tested(c, results) + ".", "not tested"});
+    verdicts.push_back({Verdict::Standing::not_testable,
+                        "Assumed by all models and not tested: " + not_tested(c, results) + "."});
     return verdicts;
 }
 

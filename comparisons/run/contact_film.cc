@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "comparisons/run/common_instants.h"
 #include "contact/load_path.h"
 #include "report/format.h"
 #include "report/packed.h"
@@ -24,6 +25,7 @@ constexpr std::size_t most_frames = 50;         // of a film, but for quarters o
 constexpr std::size_t most_packed = 600'000;    // characters of a film: five stay at 3 MB
 constexpr int body_cells = 64;                  // from edge to edge of the indenter's picture
 constexpr double mm = 1e3, um = 1e6;
+constexpr double phase_rounding = 1e-9;  // phases are sums of rounded fractions
 
 std::string label_of(const StepRecord& record, bool is_path) {
     return fmt::format("{}{:.4g}", is_path ? "row " : "n = ", record.phase);
@@ -86,6 +88,11 @@ std::optional<Shot> ContactFilm::shot_of(const StepRecord& record, const Surface
     Shot shot(surface);
     shot.record = record;
     shot.label = label_of(record, is_path_);
+    const double period = std::ceil(record.phase - phase_rounding);
+    shot.part = is_path_     ? Film::Part::path
+                : period > 1 ? Film::Part::last_period
+                             : Film::Part::first_period;
+    shot.phase = is_path_ ? record.phase : record.phase - (period - 1);
     shot.is_quarter = progress.quarter && !is_path_;
     shot.step = progress.step;
     return shot;
@@ -110,11 +117,13 @@ void ContactFilm::add(const StepRecord& record, const SurfaceOfStep& surface,
         if (!shot) return;
         const bool is_loaded = record.tangential_force[0] != 0 || record.tangential_force[1] != 0;
         shot->label = is_loaded ? "loaded" : "pressed";
+        shot->part = is_loaded ? Film::Part::loaded : Film::Part::pressed;
+        shot->phase = 0;
         (is_loaded ? loaded_ : pressed_) = std::move(shot);
         return;
     }
     if (record.phase <= 1) return keep(first_, record, surface, progress);
-    const double period = std::ceil(record.phase - 1e-9);  // phases are sums of rounded fractions
+    const double period = std::ceil(record.phase - phase_rounding);
     if (period != recent_period_) recent_.clear();
     recent_period_ = period;
     keep(recent_, record, surface, progress);
@@ -146,7 +155,7 @@ std::vector<const Shot*> ContactFilm::chosen() const {
     return all;
 }
 
-std::optional<Film> ContactFilm::film(const History& history, int style) const {
+std::optional<Film> ContactFilm::film(const History& history) const {
     std::vector<const Shot*> shots = chosen();
     if (!is_playable_ || shots.size() < 2) return {};
     // Beds of springs that proved too short were made longer.
@@ -167,7 +176,7 @@ std::optional<Film> ContactFilm::film(const History& history, int style) const {
         film = film_of(fewer, direction_);
     }
     film.name = report::display_name(history.model);
-    film.style = style;
+    film.style = report::model_style(history.model).value_or(0);
     if (film.cells.n_y == 1) film.line = is_springs_ ? "springs" : "cells";
     for (const StepRecord& step : history.steps)
         film.steps.push_back(
@@ -185,15 +194,17 @@ std::optional<report::Player> player_of(const contact::Case& c, const std::vecto
         .caption =
             "Surface of the substrate from above, x to the right; the circle marks the "
             "indenter's lowest point. Played: the pressed and the loaded contact, the "
-            "first period and the last one; of a prescribed path its steps. Each model's "
-            "colours go to its own largest value, which stands below it; values in 127 or "
-            "255 steps.",
+            "first period and each model's last one, at the same share of the period for all "
+            "models; of a prescribed path its steps. Below each model: its period n, and its "
+            "largest value of all instants.",
         .axis = c.prescribed_path ? "row of the path" : "period n",
-        .films = films};
+        .films = films,
+        .instants = common_instants(films),
+        .largest = largest_of(films)};
     const auto has = [&](const auto& property) { return std::ranges::any_of(films, property); };
     if (has([](const Film& film) { return film.line == "springs"; }))
         player.caption +=
-            " MDR knows a line of springs along the path: stick, slip and gap are theirs, pressure "
+            " MDR is a line of springs along the path: stick, slip and gap are theirs, pressure "
             "and traction those of the round contact at that distance from the indenter, "
             "transformed back from the springs' loads (of their even part).";
     if (has([](const Film& film) { return film.line == "cells"; }))

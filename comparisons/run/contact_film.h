@@ -25,8 +25,8 @@ class ContactFilm {
     void add_section(const contact::Subsurface& section, int step);
 
     /// With all steps of the finished run. Empty: fewer than two instants, nothing that ever
-    /// touches, grids of more points than a page shows. `style`: the model's place in its case.
-    std::optional<report::Film> film(const contact::History& history, int style) const;
+    /// touches, grids of more points than a page shows.
+    std::optional<report::Film> film(const contact::History& history) const;
 
   private:
     std::optional<Shot> shot_of(const contact::StepRecord& record, const SurfaceOfStep& surface,

@@ -64,7 +64,7 @@ Figures end_figures(const contact::Case& c, const Histories& histories) {
     for (std::size_t i = 0; i < histories.size(); ++i) {
         const contact::Snapshot* last = last_upright(histories[i]);
         if (!last) continue;
-        report::Curve pressures = curve_of(histories[i], i), widths = pressures;
+        report::Curve pressures = curve_of(histories[i]), widths = pressures;
         pressures.kind = widths.kind = report::Curve::Kind::line_and_points;
         const auto sections = roller_sections(last->surface, c.indenter.length);
         for (const RollerSection& s : sections) {

@@ -2,15 +2,20 @@
 
 #include "comparisons/quantities/resample.h"
 #include "report/format.h"
+#include "report/plot_style.h"
 
 namespace tricontact::comparisons {
 
 std::vector<report::Kind> zone_kinds() {
-    return {{"stick", 0.83}, {"slip", 0.4}, {"zero", 0.14}, {"released", 0.14}};
+    return {{"stick", 0.83, report::stick_colour},
+            {"slip", 0.4, report::slip_colour},
+            {"zero", 0.14},
+            {"released", 0.14}};
 }
 
-report::Curve curve_of(const contact::History& history, std::size_t i) {
-    return {.name = report::display_name(history.model), .colour = static_cast<int>(i)};
+report::Curve curve_of(const contact::History& history) {
+    return {.name = report::display_name(history.model),
+            .colour = report::model_style(history.model)};
 }
 
 Figures make_figures(const contact::Case& c, const Histories& histories,

@@ -42,10 +42,10 @@ Figures rough_figures(const contact::Case& c, const Histories& histories);
 Figures make_figures(const contact::Case& c, const Histories& histories,
                      const std::optional<NumericalError>& error = {});
 
-/// What surface points are called and in which shades they are drawn, dark to light as in the
-/// thesis' figures: stick, slip, zero, released.
+/// What surface points are called and how they are drawn, dark to light as in the thesis' figures:
+/// stick, slip, zero, released.
 std::vector<report::Kind> zone_kinds();
-/// An empty curve with the name and colour of the i-th model.
-report::Curve curve_of(const contact::History& history, std::size_t i);
+/// An empty curve with the name and colour of the model.
+report::Curve curve_of(const contact::History& history);
 
 }  // namespace tricontact::comparisons

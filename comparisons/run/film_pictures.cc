@@ -106,6 +106,7 @@ void add_fields(const Shots& shots, const std::vector<std::size_t>& cells, Film&
             const double open = s->fields[Shot::gap][k];
             if (std::isfinite(open)) gap = std::max(gap, open);
         }
+    film.largest = {pressure, traction, gap, 0};
     film.largest_pressure = in_words(pressure, "Pa");
     film.largest_traction = in_words(traction, "Pa");
     film.largest_gap = in_words(gap, "m");
@@ -195,6 +196,7 @@ void add_sections(const Shots& shots, Film& film) {
             }
         }
     }
+    film.largest[3] = largest;
     film.largest_von_mises = in_words(largest, "Pa");
     for (const double value : values)
         film.von_mises.push_back(
@@ -223,6 +225,8 @@ Film film_of(const Shots& shots, double direction) {
         const contact::StepRecord& r = shot->record;
         film.frames.push_back(
             {.label = shot->label,
+             .part = shot->part,
+             .phase = shot->phase,
              .x = to_mm * r.offset[0],
              .y = to_mm * r.offset[1],
              .shift = to_um * r.shift[0],

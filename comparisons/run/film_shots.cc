@@ -31,6 +31,8 @@ Shot Shot::on_line_of(const Shot& other) const {
     Shot result = other;
     result.record = record;
     result.label = label;
+    result.part = part;
+    result.phase = phase;
     result.section = section;
     for (int i = 0; i < other.n_x; ++i) {
         const double at = (other.first[0] + i * other.spacing[0] - first[0]) / spacing[0];

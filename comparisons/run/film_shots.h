@@ -16,6 +16,8 @@ struct Shot {
 
     contact::StepRecord record;
     std::string label;
+    report::Film::Part part = report::Film::Part::path;
+    double phase = 0;       ///< report::Film::Frame::phase
     std::size_t place = 0;  ///< among the steps that its row has seen
     bool is_quarter = false;
     int step = 0;  ///< contact::Progress::step

@@ -18,16 +18,16 @@ constexpr std::size_t most_steps_drawn = 3000;  // of a line: more than the pict
 constexpr std::size_t most_markers = 60;        // beyond, markers merge into a band
 
 /// Every step as (phase, U/unit).
-report::Curve step_curve(const History& history, std::size_t i, double unit) {
-    report::Curve curve = curve_of(history, i);
+report::Curve step_curve(const History& history, double unit) {
+    report::Curve curve = curve_of(history);
     for (const std::size_t k : report::thinned(history.steps.size(), most_steps_drawn))
         curve.add(history.steps[k].phase, history.steps[k].shift[0] / unit);
     return curve;
 }
 
 /// The upright states as (n, U/unit), n = 0 after loading.
-report::Curve period_curve(const History& history, std::size_t i, double unit) {
-    report::Curve curve = curve_of(history, i);
+report::Curve period_curve(const History& history, double unit) {
+    report::Curve curve = curve_of(history);
     curve.kind = report::Curve::Kind::points;
     const auto& shifts = history.shift_per_period;
     for (const std::size_t n : report::thinned(shifts.size() + 1, most_markers))
@@ -50,13 +50,19 @@ report::Figure shift_figure(const contact::Case& c, const Histories& histories,
     const Reference r = reference(c);
     const double theory_unit = r.hertz.unit_shift / unit_of(r.hertz.unit_shift);
     const double end = last_phase(histories);
+    double bottom = 0;
     double top = theory_unit * std::max(r.static_shift_ratio, r.shakedown_shift_ratio.value_or(0));
     for (std::size_t i = 0; i < histories.size(); ++i) {
         const double unit = unit_of(histories[i].scales.unit_shift);
-        for (const auto& step : histories[i].steps) top = std::max(top, step.shift[0] / unit);
-        figure.curves.push_back(step_curve(histories[i], i, unit));
-        figure.curves.push_back(period_curve(histories[i], i, unit));
+        for (const auto& step : histories[i].steps) {
+            top = std::max(top, step.shift[0] / unit);
+            bottom = std::min(bottom, step.shift[0] / unit);
+        }
+        figure.curves.push_back(step_curve(histories[i], unit));
+        figure.curves.push_back(period_curve(histories[i], unit));
     }
+    // A ratio in small letters, a length in capitals.
+    const std::string letter = figure.id == "shift" ? "U" : "u";
     const auto add_theory = [&](const std::string& name, double ratio) {
         figure.curves.push_back({.name = name,
                                  .x = {0, end},
@@ -64,14 +70,18 @@ report::Figure shift_figure(const contact::Case& c, const Histories& histories,
                                  .theory = true});
     };
     if (r.shakedown_shift_ratio)
-        add_theory(c.is_line_contact() ? "u_sd, exact, half-space" : "u_sd, MDR closed form",
-                   *r.shakedown_shift_ratio);
+        add_theory(
+            letter + (c.is_line_contact() ? "_sd, exact, half-space" : "_sd, MDR closed form"),
+            *r.shakedown_shift_ratio);
     if (r.static_shift_ratio > 0)
-        add_theory("u_stat, " + static_theory(c) + (static_shift_is_relaxed(c) ? "" : ", relaxed"),
-                   r.static_shift_ratio);
+        add_theory(
+            letter + "_stat, " + static_theory(c) + (static_shift_is_relaxed(c) ? "" : ", relaxed"),
+            r.static_shift_ratio);
     figure.x = {.label = "rolling periods n", .low = 0, .high = end};
-    figure.y.low = 0;
-    figure.y.high = top > negligible_ratio ? 1.08 * top : 1.0;
+    const double margin = 0.08 * (top - bottom);
+    const bool is_negative = bottom < -negligible_ratio * std::max(top, theory_unit);
+    figure.y.low = is_negative ? bottom - margin : 0;
+    figure.y.high = top > negligible_ratio ? top + margin : is_negative ? margin : 1.0;
     return figure;
 }
 
@@ -91,6 +101,10 @@ Figures shift_figures(const contact::Case& c, const Histories& histories,
         report::Band band = error->shift_band(unit.factor);
         band.name = report::display_name(error->model);
         metres.caption += " Band: error of mesh and steps in " + band.name + ".";
+        for (const double low : band.low)
+            if (low < *metres.y.low) metres.y.low = 1.08 * low;
+        for (const double high : band.high)
+            if (high > *metres.y.high) metres.y.high = 1.08 * high;
         metres.bands.push_back(std::move(band));
     }
     return {std::move(metres),
@@ -115,7 +129,7 @@ Figures dissipation_figures(const contact::Case& c, const Histories& histories) 
     for (std::size_t i = 0; i < histories.size(); ++i) {
         const QuantityValue value = quantities::dissipation_ratio_per_period.of({c, histories[i]});
         const auto& work = std::get<Numbers>(value);
-        report::Curve curve = curve_of(histories[i], i);
+        report::Curve curve = curve_of(histories[i]);
         curve.kind = report::Curve::Kind::line_and_points;
         for (std::size_t n = 0; n < work.size(); ++n) {
             // The axis is logarithmic: periods without dissipation have no place on it.

@@ -116,7 +116,7 @@ std::vector<report::Verdict> border_verdicts(const Case& c, const std::vector<Re
         if (!share) continue;
         const std::string name = report::display_name(s.model);
         if (*share > 0)
-            verdicts.push_back({report::Verdict::Standing::fails,
+            verdicts.push_back({report::Verdict::Standing::violated,
                                 fmt::format("The height map is larger than the contact: {} ({}); "
                                             "{}.",
                                             border_sentence(*share), name, border_remedy)});

@@ -66,7 +66,7 @@ std::string pressure_sentence(const contact::Case& c, const Summaries& summaries
     std::string text = "The pressure on a half-space is largest in a ring, not at the centre.";
     if (c.rolling && has_model(summaries, "mdr"))
         text +=
-            " The shakedown limit of MDR, whose springs know of line loads only, is then above "
+            " The shakedown limit of MDR, whose springs depend on line loads only, is then above "
             "the exact one.";
     return text;
 }
@@ -124,8 +124,9 @@ std::vector<std::string> limitations(const contact::Case& c, const Summaries& su
     std::vector<std::string> findings;
     if (c.rolling && has_model(summaries, "mdr"))
         findings.push_back(
-            "MDR's springs lie on one line, so it cannot tell rolling along the load from rolling "
-            "across it: its result is the same for every angle. Transformed back to three "
+            "MDR's springs lie on one line, so it cannot distinguish rolling along the load "
+            "from rolling across it: its result is the same for every angle. Transformed back to "
+            "three "
             "dimensions its traction may exceed μp: the bound holds spring by spring only.");
     for (const auto& sentence : {own_load_sentence, thickness_sentence, uncoupled_sentence,
                                  coupled_sentence, pressure_sentence, far_shift_sentence})

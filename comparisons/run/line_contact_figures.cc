@@ -26,9 +26,9 @@ double view(const Histories& histories) {
 }
 
 /// Adds a curve of a field over `unit` on the row's points, positions over a, within the figure.
-void add_row(const contact::History& history, std::size_t i, const Surface& s,
-             std::vector<double> Surface::*field, double unit, report::Figure& figure) {
-    report::Curve& curve = figure.curves.emplace_back(curve_of(history, i));
+void add_row(const contact::History& history, const Surface& s, std::vector<double> Surface::*field,
+             double unit, report::Figure& figure) {
+    report::Curve& curve = figure.curves.emplace_back(curve_of(history));
     for (const std::size_t k : report::thinned(s.size(), most_line_points)) {
         const double x = s.x(static_cast<int>(k)) / history.scales.contact_radius;
         if (std::abs(x) <= *figure.x.high) curve.add(x, (s.*field)[k] / unit);
@@ -51,7 +51,7 @@ report::Figure turning_figure(const contact::Case& c, const Histories& histories
         if (!last) continue;
         for (const double before : before_upright)
             if (const auto* turn = snapshot_at(histories[i], last->phase - before))
-                add_row(histories[i], i, turn->surface, &Surface::normal_traction,
+                add_row(histories[i], turn->surface, &Surface::normal_traction,
                         histories[i].scales.peak_pressure, figure);
     }
     if (figure.curves.empty() || !constant_loads(c)) return figure;
@@ -76,7 +76,7 @@ report::Figure displacement_figure(const contact::Case& c, const Histories& hist
         .y = {"displacement u_x / U_max"}};
     for (std::size_t i = 0; i < histories.size(); ++i)
         if (const contact::Snapshot* last = last_upright(histories[i]))
-            add_row(histories[i], i, last->surface, &Surface::displacement_x,
+            add_row(histories[i], last->surface, &Surface::displacement_x,
                     histories[i].scales.unit_shift, figure);
     const Reference r = reference(c);
     if (figure.curves.empty() || !(r.stick_ratio > 0.)) return figure;

@@ -37,7 +37,7 @@ json variant_json(const LoadingVariant& v) {
             {"why_not_rolled", v.why_not_rolled.empty() ? json() : json(v.why_not_rolled)}};
 }
 
-/// A shift [m]. Where the other has none to compare, its verdict stands in the place of a number.
+/// A shift [m]. Where the other has none to compare, its verdict stands instead of a number.
 std::vector<Cell> row(const LoadingVariant& v, const std::string& what, double chosen,
                       std::optional<double> changed, std::optional<double> error,
                       const std::string& other_verdict = "") {

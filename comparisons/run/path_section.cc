@@ -123,7 +123,7 @@ report::Figure figure_of(const std::string& id, const std::string& title, const 
         .y = {fmt::format("{} [{}]", y.name, y_unit.symbol)}};
     for (std::size_t i = 0; i < histories.size(); ++i) {
         const auto& steps = histories[i].steps;
-        report::Curve curve = curve_of(histories[i], i);
+        report::Curve curve = curve_of(histories[i]);
         for (const std::size_t k : report::thinned(steps.size(), most_path_points))
             curve.add((x ? x->of(steps[k]) : steps[k].phase) / x_unit.factor,
                       y.of(steps[k]) / y_unit.factor);

@@ -81,12 +81,12 @@ std::string verdict_sentence(const contact::Case& c, const Results& s, const Ref
     if (!s.state()) return {};
     if (*s.state() == State::undecided) return undecided_sentence(c, s, r);
     if (*s.state() == State::ratcheting || s.number(settled_shift)) return {};
-    const std::string by = s.verdict.by_limit ? ", by the limit of uncoupled contact," : "";
+    const std::string by = s.verdict.by_limit ? ": f_T is below the exact limit;" : "";
     return fmt::format(
-        "{} {} in the end{}{} but where is not known yet: after {} {} at {}, of which the last "
+        "{} {} in the end{}{} where is not known yet: after {} {} at {}, of which the last "
         "one added {}. Raise rolling.periods.",
-        name, *s.state() == State::shakedown ? "shakes down" : "settles", by, by.empty() ? "," : "",
-        s.periods(), s.periods() == 1 ? "period" : "periods",
+        name, *s.state() == State::shakedown ? "shakes down" : "settles", by,
+        by.empty() ? ", but" : "", s.periods(), s.periods() == 1 ? "period" : "periods",
         with_ratio(s, final_shift, final_shift_ratio),
         report::significant(s.number(shift_increment_ratio)));
 }

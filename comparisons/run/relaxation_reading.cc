@@ -104,7 +104,7 @@ std::string twin_sentence(const TwinComparison& twin) {
                          : fmt::format("relaxing: {}, elastic: {}", contact::name_of(state),
                                        contact::name_of(elastic)));
     if (!settled)
-        text += " Whether settled shifts differ as much, this does not tell: run more periods.";
+        text += " Whether settled shifts differ as much, this does not resolve: run more periods.";
     return text;
 }
 

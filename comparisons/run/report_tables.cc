@@ -240,7 +240,7 @@ DocumentTable audit_table(const std::vector<Results>& results) {
             std::string name = check.name;
             std::ranges::replace(name, '_', ' ');
             table.rows.push_back({report::display_name(s.model), name, check.worst, check.allowed,
-                                  check.passed() ? "passed" : "FAILED"});
+                                  check.passed() ? "pass" : "fail"});
         }
     return table;
 }

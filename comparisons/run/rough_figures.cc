@@ -50,10 +50,10 @@ report::Figure spectrum_figure(const Case& c) {
 }
 
 /// Nominal pressure over E* h' and contact area over the nominal one, while the case is pressed.
-report::Curve area_curve(const Case& c, const History& history, std::size_t i) {
+report::Curve area_curve(const Case& c, const History& history) {
     const double nominal = contact::nominal_area(c);
     const double full = 2 * contact::half_space_scales(c).peak_pressure;  // E* h'
-    report::Curve curve = curve_of(history, i);
+    report::Curve curve = curve_of(history);
     curve.kind = report::Curve::Kind::line_and_points;
     for (const contact::StepRecord& step : history.steps) {
         if (step.phase > 0) break;
@@ -82,7 +82,7 @@ report::Figure area_figure(const Case& c, const Histories& histories) {
     std::vector<std::string> factors;
     double lowest = INFINITY, highest = 0;
     for (std::size_t i = 0; i < histories.size(); ++i) {
-        const report::Curve curve = area_curve(c, histories[i], i);
+        const report::Curve curve = area_curve(c, histories[i]);
         if (curve.x.empty()) continue;
         const auto [low, high] = std::ranges::minmax(curve.x);
         lowest = std::min(lowest, low);

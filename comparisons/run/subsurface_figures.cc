@@ -71,10 +71,11 @@ struct AxisCurves {
     }
 };
 
-AxisCurves axis_curves(const History& history, int colour) {
+AxisCurves axis_curves(const History& history) {
     const Subsurface& s = *history.subsurface;
     const double a = history.scales.contact_radius;
-    AxisCurves curves(report::display_name(history.model), colour, false);
+    AxisCurves curves(report::display_name(history.model), report::model_style(history.model),
+                      false);
     for (std::size_t k = s.z.size(); k-- > 0 && -s.z[k] <= deepest * a;)
         curves.add(-s.z[k] / a, s.at(s.axis(), k), history.scales.peak_pressure);
     return curves;
@@ -112,8 +113,8 @@ report::Figure axis_figure(const Case& c, const Histories& histories) {
         figure.curves.insert(figure.curves.end(), {curves.von_mises, curves.pressure});
     };
     if (hertzian) add(hertz_curves(c));
-    for (std::size_t i = 0; i < histories.size(); ++i)
-        if (has_section(histories[i])) add(axis_curves(histories[i], static_cast<int>(i)));
+    for (const History& history : histories)
+        if (has_section(history)) add(axis_curves(history));
     return figure;
 }
 

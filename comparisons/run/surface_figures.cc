@@ -93,7 +93,7 @@ report::Figure zone_figure(const contact::Case& c, const History& history) {
         .id = "zones_" + history.model,
         .title = "Stick and slip, " + report::display_name(history.model),
         .caption =
-            std::string("Dark: stick; grey: slip; as the background: open. Outlines: a, or "
+            std::string("Dark blue: stick; amber: slip; as the background: open. Outlines: a, or "
                         "the half axes of an ellipse, upright (dashed) and under the "
                         "indenter's present position (red).") +
             (nothing_slips ? " At the last instant of a shaken-down contact nothing slips any more."

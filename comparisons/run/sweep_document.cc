@@ -92,10 +92,10 @@ std::vector<report::Verdict> verdicts_of(const Sweep& sweep) {
     const std::string counted = fmt::format("{} {}", n, n == 1 ? "point" : "points");
     std::vector<report::Verdict> verdicts;
     if (n_failed == 0)
-        verdicts.push_back({report::Verdict::Standing::holds, counted + " computed, none failed."});
+        verdicts.push_back({report::Verdict::Standing::pass, counted + " computed, none failed."});
     else
         verdicts.push_back(
-            {report::Verdict::Standing::fails, fmt::format("{} of {} failed.", n_failed, counted)});
+            {report::Verdict::Standing::fail, fmt::format("{} of {} failed.", n_failed, counted)});
     using enum contact::State;
     std::vector<std::string> models;
     std::map<std::string, std::map<contact::State, int>> states;
@@ -126,8 +126,9 @@ report::DocumentSection points_section(const Sweep& sweep, const std::vector<Swe
     if (sweep.points.size() <= most_rows) {
         section.tables.push_back(table_of(sweep, scales, false));
         section.tables.back().note =
-            "Ratios are over each model's own U_max. What a point does not tell is left empty: a "
-            "contact that ratchets has no settled shift.";
+            "Ratios are over each model's own U_max. Undefined values are left empty: a contact "
+            "that "
+            "ratchets has no settled shift.";
     } else {
         section.paragraphs.push_back(fmt::format(
             "{} points are too many for a page: results.csv has them all.", sweep.points.size()));
@@ -150,6 +151,12 @@ report::Document sweep_document(const Sweep& sweep) {
     for (std::size_t i = 0; i < sweep.axes.size(); ++i)
         document.settings.emplace_back(sweep.axes[i].key, range_of(sweep, i, scales[i]));
     document.sections = shift_sections(sweep, scales);
+    document.figure = opening_figure(document.sections);
+    if (document.figure)  // which stands nowhere twice
+        for (report::DocumentSection& section : document.sections)
+            std::erase_if(section.figures, [&](const report::Figure& figure) {
+                return figure.id == document.figure->id;
+            });
     document.sections.push_back(points_section(sweep, scales));
     if (sweep.points.size() > most_drawn)
         document.sections.back().paragraphs.push_back(

@@ -63,4 +63,8 @@ inline constexpr std::size_t most_drawn = 2000;
 std::vector<report::DocumentSection> shift_sections(const Sweep& sweep,
                                                     const std::vector<SweepScale>& scales);
 
+/// The figure with which the report opens: of the first shift that a key moves, over the key that
+/// moves it most. Empty: nothing moves.
+std::optional<report::Figure> opening_figure(const std::vector<report::DocumentSection>& sections);
+
 }  // namespace tricontact::comparisons

@@ -43,16 +43,24 @@ SweepScale scale_of(const Sweep& sweep, std::size_t axis) {
     return scale;
 }
 
+std::string value_text(const Sweep::Point& point, std::size_t axis) {
+    const auto* number = std::get_if<double>(&point.values[axis]);
+    return number ? report::csv_field(*number) : std::get<std::string>(point.values[axis]);
+}
+
 /// All that a point has besides one axis: points that agree in it lie on one line.
 std::string rest_of(const Sweep::Point& point, std::size_t axis) {
     std::string rest;
-    for (std::size_t i = 0; i < point.values.size(); ++i) {
-        if (i == axis) continue;
-        const auto* number = std::get_if<double>(&point.values[i]);
-        rest +=
-            (number ? report::csv_field(*number) : std::get<std::string>(point.values[i])) + '\n';
-    }
+    for (std::size_t i = 0; i < point.values.size(); ++i)
+        if (i != axis) rest += value_text(point, i) + '\n';
     return rest;
+}
+
+/// Whether no point lacks the quantity: nothing has to be said of where it is defined.
+bool sweep_has_all(const Sweep& sweep, const Quantity& quantity) {
+    return std::ranges::all_of(sweep.points, [&](const Sweep::Point& point) {
+        return std::isfinite(value_of(point, quantity));
+    });
 }
 
 /// In which the values of a quantity with a unit are drawn.
@@ -64,40 +72,127 @@ report::Unit unit_over(const Sweep& sweep, const Quantity& quantity) {
     return report::fitting_unit(largest, quantity.unit);
 }
 
-/// One curve per model and level, its lines apart by gaps.
-std::vector<report::Curve> curves_over(const Sweep& sweep, std::size_t axis,
-                                       const SweepScale& scale, const Quantity& quantity,
-                                       double unit) {
-    std::vector<std::string> names;
-    std::map<std::string, std::map<std::string, std::map<double, double>>> lines;
+/// The other axes in which points of the finest level differ.
+std::vector<std::size_t> further_axes(const Sweep& sweep, std::size_t axis) {
+    std::vector<std::size_t> further;
+    for (std::size_t i = 0; i < sweep.axes.size(); ++i) {
+        std::set<std::string> values;
+        for (const Sweep::Point& point : sweep.points) values.insert(value_text(point, i));
+        if (i != axis && values.size() > 1) further.push_back(i);
+    }
+    return further;
+}
+
+/// "load.tangential_ratio = 0.3, substrate.thickness [mm] = 4".
+std::string detail_of(const std::vector<SweepScale>& scales, const Sweep::Point& point,
+                      const std::vector<std::size_t>& further) {
+    std::string text;
+    for (const std::size_t i : further) {
+        const auto* number = std::get_if<double>(&point.values[i]);
+        text += fmt::format(
+            "{}{} = {}", text.empty() ? "" : ", ", scales[i].heading,
+            number ? report::as_given(*number / scales[i].unit.factor) : value_text(point, i));
+    }
+    return text;
+}
+
+/// One curve per model and per line of points that differ in the axis alone, of the finest level.
+std::vector<report::Curve> curves_over(const Sweep& sweep, const std::vector<SweepScale>& scales,
+                                       std::size_t axis, const Quantity& quantity, double unit) {
+    struct Line {
+        std::string detail;
+        std::map<double, double> values;
+    };
+    const std::vector<std::size_t> further = further_axes(sweep, axis);
+    std::vector<std::string> models;
+    std::map<std::string, std::vector<Line>> lines;
+    std::map<std::string, std::size_t> places;
     for (const Sweep::Point& point : sweep.points) {
-        const std::string name = name_of(point, sweep);
-        if (!lines.contains(name)) names.push_back(name);
-        const double x = std::get<double>(point.values[axis]) / scale.unit.factor;
-        lines[name][rest_of(point, axis)][x] = value_of(point, quantity) / unit;
+        if (point.level + 1 < sweep.levels) continue;
+        if (!lines.contains(point.model)) models.push_back(point.model);
+        std::vector<Line>& of_model = lines[point.model];
+        const auto [place, is_new] =
+            places.try_emplace(point.model + '\n' + rest_of(point, axis), of_model.size());
+        if (is_new) of_model.push_back({detail_of(scales, point, further), {}});
+        const double x = std::get<double>(point.values[axis]) / scales[axis].unit.factor;
+        of_model[place->second].values[x] = value_of(point, quantity) / unit;
     }
+    // Samples, of which none lies on a line with another, are one set of points per model.
+    const bool are_lines = std::ranges::any_of(lines, [](const auto& of_model) {
+        return std::ranges::any_of(of_model.second,
+                                   [](const Line& line) { return line.values.size() > 1; });
+    });
     std::vector<report::Curve> curves;
-    for (const std::string& name : names) {
-        report::Curve curve{.name = name, .x = {}, .y = {}, .kind = report::Curve::Kind::points};
-        for (const auto& [rest, line] : lines[name]) {
-            if (line.size() > 1) curve.kind = report::Curve::Kind::line_and_points;
-            if (!curve.x.empty()) curve.add(contact::undefined, contact::undefined);
-            for (const auto& [x, y] : line) curve.add(x, y);
+    for (const std::string& model : models)
+        for (const auto& [detail, values] : lines[model]) {
+            const std::string name = report::display_name(model);
+            if (are_lines || curves.empty() || curves.back().name != name)
+                curves.push_back({.name = name,
+                                  .kind = are_lines ? report::Curve::Kind::line_and_points
+                                                    : report::Curve::Kind::points,
+                                  .detail = are_lines ? detail : ""});
+            for (const auto& [x, y] : values) curves.back().add(x, y);
         }
-        curves.push_back(std::move(curve));
-    }
     return curves;
 }
 
-std::string caption_of(const Sweep& sweep, const Quantity& quantity,
-                       const std::vector<report::Curve>& curves) {
+/// How far a curve goes up and down, over its largest value.
+double movement_of(const report::Curve& curve) {
+    double low = INFINITY, high = -INFINITY;
+    for (const double y : curve.y)
+        if (std::isfinite(y)) low = std::min(low, y), high = std::max(high, y);
+    const double size = std::max(std::abs(low), std::abs(high));
+    return high > low && size > 0 ? (high - low) / size : 0;
+}
+
+/// " (bottom)" and " (top)" where the lines of the first model lie in the order of their values.
+std::string order_of(const std::vector<report::Curve>& curves, const Sweep& sweep,
+                     const std::vector<SweepScale>& scales, std::size_t further) {
+    const auto mean = [](const report::Curve& curve) {
+        double sum = 0;
+        int n = 0;
+        for (const double y : curve.y)
+            if (std::isfinite(y)) sum += y, ++n;
+        return n > 0 ? sum / n : contact::undefined;
+    };
+    const SweepScale& scale = scales[further];
+    std::vector<double> means;
+    for (const double value : scale.values)
+        for (const Sweep::Point& point : sweep.points) {
+            const auto* number = std::get_if<double>(&point.values[further]);
+            if (!number || *number / scale.unit.factor != value) continue;
+            const std::string detail = detail_of(scales, point, {further});
+            const auto curve = std::ranges::find(curves, detail, &report::Curve::detail);
+            if (curve != curves.end()) means.push_back(mean(*curve));
+            break;
+        }
+    std::erase_if(means, [](double value) { return !std::isfinite(value); });
+    const std::string first = report::as_given(*scale.values.begin()),
+                      last = report::as_given(*scale.values.rbegin());
+    const bool rises = std::ranges::is_sorted(means),
+               falls = std::ranges::is_sorted(means, std::greater<>());
+    if (means.size() < 2 || rises == falls) return first + " to " + last;
+    return fmt::format("{} ({}) to {} ({})", first, rises ? "bottom" : "top", last,
+                       rises ? "top" : "bottom");
+}
+
+std::string caption_of(const Sweep& sweep, const std::vector<SweepScale>& scales, std::size_t axis,
+                       const Quantity& quantity, const std::vector<report::Curve>& curves) {
     const bool lines =
         std::ranges::count(curves, report::Curve::Kind::line_and_points, &report::Curve::kind) > 0;
-    std::string text = std::string(quantity.meaning) + " ";
-    if (lines && sweep.axes.size() > 1) text += "Lines join points that differ in nothing else. ";
-    if (std::string(quantity.defined) != "always")
-        text += fmt::format("Defined {}. ", quantity.defined);
-    text.pop_back();
+    std::string text = std::string(quantity.meaning);
+    const std::vector<std::size_t> further = further_axes(sweep, axis);
+    if (lines && further.size() == 1 && scales[further[0]].is_number)
+        text += fmt::format(" One line per {}, {}.", scales[further[0]].heading,
+                            order_of(curves, sweep, scales, further[0]));
+    else if (lines && !further.empty()) {
+        std::vector<std::string> keys;
+        for (const std::size_t i : further) keys.push_back(sweep.axes[i].key);
+        text += fmt::format(" One line per value of {}.", fmt::join(keys, " and "));
+    }
+    if (sweep.levels > 1) text += fmt::format(" The finest of {} levels.", sweep.levels);
+    if (std::string(quantity.defined) != "always" && !sweep_has_all(sweep, quantity))
+        text += fmt::format(" Defined {}.", quantity.defined);
     return text;
 }
 
@@ -119,8 +214,8 @@ std::vector<report::Figure> figures_of(const Sweep& sweep, const std::vector<Swe
         figure.x = {scale.heading, sweep.axes[axis].logarithmic};
         figure.y.label = unit.symbol.empty() ? heading_of(quantity)
                                              : fmt::format("{} [{}]", quantity.symbol, unit.symbol);
-        figure.curves = curves_over(sweep, axis, scale, quantity, unit.factor);
-        figure.caption = caption_of(sweep, quantity, figure.curves);
+        figure.curves = curves_over(sweep, scales, axis, quantity, unit.factor);
+        figure.caption = caption_of(sweep, scales, axis, quantity, figure.curves);
     }
     return figures;
 }
@@ -136,6 +231,29 @@ std::vector<SweepScale> scales_of(const Sweep& sweep) {
 std::string name_of(const Sweep::Point& point, const Sweep& sweep) {
     const std::string model = report::display_name(point.model);
     return sweep.levels == 1 ? model : fmt::format("{}, level {}", model, point.level);
+}
+
+std::optional<report::Figure> opening_figure(const std::vector<report::DocumentSection>& sections) {
+    const report::Figure* chosen = nullptr;
+    double most = 1e-6;  // below it is rounding
+    // Of the shifts in their order the first that a key moves; of its figures the key that moves it
+    // most: the median of its lines.
+    for (const char* key : {quantities::settled_shift.key, quantities::shift_increment.key,
+                            quantities::settled_shift_ratio.key, quantities::static_shift.key, ""})
+        for (const report::DocumentSection& section : sections) {
+            if (*key != 0 && section.id != key) continue;
+            for (const report::Figure& figure : section.figures) {
+                std::vector<double> moved;
+                for (const report::Curve& curve : figure.curves)
+                    if (curve.x.size() > 1) moved.push_back(movement_of(curve));
+                if (moved.empty()) continue;
+                std::ranges::sort(moved);
+                if (moved[moved.size() / 2] > most)
+                    most = moved[moved.size() / 2], chosen = &figure;
+            }
+            if (chosen && *key != 0) return *chosen;
+        }
+    return chosen ? std::optional(*chosen) : std::nullopt;
 }
 
 std::vector<report::DocumentSection> shift_sections(const Sweep& sweep,

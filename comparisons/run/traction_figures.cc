@@ -58,7 +58,7 @@ void add_models(const contact::Case& c, const Histories& histories, Axis axis,
         const CentreLine line =
             centre_line(history, c.friction_coefficient, axis, drawn_pressure(c, history.scales));
         if (line.position.empty()) continue;
-        auto& curve = figure.curves.emplace_back(curve_of(history, figure.strips.size()));
+        auto& curve = figure.curves.emplace_back(curve_of(history));
         for (const std::size_t i : report::thinned(line.position.size(), most_points))
             if (std::abs(line.position[i]) <= half_width)
                 curve.add(line.position[i], line.traction[i]);
@@ -112,9 +112,10 @@ report::Figure traction_figure(const contact::Case& c, const Histories& historie
         .id = "traction_" + letter,
         .title = "Traction on the centre line along " + letter,
         .caption =
-            "The last upright state. Strips: what each point does during the last period. Black, "
-            "stick: always in contact, below the friction bound; grey, slip: at the bound μp at "
-            "some instant; light, zero or released: out of contact at some instant, after "
+            "The last upright state. Strips: what each point does during the last period. Dark "
+            "blue, stick: always in contact, below the friction bound; amber, slip: at the bound "
+            "μp at "
+            "some instant; light grey, zero or released: out of contact at some instant, after "
             "shakedown no traction is left there (in coupled contact what the pressure drags). " +
             std::string(contact::has_conical_tip(c)
                             ? "a and the mean pressure p_m are each model's own: at the tip the "

@@ -6,6 +6,8 @@
 #include <set>
 
 #include "comparisons/shakedown/fit_document.h"
+#include "report/format.h"
+#include "report/plot_style.h"
 
 namespace tricontact::comparisons {
 
@@ -32,10 +34,16 @@ report::Figure ThesisFigures::figure(const std::string& number, const std::strin
                           .x = {x},
                           .y = {y}};
     const std::vector<std::string> models = model_names(fit_);
-    const int n_models = static_cast<int>(models.size());
+    // Colours that no model of the figure has.
+    std::vector<int> free;
+    for (int style = 0; style < report::n_model_colours; ++style)
+        if (std::ranges::none_of(
+                models, [&](const std::string& m) { return report::model_style(m) == style; }))
+            free.push_back(style);
     for (const Form& form : forms) {
-        report::Curve& curve = figure.curves.emplace_back(
-            report::Curve{.name = form.name, .theory = true, .colour = n_models + form.kind});
+        report::Curve& curve =
+            figure.curves.emplace_back(report::Curve{.name = form.name, .theory = true});
+        if (!free.empty()) curve.colour = free[static_cast<std::size_t>(form.kind) % free.size()];
         for (int i = 0; i <= n_samples; ++i) {
             const double t = std::lerp(form.from, form.to, i / 1. / n_samples);
             curve.add(form.x(t), form.y(t));
@@ -43,7 +51,7 @@ report::Figure ThesisFigures::figure(const std::string& number, const std::strin
     }
     if (!place) return figure;
     for (const std::string& model : models) {
-        report::Curve& curve = figure.curves.emplace_back(model_points(fit_, model));
+        report::Curve& curve = figure.curves.emplace_back(model_points(model));
         for (const RollingPoint* p : points)
             if (p->model == model)
                 if (const Placed at = place(*p)) add_with_bar(curve, at->first, at->second);

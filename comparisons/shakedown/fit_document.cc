@@ -1,5 +1,7 @@
 #include "comparisons/shakedown/fit_document.h"
 
+#include <fmt/format.h>
+
 namespace tricontact::comparisons {
 
 namespace {
@@ -9,6 +11,24 @@ void add(report::Document& document, report::DocumentSection section) {
                   [](const report::DocumentTable& table) { return table.rows.empty(); });
     if (!section.figures.empty() || !section.tables.empty())
         document.sections.push_back(std::move(section));
+}
+
+/// How many of the assumptions and comparisons do not hold.
+std::optional<report::Verdict> fit_answer(const std::vector<report::Verdict>& verdicts) {
+    using enum report::Verdict::Standing;
+    std::vector<std::string> failed;
+    int n = 0;
+    for (const report::Verdict& one : verdicts) {
+        if (one.subject.empty()) continue;
+        ++n;
+        if (one.standing == violated || one.standing == fail) failed.push_back(one.subject);
+    }
+    if (n == 0) return {};
+    if (failed.empty())
+        return report::Verdict{finding, fmt::format("No statement of {} is contradicted.", n),
+                               "none fails"};
+    return report::Verdict{fail, fmt::format("{}.", fmt::join(failed, "; ")),
+                           fmt::format("{} of {} fail", failed.size(), n)};
 }
 
 }  // namespace
@@ -26,6 +46,7 @@ report::Document fit_document(const StudyFit& fit) {
         .files = {{"all numbers (JSON)", "fit.json"}, {"fits (CSV)", "fits.csv"}},
         .command = fit.command,
         .version = fit.version};
+    document.answer = fit_answer(document.verdicts);
     add(document, {.id = "thesis",
                    .heading = "Figures of the thesis",
                    .paragraphs = {"Its formulas are dashed. Bars are numerical errors."},

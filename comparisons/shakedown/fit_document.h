@@ -52,7 +52,7 @@ std::vector<report::Figure> mapping_figures(const StudyFit& fit);
 std::vector<report::Figure> increment_residual_figures(const StudyFit& fit);
 
 /// An empty curve of points with the name and colour of a model of the study.
-report::Curve model_points(const StudyFit& fit, const std::string& model);
+report::Curve model_points(const std::string& model);
 /// Adds a computed value and its error bar, NaN where unknown.
 void add_with_bar(report::Curve& curve, double x, const Computed& value);
 /// Takes the bars away if all are unknown.

@@ -37,7 +37,7 @@ std::vector<report::Figure> figures_of(const StudyFit& fit, const std::vector<Gr
         figure.title += ", " + names[i];
         for (const Group& group : groups) {
             if (group.group != names[i]) continue;
-            report::Curve curve = model_points(fit, group.model);
+            report::Curve curve = model_points(group.model);
             curve_of(group, curve);
             if (!curve.x.empty()) figure.curves.push_back(std::move(curve));
         }
@@ -86,11 +86,10 @@ std::vector<std::string> model_names(const StudyFit& fit) {
     return names_of(fit, &RollingPoint::model);
 }
 
-report::Curve model_points(const StudyFit& fit, const std::string& model) {
-    const auto names = model_names(fit);
+report::Curve model_points(const std::string& model) {
     return {.name = report::display_name(model),
             .kind = report::Curve::Kind::points,
-            .colour = static_cast<int>(std::ranges::find(names, model) - names.begin())};
+            .colour = report::model_style(model)};
 }
 
 void add_with_bar(report::Curve& curve, double x, const Computed& value) {

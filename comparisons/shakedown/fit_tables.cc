@@ -118,7 +118,7 @@ report::DocumentTable point_difference_table(const StudyFit& fit) {
                                   report::WithError{p.first.value, p.first.error},
                                   report::WithError{p.second.value, p.second.error},
                                   report::WithError{100 * p.relative(), 100 * p.bar()},
-                                  std::string(!known                       ? "cannot tell"
+                                  std::string(!known                       ? "not resolved"
                                               : differs(p.first, p.second) ? "different"
                                                                            : "within the error")});
         }

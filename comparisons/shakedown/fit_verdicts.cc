@@ -27,6 +27,23 @@ const MappingUse* use_named(const MappingGroup& group, const std::string& name) 
     return found == group.uses.end() ? nullptr : &*found;
 }
 
+std::string miss_text(const MappingUse& use) {
+    return fmt::format("u_sd {} off in the median, {} at worst", report::share(use.median),
+                       report::percent(1 + use.worst));
+}
+
+/// "0.889 to 1.08".
+std::string range_text(const MappingGroup& group) {
+    const auto [least, most] =
+        std::ranges::minmax(group.points, {}, [](const MappingPoint& p) { return p.kappa.value; });
+    return fmt::format("{} to {}", report::significant(least.kappa.value, 3),
+                       report::significant(most.kappa.value, 3));
+}
+
+std::string value_text(const MappingGroup& group) {
+    return report::significant(group.constant->fit.parameters.front().value, 4);
+}
+
 /// "one κ for all amplitudes and loads holds: ..."
 std::string finding_of(const MappingGroup& group) {
     const OneMapping& one = group.one;
@@ -37,16 +54,16 @@ std::string finding_of(const MappingGroup& group) {
                                            report::significant(least.kappa.value, 3),
                                            report::significant(most.kappa.value, 3));
     if (one.is_negligible) return claim + "holds to 0.1 % of u_sd; " + points;
-    if (one.finding == Standing::fails)
+    if (one.finding == Standing::violated)
         return claim + "does not hold: " + points + ", further apart than their numerical errors";
     const std::string known =
-        fmt::format("{} of {} points know it to 10 %", one.n_telling, group.points.size());
+        fmt::format("{} of {} points determine it to 10 %", one.n_telling, group.points.size());
     if (one.finding == Standing::holds)
         return fmt::format(
             "{}holds within the numerical errors: {} to {} serves every point, {}; {}", claim,
             report::significant(one.low, 3), report::significant(one.high, 3), known, points);
     const bool without = one.n_with_bars < static_cast<int>(group.points.size());
-    return fmt::format("whether {}holds cannot be told: {}; {}", claim,
+    return fmt::format("whether {}holds is not testable: {}; {}", claim,
                        without ? fmt::format("{} of {} points have numerical errors (levels of the "
                                              "study)",
                                              one.n_with_bars, group.points.size())
@@ -56,20 +73,27 @@ std::string finding_of(const MappingGroup& group) {
 
 report::Verdict constant_verdict(const MappingGroup& group) {
     if (!group.constant)
-        return {Standing::cannot_tell, fmt::format("{}: κ cannot be fitted to {} settled points",
-                                                   name_of(group), group.points.size())};
+        return {Standing::not_testable, fmt::format("{}: κ cannot be fitted to {} settled points",
+                                                    name_of(group), group.points.size())};
     const std::string value = "κ = " + interval(group.constant->fit.parameters.front());
     const MappingUse* use = use_named(group, "fitted");
     if (!use)
-        return {Standing::fails, fmt::format("{}: {} lies beyond what the formula takes (0 to 3/2)",
-                                             name_of(group), value)};
+        return {Standing::violated,
+                fmt::format("{}: {} lies beyond what the formula takes (0 to 3/2)", name_of(group),
+                            value)};
+    const bool is_negligible = group.one.is_negligible;
     return {
-        group.one.finding,
-        fmt::format("{}: {}; by least squares κ = {}, which misses u_sd by {} in the median, {} "
-                    "at worst",
-                    name_of(group), finding_of(group),
-                    report::significant(group.constant->fit.parameters.front().value, 4),
-                    report::share(use->median), report::percent(1 + use->worst))};
+        .standing = group.one.finding,
+        .sentence = fmt::format(
+            "{}: {}; by least squares κ = {}, which misses u_sd by {} in the median, {} "
+            "at worst",
+            name_of(group), finding_of(group),
+            report::significant(group.constant->fit.parameters.front().value, 4),
+            report::share(use->median), report::percent(1 + use->worst)),
+        .subject = name_of(group) + ": one κ for all amplitudes and loads",
+        .number = fmt::format("κ = {}; of single points {}", value_text(group), range_text(group)),
+        .threshold = is_negligible ? "0.1 % of u_sd" : "numerical errors",
+        .effect = miss_text(*use)};
 }
 
 void add_thesis_mapping(std::vector<report::Verdict>& verdicts, const MappingGroup& group) {
@@ -77,19 +101,23 @@ void add_thesis_mapping(std::vector<report::Verdict>& verdicts, const MappingGro
     if (!use || group.points.empty()) return;
     const bool contradicted = use->n_beyond_bars > 0 || use->n_ratcheting > 0;
     const bool compared = group.one.is_known;
-    verdicts.push_back(
-        {contradicted ? Standing::fails
-         : compared   ? Standing::holds
-                      : Standing::cannot_tell,
-         fmt::format("{}: the thesis' κ = {} misses u_sd by {} in the median, {} at worst (w = {}, "
-                     "f_T = {})",
-                     name_of(group), use->kappa, report::share(use->median),
-                     report::percent(1 + use->worst), report::as_given(use->worst_amplitude_ratio),
-                     report::as_given(use->worst_tangential_ratio)) +
-             (contradicted || compared
-                  ? ""
-                  : "; without smaller numerical errors (levels of the study) it "
-                    "is undecided whether that is the κ")});
+    report::Verdict& verdict = verdicts.emplace_back(report::Verdict{
+        contradicted ? Standing::fail
+        : compared   ? Standing::pass
+                     : Standing::not_resolved,
+        fmt::format("{}: the thesis' κ = {} misses u_sd by {} in the median, {} at worst (w = {}, "
+                    "f_T = {})",
+                    name_of(group), use->kappa, report::share(use->median),
+                    report::percent(1 + use->worst), report::as_given(use->worst_amplitude_ratio),
+                    report::as_given(use->worst_tangential_ratio)) +
+            (contradicted || compared
+                 ? ""
+                 : "; without smaller numerical errors (levels of the study) it "
+                   "is undecided whether that is the κ")});
+    verdict.subject = name_of(group) + ": κ of the thesis";
+    verdict.number = fmt::format("κ = {}", use->kappa);
+    verdict.threshold = "numerical errors";
+    verdict.effect = miss_text(*use);
 }
 
 void add_root(std::vector<report::Verdict>& verdicts, const RatchetingGroup& group, bool elastic) {
@@ -97,11 +125,13 @@ void add_root(std::vector<report::Verdict>& verdicts, const RatchetingGroup& gro
         if (group.n_turning_points_only == 0 && group.points.empty()) return;
         const std::string why =
             group.n_turning_points_only > 0
-                ? fmt::format("{} points ratchet in steps from one turning point to the next only",
-                              group.n_turning_points_only)
-                : fmt::format("{} ratcheting points", group.points.size());
-        verdicts.push_back(
-            {Standing::cannot_tell, fmt::format("{}: η, from {}", name_of(group), why)});
+                ? fmt::format(
+                      "all {} ratcheting points used turning points; set "
+                      "rolling.steps_per_quarter",
+                      group.n_turning_points_only)
+                : fmt::format("{} ratcheting points are too few", group.points.size());
+        verdicts.push_back({Standing::not_resolved,
+                            fmt::format("{}: η cannot be computed: {}", name_of(group), why)});
         return;
     }
     const statistics::Estimate& c = group.root->fit.parameters.front();
@@ -117,11 +147,16 @@ void add_root(std::vector<report::Verdict>& verdicts, const RatchetingGroup& gro
         if (!std::isnan(p.thesis_ratio)) ratios.push_back(p.thesis_ratio);
     if (ratios.empty() || group.model == "mdr" || !elastic) return;
     const auto [least, most] = std::ranges::minmax_element(ratios);
-    verdicts.push_back(
-        {*least > 0.9 && *most < 1.1 ? Standing::holds : Standing::fails,
-         fmt::format("{}: the thesis' formula gives {} of Δu in the median, {} to {}",
-                     name_of(group), report::share(statistics::median(ratios)),
-                     report::share(*least), report::share(*most))});
+    report::Verdict& verdict = verdicts.emplace_back(report::Verdict{
+        *least > 0.9 && *most < 1.1 ? Standing::pass : Standing::fail,
+        fmt::format("{}: the thesis' formula gives {} of Δu in the median, {} to {}",
+                    name_of(group), report::share(statistics::median(ratios)),
+                    report::share(*least), report::share(*most))});
+    verdict.subject = name_of(group) + ": Δu by the formula of the thesis";
+    verdict.number = fmt::format("{} to {} of Δu", report::share(*least), report::share(*most));
+    verdict.threshold = "90 % to 110 %";
+    verdict.effect = fmt::format("Δu is {} of the model's in the median",
+                                 report::share(statistics::median(ratios)));
 }
 
 /// The thesis' limit is 1 - w, or 1 - 1.1 w + 0.1 w^3.
@@ -139,16 +174,21 @@ void add_limit(std::vector<report::Verdict>& verdicts, const StudyFit& fit,
     for (const RollingPoint* p : points_of(fit.points, group))
         if (!worst || std::abs(excess(*p)) > std::abs(excess(*worst))) worst = p;
     if (!worst || worst->amplitude_ratio == 0) return;
-    verdicts.push_back(
-        {std::abs(excess(*worst)) < 0.01 ? Standing::holds : Standing::fails,
-         fmt::format("{}: the thesis' limit f_T,lim = {} lies {} {} the model's at w = {} "
-                     "({} against {})",
-                     name_of(group), is_parallel(group.angle) ? "1 − w" : "1 − 1.1 w + 0.1 w³",
-                     report::share(std::abs(excess(*worst))),
-                     excess(*worst) < 0 ? "below" : "above",
-                     report::as_given(worst->amplitude_ratio),
-                     report::significant(theory::shakedown_limit(worst->amplitude_ratio, kappa), 3),
-                     report::significant(worst->at(quantities::limit_tangential_ratio).value, 3))});
+    report::Verdict& verdict = verdicts.emplace_back(report::Verdict{
+        std::abs(excess(*worst)) < 0.01 ? Standing::pass : Standing::fail,
+        fmt::format("{}: the thesis' limit f_T,lim = {} lies {} {} the model's at w = {} "
+                    "({} against {})",
+                    name_of(group), is_parallel(group.angle) ? "1 − w" : "1 − 1.1 w + 0.1 w³",
+                    report::share(std::abs(excess(*worst))), excess(*worst) < 0 ? "below" : "above",
+                    report::as_given(worst->amplitude_ratio),
+                    report::significant(theory::shakedown_limit(worst->amplitude_ratio, kappa), 3),
+                    report::significant(worst->at(quantities::limit_tangential_ratio).value, 3))});
+    verdict.subject = name_of(group) + ": limit of the thesis";
+    verdict.number = fmt::format("f_T,lim {} at w = {}", report::percent(1 + excess(*worst)),
+                                 report::as_given(worst->amplitude_ratio));
+    verdict.threshold = "1 %";
+    verdict.effect = excess(*worst) > 0 ? "ratcheting is taken for shakedown near the limit"
+                                        : "shakedown is taken for ratcheting near the limit";
 }
 
 }  // namespace
@@ -157,7 +197,7 @@ std::vector<report::Verdict> fit_verdicts(const StudyFit& fit) {
     std::vector<report::Verdict> verdicts;
     // What the thesis' formulas are about is elastic.
     const bool elastic = fit.caveat.empty();
-    if (!elastic) verdicts.push_back({Standing::cannot_tell, fit.caveat});
+    if (!elastic) verdicts.push_back({Standing::not_testable, fit.caveat});
     for (const MappingGroup& group : fit.mapping) {
         verdicts.push_back(constant_verdict(group));
         if (elastic) add_thesis_mapping(verdicts, group);
@@ -168,7 +208,7 @@ std::vector<report::Verdict> fit_verdicts(const StudyFit& fit) {
     }
     for (const ModelDifference& d : fit.differences)
         if (d.quantity == &quantities::settled_shift || d.quantity == &quantities::shift_increment)
-            verdicts.push_back({d.n_with_bars() == 0 ? Standing::cannot_tell : Standing::finding,
+            verdicts.push_back({d.n_with_bars() == 0 ? Standing::not_resolved : Standing::finding,
                                 difference_sentence(d)});
     return verdicts;
 }

@@ -8,6 +8,7 @@
 
 #include "comparisons/shakedown/limit.h"
 #include "report/format.h"
+#include "report/plot_style.h"
 #include "theory/rolling/oscillating_rolling.h"
 
 namespace tricontact::comparisons {
@@ -49,7 +50,7 @@ report::Verdict model_verdict(const ModelLimit& m, const char* symbol) {
                 text + fmt::format("; the coupled contact has its limit {} the uncoupled {}.",
                                    where, exact)};
     }
-    return {within ? Standing::holds : Standing::fails,
+    return {within ? Standing::pass : Standing::fail,
             text + fmt::format("; the exact limit of uncoupled contact is {}{}.", exact,
                                within ? ", within bisection and resolution" : "")};
 }
@@ -82,7 +83,7 @@ void add_thesis(const LimitStudy& study, const char* symbol,
             off += fmt::format("{}{} that of {}", off.empty() ? "" : ", ",
                                apart(*study.thesis, m.bracket.centre()),
                                report::display_name(m.model));
-    verdicts.push_back({any ? Standing::holds : Standing::fails,
+    verdicts.push_back({any ? Standing::pass : Standing::fail,
                         fmt::format("The thesis' limit {} = {:.4g}{}{}.", symbol, *study.thesis,
                                     off.empty() ? " agrees" : " lies ", off)});
 }
@@ -145,8 +146,7 @@ report::Figure shift_figure(const LimitStudy& study) {
     for (std::size_t i = 0; i < study.models.size(); ++i) {
         report::Curve& curve = figure.curves.emplace_back(
             report::Curve{.name = report::display_name(study.models[i].model),
-                          .kind = report::Curve::Kind::line_and_points,
-                          .colour = static_cast<int>(i)});
+                          .kind = report::Curve::Kind::line_and_points});
         for (const LimitRun& run : study.models[i].runs)
             if (run.state == State::shakedown) curve.add(run.value, run.final_shift_ratio);
     }
@@ -164,16 +164,17 @@ report::Figure period_figure(const LimitStudy& study) {
     if (is_fold(study))
         figure.caption +=
             " The nearer, the longer: as the distance to the power -1/2, for the contact creeps "
-            "past the place where it nearly comes to rest. A test of n periods knows the limit to "
+            "past the place where it nearly comes to rest. A test of n periods determines the "
+            "limit to "
             "the order of 1/n² only.";
-    for (std::size_t i = 0; i < study.models.size(); ++i)
+    for (const ModelLimit& m : study.models)
         for (const State state : {State::shakedown, State::ratcheting}) {
-            const ModelLimit& m = study.models[i];
+            const int style = report::model_style(m.model).value_or(0);
             report::Curve& curve = figure.curves.emplace_back(report::Curve{
                 .name =
                     fmt::format("{}, {}", report::display_name(m.model), contact::name_of(state)),
                 .kind = report::Curve::Kind::points,
-                .colour = static_cast<int>(2 * i + (state == State::shakedown ? 0 : 1))});
+                .colour = style + (state == State::shakedown ? 0 : report::n_model_colours)});
             for (const LimitRun& run : m.runs) {
                 // Nearer than the half width the distance is not known.
                 const double distance = std::abs(run.value - m.bracket.centre());
@@ -205,7 +206,7 @@ report::Document limit_document(LimitStudy study) {
         .kind = "Limit of shakedown",
         .title = study.title,
         .lead = fmt::format(
-            "Up to which {} does the contact, rolling to and fro at {} = {:.4g}, come to rest? "
+            "Up to which {} does the contact, rolling back and forth at {} = {:.4g}, come to rest? "
             "Each model is computed from the start at one value after another.",
             study.varied().symbol, study.fixed().symbol, study.given),
         .settings = {{study.fixed().symbol, fmt::format("{:.6g}", study.given)},
@@ -224,9 +225,10 @@ report::Document limit_document(LimitStudy study) {
          .heading = "How each run was judged",
          .paragraphs =
              {"A run ratchets when no point sticks throughout the last quarter of its periods and "
-              "the increments of the shift have not fallen by 1 % meanwhile; it has shaken down "
-              "when points stick throughout a period and the increments are below a hundredth of "
-              "the tolerance. What is neither when the periods are over stays undecided, and the "
+              "the increments of the shift fall so slowly that the contact would have to shift by "
+              "more than 2 U_max until it rests; it has shaken down when points stick throughout a "
+              "period and the increments are below a hundredth of the tolerance. What is neither "
+              "when the periods are over stays undecided, and the "
               "limit lies anywhere in the band of such values."},
          .figures = {period_figure(study)},
          .tables = {run_table(study)}}};

@@ -191,7 +191,7 @@ report::Document line_fit_document(const StudyFit& fit, double shift_factor) {
         .command = fit.command,
         .version = fit.version};
     if (!fit.caveat.empty())
-        document.verdicts.push_back({report::Verdict::Standing::cannot_tell, fit.caveat});
+        document.verdicts.push_back({report::Verdict::Standing::not_testable, fit.caveat});
     const ThesisFigures of(fit, "", "", 1e3);
     document.sections.push_back(
         {.id = "thesis",

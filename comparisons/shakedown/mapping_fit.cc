@@ -120,7 +120,7 @@ OneMapping one_of(const MappingGroup& group) {
     if (one.is_negligible)
         one.finding = holds;
     else if (!is_fitted || one.low > one.high)
-        one.finding = fails;
+        one.finding = violated;
     else if (one.is_known)
         one.finding = holds;
     return one;

@@ -36,7 +36,7 @@ struct MappingUse {
 /// Whether one kappa serves all points of a group. Numerical errors are bounds, not noise: what
 /// they allow is found by intersecting intervals, not by a sum of squares.
 struct OneMapping {
-    report::Verdict::Standing finding = report::Verdict::Standing::cannot_tell;
+    report::Verdict::Standing finding = report::Verdict::Standing::not_testable;
     int n_with_bars = 0;
     int n_telling = 0;  ///< of these: half width of the kappas within the bar below 10 % of kappa
     bool is_known = false;  ///< all points have bars, half of them, three at least, are telling

@@ -58,9 +58,8 @@ static void to_json(json& out, const MappingUse& use) {
 }
 
 static void to_json(json& out, const OneMapping& one) {
-    static constexpr const char* names[] = {"holds", "fails", "cannot tell"};
     const bool some = one.low <= one.high;
-    out = {{"finding", names[static_cast<int>(one.finding)]},
+    out = {{"finding", report::word_of(one.finding)},
            {"kappa_low", some ? json(one.low) : json()},
            {"kappa_high", some ? json(one.high) : json()},
            {"points_with_numerical_error", one.n_with_bars},

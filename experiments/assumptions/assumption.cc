@@ -90,8 +90,8 @@ std::vector<Substitute> substitutes(const Calculation& calculation, double wante
 
 Standing Criterion::standing() const {
     const double value = calculation.result.value, error = calculation.result.standard_error;
-    if (std::abs(value - threshold) < error) return Standing::cannot_tell;
-    return is_met_by(value) ? Standing::holds : Standing::fails;
+    if (std::abs(value - threshold) < error) return Standing::not_testable;
+    return is_met_by(value) ? Standing::holds : Standing::violated;
 }
 
 double probability_of_violation(const Criterion& criterion, int n_samples) {
@@ -127,9 +127,9 @@ Standing Assumption::standing() const {
         return std::ranges::any_of(criteria,
                                    [&](const auto& one) { return one.standing() == standing; });
     };
-    if (any(Standing::fails)) return Standing::fails;
-    const bool open = criteria.empty() || !missing.empty() || any(Standing::cannot_tell);
-    return open ? Standing::cannot_tell : Standing::holds;
+    if (any(Standing::violated)) return Standing::violated;
+    const bool open = criteria.empty() || !missing.empty() || any(Standing::not_testable);
+    return open ? Standing::not_testable : Standing::holds;
 }
 
 const Calculation* Assumption::find(std::string_view calculation) const {

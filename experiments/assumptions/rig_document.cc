@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 
 #include "experiments/assumptions/rig_report.h"
 
@@ -25,25 +24,65 @@ std::vector<std::string> remarks(const Assumption& assumption) {
     return parts;
 }
 
-/// "Assumption: the substrate is a half-space. Violated: static shift +23.1 %. ...": claim and
-/// number apart.
+/// The criterion that decides: of the worst standing the first.
+const Criterion* deciding(const Assumption& assumption) {
+    for (const auto standing : {Standing::violated, Standing::not_testable, Standing::holds})
+        for (const Criterion& one : assumption.criteria)
+            if (one.standing() == standing) return &one;
+    return nullptr;
+}
+
 Verdict verdict_on(const RigReport& report, const Assumption& assumption) {
-    std::vector<std::string> parts = remarks(assumption);
-    std::string& claim = parts.front();
-    if (std::islower(static_cast<unsigned char>(claim[1])))  // no symbol: "E_2"
-        claim.front() = static_cast<char>(std::tolower(static_cast<unsigned char>(claim.front())));
-    constexpr const char* words[] = {"Holds", "Violated", "Not testable"};
-    std::string found = words[static_cast<int>(assumption.standing())];
-    if (const std::string effects = effects_text(report, assumption.name); !effects.empty())
-        found += ": " + effects;
-    parts.insert(parts.begin() + 1, found + '.');
-    return {assumption.standing(), fmt::format("Assumption: {}", fmt::join(parts, " "))};
+    Verdict verdict{assumption.standing(),
+                    fmt::format("{}: {}", assumption.title, fmt::join(remarks(assumption), " "))};
+    verdict.subject = assumption.title;
+    if (const Criterion* one = deciding(assumption)) {
+        const Calculation& c = one->calculation;
+        verdict.number = fmt::format("{} = {}", c.symbol, text_of(c.result, c.unit));
+        verdict.threshold = threshold_text(*one);
+    }
+    if (!assumption.missing.empty())
+        verdict.number += fmt::format("{}not given: {}", verdict.number.empty() ? "" : "; ",
+                                      fmt::join(assumption.missing, ", "));
+    verdict.effect = effects_text(report, assumption.name);
+    if (verdict.effect.empty()) verdict.effect = assumption.consequence;
+    return verdict;
+}
+
+/// "Half-space, Fitted constants".
+std::string titles_of(const RigReport& report, Standing standing) {
+    std::vector<std::string> titles;
+    for (const Assumption& one : report.assumptions)
+        if (one.standing() == standing) titles.push_back(one.title);
+    return fmt::format("{}", fmt::join(titles, ", "));
+}
+
+/// How many assumptions are violated, and which; those that could not be tested.
+Verdict rig_answer(const RigReport& report) {
+    const auto n_of = [&](Standing standing) {
+        return std::ranges::count_if(report.assumptions,
+                                     [&](const auto& one) { return one.standing() == standing; });
+    };
+    const auto n_violated = n_of(Standing::violated), n_open = n_of(Standing::not_testable);
+    const auto n = std::ssize(report.assumptions);
+    std::string text = n_violated == 0 ? fmt::format("None of {} assumptions is violated.", n)
+                                       : titles_of(report, Standing::violated) + ".";
+    if (n_open > 0)
+        text += fmt::format(" Not testable with what is given: {}.",
+                            titles_of(report, Standing::not_testable));
+    return {n_violated > 0 ? Standing::violated
+            : n_open > 0   ? Standing::not_testable
+                           : Standing::holds,
+            text,
+            n_violated > 0 ? fmt::format("{} of {} assumptions violated", n_violated, n)
+            : n_open > 0   ? fmt::format("{} of {} not testable", n_open, n)
+                           : std::string("all hold")};
 }
 
 DocumentSection effects_section(const RigReport& report) {
     DocumentTable table{
         .id = "effects",
-        .title = "What taking it for granted does to what is measured",
+        .title = "What each assumption does to what is measured",
         .note = fmt::format(
             "Computed with the assumption over computed without it, minus 1; one standard error "
             "behind ±, or the most that it can be to either side. Static shifts are those at "
@@ -85,7 +124,7 @@ DocumentTable background_table(const Assumption& assumption) {
 DocumentSection section_of(const Assumption& assumption) {
     DocumentSection section{
         .id = assumption.name,
-        .heading = fmt::format("{}: {}", assumption.title, finding_of(assumption.standing())),
+        .heading = fmt::format("{}: {}", assumption.title, word_of(assumption.standing())),
         .paragraphs = remarks(assumption)};
     if (!assumption.criteria.empty()) section.tables.push_back(criteria_table(assumption));
     if (!assumption.background.empty()) section.tables.push_back(background_table(assumption));
@@ -215,13 +254,15 @@ std::string printed_sentences(const std::vector<PrintedCheck>& printed) {
 }  // namespace
 
 report::Document rig_document(const Rig& rig, const RigReport& report) {
-    report::Document document{.kind = "Assumptions of an experiment",
-                              .title = report.title,
-                              .lead =
-                                  "What the evaluation of this rig takes for granted, each with "
-                                  "the number that decides, its threshold and what follows; and "
-                                  "the published numbers beside what follows from the others.",
-                              .files = {{"all numbers (JSON)", "rig.json"}}};
+    report::Document document{
+        .kind = "Assumptions of an experiment",
+        .title = report.title,
+        .lead =
+            "What the evaluation of this rig assumes, each assumption with the "
+            "number that decides, its threshold and what follows; and the "
+            "published numbers beside what follows from the others.",
+        .files = {{"all numbers (JSON)", "rig.json"}}};
+    document.answer = rig_answer(report);
     if (!report.effects.empty()) document.sections.push_back(effects_section(report));
     for (const Assumption& assumption : report.assumptions) {
         document.verdicts.push_back(verdict_on(report, assumption));

@@ -121,8 +121,7 @@ void check_covered(const io::RigFile& file) {
                  "computes it");
     if (!c.layer.thickness)
         io::fail(document.place_of("substrate.thickness"), "", "missing key substrate.thickness",
-                 "add thickness = \"8 mm\" or the like: a rig is held against the layer that it "
-                 "has");
+                 "add thickness = \"8 mm\" or the like: rig needs substrate.thickness");
     if (c.layer.base != Case::Base::bonded || !c.layer.lower.empty())
         io::fail(document.place_of("substrate.base"), "",
                  "the formulas of rigs are those of one layer bonded to a rigid base",

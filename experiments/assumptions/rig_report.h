@@ -17,8 +17,6 @@ std::string arithmetic(const Calculation& calculation);
 /// "at most 0.05"
 std::string threshold_text(const Criterion& criterion);
 
-const char* word_of(Standing standing);     ///< of a criterion: "fails"
-const char* finding_of(Standing standing);  ///< of an assumption: "assumption violated"
 const char* word_of(PrintedCheck::Agreement agreement);  ///< "within its error"
 /// What the print would follow from: "E_2 = 5.01 MPa instead of 5.2 MPa; ..."; empty if it agrees.
 std::string substitutes_text(const PrintedCheck& check);

@@ -63,16 +63,6 @@ std::string threshold_text(const Criterion& criterion) {
     return fmt::format("{} {}", relation, report::as_given(criterion.threshold));
 }
 
-const char* word_of(Standing standing) {
-    constexpr const char* words[] = {"holds", "fails", "cannot tell"};
-    return words[static_cast<int>(standing)];
-}
-
-const char* finding_of(Standing standing) {
-    constexpr const char* findings[] = {"holds", "assumption violated", "not testable"};
-    return findings[static_cast<int>(standing)];
-}
-
 const char* word_of(PrintedCheck::Agreement agreement) {
     constexpr const char* words[] = {"agrees", "within its error", "differs", "not computed"};
     return words[static_cast<int>(agreement)];

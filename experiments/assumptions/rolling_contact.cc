@@ -86,7 +86,7 @@ std::string measured_sentence(const Rig& rig) {
             quantity(size, "m", 3), quantity(layer, "m", 3), quantity(hertz, "m", 3));
     const bool fits_hertz = std::abs(size - hertz) <= error;
     const bool fits_layer = std::abs(size - layer) <= error;
-    const char* verdict = fits_hertz && fits_layer ? "cannot tell the two apart"
+    const char* verdict = fits_hertz && fits_layer ? "does not distinguish the two"
                           : fits_layer             ? "fits the layer, not Hertz"
                           : fits_hertz             ? "fits Hertz, not the layer"
                                                    : "fits neither";

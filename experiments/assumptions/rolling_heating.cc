@@ -36,7 +36,7 @@ Assumption no_heating(const Rig& rig) {
         return a;
     a.consequence = fmt::format("The contact's centre is heated by at most {} K.{}",
                                 significant(a.background.front().result.value, 2),
-                                a.standing() == Standing::fails
+                                a.standing() == Standing::violated
                                     ? " The bound takes all heat into the substrate, and slip at "
                                       "the creepage of full sliding: "
                                       "the rise may be smaller."

@@ -199,8 +199,8 @@ Assumption fitted_constants(const Rig& rig) {
     a.criteria = {{error, Criterion::Relation::at_most, accepted_difference, accepted_reason}};
     a.background = {modulus};
     a.consequence = fmt::format(
-        "From static shifts the half-space finds {} where the layer has {}: {} too {}. mu is not "
-        "touched as far as the shift's curve keeps its shape over F_T/(mu F_N).",
+        "A half-space evaluation of static shifts would give {} for a layer of {}: {} too {}. The "
+        "fitted mu stays right as long as the shift's curve over F_T/(mu F_N) keeps its shape.",
         quantity(rig["E_2"].value, "Pa", 3), quantity(modulus.result.value, "Pa", 3),
         percent_text(std::abs(error.result.value), 2), error.result.value > 0 ? "high" : "low");
     return a;

@@ -35,7 +35,7 @@ theory::LineContact layer_line_of(const Values& x);
 /// the compliance, a fifth of what counts as a difference here.
 bool roller_is_rigid(const Rig& rig);
 inline constexpr const char* theory_of_elastic_roller =
-    "a theory of the layer under a roller that is not rigid beside it";
+    "not computed: no theory here for an elastic indenter on a layer";
 inline constexpr const char* exact_layer = "exact contact with a bonded layer";
 
 /// Relative differences up to here count as none: the scatter of repeated runs of such rigs.

@@ -76,7 +76,7 @@ Assumption smooth_surfaces(const Rig& rig) {
     a.consequence =
         fmt::format("Heights of {} r.m.s. are {} of a^2/R, the depth of Hertz' contact.{}",
                     quantity(rig["h_rms"].value, "m", 3), percent_text(a.deciding_value(), 2),
-                    a.standing() == Standing::fails
+                    a.standing() == Standing::violated
                         ? " The contact is wider, and its pressure lower, than without them."
                         : "");
     return a;
@@ -93,7 +93,7 @@ Assumption unsaturated_contact(const Rig& rig) {
     a.consequence = fmt::format(
         "At the centre {} of the surface touches.{}",
         percent_text(a.background.front().result.value, 2),
-        a.standing() == Standing::fails
+        a.standing() == Standing::violated
             ? fmt::format(" If friction is that of the real area, mu is {} lower there than at "
                           "small pressures.",
                           percent_text(a.deciding_value(), 2))

@@ -30,7 +30,7 @@ Assumption no_wear(const Rig& rig) {
     a.consequence = fmt::format(
         "In {} periods at most {} of the indentation is worn off.{}",
         significant(rig["n"].value, 3), percent_text(a.deciding_value(), 2),
-        a.standing() == Standing::fails
+        a.standing() == Standing::violated
             ? " The bound takes slip at the creepage of full sliding under Hertz' largest "
               "pressure: what sticks wears less."
             : "");

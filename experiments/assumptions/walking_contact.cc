@@ -172,7 +172,7 @@ Assumption known_stiffness(const Rig& rig) {
     Assumption a{
         .name = "known_stiffness",
         .title = "Contact stiffness",
-        .claim = "The contact stiffness is known well enough to tell kappa_1 and kappa_4",
+        .claim = "The contact stiffness is known well enough to determine kappa_1 and kappa_4",
         .criteria = {{relative_error(stiffness), Criterion::Relation::at_most,
                       largest_relative_error, "kappa_1, kappa_4 and kappa_6 inherit it"}},
         .background = known(rig, {&characteristic_time, &stiffness_of_time, &stiffness_of_means})};

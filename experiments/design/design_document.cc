@@ -190,7 +190,7 @@ report::Document design_document(const DesignStudy& study) {
         .files = {{"all numbers (JSON)", "design.json"}}};
     const auto sentences = design_sentences(study);
     document.verdicts.push_back(
-        {is_feasible ? report::Verdict::Standing::holds : report::Verdict::Standing::fails,
+        {is_feasible ? report::Verdict::Standing::pass : report::Verdict::Standing::fail,
          sentences.front(), is_feasible ? "feasible" : "not feasible"});
     for (std::size_t i = 1; i < sentences.size(); ++i)
         document.verdicts.push_back({.sentence = sentences[i]});

@@ -86,7 +86,7 @@ std::vector<Requirement> requirements_of(const DesignInput& input, const RigRepo
                        "name each once");
         if (!(one->limit > 0))
             io::refuse(input.rig.document, "design.assumptions",
-                       one->name + " has the limit 0, over which no margin can be told", "omit it");
+                       one->name + " has the limit 0, over which no margin is defined", "omit it");
     }
     return all;
 }

@@ -19,7 +19,7 @@ constexpr int map_points = 9;
 constexpr double same = 1.01;       // times the worst ratio: binds as well
 constexpr double outside = 0.02;    // of a range, beyond a bound that may be in the way
 constexpr double at_bound = 1e-3;   // of a range
-constexpr double unknown_log = 50;  // in the place of the logarithm of an infinite ratio
+constexpr double unknown_log = 50;  // instead of the logarithm of an infinite ratio
 
 using Ratios = DesignRatios;
 

@@ -148,7 +148,8 @@ statistics::BoundedFit BestSumOfSquares::best() {
         if (change < error_tolerance) return best;
     }
     throw contact::NotConverged(
-        "identification: the errors of the tables cannot be told from their residuals; state them");
+        "identification: the errors of the tables cannot be estimated from their residuals; state "
+        "them");
 }
 
 statistics::BoundedFit BestSumOfSquares::profile(std::size_t k, double coordinate,
@@ -200,7 +201,7 @@ double BestSumOfSquares::estimate_errors(const std::vector<double>& x) {
             if (left[t] < least_rows_left)
                 throw contact::NotConverged(
                     "identification: the table " + table.name +
-                    " tells parameters but not its own errors; state them in its last column");
+                    " determines parameters but not its own errors; state them in its last column");
             double sum = 0;
             for (std::size_t i = row; i < end; ++i) sum += std::pow(residual[i] * errors_[i], 2);
             const double error =

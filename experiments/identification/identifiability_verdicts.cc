@@ -41,7 +41,7 @@ std::optional<Verdict> not_identifiable(const IdentifiedModel& model, std::size_
     const bool is_open_below = low <= p.low, is_open_above = high >= p.high;
     if (is_open_below && is_open_above)
         return Verdict{
-            cannot_tell,
+            not_resolved,
             fmt::format("{}: {} is not identifiable: no value from {} to {} is "
                         "excluded{}. {}",
                         model.name, p.symbol, p.shown(p.low), p.shown(p.high),
@@ -49,9 +49,10 @@ std::optional<Verdict> not_identifiable(const IdentifiedModel& model, std::size_
                         remedy_for(p))};
     // Other scales end at values that a parameter may have.
     if (!is_logarithmic || !(is_open_below || is_open_above)) return {};
-    return Verdict{cannot_tell, fmt::format("{}: {} is identifiable from one side only, {} {}. {}",
-                                            model.name, p.symbol, is_open_below ? "below" : "above",
-                                            p.shown(is_open_below ? high : low), remedy_for(p))};
+    return Verdict{not_resolved,
+                   fmt::format("{}: {} is identifiable from one side only, {} {}. {}", model.name,
+                               p.symbol, is_open_below ? "below" : "above",
+                               p.shown(is_open_below ? high : low), remedy_for(p))};
 }
 
 }  // namespace
@@ -60,16 +61,16 @@ std::vector<Verdict> identifiability_verdicts(const IdentifiedModel& model) {
     std::vector<Verdict> verdicts;
     std::vector<bool> is_named(model.found.free.size(), false);
     for (const ToldCombination& one : told_combinations(model.found)) {
-        verdicts.push_back({cannot_tell, model.name + ": " + sentence(one, model.found)});
+        verdicts.push_back({not_resolved, model.name + ": " + sentence(one, model.found)});
         for (const std::size_t k : one.parameters) is_named[k] = true;
     }
     for (std::size_t k = 0; k < model.found.free.size(); ++k) {
         if (model.found.free[k].key == "friction.coefficient") {
             if (std::isinf(model.found.parameters[k].likelihood.high))
                 verdicts.push_back(
-                    {cannot_tell, model.name +
-                                      " cannot tell mu: all larger ones are as likely. Measure at "
-                                      "larger forces, closer to sliding."});
+                    {not_resolved, model.name +
+                                       " cannot tell mu: all larger ones are as likely. Measure at "
+                                       "larger forces, closer to sliding."});
         } else if (!is_named[k]) {
             if (auto verdict = not_identifiable(model, k)) verdicts.push_back(std::move(*verdict));
         }

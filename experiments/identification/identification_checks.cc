@@ -31,15 +31,16 @@ void check_rolling(const Input& input, const std::vector<std::string>& find, con
     const auto is_free = [&](std::string_view key) { return std::ranges::count(find, key) > 0; };
     const bool has_table = input.find(Measurement::rolling_shift);
     if (has_table != is_free(pivot_key))
-        has_table ? refuse("rolling_shift tells the pivot's height",
-                           "add rig.pivot_height, or leave out rolling_shift")
-                  : refuse("nothing tells rig.pivot_height", "add rolling_shift, or leave it out");
+        has_table
+            ? refuse("rolling_shift determines the pivot's height",
+                     "add rig.pivot_height, or leave out rolling_shift")
+            : refuse("nothing determines rig.pivot_height", "add rolling_shift, or leave it out");
     if (!has_table) return;
     const auto is_told = [](std::string_view key) {
         return key == pivot_key || key == "indenter.radius";
     };
     if (input.tables.size() == 1 && !std::ranges::all_of(find, is_told))
-        refuse("rolling_shift alone tells the pivot's height, and nothing of the substrate",
+        refuse("rolling_shift alone determines the pivot's height, and nothing of the substrate",
                "add static_shift or another table, or find rig.pivot_height alone");
 }
 
@@ -66,7 +67,7 @@ void check_models(const Input& input, const io::Document& document) {
         if ((model == "bem-layer" || model == "atlas") && !is_sheared(input))
             io::refuse(
                 document, "measurement.models",
-                "without tangential force " + model + " approximates what layer knows exactly",
+                "without tangential force " + model + " approximates what layer computes exactly",
                 "write \"layer\" instead");
         if (model == "atlas" && input.find(Measurement::rolling_shift))
             io::refuse(document, "measurement.models",
@@ -118,7 +119,7 @@ void check_find(const Input& input, const std::vector<std::string>& find,
         io::refuse(document, "measurement.find", rule, remedy);
     };
     if (is_free("friction.coefficient") && !input.find(Measurement::static_shift))
-        refuse("without tangential force nothing tells the coefficient of friction",
+        refuse("without tangential force nothing determines the coefficient of friction",
                "leave out friction.coefficient");
     check_rolling(input, find, refuse);
     if (is_free(zero_depth_key) && !input.find(Measurement::force_indentation))
@@ -130,7 +131,7 @@ void check_find(const Input& input, const std::vector<std::string>& find,
     const bool is_timed = std::ranges::any_of(input.tables, &Table::is_history);
     for (const char* key : {"substrate.relaxation.relative_moduli", "substrate.relaxation.times"})
         if (is_free(key) && !is_timed)
-            refuse(std::string("no history tells ") + key,
+            refuse(std::string("no history determines ") + key,
                    "add force_relaxation or indentation_creep, or leave it out");
     if (is_timed && !document.find_section("substrate.relaxation"))
         refuse("the tables hold a history, but the case has no [substrate.relaxation]",

@@ -58,7 +58,7 @@ report::DocumentTable goodness_table(const IdentificationStudy& study) {
             "chi^2: residuals over their standard errors, squared; p: how often noise alone "
             "exceeds it. Errors that a table does not state are estimated from its residuals "
             "(root mean square over the degrees of freedom, observations less the share of the "
-            "parameters that the table tells), and only a pattern of these shows that a model "
+            "parameters that the table determines), and only a pattern of these shows that a model "
             "does not fit it. Correlation: of neighbouring residuals, and how often independent "
             "errors leave as much.",
         .columns =
@@ -121,7 +121,7 @@ report::Document identification_document(const IdentificationStudy& study) {
     report::Document document{.kind = "Identification",
                               .title = study.title,
                               .lead =
-                                  "Which values of the rig do the measured ones have? Every "
+                                  "Which values explain the measurements? Every "
                                   "model is fitted by least squares on its own.",
                               .verdicts = identification_verdicts(study),
                               .settings = study.settings,
@@ -129,6 +129,9 @@ report::Document identification_document(const IdentificationStudy& study) {
     if (study.models.size() > 1)
         document.lead +=
             " The differences between their answers are what the simpler one leaves out.";
+    document.answer = document.verdicts.front();  // the values of the most complete model
+    document.answer->word = "identified";
+    document.verdicts.erase(document.verdicts.begin());
     report::DocumentSection fit{.id = "fit_section",
                                 .heading = "Fit",
                                 .figures = fit_figures(study),

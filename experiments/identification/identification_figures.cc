@@ -166,7 +166,7 @@ report::Figure profile_figure(const IdentificationStudy& study, const FreeParame
         .caption = fmt::format(
             "Sum of squares with this value held and what else is free at its best: 0 at the best, "
             "1 at the edges of the {:g} % interval of the likelihood. A parabola where the "
-            "linearised interval would do; a curve that stays below 1 tells no bound.",
+            "linearised interval would do; a curve that stays below 1 has no bound.",
             100 * study.models.front().found.confidence),
         .x = {axis_label(p, scale)},
         .y = {"excess of the sum of squares"}};

@@ -86,6 +86,8 @@ bool overlap(const IdentifiedModel& a, const IdentifiedModel& b, const std::stri
 std::optional<report::Verdict> model_to_use(const IdentificationStudy& study);
 /// Chance exceeds the sum of squares so rarely that the model is to blame.
 bool is_rejected(const IdentifiedModel& model);
+/// The threshold of that: "p at least 0.05".
+std::string rejection_text();
 
 /// Sum of squares over the tables whose errors are stated, and its degrees of freedom.
 struct ChiSquared {

@@ -73,19 +73,28 @@ std::optional<Verdict> bias(const IdentificationStudy& study) {
         reference.name, report::quantity(of_layer, "Pa", 3));
     if (overlap(*half_space, reference, young_key))
         return Verdict{
-            cannot_tell,
-            sentence +
-                "their intervals overlap, the measurement does not tell how far they are apart."};
+            not_resolved,
+            sentence + "their intervals overlap; the measurement does not resolve the difference."};
+    std::string effect = "E " + off(ratio);
     sentence += off(ratio);
     if (study.thickness_ratio)
         sentence += fmt::format("; the layer is {} contact widths thick",
                                 report::significant(*study.thickness_ratio, 2));
     const auto mu = half_space->found.find(friction_key),
                other = reference.found.find(friction_key);
-    if (mu && other && !overlap(*half_space, reference, friction_key))
-        sentence += "; its mu is " + off(half_space->found.parameters[*mu].value /
-                                         reference.found.parameters[*other].value);
-    return Verdict{fails, sentence + "."};
+    if (mu && other && !overlap(*half_space, reference, friction_key)) {
+        const std::string of_mu =
+            off(half_space->found.parameters[*mu].value / reference.found.parameters[*other].value);
+        sentence += "; its mu is " + of_mu;
+        effect += ", mu " + of_mu;
+    }
+    return Verdict{.standing = violated,
+                   .sentence = sentence + ".",
+                   .subject = "half-space",
+                   .number = fmt::format("E = {}, {} {}", report::quantity(of_half_space, "Pa", 3),
+                                         reference.name, report::quantity(of_layer, "Pa", 3)),
+                   .threshold = "their intervals",
+                   .effect = effect};
 }
 
 /// What linear elasticity of the layer makes of E, beside fem at finite strains.
@@ -108,19 +117,25 @@ std::optional<Verdict> bias_of_small_strains(const IdentificationStudy& study) {
                     report::quantity(small, "Pa", 3), report::quantity(finite, "Pa", 3));
     if (overlap(*linear, *fem, young_key))
         return Verdict{holds, sentence + "no more apart than these data resolve."};
-    return Verdict{fails, sentence + off(small / finite) + '.'};
+    return Verdict{violated, sentence + off(small / finite) + '.'};
 }
 
 /// Of the tables whose errors are known.
 Verdict explains(const IdentifiedModel& model) {
     const auto [squares, degrees] = chi_squared(model);
     const bool good = !is_rejected(model);
-    return {good ? holds : fails,
-            fmt::format("{} {} the measurement: chi^2 = {} with {:.4g} degrees of freedom, {} by "
-                        "chance.",
-                        model.name, good ? "explains" : "does not explain",
-                        report::significant(squares, 3), degrees,
-                        report::p_value(*model.found.goodness))};
+    return {.standing = good ? pass : fail,
+            .sentence = fmt::format(
+                "{} {} the measurement: chi^2 = {} with {:.4g} degrees of freedom, {} by "
+                "chance.",
+                model.name, good ? "explains" : "does not explain", report::significant(squares, 3),
+                degrees, report::p_value(*model.found.goodness)),
+            .subject = model.name + " explains the measurement",
+            .number = fmt::format("χ² = {}, {:.4g} degrees of freedom, {}",
+                                  report::significant(squares, 3), degrees,
+                                  report::p_value(*model.found.goodness)),
+            .threshold = rejection_text(),
+            .effect = good ? "" : "its values do not count"};
 }
 
 /// A fit that looks good is no proof of the half-space.
@@ -129,10 +144,10 @@ std::optional<Verdict> fit_tells_nothing(const IdentificationStudy& study) {
         return m.found.goodness && !is_rejected(m) && !m.found.has_pattern();
     };
     const auto biased = bias(study);
-    if (study.models.size() < 2 || !biased || biased->standing != fails ||
+    if (study.models.size() < 2 || !biased || biased->standing != violated ||
         !std::ranges::all_of(study.models, good))
         return {};
-    return Verdict{cannot_tell,
+    return Verdict{not_resolved,
                    "The measurement alone does not show which model is right: all of them pass "
                    "through it. The thickness of the layer decides."};
 }

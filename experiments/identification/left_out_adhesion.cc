@@ -69,7 +69,7 @@ std::optional<Verdict> left_out_adhesion(const IdentificationStudy& study) {
         sentence += fmt::format(", from which radii alone give E {} % too low",
                                 report::significant(100 * (1 - std::pow(wider, -3)), 2));
     return Verdict{
-        wider - 1 > negligible_widening ? Verdict::Standing::fails : Verdict::Standing::holds,
+        wider - 1 > negligible_widening ? Verdict::Standing::violated : Verdict::Standing::holds,
         sentence + "."};
 }
 

@@ -112,15 +112,19 @@ ChiSquared chi_squared(const IdentifiedModel& model) {
     return result;
 }
 
+std::string rejection_text() {
+    return "p at least " + report::significant(least_goodness, 2);
+}
+
 std::optional<Verdict> model_to_use(const IdentificationStudy& study) {
     if (study.models.size() < 2) return {};
     const IdentifiedModel& reference = reference_model(study);
     if (is_rejected(reference))
-        return Verdict{fails, fmt::format("None of the values is to be used before the reason is "
-                                          "known: chi^2 rejects {}, the most complete model.",
-                                          reference.name)};
+        return Verdict{fail, fmt::format("None of the values is to be used before the reason is "
+                                         "known: chi^2 rejects {}, the most complete model.",
+                                         reference.name)};
     if (is_misfit(reference))
-        return Verdict{fails,
+        return Verdict{fail,
                        "None of the values is to be used before the reason is known: the "
                        "residuals of " +
                            reference.name + ", the most complete model, show a pattern."};

@@ -73,7 +73,7 @@ Verdict outlying_verdict(const IdentificationStudy& study, const IdentifiedModel
                               report::significant(std::abs(one.deviation), 2),
                               one.deviation > 0 ? "above" : "below", report::p_value(one.chance));
     const bool is_one = rows.size() == 1;
-    return {fails,
+    return {fail,
             fmt::format("{}: {} an outlier: {}. Without {}: {}. Check {} before the values "
                         "are used.",
                         model.name, is_one ? "one row is" : "each of these rows is", places,
@@ -91,7 +91,7 @@ std::vector<Verdict> residual_verdicts(const IdentificationStudy& study,
         const TableResiduals& one = model.found.residuals[t];
         if (one.has_pattern)
             verdicts.push_back(
-                {one.has_strong_one ? fails : cannot_tell,
+                {one.has_strong_one ? fail : not_resolved,
                  pattern_sentence(model, one,
                                   std::string(name_of(study.input.tables[t].measurement)))});
     }
@@ -107,7 +107,7 @@ std::optional<Verdict> untested_independence(const IdentifiedModel& model) {
     for (const TableResiduals& one : found.residuals)
         if (one.correlation) largest = std::max(largest, one.correlation->not_excluded);
     return Verdict{
-        cannot_tell,
+        not_resolved,
         fmt::format("Errors of different rows are assumed to be independent. The residuals of {} "
                     "do not exclude a correlation of up to {} between neighbouring rows, which "
                     "would make its intervals up to {} times as wide.",

@@ -87,7 +87,8 @@ std::string sentence(const ToldCombination& combination, const Identification& f
             fmt::format("{}{}: {}", i == 0 ? "" : ", ", symbol, told_to(error_alone(found, k)));
     }
     return fmt::format(
-        "{} are told only in the combination {}{} (standard error {} %), not each alone ({}).",
+        "{} are identifiable only in the combination {}{} (standard error {} %), not each alone "
+        "({}).",
         names, product, where, report::significant(100 * combination.standard_error, 2), alone);
 }
 

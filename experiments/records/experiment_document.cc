@@ -232,9 +232,9 @@ report::DocumentSection criteria_section(const ExperimentEvaluation& e) {
         .id = "criteria",
         .heading = "Shakedown or ratcheting",
         .paragraphs = {fmt::format(
-                           "Verdict: u_n = u_0 + A (1 - qⁿ) + Du n is fitted to the values "
+                           "Verdict: U_n = U_0 + A (1 - qⁿ) + ΔU n is fitted to the values "
                            "upright; shakedown if the upper end of the {:.4g} % interval of the "
-                           "walk Du adds less than {:.4g} % of the shift over the interval, else "
+                           "walk ΔU adds less than {:.4g} % of the shift over the interval, else "
                            "ratcheting if its lower end is positive, else it is undecided.",
                            100 * verdict_confidence, 100 * negligible_walk),
                        "The thesis takes the sign of a parabola's curvature. Steady ratcheting has "
@@ -250,9 +250,10 @@ report::Document experiment_document(const ExperimentEvaluation& e) {
     report::Document document{
         .kind = "Evaluated experiment",
         .title = e.title.empty() ? "Experiment" : e.title,
-        .lead = limit ? "At which rolling amplitude does the contact begin to walk, and where was "
-                        "it then?"
-                      : "Did the contact settle or walk, how far, and what do the models say?",
+        .lead = limit
+                    ? "At which rolling amplitude does the contact begin to ratchet, and where was "
+                      "it then?"
+                    : "Did the contact settle or ratchet, how far, and what do the models say?",
         .verdicts = experiment_verdicts(e),
         .settings = {{"runs", std::to_string(e.runs.size())},
                      {"periods", std::to_string(e.periods)},

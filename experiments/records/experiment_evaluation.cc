@@ -285,11 +285,11 @@ void add_prediction(ExperimentEvaluation& e, ModelPrediction prediction) {
         d.creep = n_drifted * e.creep_per_period();
         e.deviations.push_back(std::move(d));
     };
-    add("u_stat", e.static_shift, 0, [](const std::vector<double>& u) { return u.front(); });
+    add("U_stat", e.static_shift, 0, [](const std::vector<double>& u) { return u.front(); });
     if (e.kind == Experiment::Kind::shakedown)
-        add("u_sd", e.final_shift, n, [](const std::vector<double>& u) { return u.back(); });
+        add("U_sd", e.final_shift, n, [](const std::vector<double>& u) { return u.back(); });
     else
-        add("Du", e.increment, 1,
+        add("ΔU", e.increment, 1,
             [&](const std::vector<double>& u) { return late_increment(u, e.confidence).value; });
     e.series.push_back(series_deviation(e, prediction));
     e.predictions.push_back(std::move(prediction));

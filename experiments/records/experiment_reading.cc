@@ -56,13 +56,14 @@ Verdict state_verdict(const ExperimentEvaluation& e) {
     const std::size_t n = e.runs.size();
     const bool expected = (e.kind == Experiment::Kind::shakedown) == (e.state == State::shakedown);
     if (e.state == State::undecided)
-        return {cannot_tell, fmt::format("Cannot tell shakedown from ratcheting after {} periods: "
-                                         "{}; of {}, {} settle and {} ratchet.",
-                                         e.periods, walk(e), runs(e), count(e, State::shakedown),
-                                         count(e, State::ratcheting))};
+        return {not_resolved,
+                fmt::format("Shakedown and ratcheting are not resolved after {} periods: "
+                            "{}; of {}, {} settle and {} ratchet.",
+                            e.periods, walk(e), runs(e), count(e, State::shakedown),
+                            count(e, State::ratcheting))};
     const std::string state = e.state == State::shakedown ? "Shakedown" : "Ratcheting";
     const std::string where = n == 1 ? "" : fmt::format(" in {} of {} runs", count(e, e.state), n);
-    return {expected ? holds : fails, state + where + ": " + walk(e) + "."};
+    return {expected ? pass : fail, state + where + ": " + walk(e) + "."};
 }
 
 Verdict curvature_verdict(const ExperimentEvaluation& e) {
@@ -83,12 +84,12 @@ Verdict curvature_verdict(const ExperimentEvaluation& e) {
 Verdict values_verdict(const ExperimentEvaluation& e) {
     const std::string scatter =
         e.runs.size() > 1 ? "by the scatter of " + runs(e) : "of one run, by noise and drift";
-    std::string sentence = fmt::format("u_stat = {}, ", shift(e.static_shift));
+    std::string sentence = fmt::format("U_stat = {}, ", shift(e.static_shift));
     if (e.kind == Experiment::Kind::ratcheting)
-        sentence += fmt::format("Du = {} per period ({}, {}).", shift(e.increment),
+        sentence += fmt::format("ΔU = {} per period ({}, {}).", shift(e.increment),
                                 level(e.confidence), scatter);
     else
-        sentence += fmt::format("u_sd = {} after {} periods ({}, {}); extrapolated {}.",
+        sentence += fmt::format("U_sd = {} after {} periods ({}, {}); extrapolated {}.",
                                 shift(e.final_shift), e.periods, level(e.confidence), scatter,
                                 shift(e.settled_shift));
     return {finding, sentence};
@@ -96,7 +97,7 @@ Verdict values_verdict(const ExperimentEvaluation& e) {
 
 Verdict limit_verdict(const ExperimentEvaluation& e) {
     if (!e.limit_amplitude)
-        return {cannot_tell,
+        return {not_resolved,
                 "No run has an amplitude that shakes down and a larger one that ratchets: the "
                 "limit is not in the record."};
     const Estimate& w = e.limit_amplitude->at_confidence;
@@ -117,17 +118,17 @@ Verdict limit_verdict(const ExperimentEvaluation& e) {
 template <class D>
 std::string why_not_compared(const D& d, double creep) {
     if (!d.has_errors)
-        return "the case states no uncertainty of its numbers: whether they differ cannot be told";
+        return "the case states no uncertainty of its numbers: whether they differ is not resolved";
     if (d.rest_is_missing)
-        return "how long F_T acted before the rolling is not known: whether they differ cannot be "
-               "told";
+        return "how long F_T acted before the rolling is not known: whether they differ is not "
+               "resolved";
     return fmt::format(
         "{}; but not if the drift that was subtracted, {} µm, is creep of the substrate",
         statement(d.error, "m"), report::significant(um * creep, 2));
 }
 
 Verdict::Standing standing_of(std::optional<bool> differs) {
-    return !differs ? cannot_tell : *differs ? fails : holds;
+    return !differs ? not_resolved : *differs ? fail : pass;
 }
 
 Verdict deviation_verdict(const Deviation& d) {
@@ -152,7 +153,7 @@ Verdict series_verdict(const SeriesDeviation& d) {
 Verdict rest_verdict(const ExperimentEvaluation& e) {
     const std::string rest = report::given_quantity(*e.rolled_as.hold, "s");
     if (!e.rolled_as.hold_is_known)
-        return {cannot_tell,
+        return {not_resolved,
                 fmt::format("The substrate relaxes, and the record does not say when F_T was "
                             "applied: the models rest under it for the {} that are recorded, the "
                             "rig rested longer. Give record.loading, or load.hold in the case.",
@@ -208,13 +209,13 @@ Verdict model_limit_verdict(const ExperimentEvaluation& e, const PredictedLimit&
                                     report::significant(mm * high, 4));
     if (low == 0) range = fmt::format("below {} mm", report::significant(mm * high, 4));
     if (!std::isfinite(high)) range = fmt::format("above {} mm", report::significant(mm * low, 4));
-    if (low == 0 && !std::isfinite(high)) range = "not to be told at these amplitudes";
+    if (low == 0 && !std::isfinite(high)) range = "not resolved by these amplitudes";
     Verdict v{finding, fmt::format("{}: W_lim {}", report::display_name(limit.model), range)};
     if (e.limit_amplitude) {
         const Estimate& w = e.limit_amplitude->at_confidence;
         // Stages of runs agree to 1 %, so that neighbouring intervals only touch.
         const bool overlap = low < 0.99 * w.high && high > 1.01 * w.low;
-        v.standing = overlap ? holds : fails;
+        v.standing = overlap ? pass : fail;
         v.sentence += overlap ? ", as measured" : ", which the measurement excludes";
     }
     v.sentence += ".";
@@ -224,7 +225,7 @@ Verdict model_limit_verdict(const ExperimentEvaluation& e, const PredictedLimit&
 Verdict drift_verdict(const ExperimentEvaluation& e) {
     const auto changes =
         std::ranges::count_if(e.runs, [](const RunEvaluation& run) { return run.drift_changes; });
-    return {cannot_tell,
+    return {not_resolved,
             fmt::format("The drift before and after the rolling differs in {} of {} by more than "
                         "three standard errors: it is not linear, {}the substrate still creeps; "
                         "the errors are widened by the difference.",
@@ -257,7 +258,7 @@ std::string level(double confidence) {
 }
 
 std::string word(contact::State state) {
-    return state == contact::State::undecided ? "cannot tell" : contact::name_of(state);
+    return contact::name_of(state);
 }
 
 std::vector<Verdict> experiment_verdicts(const ExperimentEvaluation& e) {

@@ -20,7 +20,7 @@ std::string experiment_json(const std::string& version, const ExperimentEvaluati
 /// command, version and files are left to the caller.
 report::Document experiment_document(const ExperimentEvaluation& e);
 
-/// "shakedown", or "cannot tell".
+/// "shakedown", or "undecided".
 std::string word(contact::State state);
 
 /// "68.3 %" of the level of an interval.

@@ -199,7 +199,7 @@ void check_stages(const Record& record, const Experiment& experiment,
                 record,
                 fmt::format("there are {} periods from {:.4g} s on, fewer than {}", stage.periods(),
                             stage.upright.front(), fewest_periods),
-                "record more periods: a transient and a walk are not told apart by fewer");
+                "record more periods: fewer do not distinguish a transient from ratcheting");
 }
 
 }  // namespace

@@ -29,7 +29,9 @@ std::string numbers_with_errors(const ExperimentEvaluation& e) {
 }
 
 const char* agrees(std::optional<bool> differs) {
-    return !differs ? "cannot tell" : *differs ? "no" : "yes";
+    return report::word_of(!differs   ? report::Verdict::Standing::not_resolved
+                           : *differs ? report::Verdict::Standing::fail
+                                      : report::Verdict::Standing::pass);
 }
 
 report::DocumentTable values_table(const ExperimentEvaluation& e) {
@@ -37,19 +39,19 @@ report::DocumentTable values_table(const ExperimentEvaluation& e) {
         .id = "values",
         .title = "Values",
         .note =
-            "Half widths of the intervals behind ±. u_stat: before rolling. u_sd: upright after "
+            "Half widths of the intervals behind ±. U_stat: before rolling. U_sd: upright after "
             "the last period. u_inf: where the transient of the second half of the periods leads. "
-            "Du: slope over the second half of the periods.",
+            "ΔU: slope over the second half of the periods.",
         .columns =
             report::columns("quantity", level(e.confidence) + " [µm]", "95 % [µm]", "runs:1")};
     const auto add = [&](const char* name, const Repeated& r) {
         table.rows.push_back({name, with_half_width(r.at_confidence, um),
                               with_half_width(r.at_95, um), double(r.runs)});
     };
-    add("u_stat", e.static_shift);
-    add("u_sd", e.final_shift);
+    add("U_stat", e.static_shift);
+    add("U_sd", e.final_shift);
     add("u_inf", e.settled_shift);
-    add("Du", e.increment);
+    add("ΔU", e.increment);
     return table;
 }
 
@@ -81,9 +83,9 @@ report::DocumentTable normalised_table(const ExperimentEvaluation& e) {
         add("w = W/a", n.amplitude_ratio);
     }
     add("U_max [µm]", n.unit_shift, um);
-    add("u_stat/U_max", n.static_ratio);
-    if (!limit || e.limit_shift) add(limit ? "U_lim/U_max" : "u_sd/U_max", n.final_ratio);
-    if (!limit) add("Du/U_max", n.increment_ratio);
+    add("U_stat/U_max", n.static_ratio);
+    if (!limit || e.limit_shift) add(limit ? "U_lim/U_max" : "U_sd/U_max", n.final_ratio);
+    if (!limit) add("ΔU/U_max", n.increment_ratio);
     return table;
 }
 
@@ -98,7 +100,7 @@ report::DocumentTable deviations_table(const ExperimentEvaluation& e) {
             ") and the mesh. Resolution: the least deviation of the computed value that would "
             "have been called a disagreement in 95 of 100 such comparisons.",
         .columns = report::columns("model", "quantity", "measured [µm]", "computed [µm]",
-                                   "difference [µm]", "resolution [%]:2", "agrees")};
+                                   "difference [µm]", "resolution [%]:2", "verdict")};
     for (const Deviation& d : e.deviations)
         table.rows.push_back({report::display_name(d.model), d.quantity, um * d.error.measured,
                               um * d.error.computed,
@@ -122,7 +124,7 @@ report::DocumentTable series_table(const ExperimentEvaluation& e) {
             "least relative deviation, the same in all periods, that would have been called a "
             "disagreement in 95 of 100 such comparisons.",
         .columns = report::columns("model", "furthest at n", "difference [µm]", "widening:3",
-                                   "resolution [%]:2", "agrees")};
+                                   "resolution [%]:2", "verdict")};
     for (const SeriesDeviation& d : e.series) {
         const std::size_t n = d.error.furthest();
         const double difference = um * d.error.values[n].difference();
@@ -173,7 +175,7 @@ report::DocumentTable stages_table(const ExperimentEvaluation& e) {
         .id = "stages",
         .title = "Verdict per amplitude",
         .note = "Walk and curvature: intervals at " + level(verdict_confidence) + ".",
-        .columns = report::columns("run", "W [mm]", "periods", "walk Du [µm]",
+        .columns = report::columns("run", "W [mm]", "periods", "walk ΔU [µm]",
                                    "verdict by the walk", "curvature", "verdict by it")};
     for (const RunEvaluation& run : e.runs)
         for (const StageEvaluation& s : run.stages)
@@ -279,7 +281,7 @@ report::DocumentTable criteria_table(const ExperimentEvaluation& e) {
                 ". Residual: of the values upright about transient and walk; noise: what their "
                 "errors explain. Curvature of all samples: as the thesis takes it, without an "
                 "interval, since neighbours in the record are not independent.",
-        .columns = report::columns("run", "walk Du [µm]", "verdict by the walk", "q:2",
+        .columns = report::columns("run", "walk ΔU [µm]", "verdict by the walk", "q:2",
                                    "residual [µm]:2", "noise [µm]:2", "curvature", "verdict by it",
                                    "curvature of all samples:3")};
     for (const RunEvaluation& run : e.runs) {

@@ -99,7 +99,7 @@ std::vector<CaseKey> model_keys() {
                     {choice("none", Volume::none), choice("last", Volume::last),
                      choice("quarters", Volume::quarters)},
                     R"("last")",
-                    "interior written for ParaView where a model knows it: none, the last "
+                    "interior written for ParaView where a model computes it: none, the last "
                     "state, each quarter period",
                     {.default_value = R"("none")"}),
          at<&Case::output, &Output::volume>},

@@ -41,7 +41,7 @@ void check_law(const Case& c, const Document& document) {
                remedy + ", or set substrate.material to \"linear\"");
     };
     if (!contact::is_hertz_round(c))
-        refuse_law("fem knows smooth paraboloids and spheres", "change indenter.shape");
+        refuse_law("fem computes smooth paraboloids and spheres", "change indenter.shape");
     if (!contact::relaxes_as_one(c))
         refuse_law("all of fem relaxes with Poisson's ratio kept, or nothing",
                    "leave out substrate.relaxation or what stays elastic beside it");

@@ -108,7 +108,8 @@ void check_at_depth(const Case& c, const HalfSpaceScales& scales, const Document
 void check_rolls_one_way(const Case& c, const Document& document) {
     if (c.rolling)
         fail(document.find_section("tractive_rolling")->place, "[tractive_rolling]",
-             "contradicts [rolling]: the indenter rolls to and fro, or on", "give one of the two");
+             "contradicts [rolling]: the indenter rolls back and forth, or on",
+             "give one of the two");
     for (const auto& [key, ratio] :
          {std::pair("load.normal_amplitude_ratio", c.load.normal_amplitude_ratio),
           std::pair("load.tangential_amplitude_ratio", c.load.tangential_amplitude_ratio)})

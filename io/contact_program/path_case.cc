@@ -188,7 +188,7 @@ class PathReading {
         if (one.digits.force <= axis || one.tangential[axis] == 0) return 0;
         if (!by_force_)
             refuse(one.loads_line, axis == 0 ? "FX" : "FY",
-                   "is over an F_N that a depth does not tell", "give N = 1 and FN");
+                   "is over an F_N that a depth does not give", "give N = 1 and FN");
         return -one.tangential[axis] * one.friction_coefficient * load;
     }
 

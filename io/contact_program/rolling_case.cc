@@ -28,7 +28,7 @@ class RollingReading {
         sign_ = sign_of_x();
         if (rolling_.distance.heights)
             refuse(rolling_.distance.line, "IBASE",
-                   "a body given by heights does not tell how it rolls on",
+                   "a body given by heights does not define how it rolls on",
                    "give a quadratic body by IBASE = 1");
         if (rolling_.digits.tangential == 2) check_from_rest();
     }

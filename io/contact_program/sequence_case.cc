@@ -27,7 +27,7 @@ class SequenceReading {
   public:
     SequenceReading(ProgramSequence steps, const std::string& name) : name_(name), steps_(steps) {
         if (head().distance.heights)
-            refuse(head().distance.line, "IBASE", "heights do not tell how the body moves on",
+            refuse(head().distance.line, "IBASE", "heights do not define how the body moves on",
                    "give 1");
         for (const ProgramCase& one : steps)
             if (one.rotation != 0)
@@ -102,10 +102,10 @@ class SequenceReading {
             way = length(rolling[n_quarter_++].distance.offset);
         turning_point_ = rolling[n_quarter_ - 1].distance.offset;
         if (rolling.size() % (4 * n_quarter_) != 0)
-            refuse(
-                rolling.back().digits.line, "the path",
-                fmt::format("ends within a period of {} steps", 4 * n_quarter_),
-                "roll to and fro in whole periods; what rolls on is computed by tricontact roll");
+            refuse(rolling.back().digits.line, "the path",
+                   fmt::format("ends within a period of {} steps", 4 * n_quarter_),
+                   "roll back and forth in whole periods; what rolls on is computed by tricontact "
+                   "roll");
         n_periods_ = rolling.size() / (4 * n_quarter_);
     }
 

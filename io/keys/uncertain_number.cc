@@ -117,7 +117,7 @@ UncertainNumber parse_uncertain_number(std::string_view text, Dimension dimensio
     double spread = 0;  // what is written behind the sign
     if (relative) {
         spread = in_si(error.digits, {}, Dimension::none) / 100 * std::abs(written);
-        if (written == 0) refuse_uncertain("an error in percent of zero says nothing", dimension);
+        if (written == 0) refuse_uncertain("an error in percent of zero is undefined", dimension);
     } else {
         spread = in_si(error.digits, error.unit, dimension);
         number.half_error_digit = in_si(half_digit_of(error.digits), error.unit, dimension);

@@ -202,7 +202,7 @@ def rig(
     output: Optional[StrPath] = None,
     export: Optional[StrPath] = None,
 ) -> Outcome:
-    """What the evaluation of a rig takes for granted, checked. Violations are no error.
+    """What the evaluation of a rig assumes, checked. Violations are no error.
 
     samples: of the uncertain quantities, for the chance that an assumption is violated.
     """

@@ -83,8 +83,8 @@ done
 "$program" run "$contact" --output out --set rolling.periods=2 --set rolling.steps=turning-points \
     --set 'bem.spacing="0.5 mm"' --no-studies >out.txt 2>err.txt || complain "$(cat err.txt)"
 [ "$(tail -1 out.txt)" = "report: out/report.html" ] || complain "the report's path: $(cat out.txt)"
-grep -q '^bem: shakedown by the limit of uncoupled contact, U' out.txt || complain "who decided: $(cat out.txt)"
-sed -i 's/ by the limit of uncoupled contact//' out.txt
+grep -q '^bem: shakedown (f_T is below the exact limit), U' out.txt || complain "who decided: $(cat out.txt)"
+sed -i 's/ (f_T is below the exact limit)//' out.txt
 for model in mdr bem; do
     due=$(awk -v model="\"$model\":" '/^  "models": {/ { models = 1 }
         models && $1 == model { here = 1 }

@@ -53,7 +53,7 @@ refused "w = W/a is at least 1" deviation "$rig" --set rolling.amplitude_ratio=1
 
 refused "rig_sphere_parallel.toml: substrate.thickness is missing: without it" deviation \
     "$source_dir/examples/cases/rig_sphere_parallel.toml"
-refused "the exact theory knows one layer" deviation "$source_dir/examples/cases/rig_layer_on_glue.toml"
+refused "the exact theory covers one layer" deviation "$source_dir/examples/cases/rig_layer_on_glue.toml"
 refused "substrate.relaxation: deviations are those of an elastic layer" deviation \
     "$source_dir/examples/cases/rig_sphere_layer_relaxing.toml"
 refused "w = W/a is at least 1" deviation "$rig" --set rolling.amplitude_ratio=1.5

@@ -29,7 +29,7 @@ done
 
 refused "drop --no-runs or --finite-strain" deviation "$rig" --finite-strain --no-runs
 refused "always coupled; set it to true" deviation "$rig" --finite-strain --set contact.coupling=false
-refused "at finite strains fem knows smooth paraboloids and spheres" deviation \
+refused "at finite strains fem computes smooth paraboloids and spheres" deviation \
     "$source_dir/examples/cases/body_rounded_punch.toml" --finite-strain
 refused "substrate.thickness is missing" deviation "$source_dir/examples/cases/rig_sphere_parallel.toml" --finite-strain
 refused "substrate.relaxation" deviation "$source_dir/examples/cases/rig_sphere_layer_relaxing.toml" --finite-strain

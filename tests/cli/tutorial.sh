@@ -16,12 +16,21 @@ for shift in 'mdr 0.275' 'bem 0.247' 'bem-layer 0.240'; do
         print $2 + 0; exit }' results/ball/summary.json)
     [[ $(printf %.3f "$found") == "$due" ]] || complain "$model settles at $found, not $due"
 done
-# Bars within a symbol of the figure; half-space below MDR, layer below half-space up to w = 0.3.
-awk -F, 'NR == 1 { next } !($9 < .002) { bad = 1 } { u[$1, sprintf("%.2f", $3)] = $8; w[sprintf("%.2f", $3)] }
-    END { for (at in w) {
+# What the figure draws is the settled shift and its error, by the names of the columns; they moved once.
+column() { head -1 results/amplitudes/points.csv | tr , '\n' | grep -nx "$1" | cut -d: -f1; }
+due="using $(column amplitude_ratio):$(column settled_shift_ratio):$(column settled_shift_ratio_error) with"
+[ "$(grep -c "$due" figure.gp)" -eq 3 ] || complain "the figure draws other columns than $due: $(grep using figure.gp)"
+# Bars within a symbol of the figure; half-space below MDR, layer below half-space up to w = 0.3; MDR by its closed form
+# f_T = 1 - 3/2 w u - (1 - u)^(3/2), 1e-4 being far above its springs' error.
+awk -F, -v u_at="$(column settled_shift_ratio)" -v error_at="$(column settled_shift_ratio_error)" '
+    NR == 1 { next }
+    { w = sprintf("%.2f", $3); u[$1, w] = $u_at; all[w] = 1 }
+    !($error_at < .002) { bad = 1 }
+    $1 == "mdr" && (1 - 1.5 * $3 * $u_at - (1 - $u_at) ^ 1.5 - .3) ^ 2 > 1e-8 { bad = 1 }
+    END { for (w in all) {
         n++
-        if (!(u["mdr", at] > u["bem", at])) bad = 1
-        if (u["bem", at] > u["bem-layer", at] != at < .3) bad = 1 }
+        if (!(u["mdr", w] > u["bem", w])) bad = 1
+        if ((u["bem", w] > u["bem-layer", w]) != (w + 0 < .3)) bad = 1 }
         exit bad || n != 6 }' results/amplitudes/points.csv || complain "the bars or the curves"
 [ "$(head -c 4 figure.pdf)" = %PDF ] || complain "no figure"
 

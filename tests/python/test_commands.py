@@ -48,7 +48,7 @@ def test_numbers_are_those_of_the_program(rig, program, tmp_path):
     assert dict(limit) == json.loads((tmp_path / "out" / "limit.json").read_text())
     assert limit["mdr"] == limit["models"]["mdr"]
     assert "<html" in limit.report and "mdr" in limit.text and limit.folder is None
-    # A case in the place of its file.
+    # A case instead of its file.
     case = tricontact.Case.from_file(rig, COARSE)
     again = tricontact.limit(case, models=["mdr"], tolerance=0.01)
     assert again["mdr"] == limit["mdr"]

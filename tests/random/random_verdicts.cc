@@ -138,7 +138,7 @@ class Trial {
         const double allowed = brief.verdict.remaining_error + all.verdict.remaining_error +
                                since * known().negligible_shift + rounding();
         if (off > allowed)
-            complain("the shift comes to {:.2e} in the place of {:.2e} +- {:.1e} after {} periods",
+            complain("the shift comes to {:.2e} instead of {:.2e} +- {:.1e} after {} periods",
                      way + all.verdict.remaining, brief.verdict.remaining,
                      brief.verdict.remaining_error, brief.shift_per_period.size());
     }

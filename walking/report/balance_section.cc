@@ -43,7 +43,7 @@ report::Verdict energy_verdict(const WalkReport& report, const EnergyStretch& en
     constexpr double bound = 1e-6;
     const double lost = std::abs(energy.balance.residual()) / energy.scale;
     const bool holds = lost <= bound;
-    return {holds ? report::Verdict::Standing::holds : report::Verdict::Standing::fails,
+    return {holds ? report::Verdict::Standing::pass : report::Verdict::Standing::fail,
             fmt::format(
                 "Energy over {}: work of {} and geometric work = dissipation + change of stored "
                 "energy, to {} of the greatest of them{}. The geometric work, of moments without "

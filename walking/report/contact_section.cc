@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "contact/special_values.h"
 #include "walking/machine/motion.h"
@@ -63,13 +64,15 @@ report::Figure spot_figure(const Machine& machine, std::span<const Snapshot> sna
             .title = fmt::format("Forces of spot {}", i + 1),
             .caption =
                 "In units of the weight; friction is positive against the motion. The "
-                "strip tells when the spot sticks and when it slips; where it is "
+                "strip shows when the spot sticks and when it slips; where it is "
                 "interrupted, the spot is in the air.",
             .x = {time_label},
             .y = {"force [m g]"},
             .curves = {normal, friction, bound, below},
-            .bands = {strip(snapshots, i, SpotState::stick, "sticks", 1.08 * top, 1.16 * top, 2),
-                      strip(snapshots, i, SpotState::slip, "slips", 1.08 * top, 1.16 * top, 3)}};
+            .bands = {strip(snapshots, i, SpotState::stick, "sticks", 1.08 * top, 1.16 * top,
+                            report::stick_style),
+                      strip(snapshots, i, SpotState::slip, "slips", 1.08 * top, 1.16 * top,
+                            report::slip_style)}};
 }
 
 /// Of many spots: shares of them in each state.
@@ -79,14 +82,16 @@ report::Figure share_figure(std::span<const Snapshot> snapshots) {
                           .caption = "Shares of all spots, or of all springs of their beds.",
                           .x = {time_label},
                           .y = {"share of spots [-]"}};
-    for (const auto& [state, name] : {std::pair{SpotState::stick, "stick"},
-                                      {SpotState::slip, "slip"},
-                                      {SpotState::released, "in the air"}}) {
+    for (const auto& [state, name, style] :
+         {std::tuple{SpotState::stick, "stick", report::stick_style},
+          {SpotState::slip, "slip", report::slip_style},
+          {SpotState::released, "in the air", 2}}) {
         const auto share = [state = state](const Snapshot& s) {
             return static_cast<double>(std::ranges::count(s.spots, state)) /
                    static_cast<double>(s.spots.size());
         };
         figure.curves.push_back(over_time(snapshots, name, share));
+        figure.curves.back().colour = style;
     }
     return figure;
 }

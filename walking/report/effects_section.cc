@@ -145,7 +145,7 @@ void add_response(const Response& response, const FactorialDesign& design, WalkS
     } catch (const contact::NotConverged&) {
         section.paragraphs.push_back(std::string(response.title) +
                                      ": some pair of levels is excluded altogether, or there are "
-                                     "too few runs, so that effects of pairs cannot be told.");
+                                     "too few runs, so that effects of pairs are not resolved.");
     } catch (const std::invalid_argument&) {  // no more runs than parts
         section.paragraphs.push_back(std::string(response.title) +
                                      ": too few runs for effects of pairs.");

@@ -142,7 +142,7 @@ report::DocumentTable region_table(const WalkGrid& grid) {
         .id = "regions",
         .title = "Shares of the map",
         .note =
-            "Errors, 95 %: where in a cell a region ends, which a finer grid would tell. Second "
+            "Errors, 95 %: where in a cell a region ends, which a finer grid would resolve. Second "
             "half: plain means over it, the reading that gives the numbers of Wetter (2016); as "
             "judged: after the transient, whole periods of limit cycles.",
         .columns = {{"region"}, {"definition"}, {"as judged [%]"}, {"second half [%]"}}};
@@ -162,7 +162,7 @@ constexpr double known_friction = 0.05;
 report::Verdict agreement_verdict(const WalkGrid& grid) {
     const TiltingAgreement agreement = tilting_agreement(grid);
     const bool holds = agreement.share() >= enough_agreement;
-    return {holds ? report::Verdict::Standing::holds : report::Verdict::Standing::finding,
+    return {holds ? report::Verdict::Standing::pass : report::Verdict::Standing::finding,
             fmt::format("Machines tilt where μ > μ_c, so that they cannot slide steadily, and only "
                         "there, in {} of {} cells ({:.1f} %).{}",
                         agreement.n_agreeing, agreement.n_cells, 100 * agreement.share(),
@@ -192,10 +192,11 @@ report::Verdict flutter_verdict(const WalkGrid& grid) {
                                         "{} machines that do not tilt do not slide steadily: their "
                                         "vibration does not grow from small disturbances.",
                                         n - n_agreeing, n)};
-    return {.sentence = fmt::format(
-                "Linear stability tells of {} of {} machines that do not tilt whether they slide "
-                "steadily; {} slide though sliding flutters, {} do not though it is stable.",
-                n_agreeing, n, n_steady_above, n - n_agreeing - n_steady_above)};
+    return {
+        .sentence = fmt::format(
+            "Linear stability predicts for {} of {} machines that do not tilt whether they slide "
+            "steadily; {} slide though sliding flutters, {} do not though it is stable.",
+            n_agreeing, n, n_steady_above, n - n_agreeing - n_steady_above)};
 }
 
 report::Verdict least_friction_verdict(const WalkSweep& sweep, const WalkGrid& grid) {

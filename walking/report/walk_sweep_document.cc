@@ -16,9 +16,8 @@ report::Verdict count_verdict(const WalkSweep& sweep) {
     const auto n_failed = std::ranges::count_if(
         sweep.points, [](const WalkSweep::Point& point) { return !point.outcome; });
     if (n_failed > 0)
-        return {report::Verdict::Standing::fails,
-                fmt::format("{} of {} runs failed.", n_failed, n)};
-    return {report::Verdict::Standing::holds, fmt::format("{} runs computed, none failed.", n)};
+        return {report::Verdict::Standing::fail, fmt::format("{} of {} runs failed.", n_failed, n)};
+    return {report::Verdict::Standing::pass, fmt::format("{} runs computed, none failed.", n)};
 }
 
 report::Verdict regime_verdict(const WalkSweep& sweep) {

@@ -81,10 +81,10 @@ report::Verdict loading(const WalkReport& report) {
     const Machine& machine = report.walk_case.machine;
     const double load =
         spring_force(machine, report.walk.tail.back().motion) / sliding_force(machine);
-    return {Standing::cannot_tell,
+    return {Standing::not_resolved,
             fmt::format("Does not slide yet: the spots stick, and the base still loads the spring, "
                         "by T = {} to {} of the force of steady sliding. That takes until t = {} "
-                        "at least; a longer [time] end tells its friction.",
+                        "at least; a longer [time] end is needed for its friction.",
                         significant(report.walk_case.time.end, 5), report::share(load, 3),
                         significant(loading_time(machine), 3))};
 }
@@ -100,9 +100,9 @@ report::Verdict too_short(const WalkReport& report) {
     if (result.regime == Regime::chaotic && rotation > 0.2)
         reason += ", and |φ| has come to " + report::share(rotation) + " of where it falls over";
     return {
-        Standing::cannot_tell,
+        Standing::not_resolved,
         fmt::format("Too short: the transient was not over by T = {}, {}. So far {}, whose error "
-                    "covers what it may still become; a longer [time] end tells.",
+                    "covers what it may still become; a longer [time] end is needed.",
                     significant(report.walk_case.time.end, 5), reason, friction(result))};
 }
 
@@ -144,11 +144,12 @@ report::Verdict outcome(const WalkReport& report) {
     // Without an end in a time T the mean life is T/3 or more, with a probability of 1 - exp(-3).
     return {
         Standing::finding,
-        fmt::format("Chaotic to the end: {}{}; 95 % interval by its autocorrelation over the last "
-                    "{}. It is that of this chaos, whose mean life is above {} (95 %); whether it "
-                    "ends later no run tells. Single numbers of a chaotic motion mean nothing.",
-                    friction(result), reduction(result), significant(result.observed),
-                    significant(result.observed / 3, 2))};
+        fmt::format(
+            "Chaotic to the end: {}{}; 95 % interval by its autocorrelation over the last "
+            "{}. It is that of this chaos, whose mean life is above {} (95 %); whether it "
+            "ends later is not resolved by a run. Single numbers of a chaotic motion mean nothing.",
+            friction(result), reduction(result), significant(result.observed),
+            significant(result.observed / 3, 2))};
 }
 
 std::string jump(const WalkReport& report) {

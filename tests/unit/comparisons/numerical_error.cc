@@ -82,7 +82,7 @@ TEST(NumericalError, AnotherVerdictOnCoarserMeshesIsSaid) {
     error.coarser = run_off(.02, State::ratcheting);
     EXPECT_EQ(error.other_state(), State::ratcheting);
     const auto told = answer_of(the_case, error.run->results, error);
-    EXPECT_EQ(told.standing, report::Verdict::Standing::cannot_tell);
+    EXPECT_EQ(told.standing, report::Verdict::Standing::not_resolved);
     EXPECT_NE(told.sentence.find("come to ratcheting: refine"), std::string::npos);
 }
 

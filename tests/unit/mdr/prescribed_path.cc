@@ -111,7 +111,7 @@ TEST(MdrPrescribedPath, FurtherForceSlipsInTheNewRingFirst) {
     EXPECT_NEAR(last_shift(beyond), sphere.shift(16, 8), tolerance * sphere.shift(16, 8));
 }
 
-// To and fro under a constant F_N: Masing's rule, twice the first curve at half the change.
+// Back and forth under a constant F_N: Masing's rule, twice the first curve at half the change.
 TEST(MdrPrescribedPath, TurnsBackOnTwiceTheFirstCurve) {
     Sphere sphere;
     const auto history = sphere.follow({{20, 0}, {20, 8}, {20, -3}, {20, 5}}, 1);

@@ -50,8 +50,8 @@ Document document() {
             .title = "Layer & <b>half-space</b>",
             .lead = "How far does f_T go?",
             .verdicts = {{Verdict::Standing::holds, "The limit holds."},
-                         {Verdict::Standing::fails, "κ is no constant."},
-                         {Verdict::Standing::cannot_tell, "Too few points."},
+                         {Verdict::Standing::violated, "κ is no constant."},
+                         {Verdict::Standing::not_testable, "Too few points."},
                          {Verdict::Standing::finding, "E = 5.2 MPa."}},
             .settings = {{"layer", "8 mm"}},
             .sections = {{"first", "First", {"Words <i>."}, {curves(), contour_map()}, {table()}}},
@@ -122,21 +122,35 @@ TEST(Figure, ContentNamesAxesAndRanges) {
     EXPECT_EQ(content_of(contour_map()), "ν [1] over b [mm]. Δa [%]: 1.00 to 6.00.");
 }
 
+// A model has its colour whatever else is drawn and in which order.
+TEST(ChartJson, ModelsHaveOneColourEverywhere) {
+    Figure figure = curves();
+    figure.curves = {{.name = "half-space"},
+                     {.name = "FEM"},
+                     {.name = "bem-layer"},
+                     {.name = "MDR layer"},
+                     {.name = "BEM layer"}};
+    std::string styles;
+    const auto json = figure_json(figure);
+    for (const auto& curve : json["curves"]) styles += curve["style"].dump() + " ";
+    EXPECT_EQ(styles, "0 3 2 4 2 ");  // what is no model takes the first that no model has
+}
+
 TEST(ChartJson, StylesFollowNamesAndColours) {
     Figure figure = curves();
-    figure.curves = {{.name = "BEM", .x = {}, .y = {}},
+    figure.curves = {{.name = "coarse", .x = {}, .y = {}},
                      {.name = "MDR", .x = {}, .y = {}, .colour = 0},
                      {.name = "limit", .x = {}, .y = {}, .theory = true},
-                     {.name = "FEM", .x = {}, .y = {}},
-                     {.name = "BEM", .x = {}, .y = {}},
+                     {.name = "fine", .x = {}, .y = {}},
+                     {.name = "coarse", .x = {}, .y = {}},
                      {.name = "exact", .x = {}, .y = {}, .theory = true, .colour = 1}};
     std::string styles;
     const auto json = figure_json(figure);
     for (const auto& curve : json["curves"]) styles += curve["style"].dump() + " ";
     EXPECT_EQ(styles, "2 0 null 3 2 1 ");  // 0 and 1 are taken
-    figure.bands = {{.name = "FEM", .x = {}, .low = {}, .high = {}},
+    figure.bands = {{.name = "fine", .x = {}, .low = {}, .high = {}},
                     {.name = "95 %", .x = {}, .low = {}, .high = {}},
-                    {.name = "FEM", .x = {}, .low = {}, .high = {}, .colour = 4}};
+                    {.name = "fine", .x = {}, .low = {}, .high = {}, .colour = 4}};
     const auto with_bands = figure_json(figure);
     EXPECT_EQ(with_bands["bands"][0]["style"], 3);
     EXPECT_TRUE(with_bands["bands"][1]["style"].is_null());
@@ -155,8 +169,8 @@ TEST(ChartLibrary, CanStandInAPageAndNamesItsLicence) {
 TEST(DocumentHtml, VerdictsComeFirstAndInWords) {
     const std::string page = document_html(document());
     EXPECT_TRUE(contains(page, "<li class=\"holds\"><b>holds</b> <span>The limit holds."));
-    EXPECT_TRUE(contains(page, "<li class=\"fails\"><b>fails</b>"));
-    EXPECT_TRUE(contains(page, "<li class=\"cannot_tell\"><b>cannot tell</b>"));
+    EXPECT_TRUE(contains(page, "<li class=\"violated\"><b>violated</b>"));
+    EXPECT_TRUE(contains(page, "<li class=\"not_testable\"><b>not testable</b>"));
     EXPECT_TRUE(contains(page, "<li class=\"finding\"><b>finding</b>"));
     EXPECT_LT(page.find("class=\"verdicts\""), page.find("<figure"));
 }

@@ -14,7 +14,7 @@ using contact::History;
 
 const contact::Relaxation rubber{{{.8, .5}, {.3, 5}}, {}};
 
-/// Pressed with friction, loaded and rolled to and fro once, in few steps.
+/// Pressed with friction, loaded and rolled back and forth once, in few steps.
 Case rolled_case(double size) {
     Case c = strained_case(size);
     c.load.tangential_force.reset();

@@ -164,7 +164,7 @@ TEST(RolledDeviation, HasNoSettledShiftOfWhatRatchetsOrFailed) {
     EXPECT_FALSE(of(ratchets, &quantities::settled_shift));
     EXPECT_TRUE(of(ratchets, &quantities::static_shift));
     EXPECT_EQ(ratchets.state, State::ratcheting);
-    // What slips to and fro for ever without getting on has settled.
+    // What slips back and forth for ever without getting on has settled.
     const auto slips = change([](auto& v) { v = values(.4, .6, 1e-8, State::cyclic_slip); });
     EXPECT_TRUE(of(slips, &quantities::settled_shift));
     const auto creeps = change([](auto& v) { v = values(.4, .6, 1e-3, State::undecided); });

@@ -49,7 +49,7 @@ Played played(const contact::Case& c) {
                 record, [&] { return state.surface(); }, progress);
             result.last = state.surface();
         });
-    result.film = film.film(result.history, 1);
+    result.film = film.film(result.history);
     return result;
 }
 
@@ -67,6 +67,10 @@ TEST(ContactFilm, HoldsTheFirstPeriodAndTheLast) {
     EXPECT_EQ(film->frames[2].label, "n = 0.125");
     EXPECT_EQ(film->frames[10].label, "n = 2.125");
     EXPECT_EQ(film->frames.back().label, "n = 3");
+    EXPECT_EQ(film->frames[2].part, report::Film::Part::first_period);
+    EXPECT_NEAR(film->frames[10].phase, .125, 1e-9);
+    EXPECT_EQ(film->frames.back().part, report::Film::Part::last_period);
+    EXPECT_NEAR(film->frames.back().phase, 1, 1e-9);
     EXPECT_NEAR(film->frames.back().shift, 1e6 * rolled().history.shift_per_period.back(), 1e-9);
     EXPECT_EQ(film->steps.size(), rolled().history.steps.size());
     // Steps and frames tell the same places: a turning point, and the end upright.
@@ -125,7 +129,7 @@ TEST(ContactFilm, LinesOfSprings) {
             n_stick = static_cast<std::size_t>(
                 std::ranges::count(state.contact_states(), ContactState::stick));
         });
-    const auto line = film.film(history, 0);
+    const auto line = film.film(history);
     ASSERT_TRUE(line);
     EXPECT_EQ(line->line, "springs");
     EXPECT_EQ(line->cells.n_y, 1);
@@ -192,7 +196,7 @@ TEST(ContactFilm, SectionsAreTheStresses) {
                 record, [&] { return state.surface(); }, progress);
             if (record.phase == 3) film.add_section(section, progress.step);
         });
-    const report::Film made = *film.film(history, 0);
+    const report::Film made = *film.film(history);
     EXPECT_EQ(made.frames.back().section, 0);
     EXPECT_EQ(made.frames.front().section, -1);
     ASSERT_EQ(made.von_mises.size(), made.section.size());
@@ -225,7 +229,7 @@ TEST(ContactFilm, LongPeriodsAreThinned) {
             film.add(
                 record, [&] { return state.surface(); }, progress);
         });
-    const auto line = film.film(history, 0);
+    const auto line = film.film(history);
     ASSERT_TRUE(line);
     EXPECT_LE(line->frames.size(), 60u);
     for (const char* label : {"n = 0.25", "n = 0.75", "n = 1", "n = 2.25", "n = 3"})

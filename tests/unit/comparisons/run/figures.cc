@@ -104,7 +104,7 @@ TEST(FigureData, TheoryIsDrawnOnlyWhereItHolds) {
     const auto has_theory = [](const contact::Case& c, const Options& options) {
         const auto figure = shift_figures(c, synthetic::two_models(options)).back();
         return std::ranges::any_of(figure.curves, [](const report::Curve& curve) {
-            return curve.name == "u_sd, MDR closed form";
+            return curve.name.ends_with("_sd, MDR closed form");
         });
     };
     const Options settles{.f = 0.3, .w = 0.2}, ratchets{.f = 0.8, .w = 0.5};
@@ -113,6 +113,37 @@ TEST(FigureData, TheoryIsDrawnOnlyWhereItHolds) {
     c.load.tangential_amplitude_ratio = 0.1;
     EXPECT_FALSE(has_theory(c, settles));
     EXPECT_FALSE(has_theory(synthetic::unit_case(ratchets), ratchets));
+}
+
+// A force to the left shifts to the left: what is drawn has to be within the axes.
+TEST(FigureData, NegativeShiftsAreNotCutOff) {
+    auto histories = synthetic::two_models();
+    for (contact::History& history : histories) {
+        for (contact::StepRecord& step : history.steps) step.shift[0] *= -1;
+        for (double& shift : history.shift_per_period) shift *= -1;
+        history.static_shift *= -1;
+    }
+    for (const report::Figure& figure : shift_figures(synthetic::unit_case(), histories)) {
+        double least = 0;
+        for (const report::Curve& curve : figure.curves)
+            for (const double y : curve.y) least = std::min(least, y);
+        EXPECT_LT(least, 0) << figure.id;
+        EXPECT_LT(*figure.y.low, least) << figure.id;
+        EXPECT_GT(*figure.y.high, 0) << figure.id;
+    }
+    // Without negative ones the axis begins at zero, as ever.
+    EXPECT_EQ(*shift_figures(synthetic::unit_case(), synthetic::two_models())[0].y.low, 0);
+}
+
+TEST(FigureData, LengthsHaveCapitalsRatiosSmallLetters) {
+    const Options settles{.f = 0.3, .w = 0.2};
+    const auto figures =
+        shift_figures(synthetic::unit_case(settles), synthetic::two_models(settles));
+    const auto has = [&](const report::Figure& figure, const char* name) {
+        return std::ranges::count(figure.curves, name, &report::Curve::name) > 0;
+    };
+    EXPECT_TRUE(has(figures[0], "U_sd, MDR closed form"));
+    EXPECT_TRUE(has(figures[1], "u_sd, MDR closed form"));
 }
 
 TEST(FigureData, ShiftsOfStepsAndPeriods) {

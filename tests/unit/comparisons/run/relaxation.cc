@@ -237,7 +237,7 @@ TEST(RelaxationReport, SaysWhetherTheSubstrateMayBeTakenAsElastic) {
     other.limit->speed.reset();
     other.limit->why_none = "it stays less";
     const std::string unsure = joined(relaxation_sentences(c, other));
-    EXPECT_NE(unsure.find("this does not tell: run more periods"), std::string::npos) << unsure;
+    EXPECT_NE(unsure.find("this does not resolve: run more periods"), std::string::npos) << unsure;
     EXPECT_NE(unsure.find("No drive speed was found (4 runs by MDR)"), std::string::npos) << unsure;
 }
 

@@ -37,13 +37,13 @@ TEST(SweepDocument, CountsWhatBecameOfThePoints) {
     Sweep some = sweep();
     report::Document document = sweep_document(some);
     ASSERT_EQ(document.verdicts.size(), 3u);
-    EXPECT_EQ(document.verdicts[0].standing, report::Verdict::Standing::holds);
+    EXPECT_EQ(document.verdicts[0].standing, report::Verdict::Standing::pass);
     EXPECT_EQ(document.verdicts[0].sentence, "8 points computed, none failed.");
     EXPECT_EQ(document.verdicts[2].sentence,
               "BEM layer: of 4 rolling points, 2 shake down, 2 ratchet, 0 stay undecided.");
     some.points[1].error = "no convergence";
     document = sweep_document(some);
-    EXPECT_EQ(document.verdicts[0].standing, report::Verdict::Standing::fails);
+    EXPECT_EQ(document.verdicts[0].standing, report::Verdict::Standing::fail);
     EXPECT_EQ(document.verdicts[0].sentence, "1 of 8 points failed.");
     const report::DocumentTable& failed = document.sections.back().tables.back();
     EXPECT_EQ(report::table_csv(failed),
@@ -60,16 +60,43 @@ TEST(SweepDocument, LinesJoinPointsThatDifferInOneKey) {
     EXPECT_EQ(over_amplitude.x.label, "rolling.amplitude [mm]");
     EXPECT_FALSE(over_amplitude.x.logarithmic);
     EXPECT_TRUE(sections[1].figures[1].x.logarithmic);
-    ASSERT_EQ(over_amplitude.curves.size(), 2u);
-    const report::Curve& mdr = over_amplitude.curves[0];
-    EXPECT_EQ(mdr.kind, report::Curve::Kind::line_and_points);
-    // The thin layer's line, a gap, and that of the thick layer, which does not settle.
-    ASSERT_EQ(mdr.x.size(), 5u);
-    EXPECT_DOUBLE_EQ(mdr.x[1], 2);
-    EXPECT_DOUBLE_EQ(mdr.y[0], 0.014);
-    EXPECT_DOUBLE_EQ(mdr.y[1], 0.024);
-    for (const int i : {2, 3, 4}) EXPECT_TRUE(std::isnan(mdr.y[i])) << i;
-    EXPECT_DOUBLE_EQ(sections[2].figures[0].curves[1].y[4], 2e-3);  // increment, thick layer
+    // A line for each model and thickness; the thick layer does not settle.
+    ASSERT_EQ(over_amplitude.curves.size(), 4u);
+    const report::Curve &thin = over_amplitude.curves[0], &thick = over_amplitude.curves[1];
+    EXPECT_EQ(thin.kind, report::Curve::Kind::line_and_points);
+    EXPECT_EQ(thin.name, "MDR");
+    EXPECT_EQ(thin.detail, "substrate.thickness [mm] = 4");
+    EXPECT_EQ(thin.x, (std::vector<double>{1, 2}));
+    EXPECT_DOUBLE_EQ(thin.y[0], 0.014);
+    EXPECT_DOUBLE_EQ(thin.y[1], 0.024);
+    EXPECT_EQ(thick.detail, "substrate.thickness [mm] = 8");
+    for (const double y : thick.y) EXPECT_TRUE(std::isnan(y));
+    EXPECT_DOUBLE_EQ(sections[2].figures[0].curves[3].y[1], 2e-3);  // increment, thick layer
+    // The data name each line; the words say which is which.
+    EXPECT_NE(report::figure_csv(over_amplitude).find("MDR, substrate.thickness [mm] = 8: u_sd"),
+              std::string::npos);
+    EXPECT_NE(sections[1].figures[1].caption.find(
+                  "One line per rolling.amplitude [mm], 1 (bottom) to 2 (top)."),
+              std::string::npos)
+        << sections[1].figures[1].caption;
+}
+
+// The static shift is the same everywhere: the report opens with the settled one, over the
+// amplitude, which moves it most (24 to 14 mm; the thickness has one value that settles).
+TEST(SweepDocument, OpensWithTheKeyThatMovesTheResultMost) {
+    Sweep some = sweep();
+    report::Document document = sweep_document(some);
+    ASSERT_TRUE(document.figure);
+    EXPECT_EQ(document.figure->id, "settled_shift_ratio_1");
+    for (const report::DocumentSection& section : document.sections)
+        for (const report::Figure& figure : section.figures)
+            EXPECT_NE(figure.id, document.figure->id);
+    // The other way round: now the thickness does.
+    for (Sweep::Point& point : some.points)
+        point.results.set(
+            quantities::settled_shift_ratio,
+            std::get<double>(point.values[0]) + 100 * std::get<double>(point.values[1]));
+    EXPECT_EQ(sweep_document(some).figure->id, "settled_shift_ratio_2");
 }
 
 TEST(SweepDocument, SamplesArePointsAndWordsNoAxis) {
@@ -88,14 +115,17 @@ TEST(SweepDocument, SamplesArePointsAndWordsNoAxis) {
     EXPECT_EQ(settings[3].second, "bonded, sliding");
 }
 
-TEST(SweepDocument, LevelsAreCurvesOfTheirOwn) {
+// Coarser levels are there for the errors of the finest one, which alone is drawn.
+TEST(SweepDocument, TheFinestLevelIsDrawn) {
     Sweep levels = sweep();
     levels.levels = 2;
     for (std::size_t i = 0; i < levels.points.size(); ++i)
         levels.points[i].level = static_cast<int>(i / 2 % 2);
     const auto sections = shift_sections(levels, scales_of(levels));
-    EXPECT_EQ(sections[2].figures[0].curves.size(), 4u);
-    EXPECT_EQ(sections[2].figures[0].curves[2].name, "MDR, level 1");
+    const report::Figure& figure = sections.back().figures[0];
+    ASSERT_EQ(figure.curves.size(), 2u);
+    EXPECT_EQ(figure.curves[1].name, "BEM layer");
+    EXPECT_NE(figure.caption.find("The finest of 2 levels."), std::string::npos);
 }
 
 TEST(SweepDocument, ManyPointsStayInTheTableBeside) {

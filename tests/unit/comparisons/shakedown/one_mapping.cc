@@ -25,18 +25,18 @@ TEST(OneMapping, NeverHoldsForWantOfErrors) {
         p.values[&quantities::settled_shift_ratio] =
             Computed{*theory::settled_shift_ratio(p.amplitude_ratio, p.tangential_ratio, kappa)};
     }
-    EXPECT_EQ(one_of(points).finding, Finding::cannot_tell);
+    EXPECT_EQ(one_of(points).finding, Finding::not_testable);
     EXPECT_EQ(one_of(points).n_with_bars, 0);
     for (RollingPoint& p : points)
         p.values[&quantities::settled_shift_ratio].error =
             1e-3 * p.values[&quantities::settled_shift_ratio].value;
-    EXPECT_EQ(one_of(points).finding, Finding::fails);
+    EXPECT_EQ(one_of(points).finding, Finding::violated);
     EXPECT_GT(one_of(points).low, one_of(points).high);
     // Errors so large that everything goes through tell nothing.
     for (RollingPoint& p : points)
         p.values[&quantities::settled_shift_ratio].error =
             0.5 * p.values[&quantities::settled_shift_ratio].value;
-    EXPECT_EQ(one_of(points).finding, Finding::cannot_tell);
+    EXPECT_EQ(one_of(points).finding, Finding::not_testable);
     StudyFit fit;
     fit.points = points;
     evaluate(fit);
@@ -58,7 +58,7 @@ TEST(OneMapping, IsWhatServesAllPointsWithinTheirErrors) {
             u.value += part * u.error * even(generator);
         }
         const OneMapping one = one_of(points);
-        EXPECT_EQ(one.finding, part < 1 ? Finding::holds : Finding::fails);
+        EXPECT_EQ(one.finding, part < 1 ? Finding::holds : Finding::violated);
         EXPECT_EQ(one.low <= 1.1 && 1.1 <= one.high, part < 1);
         EXPECT_FALSE(one.is_negligible);
     }

@@ -34,7 +34,7 @@ TEST(Adhesion, OfTheThesisRigIsNone) {
 
 TEST(Adhesion, OfASmallBallOnSoftRubberIsAViolation) {
     const auto a = experiments::no_adhesion(sphere(5e-3, 20e-3, 1e6, .05));
-    EXPECT_EQ(a.standing(), Standing::fails);
+    EXPECT_EQ(a.standing(), Standing::violated);
     // The error of the work of adhesion is propagated: F_off is in proportion to it.
     EXPECT_NEAR(a.criteria[0].calculation.result.standard_error / a.deciding_value(), .1, 1e-6);
 }
@@ -50,7 +50,7 @@ TEST(Adhesion, WithoutItsWorkIsNotTestable) {
     Rig rig = sphere(40e-3, 21.1, 5.2e6, .05);
     rig.data.erase("Dgamma");
     const auto a = experiments::no_adhesion(rig);
-    EXPECT_EQ(a.standing(), Standing::cannot_tell);
+    EXPECT_EQ(a.standing(), Standing::not_testable);
     EXPECT_EQ(a.missing, std::vector<std::string>{"rig.work_of_adhesion"});
     EXPECT_TRUE(a.consequence.empty());
 }

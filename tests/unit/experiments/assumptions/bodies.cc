@@ -34,7 +34,7 @@ TEST(RigOfABody, HasBothSidesOfEachThreshold) {
         for (const auto& criterion : assumption_of(near, name).criteria)
             EXPECT_EQ(criterion.standing(), experiments::Standing::holds);
         for (const auto& criterion : assumption_of(far, name).criteria)
-            EXPECT_EQ(criterion.standing(), experiments::Standing::fails);
+            EXPECT_EQ(criterion.standing(), experiments::Standing::violated);
     }
 }
 

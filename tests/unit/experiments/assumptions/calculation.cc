@@ -69,8 +69,8 @@ TEST(RigAssumption, StandsAsItsWeakestCriterion) {
         return Criterion{cube(), Criterion::Relation::at_most, threshold, ""};
     };
     EXPECT_EQ(criterion(60).standing(), holds);
-    EXPECT_EQ(criterion(55).standing(), cannot_tell);  // within the error of 4.2
-    EXPECT_EQ(criterion(40).standing(), fails);
+    EXPECT_EQ(criterion(55).standing(), not_testable);  // within the error of 4.2
+    EXPECT_EQ(criterion(40).standing(), violated);
     Assumption a{.name = "",
                  .title = "",
                  .claim = "",
@@ -80,11 +80,11 @@ TEST(RigAssumption, StandsAsItsWeakestCriterion) {
                  .consequence = ""};
     EXPECT_EQ(a.standing(), holds);
     a.missing = {"density"};
-    EXPECT_EQ(a.standing(), cannot_tell);
+    EXPECT_EQ(a.standing(), not_testable);
     a.criteria.push_back(criterion(40));
-    EXPECT_EQ(a.standing(), fails);
+    EXPECT_EQ(a.standing(), violated);
     a.criteria.clear();
-    EXPECT_EQ(a.standing(), cannot_tell);
+    EXPECT_EQ(a.standing(), not_testable);
 }
 
 // y = k x^3 with x = 3 +- 0.06: ln y is normal to 1e-3; P(y > c) by its mean and variance,

@@ -34,7 +34,7 @@ TEST(RigGrowth, TheDifferenceDecides) {
     EXPECT_EQ(experiments::growth_by_rolling(thesis_sphere(),
                                              [&](const Rig&) { return std::optional(far); })
                   .standing(),
-              Standing::fails);
+              Standing::violated);
 }
 
 TEST(RigGrowth, NothingIsSaidWhereNobodyKnows) {
@@ -42,7 +42,7 @@ TEST(RigGrowth, NothingIsSaidWhereNobodyKnows) {
          {experiments::RolledGrowth(),
           experiments::RolledGrowth([](const Rig&) { return std::optional<Growth>(); })}) {
         const auto open = experiments::growth_by_rolling(thesis_sphere(), none);
-        EXPECT_EQ(open.standing(), Standing::cannot_tell);
+        EXPECT_EQ(open.standing(), Standing::not_testable);
         EXPECT_TRUE(open.consequence.empty()) << open.consequence;
         EXPECT_FALSE(open.missing.empty());
     }
@@ -52,7 +52,7 @@ TEST(RigGrowth, NothingIsSaidWhereNobodyKnows) {
     const auto open = experiments::growth_by_rolling(soft, [](const Rig&) {
         return std::optional(Growth{1e-3, .3, {1.2}, {1.2}});
     });
-    EXPECT_EQ(open.standing(), Standing::cannot_tell);
+    EXPECT_EQ(open.standing(), Standing::not_testable);
 }
 
 }  // namespace

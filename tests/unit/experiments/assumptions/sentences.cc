@@ -126,7 +126,7 @@ TEST(RigSentences, TheEffectOfCouplingOnTheShiftDecides) {
     };
     const std::string words = experiments::uncoupled(rig, third).consequence;
     EXPECT_TRUE(says(words, "would couple by |beta| = 0.038")) << words;
-    EXPECT_EQ(experiments::uncoupled(rig, third).standing(), experiments::Standing::fails);
+    EXPECT_EQ(experiments::uncoupled(rig, third).standing(), experiments::Standing::violated);
     EXPECT_TRUE(says(words, "changes the static shift by 30 %.")) << words;
     EXPECT_FALSE(says(words, "only"));
     const std::string rubber = experiments::uncoupled(thesis_sphere(), [](const auto&, bool on) {
@@ -147,7 +147,7 @@ TEST(RigSentences, TheEffectOfCouplingOnTheShiftDecides) {
         rig, [](const auto&, bool) -> double { throw contact::NotConverged("no end"); });
     EXPECT_FALSE(says(open.consequence, "static shift")) << open.consequence;
     EXPECT_FALSE(open.missing.empty());
-    EXPECT_EQ(open.standing(), experiments::Standing::cannot_tell);
+    EXPECT_EQ(open.standing(), experiments::Standing::not_testable);
     // Nobody computed it: nothing is said of it.
     EXPECT_FALSE(says(experiments::uncoupled(rig, {}).consequence, "static shift"));
 }
@@ -180,7 +180,7 @@ TEST(RigSentences, FiniteStrainsAreNotToldBeyondTheirFit) {
         Rig rig = thesis_sphere();
         rig.data[symbol] = {value};
         const experiments::Assumption a = experiments::small_strains(rig);
-        EXPECT_EQ(a.standing(), experiments::Standing::cannot_tell) << symbol;
+        EXPECT_EQ(a.standing(), experiments::Standing::not_testable) << symbol;
         EXPECT_TRUE(a.consequence.empty()) << a.consequence;
         EXPECT_TRUE(a.criteria.empty()) << symbol;
         ASSERT_EQ(a.missing.size(), 1) << symbol;
@@ -226,7 +226,7 @@ TEST(RigSentences, MeasuredSizesWithoutAnErrorAreNotJudged) {
     rig.data["D_c"] = {9e-3};
     const std::string words = contact_of(rig);
     EXPECT_TRUE(says(words, "whose error is not given")) << words;
-    for (const char* verdict : {"fits", "cannot tell the two apart"})
+    for (const char* verdict : {"fits", "does not distinguish the two"})
         EXPECT_FALSE(says(words, verdict)) << words;
 }
 
@@ -278,7 +278,7 @@ TEST(RigSentences, WalkingRigsSayWhatTheyKnow) {
     // Without standard errors the error of the stiffness is unavailable.
     rig.data["D_c"] = {1.8e-3};
     const auto stiffness = assumption_of(experiments::check_rig(rig), "known_stiffness");
-    EXPECT_EQ(stiffness.standing(), Standing::cannot_tell);
+    EXPECT_EQ(stiffness.standing(), Standing::not_testable);
     EXPECT_TRUE(stiffness.consequence.empty()) << stiffness.consequence;
 }
 

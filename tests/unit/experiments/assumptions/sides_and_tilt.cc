@@ -53,7 +53,7 @@ TEST(FarEdges, AreNotTestableWithoutTheLayersSize) {
               std::vector<std::string>{"substrate.width"});
     const auto soft =
         experiments::far_edges(sphere({{"l_x", {.1}}, {"l_y", {.1}}, {"E_1", {1e8}}}));
-    EXPECT_EQ(soft.standing(), Standing::cannot_tell);
+    EXPECT_EQ(soft.standing(), Standing::not_testable);
     EXPECT_EQ(soft.missing, std::vector<std::string>{experiments::theory_of_elastic_roller});
 }
 
@@ -65,11 +65,11 @@ TEST(FarEdges, FallWithTheDistanceOfTheSides) {
     EXPECT_FALSE(says(wide, "fem with"));
     EXPECT_NEAR(wide.deciding_value(), .05 / contact_radius - 1, 1e-3);
     const auto narrow = experiments::far_edges(sphere({{"l_x", {17e-3}}, {"l_y", {17e-3}}}));
-    EXPECT_EQ(narrow.standing(), Standing::fails);
+    EXPECT_EQ(narrow.standing(), Standing::violated);
     EXPECT_TRUE(says(narrow, "fem with")) << narrow.consequence;
     // 2.8 to 5.5 %: neither is sure.
     const auto between = experiments::far_edges(sphere({{"l_x", {18e-3}}, {"l_y", {60e-3}}}));
-    EXPECT_EQ(between.standing(), Standing::cannot_tell);
+    EXPECT_EQ(between.standing(), Standing::not_testable);
     EXPECT_TRUE(says(between, "add 2.8 to 5.5 %")) << between.consequence;
     const auto bar = experiments::far_edges(sphere({{"l_x", {17e-3}}, {"l_y", {.1}}}));
     EXPECT_LT(bar.criteria.back().calculation.result.value,
@@ -92,16 +92,16 @@ TEST(FarEdges, CountFromTheFurthestPointOfRolling) {
 
 TEST(FarEdges, AreNotTestableWhereTheEstimateEnds) {
     const auto near = experiments::far_edges(sphere({{"l_x", {11e-3}}, {"l_y", {.1}}}));
-    EXPECT_EQ(near.standing(), Standing::cannot_tell);
+    EXPECT_EQ(near.standing(), Standing::not_testable);
     ASSERT_EQ(near.missing.size(), 1U);
     EXPECT_NE(near.missing.front().find("closer than 0.5 a"), std::string::npos);
     const auto beyond = experiments::far_edges(sphere({{"l_x", {8e-3}}, {"l_y", {.1}}}));
-    EXPECT_EQ(beyond.standing(), Standing::fails);
+    EXPECT_EQ(beyond.standing(), Standing::violated);
     EXPECT_TRUE(says(beyond, "leaves the layer"));
     EXPECT_FALSE(says(near, "leaves the layer"));
     const auto cork =
         experiments::far_edges(sphere({{"l_x", {.1}}, {"l_y", {.1}}, {"nu_2", {.05}}}));
-    EXPECT_EQ(cork.standing(), Standing::cannot_tell);
+    EXPECT_EQ(cork.standing(), Standing::not_testable);
     EXPECT_EQ(cork.missing, std::vector<std::string>{"an estimate for nu_2 below 0.1"});
 }
 
@@ -109,7 +109,7 @@ TEST(FarEdges, OfACylinderAreThoseAlongX) {
     const auto wide = experiments::far_edges(cylinder({{"l_x", {.1}}}));
     EXPECT_EQ(wide.standing(), Standing::holds);
     const auto narrow = experiments::far_edges(cylinder({{"l_x", {10e-3}}}));
-    EXPECT_EQ(narrow.standing(), Standing::fails) << narrow.consequence;
+    EXPECT_EQ(narrow.standing(), Standing::violated) << narrow.consequence;
 }
 
 constexpr double degree = pi / 180;
@@ -125,7 +125,7 @@ TEST(LevelSurface, ComparesTheSlopesForceWithTheTangentialOne) {
     // F_T = f_T mu F_N, the same by force.
     const auto force =
         experiments::level_surface(sphere({{"theta", {2 * degree}}, {"F_T", {6.01}}}));
-    EXPECT_EQ(force.standing(), Standing::fails);
+    EXPECT_EQ(force.standing(), Standing::violated);
     EXPECT_NEAR(force.deciding_value(), std::tan(2 * degree) * 21.1 / 6.01, 1e-12);
     // Without F_T, or where it is zero, beside mu F_N.
     for (const Data& data : {Data{}, Data{{"f_T", {0}}}}) {
@@ -143,7 +143,7 @@ TEST(LevelSurface, KnowsTheErrorOfATiltAboutZero) {
     };
     EXPECT_EQ(level(.2 * degree).standing(), Standing::holds);  // 1.2 %
     EXPECT_TRUE(says(level(.2 * degree), "by up to 1.2 %")) << level(.2 * degree).consequence;
-    EXPECT_EQ(level(2 * degree).standing(), Standing::cannot_tell);  // 12 %
+    EXPECT_EQ(level(2 * degree).standing(), Standing::not_testable);  // 12 %
     // Of a normal tilt, beyond 5 % to either side: erfc(5/(12.2 sqrt(2))).
     const double violated =
         experiments::probability_of_violation(level(2 * degree).criteria.front(), 2000);
@@ -178,7 +178,7 @@ TEST(LevelSurface, OfACylinderIsPressedDeeperAtOneEnd) {
                 1e-5);
     EXPECT_FALSE(says(level, "not pressed"));
     const auto steep = experiments::level_surface(changed(rig, {{"theta'", {1 * degree}}}));
-    EXPECT_EQ(steep.standing(), Standing::fails);
+    EXPECT_EQ(steep.standing(), Standing::violated);
     EXPECT_TRUE(says(steep, "not pressed")) << steep.consequence;
     EXPECT_FALSE(says(steep, "load per length"));
 }

@@ -39,7 +39,7 @@ TEST(SmoothSurfaces, ComparesHeightsWithTheDepth) {
     EXPECT_NEAR(smooth.deciding_value(), 5e-6 / d, 1e-6 * 5e-6 / d);
     EXPECT_EQ(smooth.consequence.find("wider"), std::string::npos);
     const auto rough = experiments::smooth_surfaces(with({{"h_rms", 30e-6}}));
-    EXPECT_EQ(rough.standing(), Standing::fails);
+    EXPECT_EQ(rough.standing(), Standing::violated);
     EXPECT_NE(rough.consequence.find("wider"), std::string::npos) << rough.consequence;
 }
 
@@ -53,7 +53,7 @@ TEST(UnsaturatedContact, IsAThirdOfTheSquareOfSmallPressures) {
     EXPECT_NEAR(light.deciding_value(), x * x / 3, .01 * x * x / 3);
     EXPECT_EQ(light.consequence.find("lower there"), std::string::npos);
     const auto pressed = experiments::unsaturated_contact(with({{"s_rms", .1}}));
-    EXPECT_EQ(pressed.standing(), Standing::fails);
+    EXPECT_EQ(pressed.standing(), Standing::violated);
     EXPECT_NEAR(pressed.background.front().result.value,
                 std::erf(std::sqrt(2.) * peak / (modulus * .1)), 1e-6);
     EXPECT_NE(pressed.consequence.find("lower there"), std::string::npos) << pressed.consequence;
@@ -68,7 +68,7 @@ TEST(NoHeating, IsBoundedByADiscSourceAtRest) {
     EXPECT_NEAR(slow.background.front().result.value, power / (M_PI * a * .2), 1e-9);
     EXPECT_EQ(slow.consequence.find("bound takes"), std::string::npos);
     const auto fast = experiments::no_heating(with({{"k_th", .2}, {"c_T", 3e-3}, {"v", .1}}));
-    EXPECT_EQ(fast.standing(), Standing::fails);
+    EXPECT_EQ(fast.standing(), Standing::violated);
     EXPECT_NE(fast.consequence.find("bound takes"), std::string::npos) << fast.consequence;
 }
 
@@ -81,7 +81,7 @@ TEST(NoWear, IsArchardsDepthOverTheIndentation) {
     const double slip = 12 * 4 * .25 * a * .57 * a / 40e-3;
     EXPECT_NEAR(few.deciding_value(), 1e-14 * peak * slip / d, 1e-6 * 1e-14 * peak * slip / d);
     const auto many = experiments::no_wear(with({{"k_w", 1e-11}, {"n", 1e5}}));
-    EXPECT_EQ(many.standing(), Standing::fails);
+    EXPECT_EQ(many.standing(), Standing::violated);
     EXPECT_NE(many.consequence.find("bound takes"), std::string::npos) << many.consequence;
 }
 

@@ -86,7 +86,7 @@ TEST(Thresholds, OfASphereHaveBothSides) {
         experiments::check_rig(rig_with("sphere_parallel", changed(sphere_data, {{"F_N", 400}})));
     EXPECT_TRUE(assumption_of(beyond, "small_strains").criteria.empty());
     EXPECT_EQ(assumption_of(beyond, "small_strains").standing(),
-              experiments::Standing::cannot_tell);
+              experiments::Standing::not_testable);
 }
 
 TEST(Thresholds, OfACylinderHaveBothSides) {

@@ -41,7 +41,7 @@ TEST(IdentificationVerdicts, SayHowFarTheHalfSpaceIsOff) {
         "layer: E = 4.20 MPa (4.10 MPa to 4.30 MPa), mu = 0.570 (0.560 to 0.580); intervals "
         "of 95 %, from the likelihood, the rig's data taken as exact. This is the most complete "
         "model.");
-    EXPECT_EQ(verdicts[1].standing, report::Verdict::Standing::fails);
+    EXPECT_EQ(verdicts[1].standing, report::Verdict::Standing::violated);
     EXPECT_EQ(verdicts[1].sentence,
               "The half-space finds E = 5.70 MPa, layer 4.20 MPa: 36 % too high; the layer is 0.83 "
               "contact widths thick; its mu is 5.3 % too low.");
@@ -55,8 +55,8 @@ TEST(IdentificationVerdicts, SayNothingThatTheMeasurementDoesNot) {
                                       model("layer", 4.2e6, {2e6, 6e6}, .9, {.4, infinity}));
     EXPECT_EQ(verdicts[0].sentence.substr(0, 58),
               "layer: E = 4.20 MPa (2.00 MPa to 6.00 MPa), mu above 0.400");
-    EXPECT_EQ(verdicts[1].standing, report::Verdict::Standing::cannot_tell);
-    EXPECT_EQ(std::ranges::count(verdicts, report::Verdict::Standing::cannot_tell,
+    EXPECT_EQ(verdicts[1].standing, report::Verdict::Standing::not_resolved);
+    EXPECT_EQ(std::ranges::count(verdicts, report::Verdict::Standing::not_resolved,
                                  &report::Verdict::standing),
               3);
 }
@@ -76,7 +76,7 @@ TEST(IdentificationVerdicts, ARejectedModelIsNotUsed) {
     EXPECT_EQ(verdicts_of(half_space, layer).back().sentence,
               "Use the values of layer: chi^2 rejects the half-space.");
     layer.found.goodness = .002;
-    EXPECT_EQ(verdicts_of(half_space, layer).back().standing, report::Verdict::Standing::fails);
+    EXPECT_EQ(verdicts_of(half_space, layer).back().standing, report::Verdict::Standing::fail);
 }
 
 // Depths of a sphere: F = 4/3 E* R^(1/2) d^(3/2), so that an error of R moves E by half of it. R of
@@ -136,11 +136,11 @@ TEST(IdentificationVerdicts, SharedErrorsDoNotHideABias) {
     auto layer = model("layer", 4.2e6, {4.1e6, 4.3e6}, .57, {.56, .58});
     half_space.contributions = {{"indenter.radius", 1e-3, {.57e6, .0}}};
     layer.contributions = {{"indenter.radius", 1e-3, {.42e6, .0}}};
-    EXPECT_EQ(verdicts_of(half_space, layer)[1].standing, report::Verdict::Standing::fails);
+    EXPECT_EQ(verdicts_of(half_space, layer)[1].standing, report::Verdict::Standing::violated);
     layer.contributions = {{"substrate.thickness", 1e-3, {.8e6, .0}}};
-    EXPECT_EQ(verdicts_of(half_space, layer)[1].standing, report::Verdict::Standing::cannot_tell);
+    EXPECT_EQ(verdicts_of(half_space, layer)[1].standing, report::Verdict::Standing::not_resolved);
     half_space.contributions = {};
-    EXPECT_EQ(verdicts_of(half_space, layer)[1].standing, report::Verdict::Standing::cannot_tell);
+    EXPECT_EQ(verdicts_of(half_space, layer)[1].standing, report::Verdict::Standing::not_resolved);
 }
 
 TEST(IdentificationVerdicts, ProbabilitiesAreNoPowersOfTen) {

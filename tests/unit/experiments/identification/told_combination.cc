@@ -85,7 +85,7 @@ TEST(ToldCombination, ForcesOfAHalfSpaceTellTheModulusTimesTheRootOfTheRadius) {
     EXPECT_NEAR(found.best()[0] * std::sqrt(found.best()[1]) / (young * std::sqrt(radius)), 1,
                 4 * told[0].standard_error);
     EXPECT_EQ(sentence(told[0], found).substr(0, 51),
-              "E and R are told only in the combination E R^0.50 (");
+              "E and R are identifiable only in the combination E R^0.50 (");
     // Alone they are open.
     EXPECT_TRUE(std::isinf(found.parameters[0].standard_error));
     for (const ParameterEstimate& one : found.parameters) {

@@ -244,7 +244,7 @@ TEST(CaseReader, OverridingOneAlternativeRemovesTheOthersOfTheFile) {
     EXPECT_EQ(indented.load.indentation, 0.0005);
     EXPECT_FALSE(indented.load.normal_force);
 
-    // amplitude_reference hangs on the ratio and goes with it.
+    // amplitude_reference depends on the ratio and goes with it.
     const Case rolled = parsed({"rolling.amplitude=1.1 mm"}, rolling);
     EXPECT_EQ(rolled.rolling->amplitude, 0.0011);
     EXPECT_FALSE(rolled.rolling->amplitude_ratio);

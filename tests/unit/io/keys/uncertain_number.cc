@@ -76,7 +76,7 @@ TEST(UncertainNumber, RefusesWhatCannotBeRead) {
         return "accepted";
     };
     EXPECT_EQ(rule("1 mm ± 2", Dimension::length), "the error behind ± has no unit");
-    EXPECT_EQ(rule("0 mm ± 5 %", Dimension::length), "an error in percent of zero says nothing");
+    EXPECT_EQ(rule("0 mm ± 5 %", Dimension::length), "an error in percent of zero is undefined");
     EXPECT_EQ(rule("1 ± 2 mm (log-normal)", Dimension::length),
               "(log-normal) is none of (normal), (uniform), (triangular)");
     EXPECT_NE(rule("1 mm (uniform)", Dimension::length), "accepted");

@@ -17,7 +17,7 @@ constexpr double tolerance = 1e-12;
 // Errors of some hundred steps add up.
 constexpr double accuracy = 1e-10;
 
-// Lifted: a parabola down to the ground, while the spring swings the body to and fro.
+// Lifted: a parabola down to the ground, while the spring swings the body back and forth.
 TEST(EventDriven, FliesAndLandsAsClosedFormsDo) {
     const Machine machine{.kappas = set_b(), .mechanisms = {.rotation = false}};
     const auto& [k1, k2, k3, k4, mu, k6, k7, k8] = machine.kappas;

@@ -50,7 +50,7 @@ TEST(WalkDocument, TellsWhatALimitCycleIs) {
     EXPECT_TRUE(contains(document.verdicts[2].sentence, "r_1 = −0.759, r_2 = −0.727"));
     EXPECT_TRUE(contains(document.verdicts[3].sentence, "neither diverge nor converge"));
     EXPECT_TRUE(contains(document.verdicts[4].sentence, "0.2329"));
-    EXPECT_EQ(document.verdicts[5].standing, Standing::holds);
+    EXPECT_EQ(document.verdicts[5].standing, Standing::pass);
     EXPECT_NO_THROW(report::document_html(document));
 }
 
@@ -81,7 +81,7 @@ TEST(WalkDocument, SaysWhereTheStepLosesEnergy) {
     const auto energy = energy_of(report);
     ASSERT_TRUE(energy);
     const report::Verdict verdict = energy_verdict(report, *energy);
-    EXPECT_EQ(verdict.standing, Standing::fails);
+    EXPECT_EQ(verdict.standing, Standing::fail);
     EXPECT_TRUE(contains(verdict.sentence, "smaller [time] step"));
 }
 
@@ -175,7 +175,7 @@ TEST(WalkDocument, FindsTheLimitCyclesFrequencyInTheSpectrum) {
 
 TEST(WalkDocument, SaysWhereARunIsTooShort) {
     const report::Document document = walk_document(run_of({.kappas = walking::set_b()}, 150));
-    EXPECT_EQ(document.verdicts[0].standing, Standing::cannot_tell);
+    EXPECT_EQ(document.verdicts[0].standing, Standing::not_resolved);
     EXPECT_TRUE(contains(document.verdicts[0].sentence, "Too short"));
     EXPECT_NO_THROW(report::document_html(document));
 }

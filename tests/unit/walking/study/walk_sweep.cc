@@ -153,7 +153,7 @@ TEST(WalkSweep, AMapHasItsReportAndPage) {
     WalkSweep sweep = map();
     const report::Document document = walk_sweep_document(sweep);
     EXPECT_EQ(document.sections.front().id, "map");
-    EXPECT_EQ(document.verdicts[2].standing, report::Verdict::Standing::holds);
+    EXPECT_EQ(document.verdicts[2].standing, report::Verdict::Standing::pass);
     EXPECT_NE(report::document_html(document).find("200 runs computed"), std::string::npos);
     const auto page = walk_map_of(sweep);
     ASSERT_TRUE(page);
