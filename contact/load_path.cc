@@ -59,6 +59,7 @@ LoadStep step_to(const PrescribedPath::Row& row, double phase) {
     step.tangential = row.tangential;
     step.rotation = row.rotation;
     step.recurs = false;
+    step.in_proportion = true;
     return step;
 }
 

@@ -20,6 +20,10 @@ struct LoadStep {
     /// towards y [rad].
     double rotation = 0;
     bool recurs = true;  ///< a step at this phase of the period comes again and again
+    /// All loads and motions change in proportion from the step before: a point that the indenter
+    /// meets on the way is carried along by what is left of the step's shift and twist. Else it
+    /// takes part in all of them, an error of the first order in the steps.
+    bool in_proportion = false;
 };
 
 /// Loading once, then the same period again and again; a prescribed path is all loading.

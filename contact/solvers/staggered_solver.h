@@ -66,8 +66,11 @@ class StaggeredSolver {
     void resume(ContactSolution solution, double phase);
     /// What is prescribed of a step, ratios as the forces that they are at the present F_N.
     std::array<TangentialControl, 2> forces_and_shifts(const LoadStep& step) const;
-    /// Shift of the indenter at a point by its rotation in the step [m].
+    /// Shift of the indenter at a point by its rotation in the step, since they touch [m].
     Vector2 rotated(const StepStart& before, std::size_t i) const;
+    /// The share of the step in which the indenter carries a point along: 1, less where they meet
+    /// within it (see LoadStep::in_proportion).
+    double carried(std::size_t i) const { return carried_.empty() ? 1 : carried_[i]; }
 
   private:
     /// The last solution at a phase of the period. A contact that rolls to and fro comes back to
@@ -102,6 +105,9 @@ class StaggeredSolver {
     void solve_normal(NormalControl control, const std::vector<double>& height);
     void solve_friction(const LoadStep& step, const StepStart& before);
     void solve_tangential(const LoadStep& step, const StepStart& before);
+    void keep_gap(const LoadStep& step, const StepStart& before);
+    void find_carried(const StepStart& before);
+    void solve_carried(const TangentialProblem& problem);
     void slide_freely(const LoadStep& step);
     TangentialField displaced_before(const StepStart& before) const;
     void find_shift_factor();
@@ -115,6 +121,8 @@ class StaggeredSolver {
     std::vector<std::uint8_t> focus_;  // per point, empty: all
     double highest_ = 0;               // the indenter over the points in contact, undeformed [m]
     double looseness_ = 1;             // of the tangential contact in this staggered iteration
+    std::vector<double> gap_before_;   // at the start of a step in proportion [m]; else empty
+    std::vector<double> carried_;      // see carried(); empty: 1
     // They keep factors of the compliance.
     std::optional<NormalSolver> normal_solver_;
     std::optional<TangentialSolver> tangential_solver_;
