@@ -20,9 +20,9 @@ struct LoadStep {
     /// towards y [rad].
     double rotation = 0;
     bool recurs = true;  ///< a step at this phase of the period comes again and again
-    /// All loads and motions change in proportion from the step before: a point that the indenter
-    /// meets on the way is carried along by what is left of the step's shift and twist. Else it
-    /// takes part in all of them, an error of the first order in the steps.
+    /// All loads and motions change in proportion from the step before: what has moved before a
+    /// point is met on the way is no slip. Else points are carried along by all of a step, an error
+    /// of the first order in the steps.
     bool in_proportion = false;
 };
 

@@ -24,10 +24,14 @@ constexpr double of_quarter_steps = 4. / 3;
 // Sides that are 1.5 times as far apart: what the second power of their distance leaves.
 constexpr double of_wider_block = 1.8;
 constexpr double of_tolerance = 10;
+// What separates the coarsest meshes counts half; of what is counted in cells, which has no order,
+// it counts as it is.
+constexpr double first_order = .5, no_order = 1;
 
 /// `value`: of a run, empty if it has none. Without what is less than rounding and tolerances.
 template <class Value>
-std::optional<double> half_width(const NumericalError& error, const Value& value) {
+std::optional<double> half_width(const NumericalError& error, const Value& value,
+                                 double of_coarsest = first_order) {
     if (!error.run || !error.coarser) return {};
     const std::optional<double> fine = value(*error.run), coarse = value(*error.coarser);
     if (!fine || !coarse) return {};
@@ -36,7 +40,7 @@ std::optional<double> half_width(const NumericalError& error, const Value& value
     if (error.coarsest) {
         const std::optional<double> coarsest = value(*error.coarsest);
         if (!coarsest) return {};
-        mesh = safety_factor * std::max(change, std::abs(*coarse - *coarsest) / 2);
+        mesh = safety_factor * std::max(change, of_coarsest * std::abs(*coarse - *coarsest));
     }
     double rest = 0;
     const std::array others{std::pair(&error.long_steps, 1.),
@@ -97,8 +101,9 @@ double ResolvedRun::shift_at(double phase) const {
 
 std::optional<double> NumericalError::of(const Quantity& q) const {
     if (is_exact(q)) return run && run->results.number(q) ? std::optional(0.) : std::nullopt;
-    const auto width =
-        half_width(*this, [&q](const ResolvedRun& r) { return r.results.number(q); });
+    const auto width = half_width(
+        *this, [&q](const ResolvedRun& r) { return r.results.number(q); },
+        &q == &quantities::contact_radius ? no_order : first_order);
     if (!width) return {};
     return std::max(*width, of_tolerance * tolerance * scale_of(q, run->results));
 }

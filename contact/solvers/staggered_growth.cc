@@ -1,4 +1,4 @@
-// Steps in proportion: what the indenter meets on the way is carried along from then on.
+// Steps in proportion: what moves between indenter and surface before they meet is no slip.
 
 #include <fmt/format.h>
 
@@ -14,7 +14,7 @@ namespace tricontact::contact {
 /// What separates indenter and surface before the step.
 void StaggeredSolver::keep_gap(const LoadStep& step, const StepStart& before) {
     gap_before_.clear();
-    carried_.clear();
+    before_touch_ = {};
     if (!step.in_proportion || !step.friction) return;
     const NormalSolution& last = *now_.normal;
     if (last.force == 0 && last.indentation == 0) coupling_.place(step.offset);  // first touch
@@ -23,61 +23,99 @@ void StaggeredSolver::keep_gap(const LoadStep& step, const StepStart& before) {
         [&](std::size_t i) { gap_before_[i] += before.displacement.down[i] - last.indentation; });
 }
 
-/// Loads change in proportion: displacements of the surface in all directions do, as far as nothing
-/// slips (Jaeger 1998, Ciavarella 1998: each increment of tangential contact is one of normal
-/// contact times a factor). What the normal displacement of a point misses of the indenter's
-/// approach, the gap before, the tangential one misses of its shift, in the same ratio.
-void StaggeredSolver::find_carried(const StepStart& before) {
-    if (gap_before_.empty()) return;
-    const std::vector<double>& height = coupling_.bare_height();
-    const double depth = now_.normal->indentation;
-    carried_.assign(height.size(), 1);
-    blocks().for_points([&](std::size_t i) {
-        if (!(now_.bound[i] > 0) || before.traction.down[i] > 0 || !(gap_before_[i] > 0)) return;
-        const double pressed = depth - height[i] - before.displacement.down[i];
-        carried_[i] = pressed > 0 ? pressed / (gap_before_[i] + pressed) : 1;
-    });
+/// Displacement along over displacement into the surface by equal tractions on a point alone:
+/// E*/G*.
+double StaggeredSolver::local_ratio() const {
+    const auto& pressure = now_.normal->pressure;
+    const auto highest = std::ranges::max_element(pressure) - pressure.begin();
+    std::vector<double> down(pressure.size()), unit(pressure.size());
+    TangentialField along(pressure.size()), displaced(pressure.size());
+    unit[highest] = along.x[highest] = 1;
+    substrate_.compliance().normal(unit, down);
+    substrate_.compliance().tangential(along, displaced);
+    return displaced.x[highest] / down[highest];
 }
 
-/// Where points are carried by a share of the step only, what the rest moves them is known when the
-/// shift is: a fixed-point iteration that gains a factor of 3 at the first touch, where all points
-/// are met, and more elsewhere.
-void StaggeredSolver::solve_carried(const TangentialProblem& problem) {
+/// Tangential traction over pressure where points have been met, as a translation and a rotation
+/// about the indenter times `radius` fit it: x, y, rotation.
+std::vector<double> StaggeredSolver::traction_ratio(const std::vector<std::size_t>& met,
+                                                    double radius) const {
+    double force = 0, moment = 0, inertia = 0;
+    Vector2 first{}, along{};
+    for (const std::size_t i : met) {
+        const double part = points().area[i] * now_.normal->pressure[i];
+        const Vector2 r{points().x[i] - now_.offset[0], points().y[i] - now_.offset[1]};
+        const Vector2 t = points().area[i] * now_.tangential.traction.at(i);
+        force += part;
+        first = first + part * r;
+        inertia += part * dot(r, r);
+        along = along + t;
+        moment += r[0] * t[1] - r[1] * t[0];
+    }
+    if (points().mirrored) return {along[0] / force, 0, 0};
+    const double own = inertia - dot(first, first) / force;
+    const double turned = radius > 0 && own > 0
+                              ? (moment - (first[0] * along[1] - first[1] * along[0]) / force) / own
+                              : 0;
+    return {(along[0] + turned * first[1]) / force, (along[1] - turned * first[0]) / force,
+            turned * radius};
+}
+
+/// Beside the edge of the contact the gap and what moves along it both grow with the root of the
+/// distance, by the intensities of the tractions at the edge, and the tractions of what is met next
+/// have the same ones: along the surface a point has missed E*/G* t/p times the gap that has
+/// closed. On the half-space, where nothing slips, increments of tangential contact are those of
+/// normal contact times a factor (Jaeger 1998, Ciavarella 1998), and this is exact for steps of any
+/// length. Of t/p the mean over what is met is taken, which a fixed-point iteration finds: a gain
+/// of a factor of 3 at the first touch, where all points are met, and more elsewhere.
+void StaggeredSolver::solve_growing(const TangentialProblem& problem, const StepStart& before) {
     constexpr int most_iterations = 100;
     const auto solve = [&](const TangentialProblem& at) {
         tangential_solver_->solve(at, now_.tangential);
         now_.tangential_iterations += now_.tangential.iterations;
     };
-    if (std::ranges::all_of(carried_, [](double share) { return share == 1; }))
-        return solve(problem);
-    const TangentialField& whole = problem.previous_displacement;
-    const double unit = friction_coefficient_ * std::max(now_.shift_factor, 1.) *
-                        substrate_.stiffness() * now_.normal->length;
-    std::vector<double> shift(2);
-    for (int d = 0; d < 2; ++d)
-        shift[d] = problem.control[d].kind == TangentialControl::Kind::shift
-                       ? problem.control[d].value
-                       : now_.tangential.shift_increment[d];
+    std::vector<std::size_t> met;
+    double widest = 0, radius = 0;
+    for (std::size_t i = 0; i < gap_before_.size(); ++i) {
+        if (!(now_.bound[i] > 0) || before.traction.down[i] > 0 || !(gap_before_[i] > 0)) continue;
+        met.push_back(i);
+        widest = std::max(widest, gap_before_[i]);
+        if (before.rotation != 0)
+            radius = std::max(
+                radius, std::hypot(points().x[i] - now_.offset[0], points().y[i] - now_.offset[1]));
+    }
+    before_touch_ = {};
+    if (met.empty()) return solve(problem);
+    const double ratio = local_ratio();
+    const double allowed = tolerance_ * looseness_ * friction_coefficient_ *
+                           std::max(now_.shift_factor, 1.) * now_.normal->length;
+    std::vector<double> traction(3, 0);
     FixedPoint iteration;
     for (int k = 1; k <= most_iterations; ++k) {
-        TangentialField met = whole;
-        blocks().for_points([&](std::size_t i) {
-            met.set(i, whole.at(i) - (1 - carried_[i]) * Vector2{shift[0], shift[1]});
-        });
+        before_touch_ = TangentialField(gap_before_.size(), n_threads());
+        TangentialField relative = problem.previous_displacement;
+        for (const std::size_t i : met) {
+            const double turned = radius > 0 ? traction[2] / radius : 0;
+            const Vector2 along{traction[0] - turned * (points().y[i] - now_.offset[1]),
+                                traction[1] + turned * (points().x[i] - now_.offset[0])};
+            before_touch_.set(i, (ratio * gap_before_[i]) * along);
+            relative.set(i, relative.at(i) - substrate_.stiffness() * before_touch_.at(i));
+        }
         solve({.bound = problem.bound,
-               .previous_displacement = met,
+               .previous_displacement = relative,
                .control = problem.control,
                .contact_compliance = problem.contact_compliance,
                .looseness = problem.looseness,
                .displaces_all = problem.displaces_all});
-        const Vector2 found = now_.tangential.shift_increment;
-        const double change = std::hypot(found[0] - shift[0], found[1] - shift[1]);
-        if (change <= tolerance_ * looseness_ * unit) return;
-        shift = iteration.next(shift, {found[0], found[1]}, change);
+        const std::vector<double> found = traction_ratio(met, radius);
+        double change = 0;
+        for (int d = 0; d < 3; ++d) change = std::max(change, std::abs(found[d] - traction[d]));
+        if (ratio * widest * change <= allowed) return;
+        traction = iteration.next(traction, found, change);
     }
     throw NotConverged(
-        fmt::format("{}: the shift of a contact that grows is not found after {} "
-                    "solutions of its friction",
+        fmt::format("{}: the tractions of a contact that grows are not found after "
+                    "{} solutions of its friction",
                     name_, most_iterations));
 }
 

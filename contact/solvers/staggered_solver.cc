@@ -70,9 +70,8 @@ void StaggeredSolver::make_solvers() {
 Vector2 StaggeredSolver::rotated(const StepStart& before, std::size_t i) const {
     if (before.rotation == 0) return {};
     const double ahead = before.advected ? spin_point * points().spacing[0] : 0;
-    const double rotation = carried(i) * before.rotation;
-    return {-rotation * (points().y[i] - now_.offset[1]),
-            rotation * (points().x[i] + ahead - now_.offset[0])};
+    return {-before.rotation * (points().y[i] - now_.offset[1]),
+            before.rotation * (points().x[i] + ahead - now_.offset[0])};
 }
 
 SurfaceField StaggeredSolver::tractions() const {
@@ -257,17 +256,17 @@ void StaggeredSolver::solve_tangential(const LoadStep& step, const StepStart& be
     // Both halves of a mirrored contact push against each other: nothing moves it across.
     if (points().mirrored) control[1] = {TangentialControl::Kind::shift, 0};
 
-    find_carried(before);
     if (now_.shift_factor == 0) find_shift_factor();
     const double contact_compliance =
         now_.shift_factor * stiffness * now_.normal->length * contact_area / now_.normal->force;
     for (double& increment : now_.tangential.shift_increment) increment *= stiffness;
-    solve_carried({.bound = now_.bound,
+    solve_growing({.bound = now_.bound,
                    .previous_displacement = displaced_before(before),
                    .control = control,
                    .contact_compliance = contact_compliance,
                    .looseness = looseness_,
-                   .displaces_all = focus_.empty()});
+                   .displaces_all = focus_.empty()},
+                  before);
     for (int d = 0; d < 2; ++d) {
         now_.tangential.shift_increment[d] /= stiffness;
         now_.shift[d] = before.shift[d] + now_.tangential.shift_increment[d];

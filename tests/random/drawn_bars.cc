@@ -80,7 +80,7 @@ class Drawing {
             body_ = "ellipsoid";
         } else if (shape == 7 && layer) {
             c_.indenter.shape = Case::Shape::cylinder;
-            c_.indenter.length = 4 * radius;
+            c_.indenter.length = 30 * radius;
             body_ = "cylinder";
         }
         closed_form_ = shape < 2;

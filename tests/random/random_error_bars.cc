@@ -91,9 +91,10 @@ int check(std::uint64_t seed, int n) {
                        Tally{&final_shift}, Tally{&settled_shift},  Tally{&shift_increment}};
     int n_runs = 0;
     for (int i = 0; i < n; ++i) {
-        const DrawnRun drawn = random_cases::drawn_run(seed + static_cast<std::uint64_t>(i));
-        const Case& c = drawn.c;
+        DrawnRun drawn;
         try {
+            drawn = random_cases::drawn_run(seed + static_cast<std::uint64_t>(i));
+            const Case& c = drawn.c;
             const contact::History run = app::history_of(c.models.front(), c, 1, app::silent);
             const auto error = app::numerical_error(c, run, {}, app::silent);
             if (!error->why_none.empty()) {
