@@ -19,15 +19,6 @@
 
 namespace tricontact::app {
 
-Case with_coarser_mesh(Case c) {
-    for (auto* size : {&c.bem.spacing, &c.fem.size, &c.fem.accuracy})
-        if (*size) **size *= 2;
-    if (c.bem.cells_per_radius) *c.bem.cells_per_radius /= 2;
-    // Halves whose springs stand where the whole has some agree with it by accident.
-    c.mdr.springs = std::max(c.mdr.springs / 2 - 1, 2);
-    return c;
-}
-
 CaseRun run_models(const Case& c, const RunOptions& options, const Say& say,
                    const ModelRun& run_one) {
     CaseRun run{.c = c, .resolved = io::write_case(c), .histories = {}, .extras = {}};
@@ -83,6 +74,13 @@ contact::History history_of(const std::string& name, const Case& c, int n_thread
     contact::History history = contact::run(c, *model, observer);
     require_sound(history.audit, name);
     if (study) study_loading(c, *model, history, say, *study);
+    return history;
+}
+
+contact::History history_of_coarser(const std::string& name, const Case& c, int n_threads) {
+    const CoarserModel coarser = make_coarser_model(name, c, 2, n_threads, silent);
+    contact::History history = contact::run(coarser.c, *coarser.model);
+    require_sound(history.audit, name);
     return history;
 }
 

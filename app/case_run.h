@@ -32,9 +32,6 @@ using ModelRun =
 CaseRun run_models(const Case& c, const RunOptions& options, const Say& say,
                    const ModelRun& run_one);
 
-/// Cells, elements and springs of about twice the size; meshes that a file gives stay.
-Case with_coarser_mesh(Case c);
-
 /// The text of summary.json.
 std::string summary_of(const CaseRun& run);
 
@@ -46,6 +43,9 @@ void write_run_report(const CaseRun& run, const CommandOptions& options);
 contact::History history_of(const std::string& name, const Case& c, int n_threads, const Say& say,
                             const contact::Observer& observer = {},
                             comparisons::LoadingStudy* study = nullptr);
+
+/// The same on cells, elements and springs of twice the size.
+contact::History history_of_coarser(const std::string& name, const Case& c, int n_threads);
 
 /// What run_model writes into the folder of the model, beside the files that the collections name.
 inline const std::vector<std::string> model_results{"history.csv", "surface.pvd", "indenter.pvd",

@@ -1,6 +1,7 @@
 #include "app/models.h"
 
 #include "bem/model.h"
+#include "contact/error.h"
 #include "mdr/layer_model.h"
 #include "mdr/model.h"
 #ifdef TRICONTACT_WITH_FEM
@@ -49,6 +50,55 @@ std::unique_ptr<contact::Model> make_model(const std::string& name, const Case& 
             "models: atlas runs nothing: it holds what runs came to; take tricontact predict, or "
             "name another model");
     throw contact::InputError("models: this program was built without the model " + name);
+}
+
+namespace {
+
+/// Element of the mesh that fem makes of the case, and sides of its block [m].
+struct OwnBlock {
+    double size, width, depth;
+};
+OwnBlock own_block([[maybe_unused]] const Case& c, [[maybe_unused]] const Say& say) {
+#ifdef TRICONTACT_WITH_FEM
+    const meshes::LayerMeshSpec spec = fem_entries().mesh_spec(c, say);
+    return {spec.size, 2 * spec.half_x, 2 * spec.half_y};
+#else
+    throw contact::InputError("models: this program was built without the model fem");
+#endif
+}
+
+}  // namespace
+
+CoarserModel make_coarser_model(const std::string& name, const Case& c, double factor,
+                                int n_threads, const Say& say) {
+    CoarserModel coarser{.c = c, .model = {}};
+    Case& to = coarser.c;
+    if (name == "mdr-layer") {
+        coarser.model = mdr::make_layer_model(c, mdr::usual_elements_per_radius, factor);
+        return coarser;
+    }
+    if (name == "fem") {
+        if (c.fem.mesh)
+            throw contact::InputError("the mesh is a file's; run another one beside it");
+        to.fem.size = factor * (c.fem.size ? *c.fem.size : own_block(c, silent).size);
+        to.fem.accuracy.reset();
+    }
+    if (c.bem.spacing) *to.bem.spacing *= factor;
+    if (c.bem.cells_per_radius) *to.bem.cells_per_radius /= factor;
+    // Halves whose springs stand where the whole has some agree with it by accident.
+    to.mdr.springs = std::max(static_cast<int>(c.mdr.springs / factor) - 1, 10);
+    coarser.model = make_model(name, to, n_threads, say);
+    return coarser;
+}
+
+std::optional<Case> with_wider_block(const Case& c, double factor, const Say& say) {
+    const bool has_depth = !c.is_cylindrical();
+    if (c.layer.width && (!has_depth || c.layer.depth)) return {};
+    const OwnBlock block = own_block(c, say);
+    Case wider = c;
+    if (!c.layer.width) wider.layer.width = factor * block.width;
+    if (has_depth && !c.layer.depth) wider.layer.depth = factor * block.depth;
+    return wider;
 }
 
 void load_model([[maybe_unused]] const std::string& name) {

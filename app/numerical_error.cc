@@ -1,8 +1,10 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <stdexcept>
 
 #include "app/case_run.h"
+#include "contact/load_path.h"
 #include "contact/own_limit.h"
 
 namespace tricontact::app {
@@ -12,21 +14,37 @@ namespace {
 using comparisons::NumericalError;
 using comparisons::ResolvedRun;
 
-/// The same with half as many steps; empty where their number is the case's own.
-std::optional<Case> with_longer_steps(Case c) {
-    if (c.prescribed_path || !c.rolling) return {};
-    switch (c.rolling->steps) {
-        case Case::Steps::increment:
-            c.rolling->increment *= 2;
-            return c;
-        case Case::Steps::per_quarter:
-            if (c.rolling->steps_per_quarter < 2) return {};
-            c.rolling->steps_per_quarter /= 2;
-            return c;
-        case Case::Steps::turning_points:
-            return {};
+constexpr int steps_for_one = 4;
+constexpr double wider = 1.5, springs_tolerance = 1e-9;  // see mdr-layer; mdr is more exact
+
+/// The case with other numbers of steps: `changed` of each that it has, `amplitude` [m] being that
+/// of its run. Empty where they stay.
+template <class Changed>
+std::optional<Case> with_steps(Case c, double amplitude, const Changed& changed) {
+    bool differs = false;
+    const auto change = [&](int& n) {
+        const int other = changed(n);
+        differs = differs || other != n;
+        n = other;
+    };
+    if (c.load.press == Case::Press::friction || c.load.press_time) change(c.load.press_steps);
+    if (c.prescribed_path) {
+        auto& rows = c.prescribed_path->rows;
+        for (std::size_t r = 1; r < rows.size(); ++r) change(rows[r].steps);
+    } else if (c.rolling) {
+        int n = contact::steps_in_quarter(*c.rolling, amplitude);
+        change(n);
+        if (n != contact::steps_in_quarter(*c.rolling, amplitude)) {
+            c.rolling->steps = Case::Steps::per_quarter;
+            c.rolling->steps_per_quarter = n;
+        }
     }
-    return {};
+    return differs ? std::optional(c) : std::nullopt;
+}
+
+double tolerance_of(const std::string& model, const Case& c) {
+    if (model == "fem") return c.fem.tolerance;
+    return model.starts_with("bem") ? c.bem.tolerance : springs_tolerance;
 }
 
 ResolvedRun resolved(const Case& c, contact::Model& model) {
@@ -35,38 +53,67 @@ ResolvedRun resolved(const Case& c, contact::Model& model) {
     return {c, history};
 }
 
+/// The same on a coarser mesh with other numbers of steps, on the same elasticity where the model
+/// can share it.
+class OtherSteps {
+  public:
+    OtherSteps(const Case& c, const CoarserModel& coarser, double amplitude, int n_threads)
+        : c_(c), coarser_(coarser), amplitude_(amplitude), n_threads_(n_threads) {}
+
+    template <class Changed>
+    std::optional<ResolvedRun> run(const std::string& name, const Changed& changed) const {
+        const auto other = with_steps(coarser_.c, amplitude_, changed);
+        if (!other) return {};
+        auto sibling = coarser_.model->sibling(coarser_.c.contact);
+        if (!sibling) sibling = make_coarser_model(name, c_, 2, n_threads_, silent).model;
+        return resolved(*other, *sibling);
+    }
+
+  private:
+    const Case& c_;
+    const CoarserModel& coarser_;
+    double amplitude_;
+    int n_threads_;
+};
+
 }  // namespace
 
 std::optional<NumericalError> numerical_error(const Case& c, const contact::History& history,
                                               const RunOptions& options, const Say& say) {
     if (!options.studies) return {};
     const std::string& name = history.model;
-    NumericalError error{.model = name, .run = ResolvedRun(c, history)};
-    if (name == "fem" && c.fem.mesh) {
-        error.why_none = "the mesh is a file's; run another one beside it";
-        return error;
-    }
-    const Case coarser = with_coarser_mesh(contact::loaded_as(c, history));
-    say(fmt::format("{}: once more on coarser meshes and with longer steps", name));
-    std::unique_ptr<contact::Model> model;
+    NumericalError error{.model = name,
+                         .run = ResolvedRun(c, history),
+                         .coarser = {},
+                         .coarsest = {},
+                         .tolerance = tolerance_of(name, c),
+                         .prescribed = comparisons::prescribed_quantities(c)};
+    const Case loaded = contact::loaded_as(c, history);
+    say(fmt::format("{}: once more on coarser meshes and with other steps", name));
+    const int n_threads = options.threads;
+    CoarserModel coarser;
     try {
-        model = make_model(name, coarser, options.threads, silent);
-        error.coarser = resolved(coarser, *model);
+        coarser = make_coarser_model(name, loaded, 2, n_threads, silent);
+        error.coarser = resolved(coarser.c, *coarser.model);
     } catch (const std::exception& e) {  // the run itself is none the worse for it
         error.why_none = e.what();
         return error;
     }
     try {
-        if (const auto longer = with_longer_steps(coarser)) {
-            // On the same elasticity, where the model can share it.
-            auto sibling = model->sibling(coarser.contact);
-            if (!sibling) sibling = make_model(name, coarser, options.threads, silent);
-            error.long_steps = resolved(*longer, *sibling);
-        }
-        const Case coarsest = with_coarser_mesh(coarser);
-        error.coarsest = resolved(coarsest, *make_model(name, coarsest, options.threads, silent));
+        const OtherSteps steps(loaded, coarser, history.amplitude, n_threads);
+        error.long_steps = steps.run(name, [](int n) { return std::max(1, n / 2); });
+        error.short_steps = steps.run(name, [](int n) { return n == 1 ? steps_for_one : n; });
+    } catch (const std::exception& e) {
+        error.why_no_steps = e.what();
+    }
+    try {
+        const CoarserModel coarsest = make_coarser_model(name, loaded, 4, n_threads, silent);
+        error.coarsest = resolved(coarsest.c, *coarsest.model);
     } catch (const std::exception&) {  // then two meshes have to do
     }
+    if (name != "fem") return error;
+    if (const auto wide = with_wider_block(coarser.c, wider, silent))
+        error.wide_block = resolved(*wide, *make_model(name, *wide, n_threads, silent));
     return error;
 }
 

@@ -130,9 +130,12 @@ class RecordPredictions {
             contact::path_amplitude(c, contact::half_space_scales(c).contact_radius));
     }
 
+    Case as_run(const Case& c) const { return recorded_ ? recorded_->followed_by(as_set(c)) : c; }
     History run(const std::string& name, const Case& c) const {
-        return history_of(name, recorded_ ? recorded_->followed_by(as_set(c)) : c, options_.threads,
-                          silent);
+        return history_of(name, as_run(c), options_.threads, silent);
+    }
+    History run_coarser(const std::string& name, const Case& c) const {
+        return history_of_coarser(name, as_run(c), options_.threads);
     }
     std::vector<double> shift_of(const History& history) const {
         return recorded_ ? recorded_->shifts(history, share_of_rest_after())
@@ -174,7 +177,12 @@ class RecordPredictions {
             prediction.raised.push_back(raised(name, uncertain.set, quantity, prediction.shift));
         if (!prediction.raised.empty()) {
             options_.say(name + ": once more on a mesh of twice the size");
-            prediction.coarser = shift_of(run(name, with_coarser_mesh(c)));
+            try {
+                prediction.coarser = shift_of(run_coarser(name, c));
+            } catch (const contact::InputError& none) {
+                options_.say(
+                    fmt::format("{}: the error of its mesh is not known: {}", name, none.what()));
+            }
         }
         experiments::add_prediction(evaluation_, std::move(prediction));
     }

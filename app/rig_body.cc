@@ -20,8 +20,7 @@ statistics::Estimate with_error(double fine, double coarse) {
 }
 
 BodyContact contact_by(const std::string& model, const Case& c) {
-    const History fine = history_of(model, c, 1, silent),
-                  coarse = history_of(model, with_coarser_mesh(c), 1, silent);
+    const History fine = history_of(model, c, 1, silent), coarse = history_of_coarser(model, c, 1);
     return {with_error(fine.scales.indentation, coarse.scales.indentation),
             with_error(fine.scales.contact_radius, coarse.scales.contact_radius),
             contact::has_conical_tip(c)

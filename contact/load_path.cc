@@ -60,6 +60,7 @@ LoadStep step_to(const PrescribedPath::Row& row, const CentreOfRotation& centre,
     step.tangential = row.tangential;
     step.rotation = row.rotation;
     step.recurs = false;
+    step.in_proportion = true;
     return step;
 }
 

@@ -20,6 +20,10 @@ struct LoadStep {
     double rotation = 0;   ///< twist of the indenter since the start, from x towards y [rad]
     CentreOfRotation centre = {};
     bool recurs = true;  ///< a step at this phase of the period comes again and again
+    /// All loads and motions change in proportion from the step before: what has moved before a
+    /// point is met on the way is no slip. Else points are carried along by all of a step, an error
+    /// of the first order in the steps.
+    bool in_proportion = false;
 };
 
 /// Loading once, then the same period again and again; a prescribed path is all loading.

@@ -103,7 +103,8 @@ void SurfaceModel::update_slip(const StepStart& before) {
             contact_state_[i] = ContactState::open;
             return;
         }
-        slip_.set(i, moved + solver_->rotated(before, i) - (u.at(i) - old.at(i)));
+        slip_.set(i, moved + solver_->rotated(before, i) - (u.at(i) - old.at(i)) -
+                         solver_->before_touch(i));
         // On the bound without having moved is stick; 10 tolerances: the solver's noise.
         const bool moves = std::hypot(slip_.x[i], slip_.y[i]) > 10 * tolerance_ * unit;
         const bool at_bound = norm(s.tangential.traction.at(i)) >= s.bound[i] * (1 - 1e-9);

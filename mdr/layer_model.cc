@@ -190,7 +190,8 @@ contact::Surface LayerModel::surface() const {
         });
 }
 
-std::unique_ptr<contact::Model> make_layer_model(const contact::Case& c, int elements_per_radius) {
+std::unique_ptr<contact::Model> make_layer_model(const contact::Case& c, int elements_per_radius,
+                                                 double coarsening) {
     held_layers_of(c);  // throws before anything else does
     // At the same depth the contact on a thin layer is at most some 2 (paraboloid) to 2.4 times
     // (cone) as wide as on the half-space: that of an incompressible layer, which keeps its volume.
@@ -200,8 +201,11 @@ std::unique_ptr<contact::Model> make_layer_model(const contact::Case& c, int ele
         make_plane_profile(*c.make_axisymmetric_indenter(), table);
     const HalfWidths a = probe(c, *profile);
     const double path = contact::norm(contact::path_reach(c, a.mean));
-    const double spacing =
-        std::min(a.mean / elements_per_radius, LayerSprings::longest_element * *c.layer.thickness);
+    const double longest = LayerSprings::longest_element * *c.layer.thickness;
+    const double spacing = coarsening * std::min(a.mean / elements_per_radius, longest);
+    if (spacing > longest)
+        throw contact::InputError(
+            "mdr-layer: coarser elements would not resolve the layer's thickness");
     return std::make_unique<LayerModel>(springs_of(c, final_margin * a.largest + path, spacing),
                                         profile, c.friction_coefficient, contact::path_direction(c),
                                         contact::common_relaxation("mdr-layer", c));

@@ -56,11 +56,17 @@ class LayerModel final : public contact::Model {
     contact::SurfaceModel model_;
 };
 
+inline constexpr int usual_elements_per_radius = 100;
+
 /// For a case: about `elements_per_radius` elements in the contact radius (more where the layer is
 /// thin), as many as contact and rolling path need. Throws contact::InputError if a value of the
 /// case is out of range: no thickness, a frictionless base (nothing holds the layer), too long a
 /// path.
-std::unique_ptr<contact::Model> make_layer_model(const contact::Case& c,
-                                                 int elements_per_radius = 100);
+///
+/// `coarsening` > 1: all elements are so many times as long; throws InputError where that is more
+/// than the layer's thickness allows.
+std::unique_ptr<contact::Model> make_layer_model(
+    const contact::Case& c, int elements_per_radius = usual_elements_per_radius,
+    double coarsening = 1);
 
 }  // namespace tricontact::mdr

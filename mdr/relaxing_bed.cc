@@ -47,9 +47,12 @@ contact::StepRecord RelaxingBed::advance(const LoadStep& step) {
     if (!(step.duration >= 0))
         throw contact::InputError(
             fmt::format("mdr: a step of {:.6g} s; time must not go backwards", step.duration));
+    const double position_before = depth_ > 0 ? position_ : position, depth_before = depth_;
     normal_.begin(step.duration, touched_);
     tangential_.begin(step.duration, touched_);
     const int normal_iterations = press(position, step.normal);
+    carried_.clear();
+    if (step.in_proportion) find_carried(position_before, depth_before);
     push(normal_.stiffness());
     friction_ = step.friction;
     update_offsets();
@@ -179,6 +182,21 @@ void RelaxingBed::push(double stiffness) {
     pressing_ = normal_.end(touched_, force_);
 }
 
+/// As SpringBed::find_carried(), over springs that may move by themselves. Before the step ends:
+/// deflections are still those of its start.
+void RelaxingBed::find_carried(double position_before, double depth_before) {
+    const double* const before = normal_.deflection().data();
+    carried_.assign(contact_.size(), 1);
+    for (int k = 0; k < contact_.size(); ++k) {
+        const int i = contact_.first + k;
+        if (!(pressed_[i] > 0)) continue;
+        const double x = std::abs(row_.position(i) - position_before);
+        const double gap =
+            profile_->value(std::min(x, profile_->range())) + before[i] - depth_before;
+        if (gap > rounding * depth_) carried_[k] = pressed_[i] / (gap + pressed_[i]);
+    }
+}
+
 // Beside their free ends the springs are an elastic bed of another stiffness, with the same bounds.
 void RelaxingBed::update_offsets() {
     const double ratio = friction_ ? bound_ratio_ : 0;
@@ -201,18 +219,25 @@ ShiftSolution RelaxingBed::find_shift_increment(const TangentialControl& control
     if (!friction_ || (n_contact_ == 0 && control.value == 0)) return {};
     check_carried(control);
     const auto offsets = part(offsets_, contact_), bounds = part(bounds_, contact_);
+    const double stiffness = effective_shear_modulus_ * row_.spacing * tangential_.stiffness();
+    const double target = control.value / stiffness;
+    if (!carried_.empty()) return find_increment(offsets, bounds, carried_, target);
     double farthest = 0;
     for (std::size_t i = 0; i < bounds.size(); ++i)
         farthest = std::max(farthest, std::abs(offsets[i]) + bounds[i]);
-    const double stiffness = effective_shear_modulus_ * row_.spacing * tangential_.stiffness();
-    return find_increment(offsets, bounds, control.value / stiffness, farthest);
+    return find_increment(offsets, bounds, target, farthest);
 }
 
 SlipSums RelaxingBed::slide(double increment) {
     const auto all = part(sheared_, touched_);
     std::fill(all.begin(), all.end(), 0);
-    SlipSums sums = take_step(part(offsets_, contact_), part(bounds_, contact_), increment,
-                              negligible_slip(depth_), part(sheared_, contact_));
+    const auto offsets = part(std::as_const(offsets_), contact_);
+    const auto bounds = part(std::as_const(bounds_), contact_);
+    const auto sheared = part(sheared_, contact_);
+    const double negligible = negligible_slip(depth_);
+    SlipSums sums = carried_.empty()
+                        ? take_step(offsets, bounds, increment, negligible, sheared)
+                        : take_step(offsets, bounds, carried_, increment, negligible, sheared);
     const double stiffness = tangential_.stiffness();
     for (int i = touched_.first; i < touched_.last; ++i) force_[i] = stiffness * sheared_[i];
     shearing_ = tangential_.end(touched_, force_);

@@ -53,12 +53,15 @@ class RelaxingBed final : public Bed {
     void grow();
     void push(double stiffness);
     void update_offsets();
+    void find_carried(double position_before, double depth_before);
     ShiftSolution find_shift_increment(const contact::TangentialControl& control);
     SlipSums slide(double increment);
     void update_limit();
     void audit_step(const contact::LoadStep& step, const SlipSums& sums);
-    double slip(int spring) const {
-        return shift_increment_ - (tangential_.deflection()[spring] - shear_before_[spring]);
+    double slip(int spring) const {  // in contact, of the last step [m]
+        const double carried = carried_.empty() ? 1 : carried_[spring - contact_.first];
+        return carried * shift_increment_ -
+               (tangential_.deflection()[spring] - shear_before_[spring]);
     }
     contact::ContactState contact_state(int spring) const {
         if (!(pressed_[spring] > 0)) return contact::ContactState::open;
@@ -76,6 +79,7 @@ class RelaxingBed final : public Bed {
     double n_contact_ = 0;
     std::vector<double> pressed_;                     // below their free ends [m]
     std::vector<double> offsets_, bounds_, sheared_;  // beside the free ends: before, most, after
+    std::vector<double> carried_;                     // see SpringBed
     std::vector<double> force_;                       // over the relaxed stiffness [m]
     std::vector<double> shear_before_;                // deflections before the step [m]
     SpringMemory::Sums pressing_, shearing_;          // of the last step

@@ -50,12 +50,15 @@ SpringBed::SpringBed(BedData data)
 
 contact::StepRecord SpringBed::advance(const LoadStep& step) {
     const double position = position_on_line(name(), step, direction_, normal_.spacing());
-    const double force_before = tangential_force_;
+    const double force_before = tangential_force_, position_before = normal_.position();
     depth_before_ = normal_.depth();
     normal_force_before_ = normal_force_;
     contact_before_ = normal_.contact();
     const int normal_iterations = press(position, step.normal);
     update_bounds();
+    carried_.clear();
+    if (step.in_proportion) find_carried(is_fresh_ ? position : position_before);
+    is_fresh_ = false;
     const ShiftSolution shift = find_shift_increment(step.tangential[0]);
     const SlipSums sums = slide(shift.increment);
     update_limit();
@@ -122,11 +125,32 @@ void SpringBed::update_bounds() {
     normal_energy_ = effective_modulus_ * normal_.spacing() * all_squares.value() / 2;
 }
 
+/// Depth and position change linearly: the gap over a spring does, too, and closes when the share
+/// gap/(gap + penetration) of the step is over.
+void SpringBed::find_carried(double position_before) {
+    const Window& contact = normal_.contact();
+    const auto heights = normal_.heights();
+    const PlaneProfile& profile = normal_.profile();
+    const double depth_before = is_fresh_ ? 0 : depth_before_;
+    carried_.assign(contact.size(), 1);
+    for (int k = 0; k < contact.size(); ++k) {
+        const int i = contact.first + k;
+        if (!is_fresh_ && i >= contact_before_.first && i < contact_before_.last) continue;
+        const double x = std::abs(normal_.spring_position(i) - position_before);
+        const double gap = profile.value(std::min(x, profile.range())) - depth_before;
+        const double penetration = normal_.depth() - heights[k];
+        if (gap > 0) carried_[k] = penetration / (gap + penetration);
+    }
+}
+
 ShiftSolution SpringBed::find_shift_increment(const TangentialControl& control) const {
     if (control.kind == TangentialControl::Kind::shift) return {control.value - shift_, 0, 0};
     check_carried(control);
     const Window& contact = normal_.contact();
     const double target = control.value / (effective_shear_modulus_ * normal_.spacing());
+    if (!carried_.empty())
+        return find_increment(part(deflections_, contact), part(bounds_, contact), carried_,
+                              target);
     // Everything slides at the latest after the largest old and the largest new bound.
     const double farthest = bound_ratio_ * (depth_before_ + normal_.depth());
     return find_increment(part(deflections_, contact), part(bounds_, contact), target, farthest);
@@ -137,8 +161,12 @@ SlipSums SpringBed::slide(double increment) {
     std::swap(deflections_, deflections_before_);
     std::fill(deflections_.begin(), deflections_.end(), 0);
     const auto before = part(std::as_const(deflections_before_), contact);
-    SlipSums sums = take_step(before, part(std::as_const(bounds_), contact), increment,
-                              negligible_slip(normal_.depth()), part(deflections_, contact));
+    const auto bounds = part(std::as_const(bounds_), contact);
+    const double negligible = negligible_slip(normal_.depth());
+    SlipSums sums = carried_.empty() ? take_step(before, bounds, increment, negligible,
+                                                 part(deflections_, contact))
+                                     : take_step(before, bounds, carried_, increment, negligible,
+                                                 part(deflections_, contact));
     unload(contact_before_.first, std::min(contact_before_.last, contact.first), increment, sums);
     unload(std::max(contact_before_.first, contact.last), contact_before_.last, increment, sums);
 
@@ -187,12 +215,13 @@ void SpringBed::audit_step(const LoadStep& step, const SlipSums& sums, double fo
     audit_.record("pressure_nonnegative", -least_bound / peak_bound, 0);
     audit_forces(step, sums, normal_.depth(), true);
     // Spring by spring, 1/2 (q + q_before) (increment - slip) = change of q^2/(2 k): summed up, the
-    // work of the shift equals stored energy and frictional work, exactly.
+    // work of the shift equals stored energy and frictional work, exactly. What the indenter moved
+    // before it met a spring is no work, but in this trapezoidal rule.
     // Rounding: let L be the larger friction limit of before and after the step, b the largest
     // bound or the increment. As |u| stays within the bounds, the magnitudes of the terms add up to
     // no more than 2 L b of work, 4 L b of slip and L b of what is stored.
     const double work = shift_increment_ * (tangential_force_ + force_before) / 2;
-    const double used = stiffness * (sums.stored + sums.trapezoidal);
+    const double used = stiffness * (sums.stored + sums.trapezoidal + sums.unmet);
     const double largest_limit =
         friction_coefficient_ * std::max(normal_force_, normal_force_before_);
     const double farthest = std::max(bound_ratio_ * std::max(normal_.depth(), depth_before_),

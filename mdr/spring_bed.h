@@ -30,6 +30,7 @@ class SpringBed final : public Bed {
         std::fill(deflections_.begin(), deflections_.end(), 0);
         tangential_force_ = 0;
         shift_ = shift_increment_ = 0;
+        is_fresh_ = true;
     }
     contact::Scales scales() const override;
     /// Line layout, thinned out to about a thousand points: springs' deflections and line loads,
@@ -55,13 +56,15 @@ class SpringBed final : public Bed {
     int press(double position, const contact::NormalControl& control);
     void grow();
     void update_bounds();
+    void find_carried(double position_before);
     ShiftSolution find_shift_increment(const contact::TangentialControl& control) const;
     SlipSums slide(double increment);
     void unload(int first, int last, double increment, SlipSums& sums) const;
     void update_limit();
     void audit_step(const contact::LoadStep& step, const SlipSums& sums, double force_before);
-    double slip(int spring) const {  // of the last step [m]
-        return shift_increment_ - (deflections_[spring] - deflections_before_[spring]);
+    double slip(int spring) const {  // in contact, of the last step [m]
+        const double carried = carried_.empty() ? 1 : carried_[spring - normal_.contact().first];
+        return carried * shift_increment_ - (deflections_[spring] - deflections_before_[spring]);
     }
     contact::ContactState contact_state(int spring) const {
         if (spring < normal_.contact().first || spring >= normal_.contact().last)
@@ -74,7 +77,11 @@ class SpringBed final : public Bed {
 
     std::vector<double> deflections_, deflections_before_;  // [m], zero out of contact
     Window contact_before_;
-    std::vector<double> bounds_;      // mu (E*/G*) (d - g) [m] of the springs in contact
+    std::vector<double> bounds_;  // mu (E*/G*) (d - g) [m] of the springs in contact
+    /// Per spring in contact the share of the step's shift that carries it, see
+    /// LoadStep::in_proportion; empty: all of it.
+    std::vector<double> carried_;
+    bool is_fresh_ = true;            // no step has been taken since the release
     double depth_before_ = 0;         // [m]
     double normal_force_before_ = 0;  // [N]
     double normal_energy_ = 0;        // [J]

@@ -18,6 +18,11 @@ struct ShiftSolution {
 /// Throws contact::NotConverged if rounding is not reached within 200 iterations.
 ShiftSolution find_increment(std::span<const double> deflections, std::span<const double> bounds,
                              double target, double farthest);
+/// The same where deflection i moves by the increment times `carried`_i, in (0, 1]: the share of
+/// the step that is left when the indenter meets the spring. Farther than any
+/// (|u_i| + bound_i)/carried_i is not searched.
+ShiftSolution find_increment(std::span<const double> deflections, std::span<const double> bounds,
+                             std::span<const double> carried, double target);
 
 /// Sums over the springs in contact of one tangential step, the stiffness left out.
 struct SlipSums {
@@ -29,11 +34,16 @@ struct SlipSums {
     double bound_excess = 0;  ///< greatest |u| - bound [m], or 0
     double n_stick = 0;       ///< springs that slipped by no more than the negligible amount
     double energy = 0;        ///< sum u^2/2 [m^2]
+    double unmet = 0;         ///< sum u r/2, r: the increment less what carried the spring [m^2]
 };
 
 /// Takes the step: `after` = clamped deflections; slip = increment - change of deflection.
 /// A slip up to `negligible` [m] counts as stick: rounding on the bound.
 SlipSums take_step(std::span<const double> before, std::span<const double> bounds, double increment,
                    double negligible, std::span<double> after);
+/// The same where spring i is carried along by its share of the increment, see find_increment().
+SlipSums take_step(std::span<const double> before, std::span<const double> bounds,
+                   std::span<const double> carried, double increment, double negligible,
+                   std::span<double> after);
 
 }  // namespace tricontact::mdr

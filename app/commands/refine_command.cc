@@ -104,7 +104,7 @@ std::optional<comparisons::PressedValues> theory_of(const Case& c, bool layer) {
 }
 
 comparisons::RefinedLevels start_of(const RefinementPlan& plan, const RefineOptions& options) {
-    const bool layer = options.model == "fem";
+    const bool layer = options.model != "bem";
     const Case& c = plan.levels.front().c;
     comparisons::RefinedLevels result;
     result.model = options.model;
@@ -112,7 +112,8 @@ comparisons::RefinedLevels start_of(const RefinementPlan& plan, const RefineOpti
     result.wide_factor = plan.wide_factor;
     result.exact = theory_of(c, layer);
     result.exact_name = layer ? "exact layer" : contact::is_hertz_round(c) ? "Hertz" : "half-space";
-    result.tolerance = layer ? c.fem.tolerance : c.bem.tolerance;
+    result.tolerance = options.model == "fem" ? c.fem.tolerance : c.bem.tolerance;
+    result.infinite_pressure = contact::has_conical_tip(c);
     return result;
 }
 
@@ -186,7 +187,8 @@ Command refine_command() {
                                    refine_case)
         .on_case()
         .number("--levels", &RefineOptions::levels, "Number of levels (3)", 3, 8)
-        .word("--model", &RefineOptions::model, "Model to be refined (fem)", {"fem", "bem"})
+        .word("--model", &RefineOptions::model, "Model to be refined (fem)",
+              {"fem", "bem-layer", "bem"})
         .output("Folder (results/<case>_refined)")
         .exports()
         .threads()

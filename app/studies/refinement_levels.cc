@@ -39,7 +39,7 @@ MeshBlock block_of([[maybe_unused]] const Case& c, [[maybe_unused]] const Say& s
 }
 
 double start_size(const Case& c, const RefineOptions& options, const Say& say) {
-    if (options.model == "bem")
+    if (options.model != "fem")
         return c.bem.spacing
                    ? *c.bem.spacing
                    : contact::half_space_scales(c).contact_radius / *c.bem.cells_per_radius;
@@ -104,7 +104,7 @@ RefinementPlan plan_refinement(const RefineOptions& options, const Say& say) {
     const Case c = case_of(options);
     const double coarsest = start_size(c, options, say);
     RefinementPlan plan;
-    plan.key = options.model == "bem" ? "bem.spacing" : "fem.size";
+    plan.key = options.model == "fem" ? "fem.size" : "bem.spacing";
     for (int k = 0; k < options.levels; ++k) {
         const double size = coarsest * std::pow(2., -k / 2.);
         plan.levels.push_back(make_level(c, fmt::format("level_{}", k),

@@ -9,7 +9,7 @@
 namespace tricontact::app {
 
 struct RefineOptions : CommandOptions {
-    std::string model = "fem";  ///< or "bem"
+    std::string model = "fem";  ///< or "bem-layer", "bem"
     int levels = 3;             ///< 3 to 8
 };
 

@@ -1,7 +1,10 @@
 #include "comparisons/resolution/numerical_error.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <string_view>
+#include <utility>
 
 #include "comparisons/resolution/refinement.h"
 
@@ -9,15 +12,26 @@ namespace tricontact::comparisons {
 
 namespace {
 
+using contact::Case;
 using contact::State;
 using json = nlohmann::ordered_json;
 
 constexpr double factor_of_two_meshes = 3;  // Roache (1998), ch. 5
 constexpr std::size_t most_band_points = 600;
 
-/// `value`: of a run, empty if it has none.
+// A quarter of the steps' length leaves a quarter of an error of the first order.
+constexpr double of_quarter_steps = 4. / 3;
+// Sides that are 1.5 times as far apart: what the second power of their distance leaves.
+constexpr double of_wider_block = 1.8;
+constexpr double of_tolerance = 10;
+// What separates the coarsest meshes counts half; of what is counted in cells, which has no order,
+// it counts as it is.
+constexpr double first_order = .5, no_order = 1;
+
+/// `value`: of a run, empty if it has none. Without what is less than rounding and tolerances.
 template <class Value>
-std::optional<double> half_width(const NumericalError& error, const Value& value) {
+std::optional<double> half_width(const NumericalError& error, const Value& value,
+                                 double of_coarsest = first_order) {
     if (!error.run || !error.coarser) return {};
     const std::optional<double> fine = value(*error.run), coarse = value(*error.coarser);
     if (!fine || !coarse) return {};
@@ -26,12 +40,29 @@ std::optional<double> half_width(const NumericalError& error, const Value& value
     if (error.coarsest) {
         const std::optional<double> coarsest = value(*error.coarsest);
         if (!coarsest) return {};
-        mesh = safety_factor * std::max(change, std::abs(*coarse - *coarsest) / 2);
+        mesh = safety_factor * std::max(change, of_coarsest * std::abs(*coarse - *coarsest));
     }
-    if (!error.long_steps) return mesh;
-    const std::optional<double> long_steps = value(*error.long_steps);
-    if (!long_steps) return {};
-    return mesh + safety_factor * std::abs(*coarse - *long_steps);
+    double rest = 0;
+    const std::array others{std::pair(&error.long_steps, 1.),
+                            std::pair(&error.short_steps, of_quarter_steps),
+                            std::pair(&error.wide_block, of_wider_block)};
+    for (const auto& [other, factor] : others) {
+        if (!*other) continue;
+        const std::optional<double> changed = value(**other);
+        if (!changed) return {};
+        rest += factor * std::abs(*coarse - *changed);
+    }
+    return mesh + safety_factor * rest;
+}
+
+/// What errors of a quantity are compared with: U_max of shifts, else its own value.
+double scale_of(const Quantity& q, const Results& r) {
+    using namespace quantities;
+    const double value = std::abs(r.number(q).value_or(0));
+    if (q.over == std::string_view("U_max")) return 1;
+    for (const Quantity* shift : {&static_shift, &final_shift, &settled_shift, &shift_increment})
+        if (&q == shift) return std::max(value, r.number(unit_shift).value_or(0));
+    return value;
 }
 
 /// What a case may ask first.
@@ -69,7 +100,30 @@ double ResolvedRun::shift_at(double phase) const {
 }
 
 std::optional<double> NumericalError::of(const Quantity& q) const {
-    return half_width(*this, [&q](const ResolvedRun& r) { return r.results.number(q); });
+    if (is_exact(q)) return run && run->results.number(q) ? std::optional(0.) : std::nullopt;
+    const auto width = half_width(
+        *this, [&q](const ResolvedRun& r) { return r.results.number(q); },
+        &q == &quantities::contact_radius ? no_order : first_order);
+    if (!width) return {};
+    return std::max(*width, of_tolerance * tolerance * scale_of(q, run->results));
+}
+
+bool NumericalError::is_exact(const Quantity& q) const {
+    return std::ranges::find(prescribed, &q) != prescribed.end();
+}
+
+std::vector<const Quantity*> prescribed_quantities(const Case& c) {
+    using contact::NormalControl;
+    using contact::TangentialControl;
+    std::vector<const Quantity*> list;
+    const bool by_path = c.prescribed_path.has_value();
+    if (by_path ? c.prescribed_path->hardest_normal().kind == NormalControl::Kind::indentation
+                : c.load.indentation.has_value())
+        list.push_back(&quantities::indentation);
+    if (by_path &&
+        c.prescribed_path->rows.back().tangential[0].kind == TangentialControl::Kind::shift)
+        list.push_back(&quantities::final_shift);
+    return list;
 }
 
 report::Band NumericalError::shift_band(double unit) const {
@@ -94,7 +148,7 @@ std::optional<State> NumericalError::other_state() const {
     };
     const std::optional<State> own = run->results.state();
     if (!decided(own)) return {};
-    for (const auto* other : {&coarser, &coarsest, &long_steps})
+    for (const auto* other : {&coarser, &coarsest, &long_steps, &short_steps, &wide_block})
         if (*other && decided((*other)->results.state()) && (*other)->results.state() != own)
             return (*other)->results.state();
     return {};
@@ -102,14 +156,18 @@ std::optional<State> NumericalError::other_state() const {
 
 json numerical_error_json(const NumericalError& error) {
     if (error.model.empty()) return {};
-    json widths = json::object();
-    for (const Quantity* q : told_quantities())
+    json widths = json::object(), exact = json::array();
+    for (const Quantity* q : told_quantities()) {
         if (const auto width = error.of(*q)) widths[q->key] = *width;
+        if (widths.contains(q->key) && error.is_exact(*q)) exact.push_back(q->key);
+    }
     const auto other = error.other_state();
     return {{"model", error.model},
             {"half_widths", widths},
+            {"exact", exact},
             {"other_state", other ? json(contact::name_of(*other)) : json()},
-            {"why_none", error.why_none.empty() ? json() : json(error.why_none)}};
+            {"why_none", error.why_none.empty() ? json() : json(error.why_none)},
+            {"why_no_steps", error.why_no_steps.empty() ? json() : json(error.why_no_steps)}};
 }
 
 }  // namespace tricontact::comparisons

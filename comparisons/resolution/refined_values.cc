@@ -24,6 +24,7 @@ Refinement make_refinement(const RefinedLevels& levels) {
     for (const Quantity* q : all_quantities()) {
         const bool unrolled = levels.values.front().periods() == 0;
         if (!q->is_refined || (unrolled && q->part == Part::rolled)) continue;
+        if (levels.infinite_pressure && q == &quantities::peak_pressure) continue;
         RefinedQuantity refined{.quantity = q};
         for (const Results& values : levels.values)
             if (const auto value = values.told(*q)) refined.values.push_back(*value);

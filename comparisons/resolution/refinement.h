@@ -64,6 +64,7 @@ struct RefinedCase {
     std::vector<double> cpu_s;  ///< per level
     std::string exact_name;     ///< whose theory the exact values are: "exact layer", "Hertz"
     double wide_factor = 0;     ///< of width and depth; 0: the block is none or was not widened
+    bool infinite_pressure = false;  ///< under a conical tip: p_0 has no limit
 };
 struct Refinement : RefinedCase {
     std::vector<RefinedQuantity> quantities;

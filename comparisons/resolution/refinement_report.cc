@@ -34,33 +34,56 @@ json to_json(const RefinedQuantity& q) {
             {"wide_block_change", report::number(q.wide_change())}};
 }
 
-/// `text` in a field of `width` characters (not bytes), to the right.
-std::string padded(const std::string& text, int width) {
-    const auto characters = std::ranges::count_if(text, [](char c) {
+/// Characters, not bytes.
+std::size_t width_of(const std::string& text) {
+    return static_cast<std::size_t>(std::ranges::count_if(text, [](char c) {
         return (static_cast<unsigned char>(c) & 0xC0) != 0x80;  // not a continuation in UTF-8
-    });
-    return std::string(std::max(0, width - static_cast<int>(characters)), ' ') + text;
+    }));
 }
 
-std::string text_row(const RefinedQuantity& q, bool with_exact, bool with_wide) {
-    const report::Unit unit = report::fitting_unit(q.values.back(), q.quantity->unit);
+/// Of lengths and forces with a prefix; ratios have none.
+report::Unit unit_for(const RefinedQuantity& q) {
+    if (*q.quantity->unit == '\0') return {1, unit_of(*q.quantity)};
+    return report::fitting_unit(q.values.back(), q.quantity->unit);
+}
+
+using TextRow = std::vector<std::string>;
+
+TextRow text_row(const RefinedQuantity& q, bool with_exact, bool with_wide) {
+    const report::Unit unit = unit_for(q);
     const auto shown = [&](std::optional<double> value) {
-        return padded(report::significant(value.value_or(NAN) / unit.factor, 6), 10);
+        return report::significant(value.value_or(NAN) / unit.factor, 6);
     };
     const bool ordered = q.limit.convergence == Convergence::ordered;
-    std::string line = fmt::format("{:<8}{:<4}", q.quantity->symbol, unit.symbol);
-    for (const double value : q.values) line += shown(value);
-    line += padded(report::significant(q.limit.order, 3), 7);
-    line += shown(ordered ? q.limit.value : NAN);
-    line += padded(relative(q.limit.error, q.values.back()), 12);
-    if (with_exact) line += "   " + shown(q.exact);
-    if (with_wide) line += padded(report::percent(1 + q.wide_change().value_or(NAN)), 11);
-    return line + "  " + (ordered ? "" : name_of(q.limit.convergence));
+    TextRow row{q.quantity->symbol, unit.symbol};
+    for (const double value : q.values) row.push_back(shown(value));
+    row.push_back(report::significant(q.limit.order, 3));
+    row.push_back(shown(ordered ? q.limit.value : NAN));
+    row.push_back(relative(q.limit.error, q.values.back()));
+    if (with_exact) row.push_back(shown(q.exact));
+    if (with_wide) row.push_back(report::percent(1 + q.wide_change().value_or(NAN)));
+    row.push_back(ordered ? "" : name_of(q.limit.convergence));
+    return row;
 }
 
-std::string trimmed(std::string line) {
-    line.erase(line.find_last_not_of(' ') + 1);
-    return line + "\n";
+/// Columns two spaces apart: words at the left, the numbers between them at the right.
+std::string aligned(const std::vector<TextRow>& rows) {
+    std::vector<std::size_t> widths(rows.front().size(), 0);
+    for (const TextRow& row : rows)
+        for (std::size_t k = 0; k < row.size(); ++k)
+            widths[k] = std::max(widths[k], width_of(row[k]));
+    std::string text;
+    for (const TextRow& row : rows) {
+        std::string line;
+        for (std::size_t k = 0; k < row.size(); ++k) {
+            const std::string space(widths[k] - width_of(row[k]), ' ');
+            const bool left = k < 2 || k + 1 == row.size();
+            line += (k > 0 ? "  " : "") + (left ? row[k] + space : space + row[k]);
+        }
+        line.erase(line.find_last_not_of(' ') + 1);
+        text += line + '\n';
+    }
+    return text;
 }
 
 std::string error_sentence(const Refinement& r) {
@@ -124,8 +147,14 @@ std::string wide_sentence(const Refinement& r) {
         most->quantity->symbol);
 }
 
+std::string tip_sentence(const Refinement& r) {
+    if (!r.infinite_pressure) return {};
+    return "The pressure under a conical tip is infinite: p_0 of a mesh has no limit and is left "
+           "out.";
+}
+
 std::vector<report::Cell> table_row(const Refinement& r, const RefinedQuantity& q) {
-    const report::Unit unit = report::fitting_unit(q.values.back(), q.quantity->unit);
+    const report::Unit unit = unit_for(q);
     std::vector<report::Cell> row{label_of(*q.quantity), unit.symbol};
     const auto add = [&](Value value) { row.push_back(report::number_cell(value, unit.factor)); };
     const bool ordered = q.limit.convergence == Convergence::ordered;
@@ -154,7 +183,8 @@ std::vector<std::string> refinement_sentences(const Refinement& r) {
         "those of the finest.",
         r.key, r.sizes.size(), report::quantity(r.sizes.front(), "m", 3),
         report::quantity(r.sizes.back(), "m", 3))};
-    for (const auto& sentence : {error_sentence, doubt_sentence, exact_sentence, wide_sentence})
+    for (const auto& sentence :
+         {error_sentence, doubt_sentence, exact_sentence, wide_sentence, tip_sentence})
         result.push_back(sentence(r));
     std::erase(result, "");
     return result;
@@ -220,15 +250,16 @@ std::string refinement_csv(const Refinement& r) {
 
 std::string refinement_text(const Refinement& r) {
     const bool with_exact = has_exact(r), with_wide = r.wide_factor > 0;
-    std::string head = fmt::format("{:<12}", r.key + ", mm");
-    for (const double size : r.sizes) head += padded(report::significant(1e3 * size), 10);
-    head += padded("order", 7) + padded("limit", 10) + padded("error", 12);
-    if (with_exact) head += padded(r.exact_name, 13);
-    if (with_wide) head += padded("wide block", 11);
-    std::string text = trimmed(head);
+    TextRow head{r.key + ", mm", ""};
+    for (const double size : r.sizes) head.push_back(report::significant(1e3 * size));
+    for (const char* name : {"order", "limit", "error"}) head.emplace_back(name);
+    if (with_exact) head.push_back(r.exact_name);
+    if (with_wide) head.emplace_back("wide block");
+    head.emplace_back();
+    std::vector<TextRow> rows{head};
     for (const RefinedQuantity& q : r.quantities)
-        text += trimmed(text_row(q, with_exact, with_wide));
-    return text;
+        rows.push_back(text_row(q, with_exact, with_wide));
+    return aligned(rows);
 }
 
 }  // namespace tricontact::comparisons

@@ -171,14 +171,36 @@ bool ends_at_prescribed_shift(const Case& c) {
 
 /// "217.9 ± 1.1 µm".
 std::string value_text(double value, const char* base, std::optional<double> error) {
-    if (!error) return report::quantity(value, base);
+    if (!error || *error == 0) return report::quantity(value, base);
     const report::Unit unit = report::fitting_unit(value, base);
     return report::with_error(value / unit.factor, *error / unit.factor) + ' ' + unit.symbol;
 }
 
+/// Half width of the finest level's value; empty of what is not refined.
+std::optional<double> refined_width(const std::optional<Refinement>& refinement,
+                                    const Quantity& q) {
+    if (refinement)
+        for (const RefinedQuantity& refined : refinement->quantities)
+            if (refined.quantity == &q) return refined.limit.error;
+    return {};
+}
+
+std::string refinement_note(const Refinement& refinement, const Quantity& q) {
+    return refined_width(refinement, q)
+               ? " ± is the error of the finest mesh, estimated from all levels."
+               : " What the mesh leaves in it is told by the section on the refinement.";
+}
+
 std::string error_note(const std::optional<NumericalError>& error, const Quantity& q) {
     if (!error) return " Its numerical error was not asked for (--no-studies).";
-    if (error->of(q)) return " ± is the error of mesh and steps, estimated with coarser ones.";
+    if (error->is_exact(q)) return fmt::format(" The {} is exact: the case prescribes it.", q.name);
+    if (error->of(q) && !error->why_no_steps.empty())
+        return " ± is the error of the mesh, estimated with coarser ones; that of the steps is not "
+               "known: " +
+               error->why_no_steps + ".";
+    if (error->of(q))
+        return fmt::format(" ± is the error of mesh{} and steps, estimated with coarser ones.",
+                           error->wide_block ? ", width of the block" : "");
     return error->why_none.empty()
                ? " The error of mesh and steps is not known: coarser ones give no such number."
                : " The error of mesh and steps is not known: " + error->why_none + ".";
@@ -202,21 +224,25 @@ Headline headline_of(const Case& c, const Results& s) {
     return {"shift so far", &final_shift, &final_shift_ratio};
 }
 
-Verdict answer_of(const Case& c, const Results& s, const std::optional<NumericalError>& error) {
+Verdict answer_of(const Case& c, const Results& s, const std::optional<NumericalError>& error,
+                  const std::optional<Refinement>& refinement) {
     using namespace quantities;
     const std::string by = " (" + report::display_name(s.model) + ").";
     const auto length = [&](const Quantity& q) {
-        return value_text(s.number(q).value_or(0), q.unit, error ? error->of(q) : std::nullopt);
+        return value_text(s.number(q).value_or(0), q.unit,
+                          error ? error->of(q) : refined_width(refinement, q));
+    };
+    const auto note_on = [&](const Quantity& q) {
+        return refinement ? refinement_note(*refinement, q) : error_note(error, q);
     };
     if (!s.state() && !is_loaded(s.number(quantities::tangential_ratio).value_or(1)))
         return {
             Verdict::Standing::finding,
             fmt::format("The indenter is pressed in by {}; the {} is {}{}{}", length(indentation),
-                        size_name(c), length(contact_radius), by, error_note(error, indentation)),
+                        size_name(c), length(contact_radius), by, note_on(indentation)),
             "pressed"};
     const Headline headline = headline_of(c, s);
-    const std::string number = length(*headline.length) + by,
-                      note = error_note(error, *headline.length);
+    const std::string number = length(*headline.length) + by, note = note_on(*headline.length);
     const auto verdict = [&](Verdict::Standing standing, const std::string& words,
                              const char* word) {
         return Verdict{standing, words + number + note, word};
@@ -290,15 +316,16 @@ report::DocumentTable models_table(const Case& c, const std::vector<Results>& re
         const auto width = is_reference && error ? error->of(*headline.length) : std::nullopt;
         const auto ratio = is_reference ? std::nullopt : ratio_of(c, s, reference);
         const unsigned extra = traits_of(c, s.model) & ~of_reference;
-        table.rows.push_back({report::display_name(s.model),
-                              s.state() ? contact::name_of(*s.state()) : std::string("–"),
-                              value && width ? report::Cell(report::WithError{*value / unit.factor,
-                                                                              *width / unit.factor})
-                                             : report::number_cell(value, unit.factor),
-                              ratio ? 100 * (*ratio - 1) : std::numeric_limits<double>::quiet_NaN(),
-                              is_reference ? std::string("reference")
-                              : extra      ? names_of(extra)
-                                           : "the same as " + name});
+        table.rows.push_back(
+            {report::display_name(s.model),
+             s.state() ? contact::name_of(*s.state()) : std::string("–"),
+             value && width && *width > 0
+                 ? report::Cell(report::WithError{*value / unit.factor, *width / unit.factor})
+                 : report::number_cell(value, unit.factor),
+             ratio ? 100 * (*ratio - 1) : std::numeric_limits<double>::quiet_NaN(),
+             is_reference ? std::string("reference")
+             : extra      ? names_of(extra)
+                          : "the same as " + name});
     }
     // Of a run that is undecided, what is missing: one beside the answer is not left unexplained.
     for (const Results& s : results)

@@ -21,9 +21,10 @@ struct Headline {
 Headline headline_of(const contact::Case& c, const Results& results);
 
 /// The question of a case answered by its reference, the last model: state, shift with the error of
-/// mesh and steps. Empty width: not known.
+/// mesh and steps, or that of the finest level of a refinement. Empty width: not known.
 report::Verdict answer_of(const contact::Case& c, const Results& reference,
-                          const std::optional<NumericalError>& error);
+                          const std::optional<NumericalError>& error,
+                          const std::optional<Refinement>& refinement = {});
 
 /// A row per model, the reference first: state, its number, how far it is off the reference in
 /// metres, and what it takes for granted that the reference does not.

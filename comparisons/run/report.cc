@@ -103,7 +103,7 @@ report::Document run_document(const contact::Case& c, const std::string& resolve
                               .version = version,
                               .input = resolved_case,
                               .plots = "plots"};
-    document.answer = answer_of(c, results.back(), extras.numerical);
+    document.answer = answer_of(c, results.back(), extras.numerical, extras.refinement);
     if (results.size() > 1) document.comparison = models_table(c, results, extras.numerical);
     document.verdicts_heading = "Assumptions";
     document.verdicts = assumption_verdicts(c, results, extras);

@@ -70,6 +70,7 @@ SurfaceField StaggeredSolver::tractions() const {
 
 void StaggeredSolver::solve(const LoadStep& step, const StepStart& before) {
     now_.normal_iterations = now_.tangential_iterations = 0;
+    keep_gap(step, before);
     now_.offset = step.offset;
     now_.control = step.normal;
     coupling_.place(step.offset);
@@ -189,19 +190,17 @@ void StaggeredSolver::solve_tangential(const LoadStep& step, const StepStart& be
     // Both halves of a mirrored contact push against each other: nothing moves it across.
     if (points().mirrored) control[1] = {TangentialControl::Kind::shift, 0};
 
-    const TangentialField relative = displaced_before(before);
     if (now_.shift_factor == 0 && contact_area > 0) find_shift_factor();
     const double contact_compliance =
         now_.shift_factor * stiffness * now_.normal->length * contact_area / now_.normal->force;
     for (double& increment : now_.tangential.shift_increment) increment *= stiffness;
-    tangential_solver_->solve({.bound = now_.bound,
-                               .previous_displacement = relative,
-                               .control = control,
-                               .contact_compliance = contact_compliance,
-                               .looseness = looseness_,
-                               .displaces_all = focus_.empty()},
-                              now_.tangential);
-    now_.tangential_iterations += now_.tangential.iterations;
+    solve_growing({.bound = now_.bound,
+                   .previous_displacement = displaced_before(before),
+                   .control = control,
+                   .contact_compliance = contact_compliance,
+                   .looseness = looseness_,
+                   .displaces_all = focus_.empty()},
+                  before);
     for (int d = 0; d < 2; ++d) {
         now_.tangential.shift_increment[d] /= stiffness;
         now_.shift[d] = before.shift[d] + now_.tangential.shift_increment[d];

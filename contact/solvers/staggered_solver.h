@@ -69,6 +69,11 @@ class StaggeredSolver {
     std::array<TangentialControl, 2> forces_and_shifts(const LoadStep& step) const;
     /// Shift of the indenter at a point by its rotation in the step [m].
     Vector2 rotated(const StepStart& before, std::size_t i) const;
+    /// By how much the indenter has moved over a point in the step before they met within it [m],
+    /// see LoadStep::in_proportion.
+    Vector2 before_touch(std::size_t i) const {
+        return before_touch_.size() == 0 ? Vector2{} : before_touch_.at(i);
+    }
 
   private:
     /// The last solution at a phase of the period. A contact that rolls to and fro comes back to
@@ -103,6 +108,10 @@ class StaggeredSolver {
     void solve_normal(NormalControl control, const std::vector<double>& height);
     void solve_friction(const LoadStep& step, const StepStart& before);
     void solve_tangential(const LoadStep& step, const StepStart& before);
+    void keep_gap(const LoadStep& step, const StepStart& before);
+    void solve_growing(const TangentialProblem& problem, const StepStart& before);
+    std::vector<double> traction_ratio(const std::vector<std::size_t>& met, double radius) const;
+    double local_ratio() const;
     void slide_freely(const LoadStep& step);
     TangentialField displaced_before(const StepStart& before) const;
     void find_shift_factor();
@@ -116,6 +125,8 @@ class StaggeredSolver {
     std::vector<std::uint8_t> focus_;  // per point, empty: all
     double highest_ = 0;               // the indenter over the points in contact, undeformed [m]
     double looseness_ = 1;             // of the tangential contact in this staggered iteration
+    std::vector<double> gap_before_;   // at the start of a step in proportion [m]; else empty
+    TangentialField before_touch_;     // see before_touch(); empty: 0
     // They keep factors of the compliance.
     std::optional<NormalSolver> normal_solver_;
     std::optional<TangentialSolver> tangential_solver_;

@@ -35,6 +35,34 @@ says "Hertz" out
 [ -e bem/wide ] && complain "a wide block for a half-space"
 [ -s err ] && complain "--quiet is not silent: $(cat err)"
 
+# Ratios are multiples of U_max, not thousandths of it; the page tells the error of its headline.
+grep -Eq '^u_stat +U_max +0\.4' out || complain "u_stat is no ratio: $(grep u_stat out)"
+grep -q "no-studies" bem/report.html && complain "a refinement asks for comparison runs"
+grep -q "What the mesh leaves in it is told by\|the error of the finest mesh" bem/report.html || complain "no error on the page"
+# The layer by boundary elements too; the pressure under a tip has no limit.
+cat >cone.toml <<'END'
+models = ["bem-layer"]
+[indenter]
+shape = "cone"
+angle = "6 deg"
+[substrate]
+young = "5.2 MPa"
+poisson = 0.5
+thickness = "8 mm"
+[friction]
+coefficient = 0.57
+[load]
+normal_force = "20 N"
+tangential_force = "0 N"
+press = "frictionless"
+[bem]
+cells_per_radius = 5
+END
+expect 0 cone.toml --model bem-layer --quiet --output layer
+says "bem.spacing, mm" out
+says "p_0 of a mesh has no limit" out
+grep -q '^p_0' out && complain "an infinite pressure is refined: $(grep p_0 out)"
+
 # 2. Bad input.
 expect 2 "$source_dir/examples/cases/rig_sphere_parallel.toml" --output none
 says "models: fem is not among the models of the case" err

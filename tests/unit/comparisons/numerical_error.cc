@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "comparisons/run/answer.h"
 #include "tests/unit/comparisons/history.h"
 
@@ -56,6 +58,48 @@ TEST(NumericalError, TwoMeshesCountThreeTimesAndStepsAreAdded) {
     EXPECT_NEAR(*error.of(quantities::settled_shift), (3 * .01 + 1.25 * .004) * exact(), 1e-12);
     error.coarser.reset();
     EXPECT_FALSE(error.of(quantities::settled_shift));
+}
+
+// One step from one turning point or row to the next: no longer ones. A quarter of the length
+// leaves a quarter of an error of the first order.
+TEST(NumericalError, OneStepIsHeldAgainstFour) {
+    NumericalError error = of_first_order(0);
+    error.coarser = run_off(.04);
+    error.coarsest = run_off(.12);
+    error.short_steps = run_off(.01);
+    EXPECT_NEAR(*error.of(quantities::settled_shift), 1.25 * (.04 + .04) * exact(), 1e-12);
+}
+
+// Three meshes that agree to the last bit show no error; the solvers' tolerance is left.
+TEST(NumericalError, IsZeroOfWhatIsPrescribedAlone) {
+    NumericalError error = of_first_order(0);
+    error.tolerance = 1e-7;
+    const double unit = *error.run->results.number(quantities::unit_shift);
+    EXPECT_NEAR(*error.of(quantities::settled_shift), 1e-6 * std::max(unit, exact()), 1e-15);
+    EXPECT_NEAR(*error.of(quantities::settled_shift_ratio), 1e-6, 1e-15);
+    EXPECT_FALSE(error.is_exact(quantities::indentation));
+    contact::Case c = the_case;
+    c.load.normal_force.reset();
+    c.load.indentation = 1e-4;
+    error.prescribed = prescribed_quantities(c);
+    EXPECT_TRUE(error.is_exact(quantities::indentation));
+    EXPECT_EQ(error.of(quantities::indentation), 0);
+    EXPECT_EQ(numerical_error_json(error)["exact"], nlohmann::json({"indentation_m"}));
+}
+
+// Where other steps do not converge, ± is that of the mesh, and says so.
+TEST(NumericalError, LeavesNothingOutInSilence) {
+    NumericalError error = of_first_order(.01);
+    const auto sentence = [&] {
+        return answer_of(the_case, error.run->results, error).sentence;
+    };
+    EXPECT_NE(sentence().find("± is the error of mesh and steps"), std::string::npos);
+    error.why_no_steps = "too long";
+    EXPECT_NE(sentence().find("that of the steps is not known: too long"), std::string::npos);
+    EXPECT_EQ(sentence().find("mesh and steps"), std::string::npos);
+    error.why_no_steps.clear();
+    error.wide_block = run_off(.02);
+    EXPECT_NE(sentence().find("mesh, width of the block and steps"), std::string::npos);
 }
 
 TEST(NumericalError, TheBandFollowsTheShift) {

@@ -39,7 +39,24 @@ class Sphere {
             row.steps = steps;
             path.rows.push_back(row);
         }
-        case_.load.normal_force = path.hardest_normal().value;
+        return follow(path);
+    }
+    /// From rest to a depth and a shift [m], both in proportion, in one step.
+    contact::History move(double depth, double shift) {
+        PrescribedPath path;
+        for (const double share : {0., 1.}) {
+            PrescribedPath::Row row;
+            row.normal = {contact::NormalControl::Kind::indentation, share * depth};
+            row.tangential[0] = {contact::TangentialControl::Kind::shift, share * shift};
+            path.rows.push_back(row);
+        }
+        return follow(path);
+    }
+    contact::History follow(const PrescribedPath& path) {
+        const auto hardest = path.hardest_normal();
+        (hardest.kind == contact::NormalControl::Kind::force ? case_.load.normal_force
+                                                             : case_.load.indentation) =
+            hardest.value;
         case_.load.tangential_force = 0;
         case_.load.press_steps = 1;
         case_.prescribed_path = path;
@@ -66,24 +83,56 @@ double last_shift(const contact::History& history) {
     return history.steps.back().shift[0];
 }
 
-// Both rise in proportion from zero, F_T/F_N below mu: nothing slips, dU/dd = F_T/F_N E*/G*.
+// Both rise in proportion from zero, F_T/F_N below mu: nothing slips, dU/dd = F_T/F_N E*/G*. New
+// springs are carried along from where they are met on: one step is as exact as many.
 TEST(MdrPrescribedPath, ObliqueLoadingBelowFrictionNeverSlips) {
     Sphere sphere;
-    const auto history = sphere.follow({{0, 0}, {20, 8}}, 10);
     const double expected = .4 * sphere.stiffness_ratio() * sphere.depth(20);
-    // In each step the new ring has missed a part of the step's shift. The first one is as large as
-    // its depth, which goes with F_N^(2/3) and so with steps^(-2/3). In the limit nothing is
-    // missed.
-    const auto finer = sphere.follow({{0, 0}, {20, 8}}, 20);
-    const auto finest = sphere.follow({{0, 0}, {20, 8}}, 160);
-    const double error = last_shift(history) - expected, half = last_shift(finer) - expected,
-                 least = last_shift(finest) - expected;
-    EXPECT_NEAR(std::log2(half / least) / 3, 2. / 3, .05);
-    EXPECT_LT(std::abs(error), .1 * expected);
-    const double eighth = std::pow(8, 2. / 3);
-    EXPECT_NEAR((eighth * least - half) / (eighth - 1), 0, 1e-3 * expected);
-    // Within a step some of the new ring slips; the ring is as wide as the step is long.
-    EXPECT_NEAR(finer.steps.back().slip_area / history.steps.back().slip_area, .5, .1);
+    for (const int steps : {1, 10}) {
+        const auto history = sphere.follow({{0, 0}, {20, 8}}, steps);
+        EXPECT_NEAR(last_shift(history), expected, tolerance * expected) << steps;
+        EXPECT_EQ(history.steps.back().slip_area, 0) << steps;
+        EXPECT_EQ(history.steps.back().dissipation, 0) << steps;
+    }
+}
+
+// The same from an F_N on, with a force that has acted before: the shifts of both parts add up.
+TEST(MdrPrescribedPath, ObliqueFurtherLoadingBelowFrictionDoesNotSlipFurther) {
+    Sphere sphere;
+    const double expected =
+        sphere.shift(10, 4) + .4 * sphere.stiffness_ratio() * (sphere.depth(16) - sphere.depth(10));
+    for (const int steps : {1, 6}) {
+        const auto history = sphere.follow({{10, 0}, {10, 4}, {16, 6.4}}, steps);
+        EXPECT_NEAR(last_shift(history), expected, tolerance * expected) << steps;
+    }
+}
+
+// By shift and depth instead of forces: the force that the shift takes.
+TEST(MdrPrescribedPath, ObliqueMotionBelowFrictionTakesItsForceInOneStep) {
+    Sphere sphere;
+    const double depth = sphere.depth(20), shift = .4 * sphere.stiffness_ratio() * depth;
+    const auto history = sphere.move(depth, shift);
+    EXPECT_NEAR(history.steps.back().normal_force, 20, 20 * tolerance);
+    EXPECT_NEAR(history.steps.back().tangential_force[0], 8, 8 * tolerance);
+}
+
+/// What moves the sphere along while it rolls to `offset` [m] under F_N = 20 N, F_T = 5 N.
+double shift_by_rolling(double offset, int steps) {
+    PrescribedPath::Row row;
+    row.normal.value = 20;
+    row.tangential[0].value = 5;
+    PrescribedPath path{{row, row}};
+    path.rows[1].offset = {offset, 0};
+    path.rows[1].steps = steps;
+    const auto history = Sphere().follow(path);
+    return last_shift(history) - history.steps[history.steps.size() - 1 - steps].shift[0];
+}
+
+// A spring at the front is carried along from where it is met on: an error of the second order.
+TEST(MdrPrescribedPath, StepsOfRollingAreOfTheSecondOrder) {
+    const double coarse = shift_by_rolling(1e-3, 8), fine = shift_by_rolling(1e-3, 16),
+                 finest = shift_by_rolling(1e-3, 32);
+    EXPECT_GT(std::log2((fine - coarse) / (finest - fine)), 1.5);
 }
 
 // From F_N alone on, F_T rises more than mu F_N does: as if F_N had been there before.

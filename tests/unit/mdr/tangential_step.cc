@@ -34,6 +34,20 @@ TEST(MdrTangentialStep, FindsTheIncrementOfKnownZones) {
     EXPECT_LE(found.iterations, 3);
 }
 
+// The second spring is met when three quarters of the step are over; its own way is what is left.
+TEST(MdrTangentialStep, WhatIsMetOnTheWayIsCarriedByTheRest) {
+    const std::vector<double> u{.1, 0}, bound{2, 2}, carried{1, .25};
+    const auto found = mdr::find_increment(u, bound, carried, .6);
+    EXPECT_NEAR(found.increment, .4, 1e-14);
+    std::vector<double> after(2);
+    const auto sums = mdr::take_step(u, bound, carried, found.increment, 1e-12, after);
+    EXPECT_NEAR(after[1], .1, 1e-14);
+    EXPECT_EQ(sums.n_stick, 2);
+    // Work of the trapezoidal rule: on the springs, and what the second one was not there for.
+    EXPECT_NEAR(sums.stored + sums.unmet, .4 * (.1 + .6) / 2, 1e-14);
+    EXPECT_NEAR(sums.unmet, .1 * .3 / 2, 1e-14);
+}
+
 // Old deflections within bounds of their own, new bounds that may have shrunk below them.
 struct Springs {
     std::vector<double> deflections, bounds;

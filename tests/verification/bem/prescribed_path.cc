@@ -89,6 +89,29 @@ TEST(BemPrescribedPath, LoadsInTurnAsTheExactSprings) {
             << k;
 }
 
+// Both forces rise in proportion from zero, F_T/F_N below mu: nothing slips, and U is F_T/F_N E*/G*
+// d (Mindlin and Deresiewicz 1953), in one step as in many. Cells at the edge: .3 % of d with 15 in
+// the radius; beside nu = 0 a point at the edge is moved by what is in contact already a little
+// more along the force than across it, which one step takes for the mean.
+TEST(BemPrescribedPath, ObliqueLoadingBelowFrictionIsExactInOneStep) {
+    for (const double poisson : {0., .5})
+        for (const int steps : {1, 10}) {
+            std::vector<Row> rows{row(0), row(20)};
+            rows[1].tangential[0].value = 4;
+            Case c = following(rows, 15, steps);
+            c.substrate.poisson = poisson;
+            c.indenter.material.reset();  // rigid
+            c.contact.coupling = false;
+            const auto pair = c.materials();
+            const double exact = 4. / 20 * pair.effective_modulus() /
+                                 pair.effective_shear_modulus() *
+                                 half_space_scales(c).indentation;
+            const auto last = run_bem(c).steps.back();
+            EXPECT_NEAR(last.shift[0], exact, 5e-3 * exact) << poisson << ' ' << steps;
+            EXPECT_LT(last.slip_area, .1 * last.contact_area) << poisson << ' ' << steps;
+        }
+}
+
 /// All at once: forces, a shift and a twist, without rolling, which does work that no force tells.
 std::vector<Row> mixed_rows() {
     std::vector<Row> rows{row(12), row(20), row(16), row(18)};
