@@ -22,7 +22,7 @@ class TemporaryFolder {
     void start_remover();
 
     std::string path_;
-    int alive_ = -1;       // open as long as this process lives: its end is what the other waits for
+    int alive_ = -1;  // open as long as this process lives: its end is what the other waits for
     pid_t remover_ = -1;
 };
 

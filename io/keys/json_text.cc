@@ -18,8 +18,7 @@ std::size_t json_string_length(std::string_view text) {
     return text.size();
 }
 
-}  // namespace
-
+/// Whether a text keeps the bounds, be it JSON or not.
 bool is_bounded_json(std::string_view text) {
     std::array<int, most_levels + 1> n_colons{};  // of the object that is open at each level
     int level = 0;
@@ -37,6 +36,12 @@ bool is_bounded_json(std::string_view text) {
         }
     }
     return true;
+}
+
+}  // namespace
+
+bool is_sound_json(std::string_view text) {
+    return is_bounded_json(text) && nlohmann::ordered_json::accept(text);
 }
 
 nlohmann::ordered_json parsed_json(std::string_view text) {

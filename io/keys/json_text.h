@@ -14,7 +14,7 @@ nlohmann::ordered_json parsed_json(std::string_view text);
 inline constexpr int most_levels = 64;
 inline constexpr int most_members = 4096;
 
-/// Whether a text keeps those bounds. Says nothing of whether it is JSON.
-bool is_bounded_json(std::string_view text);
+/// Whether a text is JSON within those bounds.
+bool is_sound_json(std::string_view text);
 
 }  // namespace tricontact::io
