@@ -13,6 +13,7 @@
 #include <thread>
 
 #include "app/commands/command.h"
+#include "app/plain_output.h"
 #ifdef TRICONTACT_WITH_FEM
 #include "app/fem_entries.h"
 #endif
@@ -114,6 +115,8 @@ int run_program(int argc, char** argv) {
 
 int main(int argc, char** argv) {
     tricontact::contact::keep_freed_memory();
+    // Destroyed in the end: what was printed is out before a code is given.
+    const tricontact::app::PlainOutput out(std::cout), err(std::cerr);
     // A file size limit is then an error like a full disk, with a message, instead of a signal.
     std::signal(SIGXFSZ, SIG_IGN);
     try {

@@ -12,6 +12,7 @@
 #include "io/case/case_keys.h"
 #include "io/case/case_reader.h"
 #include "io/keys/input_file.h"
+#include "io/keys/json_text.h"
 #include "report/json_number.h"
 
 namespace tricontact::atlas {
@@ -197,10 +198,17 @@ std::string write_atlas(const Atlas& atlas) {
 }
 
 Atlas parse_atlas(std::string_view text, const std::string& name) {
+    constexpr const char* remedy = "; name the file atlas.json that tricontact atlas wrote";
+    const Json json = io::parsed_json(text);
+    if (!json.is_object())
+        throw contact::InputError(name + ": is no atlas: its text is no object of JSON" + remedy);
     try {
-        return atlas_of(Json::parse(text), name);
-    } catch (const Json::exception& error) {
-        throw contact::InputError(name + ": is no atlas: " + error.what());
+        return atlas_of(json, name);
+    } catch (const Json::exception&) {
+        throw contact::InputError(name +
+                                  ": is no atlas: something in it is missing, or no number or "
+                                  "text where one is due" +
+                                  remedy);
     } catch (const contact::InputError& error) {
         throw contact::InputError(fmt::format(
             "{}: is no atlas of this program: {}; build it again: tricontact atlas STUDY.toml",

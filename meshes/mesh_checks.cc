@@ -162,9 +162,13 @@ class NodeHash {
     Cell cell_of(const Point& p, double shift) const {
         Cell cell{};
         for (int d = 0; d < 3; ++d)
-            cell[d] = static_cast<std::int64_t>(std::floor((p[d] + shift) / cell_));
+            cell[d] = static_cast<std::int64_t>(
+                std::clamp(std::floor((p[d] + shift) / cell_), -farthest, farthest));
         return cell;
     }
+
+    // A whole number of 64 bits; bodies so far from the origin are refused by their place.
+    static constexpr double farthest = 0x1p62;
 
     const HexMesh& mesh_;
     double cell_, tolerance_;

@@ -10,20 +10,14 @@
 #include "contact/error.h"
 #include "contact/special_values.h"
 #include "files/partial_file.h"
-#include "meshes/gmsh_model.h"
 #include "meshes/gmsh_session.h"
-#include "meshes/mesh_format.h"
 #include "meshes/messages.h"
+#include "meshes/msh_file.h"
+#include "meshes/msh_model.h"
 
 namespace tricontact::meshes {
 
 namespace {
-
-// The file under a name without a past. By its own name gmsh would take a .geo for a script, and
-// run a script `path`.opt beside it; and it might be another file by now.
-std::string nameless(const files::RegularFile& file) {
-    return "/dev/fd/" + std::to_string(file.descriptor());
-}
 
 namespace fs = std::filesystem;
 using Tag = std::size_t;
@@ -72,19 +66,9 @@ void build_model(const HexMesh& mesh) {
 HexMesh read_mesh(const std::string& path, double unit) {
     if (!contact::is_positive_and_finite(unit))
         fail(path, fmt::format("the unit of length is {:g} m", unit), "make it a positive length");
-    const auto file = open_mesh_file(path);
-    HexMesh mesh;
-    try {
-        const GmshSession session;
-        GmshSession::call([&] {
-            gmsh::merge(nameless(*file));
-            mesh = collect_model(unit, path);
-        });
-    } catch (const contact::InputError&) {
-        throw;
-    } catch (const std::exception& error) {
-        fail(path, fmt::format("the mesh is damaged ({})", error.what()), "save it again");
-    }
+    MshFile file;
+    open_msh_file(path, file);
+    HexMesh mesh = mesh_of(read_msh_model(file), unit, path);
     verify(mesh, path);
     return mesh;
 }

@@ -9,7 +9,8 @@ namespace tricontact::meshes {
 /// Reads a gmsh file (.msh 4.1 or 2.2, text or binary) whose physical groups have the names of
 /// Boundary and Region; `unit` [m] is the length of 1 in the file. The mesh is verified. Throws
 /// contact::InputError: no such file, not a mesh, damaged, other elements than straight hexahedra,
-/// unknown or missing names, and what verify() finds.
+/// unknown or missing names, and what verify() finds. gmsh has no part in it: it runs texts as
+/// scripts, and wrong counts in a file corrupt its memory.
 HexMesh read_mesh(const std::string& path, double unit);
 
 /// Writes a gmsh 4.1 text file `*.msh` in metres, 16 digits, at once or not at all. Faces and

@@ -37,6 +37,19 @@ Result toml(const char* function, const Values& values) {
         .template cast<Result>();
 }
 
+/// Throws KeyError that names what there is.
+template <class Names>
+[[noreturn]] void refuse_key(const std::string& what, const std::string& key, const Names& names) {
+    std::string there;
+    for (const auto& name : names) there.append(there.empty() ? "" : ", ").append(name);
+    throw pybind11::key_error("no " + what + ' ' + key + "; there are " +
+                              (there.empty() ? "none" : there));
+}
+
+/// Classes whose objects are made here alone: Python gets TypeError where it makes one by itself,
+/// also by __new__, which would leave it without its content.
+void forbid_construction(const pybind11::module_& module);
+
 /// What a module of the package, in Python, has by this name.
 inline pybind11::object in_python(const char* module, const char* name) {
     return pybind11::module_::import((std::string("tricontact.") + module).c_str()).attr(name);

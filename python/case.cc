@@ -32,8 +32,8 @@ py::class_<C> add_kind(py::module_& module, const char* name, const char* text, 
         .def_static(
             "from_file",
             [read](const py::object& path, const py::dict& overrides) {
-                const auto file = py::module_::import("os").attr("fspath")(path);
-                return read(file.template cast<std::string>(), overrides_of(overrides));
+                const py::object file = py::module_::import("os").attr("fsdecode")(path);
+                return read(toml<std::string>("argument", file), overrides_of(overrides));
             },
             py::arg("path"), py::arg("overrides") = py::dict(),
             "Read a case file; overrides such as {\"rolling.periods\": 3} replace its keys.\n\n"

@@ -15,6 +15,12 @@ using contact::StepRecord;
 
 namespace {
 
+std::vector<std::string_view> column_names(const History&) {
+    std::vector<std::string_view> names;
+    for (const io::HistoryColumn& column : io::history_columns()) names.push_back(column.name);
+    return names;
+}
+
 /// A quantity of all steps: every so many bytes in the steps themselves.
 py::array column(const py::object& self, const std::string& name) {
     const auto& steps = self.cast<const History&>().steps;
@@ -26,13 +32,7 @@ py::array column(const py::object& self, const std::string& name) {
         };
         return std::visit(view_of, column.place(steps.front()));  // a run has steps
     }
-    throw py::key_error(name);
-}
-
-std::vector<std::string_view> column_names(const History&) {
-    std::vector<std::string_view> names;
-    for (const io::HistoryColumn& column : io::history_columns()) names.push_back(column.name);
-    return names;
+    refuse_key("column", name, column_names(self.cast<const History&>()));
 }
 
 py::object to_pandas(const py::object& self) {

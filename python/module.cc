@@ -21,6 +21,26 @@ void SignalCheck::operator()() {
 
 namespace {
 
+PyObject* refuse_new(PyTypeObject* type, PyObject*, PyObject*) {
+    PyErr_Format(PyExc_TypeError, "%s: objects of it come from functions of tricontact",
+                 type->tp_name);
+    return nullptr;
+}
+
+}  // namespace
+
+void forbid_construction(const py::module_& module) {
+    for (const auto& [name, item] : py::cast<py::dict>(module.attr("__dict__"))) {
+        if (!PyType_Check(item.ptr()) || !py::hasattr(item, "__module__")) continue;
+        auto* const type = reinterpret_cast<PyTypeObject*>(item.ptr());
+        const bool is_exception =
+            PyType_IsSubtype(type, reinterpret_cast<PyTypeObject*>(PyExc_BaseException)) != 0;
+        if (!is_exception) type->tp_new = refuse_new;
+    }
+}
+
+namespace {
+
 template <class Error>
 void add_error(py::module_& module, const char* name, PyObject* base, const char* text) {
     auto& error = py::register_exception<Error>(module, name, base);
@@ -52,4 +72,5 @@ PYBIND11_MODULE(_core, module) {
     python::add_theory(module);
     python::add_atlas(module);
     python::add_walk(module);
+    python::forbid_construction(module);
 }

@@ -84,7 +84,7 @@ py::object history(const py::object& self, const std::string& model) {
     for (const contact::History& history : self.cast<const Result&>().run.histories)
         if (history.model == model)
             return py::cast(history, py::return_value_policy::reference_internal, self);
-    throw py::key_error(model);
+    refuse_key("model", model, self.cast<const Result&>().run.c.models);
 }
 
 /// Those of every step, or the history's.
@@ -101,7 +101,7 @@ py::list surfaces(const py::object& self, const std::string& model) {
 comparisons::Results results(const Result& result, const std::string& model) {
     for (const contact::History& history : result.run.histories)
         if (history.model == model) return {result.run.c, history};
-    throw py::key_error(model);
+    refuse_key("model", model, result.run.c.models);
 }
 
 struct ToPython {

@@ -71,6 +71,15 @@ py::array outward(const Surface& s) {
     return values;
 }
 
+std::vector<std::string> field_names(const Surface& s) {
+    std::vector<std::string> names;
+    for (const Field& field : fields)
+        if (!(s.*field.values).empty()) names.emplace_back(field.name);
+    if (!s.displacement_z.empty()) names.emplace_back(height_name);
+    if (!s.contact_state.empty()) names.emplace_back(state_name);
+    return names;
+}
+
 py::array field(const py::object& self, const std::string& name) {
     const auto& s = self.cast<const Surface&>();
     if (name == state_name && !s.contact_state.empty()) {
@@ -81,16 +90,7 @@ py::array field(const py::object& self, const std::string& name) {
     for (const Field& field : fields)
         if (field.name == name && !(s.*field.values).empty())
             return view_of(s, (s.*field.values).data(), self);
-    throw py::key_error(name);
-}
-
-std::vector<std::string> field_names(const Surface& s) {
-    std::vector<std::string> names;
-    for (const Field& field : fields)
-        if (!(s.*field.values).empty()) names.emplace_back(field.name);
-    if (!s.displacement_z.empty()) names.emplace_back(height_name);
-    if (!s.contact_state.empty()) names.emplace_back(state_name);
-    return names;
+    refuse_key("field", name, field_names(s));
 }
 
 /// Of the columns or rows of a grid; of all points where there is none.

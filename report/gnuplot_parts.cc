@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
+
+#include "contact/plain_text.h"
 
 namespace tricontact::report {
 
@@ -85,7 +88,13 @@ int marker_of(int style) {
 }  // namespace
 
 std::string quoted(const std::string& text) {
-    return "'" + gnuplot_label(text) + "'";
+    // An apostrophe within quotes would be written twice, which gnuplot takes for the end of an
+    // empty text at the beginning of one; between double quotes it would run commands.
+    constexpr std::string_view apostrophe = "'.\"'\".'";
+    std::string script;
+    for (const char c : gnuplot_label(contact::plain_text(text)))
+        script += c == '\'' ? apostrophe : std::string_view(&c, 1);
+    return "'" + script + "'";
 }
 
 std::string colour_of(std::optional<int> style) {

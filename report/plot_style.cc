@@ -56,9 +56,9 @@ std::string data_block(const std::string& name, const std::vector<std::vector<do
 std::string gnuplot_label(const std::string& text) {
     // What a page would show, its tags and characters in gnuplot's notation.
     constexpr std::pair<std::string_view, std::string_view> notation[] = {
-        {"<sub>", "_{"}, {"</sub>", "}"},  {"<sup>", "^{"},  {"</sup>", "}"},  {"<i>", ""},
-        {"</i>", ""},    {"&amp;", "\\&"}, {"&apos;", "''"}, {"&quot;", "\""}, {"&lt;", "<"},
-        {"&gt;", ">"},   {"_", "\\_"},     {"^", "\\^"},     {"@", "\\@"},     {"{", "\\{"},
+        {"<sub>", "_{"}, {"</sub>", "}"},  {"<sup>", "^{"}, {"</sup>", "}"},  {"<i>", ""},
+        {"</i>", ""},    {"&amp;", "\\&"}, {"&apos;", "'"}, {"&quot;", "\""}, {"&lt;", "<"},
+        {"&gt;", ">"},   {"_", "\\_"},     {"^", "\\^"},    {"@", "\\@"},     {"{", "\\{"},
         {"}", "\\}"},    {"~", "\\~"},     {"\\", "\\\\"}};
     const std::string html = typeset(text);
     std::string result;

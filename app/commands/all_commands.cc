@@ -1,6 +1,19 @@
+#include <cmath>
+
 #include "app/commands/command.h"
 
 namespace tricontact::app {
+
+CLI::Validator in_range(double low, double high) {
+    const CLI::Range range(low, high);
+    return {[range](std::string& text) {
+                double value = 0;
+                if (CLI::detail::lexical_cast(text, value) && std::isnan(value))
+                    return "Value " + text + " is no number";
+                return range(text);
+            },
+            range.get_description()};
+}
 
 std::vector<Command> all_commands() {
     std::vector<Command> commands{run_command(), check_command()};

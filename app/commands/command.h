@@ -19,6 +19,9 @@ namespace tricontact::app {
 inline constexpr const char* program_text =
     "Tricontact: models of frictional contact side by side, from one case file.";
 
+/// As CLI::Range, which takes "nan" for a number between all others.
+CLI::Validator in_range(double low, double high);
+
 /// A subcommand of the program, its options in the order in which the help names them.
 struct Command {
     CLI::App_p parser;
@@ -67,7 +70,7 @@ class Declared {
         if constexpr (std::is_same_v<T, int>)
             last_->check(CLI::Range(static_cast<int>(low), static_cast<int>(high)));
         else
-            last_->check(CLI::Range(low, high));
+            last_->check(in_range(low, high));
         return *this;
     }
     template <class Base>

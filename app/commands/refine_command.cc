@@ -10,6 +10,7 @@
 #include "comparisons/resolution/refined_values.h"
 #include "files/digest.h"
 #include "files/regular_file.h"
+#include "io/keys/json_text.h"
 
 namespace tricontact::app {
 
@@ -74,7 +75,7 @@ struct FinishedLevels {
         return done;
     }
     std::optional<Finished> find(const Level& level) const {
-        const json found = json::parse(read_text(file(level)), nullptr, false);
+        const json found = io::parsed_json(read_text(file(level)));
         if (found.is_discarded() || !found.is_object()) return {};
         try {
             const Finished done{comparisons::read_stored_results(found.at("values")),

@@ -1,14 +1,15 @@
 #include <boost/algorithm/string/replace.hpp>
-#include <cstdlib>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <optional>
-#include <system_error>
+#include <stdexcept>
 
 #include "app/commands/command.h"
 #include "app/papers/archive.h"
+#include "app/papers/archived_arguments.h"
 #include "app/papers/input_places.h"
 #include "app/papers/paper_export.h"
+#include "app/papers/temporary_folder.h"
 #include "comparisons/reproduction/reproduction.h"
 #include "io/keys/messages.h"
 
@@ -23,26 +24,6 @@ struct ReproduceOptions : CommandOptions {
 constexpr int exit_differs = 3;
 constexpr const char* text_name = "reproduction.json";
 
-/// A folder that goes away.
-class TemporaryFolder {
-  public:
-    TemporaryFolder() {
-        std::string name = (std::filesystem::temp_directory_path() / "tricontact-XXXXXX").string();
-        if (!::mkdtemp(name.data())) io::refuse_output(name, "cannot be made", errno);
-        path_ = name;
-    }
-    TemporaryFolder(const TemporaryFolder&) = delete;
-    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-    ~TemporaryFolder() {
-        std::error_code ignored;
-        std::filesystem::remove_all(path_, ignored);
-    }
-    const std::string& path() const { return path_; }
-
-  private:
-    std::string path_;
-};
-
 /// Every command whose archives run again: those that export.
 std::optional<Command> exporting_command(const std::string& name) {
     for (Command& command : all_commands())
@@ -53,10 +34,17 @@ std::optional<Command> exporting_command(const std::string& name) {
 
 void check_calls(const ReproduceOptions& options, const Archive& archive) {
     for (const Call& call : archive.calls) {
-        if (!exporting_command(call.command))
+        const auto command = exporting_command(call.command);
+        if (!command)
             options.refuse("asks for " + io::one_line(io::shortened(call.command, 60)) +
                            ", which is no command that exports");
-        check_inside(options.file, archive.files, call.arguments);
+        check_archived_arguments(*command->parser, options.file, archive.files, call.arguments);
+    }
+    check_inside(options.file, archive.files);
+    try {  // before anything runs
+        for (const auto& [name, text] : archive.numbers()) comparisons::numbers_in(name, text);
+    } catch (const std::runtime_error& error) {
+        options.refuse(std::string(error.what()) + "; take the archive as --export wrote it");
     }
 }
 

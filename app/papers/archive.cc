@@ -7,6 +7,7 @@
 #include "app/studies/point_key.h"
 #include "files/digest.h"
 #include "files/version.h"
+#include "io/keys/json_text.h"
 #include "io/keys/messages.h"
 
 namespace tricontact::app {
@@ -102,7 +103,7 @@ Archive read_archive(const std::string& path) {
     const auto found = files.find(list_name);
     if (found == files.end())
         refuse(path, std::string("holds no ") + list_name + ": no archive of tricontact");
-    const json list = json::parse(found->second, nullptr, false);
+    const json list = io::parsed_json(found->second);
     files.erase(found);
     try {
         if (list.at("format") != format_name)

@@ -72,6 +72,12 @@ void for_each_text(const json& item, const std::function<void(const std::string&
         for (const json& one : item) for_each_text(one, call);
 }
 
+[[noreturn]] void refuse_way_out(const std::string& archive, const std::string& where,
+                                 const std::string& path) {
+    io::fail(archive, "", where + " names " + io::shortened(path, 80) + ", outside the archive",
+             "take the archive as --export wrote it");
+}
+
 bool leads_out(const std::string& folder, const std::string& path) {
     if (fs::path(path).is_absolute()) return true;
     const auto there = (fs::path(folder) / path).lexically_normal();
@@ -143,29 +149,38 @@ std::string InputPlaces::in_places(std::string text) const {
     return text;
 }
 
-void check_inside(const std::string& archive, const io::ZipFiles& files,
-                  const std::vector<std::string>& arguments) {
-    const auto refuse = [&](const std::string& where, const std::string& path) {
-        io::fail(archive, "", where + " names " + io::shortened(path, 80) + ", outside the archive",
-                 "take the archive as --export wrote it");
-    };
+void check_inside(const std::string& archive, const io::ZipFiles& files) {
     for (const auto& [name, content] : files) {
         if (!name.ends_with(".toml") || !name.starts_with(inputs_folder)) continue;
         const std::string folder = fs::path(name).parent_path().string();
         for_each_text(parsed(content), [&](const std::string& path) {
-            if (leads_out(folder, path)) refuse(name, path);
+            if (leads_out(folder, path)) refuse_way_out(archive, name, path);
         });
     }
+}
+
+void check_inside(const std::string& archive, const io::ZipFiles& files,
+                  const std::string& argument) {
     const std::string placed = std::string(archive_place) + '/';
-    for (const std::string& argument : arguments) {
-        const auto equals = argument.find('=');
-        std::string_view value = io::trimmed(std::string_view(argument).substr(equals + 1));
-        while (value.starts_with('"') || value.starts_with('\'')) value.remove_prefix(1);
-        const bool is_placed = value.starts_with(placed);
-        const std::string path(is_placed ? value.substr(placed.size()) : value);
-        if ((is_placed && !files.contains(path)) || leads_out("", path))
-            refuse("an argument", path);
+    const auto check = [&](std::string_view path) {
+        const bool is_placed = path.starts_with(placed);
+        if (is_placed) path.remove_prefix(placed.size());
+        if ((is_placed && !files.contains(std::string(path))) ||
+            (!is_placed && path.find(archive_place) != path.npos) ||
+            leads_out("", std::string(path)))
+            refuse_way_out(archive, "an argument", std::string(path));
+    };
+    check(io::trimmed(argument));
+    // What the reader of overrides may take for the value, and the texts in it.
+    for (auto at = argument.find('='); at != argument.npos; at = argument.find('=', at + 1)) {
+        const std::string value(io::trimmed(std::string_view(argument).substr(at + 1)));
+        check(value);
+        for_each_text(parsed("value = " + value), check);
     }
+    const auto equals = std::min(argument.find('='), argument.size());
+    if (argument.substr(0, equals).find("cache") != argument.npos &&
+        io::trimmed(std::string_view(argument).substr(equals)) != "=none")
+        refuse_way_out(archive, "an argument", argument);
 }
 
 }  // namespace tricontact::app

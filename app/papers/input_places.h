@@ -30,9 +30,12 @@ class InputPlaces {
     std::string root_;  // folder of all, with '/' at its end
 };
 
-/// Throws contact::InputError, naming `archive`, where a text of TOML among the inputs or an
-/// argument leads out of the archive.
+/// Throws contact::InputError, naming `archive`, where a text of TOML among the inputs leads out of
+/// the archive.
+void check_inside(const std::string& archive, const io::ZipFiles& files);
+/// The same for an argument, also where it is KEY=VALUE with a text, or texts, in the value; and
+/// where it names a place for what is computed, but none.
 void check_inside(const std::string& archive, const io::ZipFiles& files,
-                  const std::vector<std::string>& arguments);
+                  const std::string& argument);
 
 }  // namespace tricontact::app

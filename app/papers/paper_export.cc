@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "app/papers/archive.h"
+#include "app/papers/archived_arguments.h"
 #include "app/papers/cited_sources.h"
 #include "app/papers/input_places.h"
 #include "files/regular_file.h"
@@ -38,29 +39,9 @@ std::vector<const report::DocumentTable*> tables_of(const report::Document& docu
     return tables;
 }
 
-/// Arguments that leave the numbers as they are, or belong to this call alone.
-bool is_own_matter(const std::string& name) {
-    constexpr std::array names{"--output", "--export", "--quiet",       "--threads",
-                               "--jobs",   "--vtk",    "--retry-failed"};
-    return std::ranges::find(names, name) != names.end();
-}
-
 Call call_of(const CLI::App& parser, const InputPlaces& places) {
-    Call call{parser.get_name(), {}};
-    for (const CLI::Option* option : parser.get_options()) {
-        const std::string name = option->get_name();
-        if (option->count() == 0 || is_own_matter(name)) continue;
-        const bool is_flag = option->get_items_expected_max() == 0;
-        if (is_flag) call.arguments.push_back(name);
-        if (is_flag) continue;
-        std::vector<std::string> values = option->results();
-        if (option->get_delimiter() != '\0')
-            values = {fmt::format("{}", fmt::join(values, std::string{option->get_delimiter()}))};
-        for (const std::string& value : values) {
-            if (!option->get_positional()) call.arguments.push_back(name);
-            call.arguments.push_back(places.argument(value));
-        }
-    }
+    Call call{parser.get_name(), archived_arguments(parser)};
+    for (std::string& argument : call.arguments) argument = places.argument(argument);
     return call;
 }
 
@@ -71,10 +52,12 @@ Archive archive_of(const CLI::App& parser, const CommandOptions& options,
     const std::string filled_by = options.papers.filled_by;
     if (!filled_by.empty()) archive.calls.push_back({filled_by, {places.argument(options.file)}});
     archive.calls.push_back(call_of(parser, places));
+    const std::string name = options.papers.folder + '/' + archive_name;
+    check_inside(name, archive.files);
     for (const Call& call : archive.calls)
-        check_inside(options.papers.folder + '/' + archive_name, archive.files, call.arguments);
-    for (const auto& [name, text] : numbers_of(*options.papers.findings))
-        archive.files[name] = places.in_places(text);
+        check_archived_arguments(parser, name, archive.files, call.arguments);
+    for (const auto& [file, text] : numbers_of(*options.papers.findings))
+        archive.files[file] = places.in_places(text);
     const std::string resolved = options.papers.findings->folder + '/' + resolved_case_name;
     if (options.papers.findings->files.contains(resolved_case_name) && fs::exists(resolved))
         archive.files[resolved_case_name] =

@@ -7,8 +7,11 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
+#include <unordered_map>
 
 #include "comparisons/quantities/quantity.h"
+#include "io/keys/json_text.h"
+#include "io/keys/messages.h"
 
 namespace tricontact::comparisons {
 
@@ -74,6 +77,7 @@ class JsonReader {
         KeptNumber number{.quantity = quantity, .place = place, .text = item.dump()};
         if (item.is_number()) number.value = item.get<double>();
         number.scale = std::abs(number.value.value_or(0));
+        at_.emplace(place, numbers_.size());
         numbers_.push_back(std::move(number));
     }
     void add_members(const json& item, const std::string& quantity, const std::string& place) {
@@ -101,11 +105,13 @@ class JsonReader {
     }
     void state(const std::string& place, const json& error) {
         if (!error.is_number()) return;
-        for (KeptNumber& number : numbers_)
-            if (number.place == place) number.stated_error = error.get<double>();
+        const auto [begin, end] = at_.equal_range(place);
+        for (auto at = begin; at != end; ++at)
+            numbers_[at->second].stated_error = error.get<double>();
     }
 
     std::vector<KeptNumber> numbers_;
+    std::unordered_multimap<std::string, std::size_t> at_;  // by place
 };
 
 using Record = std::vector<std::string>;
@@ -185,10 +191,14 @@ std::vector<KeptNumber> csv_numbers(const std::string& text) {
 std::vector<KeptNumber> numbers_in(const std::string& name, const std::string& text) {
     std::vector<KeptNumber> numbers;
     if (name.ends_with(".json")) {
-        const json document = json::parse(text, nullptr, false);
-        if (document.is_discarded()) throw std::runtime_error(name + " is no JSON");
+        const json document = io::parsed_json(text);
+        if (document.is_discarded())
+            throw std::runtime_error(
+                name + " is no JSON, or nests too deep, or has a number beyond double");
         numbers = JsonReader().read(document);
     } else if (name.ends_with(".csv")) {
+        if (io::first_non_utf8(text) != std::string::npos)
+            throw std::runtime_error(name + " is no text in UTF-8");
         numbers = csv_numbers(text);
     } else {
         throw std::runtime_error(name + " is neither JSON nor CSV");

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "contact/error.h"
+#include "contact/plain_text.h"
 
 namespace tricontact::io {
 
@@ -75,9 +76,7 @@ std::string shortened(std::string_view text, std::size_t limit) {
 }
 
 std::string one_line(std::string_view text) {
-    std::string out(text);
-    std::replace_if(out.begin(), out.end(), is_control, ' ');
-    return out;
+    return contact::plain_text(text);
 }
 
 std::size_t first_non_utf8(std::string_view text) {

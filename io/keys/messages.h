@@ -22,7 +22,7 @@ std::string shortened(std::string_view text, std::size_t limit);
 /// Without blanks, tabs and carriage returns at both ends.
 std::string_view trimmed(std::string_view text);
 
-/// Control characters replaced by spaces: a message is one line whatever the input holds.
+/// contact::plain_text of it: a message is one line whatever the input holds.
 std::string one_line(std::string_view text);
 
 /// Offset of the first byte that is not UTF-8, npos if all are (RFC 3629: shortest forms, no

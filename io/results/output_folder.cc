@@ -134,14 +134,18 @@ void OutputFolder::check_folder(const std::string& name) const {
             JournalFile::refuse_other_file(entry.path().string());
 }
 
-void OutputFolder::begin() {
+void OutputFolder::begin(files::FolderLock& lock) {
     check();
+    made_ = missing_folders(path_);
+    make_output_folder(path_);
+    if (!lock.take(path_))
+        fail(path_, "", "is being filled by another run",
+             "wait until that has ended, or choose another output folder");
+    check();  // of what that may have left
     listed_before_ = read_list(at(list_name));
     for (const std::string& claim : claims_)
         if (is_vacant(at(claim))) fresh_.insert(claim);
-    made_ = missing_folders(path_);
     has_begun_ = true;
-    make_output_folder(path_);
     Names listed = listed_before_;
     for (const std::string& claim : claims_) listed.insert(one_line(claim));
     if (listed != listed_before_) write_list(at(list_name), listed);
@@ -149,8 +153,9 @@ void OutputFolder::begin() {
 }
 
 void OutputFolder::fill(const std::function<void()>& work) {
+    files::FolderLock lock;
     try {
-        begin();
+        begin(lock);
         work();
     } catch (const contact::InputError&) {
         withdraw();

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "files/folder_lock.h"
+
 namespace tricontact::io {
 
 /// What a command writes into its folder, as names relative to it; folders end in '/'.
@@ -25,6 +27,7 @@ class OutputFolder {
     OutputFolder(std::string path, OutputNames names);
 
     /// Looks once more, makes the folder, removes results of earlier calls and does the work.
+    /// Refuses a folder that another process, or another object, fills meanwhile.
     /// Where the work refuses its input (contact::InputError) before a folder of its own holds a
     /// file or one of the names to be kept stands, what was made is removed again.
     void fill(const std::function<void()>& work);
@@ -35,7 +38,7 @@ class OutputFolder {
     void check() const;
     void check_file(const std::string& name) const;
     void check_folder(const std::string& name) const;
-    void begin();
+    void begin(files::FolderLock& lock);
     void withdraw() const;
     std::string at(const std::string& name) const;
 

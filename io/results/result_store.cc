@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "files/digest.h"
+#include "io/keys/json_text.h"
 #include "io/keys/messages.h"
 #include "io/results/atomic_file.h"
 
@@ -85,7 +86,8 @@ std::string times_digest(const PointOutcome& outcome) {
 bool is_whole(const SqliteFile::Statement& row) {
     const PointOutcome outcome = outcome_of(row);
     return row.text(first_digest) == content_digest(outcome) &&
-           row.text(first_digest + 1) == times_digest(outcome);
+           row.text(first_digest + 1) == times_digest(outcome) &&
+           (!outcome.results || is_sound_json(*outcome.results));
 }
 
 void insert(SqliteFile& file, const PointOutcome& outcome) {

@@ -3,6 +3,7 @@
 import json
 from typing import Any, NoReturn
 
+from ._core import InputError
 from .labels import is_quantity
 
 
@@ -10,7 +11,21 @@ def _refuse(what: str) -> NoReturn:
     raise TypeError(f"{what}; TOML has texts, numbers, true and false, and lists of them")
 
 
+def argument(text: str) -> bytes:
+    """As a shell would give it; bytes of file names that are no text stay what they were."""
+    try:
+        return text.encode("utf-8", "surrogateescape")
+    except UnicodeEncodeError:
+        _refuse_half(text)
+
+
+def _refuse_half(text: str) -> NoReturn:
+    raise InputError(f"{text!r}: holds half a character (a surrogate without the other); remove it")
+
+
 def _text(text: str) -> str:
+    if any("\ud800" <= c <= "\udfff" for c in text):
+        _refuse_half(text)
     return json.dumps(text, ensure_ascii=False).replace("\x7f", "\\u007f")
 
 

@@ -13,7 +13,7 @@ from typing import Any, Literal, NamedTuple, Union
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from . import _core, shown
+from . import _core, _toml, shown
 from ._core import Axis
 from .commands import build_atlas as build
 from .commands import predict
@@ -148,4 +148,4 @@ def load(name: Union[str, "os.PathLike[str]"]) -> Atlas:
     """
     if isinstance(name, str) and name in names():
         return Atlas(_core._shipped_atlas(name))
-    return Atlas(_core._read_atlas(os.fspath(name)))
+    return Atlas(_core._read_atlas(_toml.argument(os.fspath(name))))

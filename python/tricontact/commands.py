@@ -7,40 +7,16 @@ raises InputError, what does not converge NotConverged. Other threads go on; Ctr
 for what papers need, and an archive from which reproduce() runs again.
 """
 
-import contextlib
 import json
 import os
 import tempfile
-from collections.abc import Iterator
 from pathlib import Path
-from typing import Any, Literal, Optional, Sequence, Union
+from typing import Any, Literal, Optional, Sequence
 
 from . import _core, _toml
-from ._core import Case, InputError
+from .inputs import Input, Overrides, StrPath, StudyInput, file_of, study_folder
 from .outcome import Outcome, read_outcome
 from .progress import Progress, display
-
-Input = Union[str, "os.PathLike[str]", Case, dict[str, Any]]
-"""A file, a case, or a dictionary that holds what a file would (paths in it absolute)."""
-StrPath = Union[str, "os.PathLike[str]"]
-Overrides = Optional[dict[str, Any]]
-
-
-@contextlib.contextmanager
-def _file_of(given: Input) -> Iterator[str]:
-    """The file itself, or one that is gone afterwards, which errors do not name."""
-    if not isinstance(given, (Case, dict)):
-        yield os.fspath(given)
-        return
-    text = given.to_toml() if isinstance(given, Case) else _toml.document(given)
-    with tempfile.TemporaryDirectory(prefix="tricontact-") as folder:
-        path = Path(folder) / "case.toml"
-        path.write_text(text, encoding="utf-8")
-        try:
-            yield str(path)
-        except InputError as error:
-            name = "<case>" if isinstance(given, Case) else "<dict>"
-            raise InputError(str(error).replace(str(path), name)) from None
 
 
 def _arguments(options: dict[str, Any]) -> list[str]:
@@ -57,14 +33,14 @@ def _arguments(options: dict[str, Any]) -> list[str]:
 
 
 def _printed(
-    name: str, given: Input, overrides: Overrides, progress: Progress, options: dict[str, Any]
+    name: str, given: Any, overrides: Overrides, progress: Progress, options: dict[str, Any]
 ) -> str:
     """Calls the command; what it prints."""
     sets = [part for one in _toml.overrides(overrides or {}) for part in ("--set", one)]
     shown = display(progress)
     try:
-        with _file_of(given) as file:
-            arguments = [file, *sets, *_arguments(options)]
+        with file_of(given) as file:
+            arguments = [_toml.argument(one) for one in (file, *sets, *_arguments(options))]
             return _core._run_command(name, arguments, shown.say, shown.progress)
     finally:
         shown.close()
@@ -72,7 +48,7 @@ def _printed(
 
 def _call(
     name: str,
-    given: Input,
+    given: Any,
     overrides: Overrides,
     output: Optional[StrPath],
     progress: Progress,
@@ -221,19 +197,19 @@ def design(
 
 
 def fit(
-    study: StrPath,
+    study: StudyInput,
     output: Optional[StrPath] = None,
     *,
     confidence: float = 0.95,
     export: Optional[StrPath] = None,
 ) -> Outcome:
     """kappa and eta fitted to a finished sweep, in the folder that sweep() filled; models compared."""
-    folder = output if output is not None else _core._default_sweep_folder(os.fspath(study))
+    folder = study_folder(study, output)
     return _call("fit", study, None, folder, None, confidence=confidence, export=export)
 
 
 def build_atlas(
-    study: StrPath,
+    study: StudyInput,
     output: Optional[StrPath] = None,
     *,
     check: Optional[int] = None,
@@ -253,10 +229,8 @@ def build_atlas(
 
     Raises RuntimeError if the error bars cover too few of the random points.
     """
-    folder = output
-    if folder is None:
-        part = "_shard_" + shard.replace("/", "_of_") if shard is not None else ""
-        folder = _core._default_sweep_folder(os.fspath(study)) + part
+    part = "_shard_" + shard.replace("/", "_of_") if shard is not None and output is None else ""
+    folder = study_folder(study, output) + part
     other = os.fspath(atlas) if atlas is not None else None
     return _call("atlas", study, None, folder, progress, check=check, seed=seed, atlas=other,
                  shard=shard, jobs=jobs, retry_failed=retry_failed)

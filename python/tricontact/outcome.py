@@ -42,7 +42,8 @@ class Outcome(Mapping[str, Any]):
         models = self._numbers.get("models")
         if isinstance(models, dict) and key in models:
             return models[key]
-        raise KeyError(key)
+        there = list(self._numbers) + (list(models) if isinstance(models, dict) else [])
+        raise KeyError(f"no {key}; there are {', '.join(there) or 'none'}")
 
     def __iter__(self) -> Iterator[str]:
         return iter(self._numbers)
@@ -89,6 +90,9 @@ class Outcome(Mapping[str, Any]):
         if single:
             parts.append(shown.numbers(single, f"tricontact {self.command}"))
         parts += [shown.table(one, name) for name, one in list(self._tables.items())[:3]]
+        models = self._numbers.get("models")
+        if not self.text and isinstance(models, dict) and all(isinstance(one, dict) for one in models.values()):
+            parts.append(shown.models(models, f"tricontact {self.command}"))
         return "".join(parts)
 
 

@@ -4,6 +4,7 @@ from dataclasses import dataclass
 from typing import Any, Callable, Optional, Sequence
 
 from ._core import Case, Surface, _roll
+from .inputs import Input, Overrides, case_of
 from .table import Table
 
 
@@ -22,14 +23,16 @@ class Rolling:
 
 
 def roll(
-    case: Case,
+    case: Input,
     *,
+    overrides: Overrides = None,
     models: Optional[Sequence[str]] = None,
     points: int = 12,
     threads: Optional[int] = None,
     on_step: Optional[Callable[[str, int, int], object]] = None,
 ) -> Rolling:
-    """Roll the models of a case, or those named, from rest to steady rolling.
+    """Roll the models of a case, or those named, from rest to steady rolling. `overrides`
+    are the program's --set.
 
     `points` of each creep curve (0: none). threads: for large grids (all cores).
     on_step(model, step, steps) is called after each step from rest and each point of the curve;
@@ -38,6 +41,6 @@ def roll(
     Raises InputError, NotConverged.
     """
     names = list(models) if models is not None else None
-    summary, histories, surfaces, creep = _roll(case, names, points, threads, on_step)
+    summary, histories, surfaces, creep = _roll(case_of(Case, case, overrides), names, points, threads, on_step)
     tables = {model: Table(text) for model, text in histories.items()}
     return Rolling(summary, tables, surfaces, Table(creep))

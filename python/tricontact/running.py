@@ -3,25 +3,30 @@
 from typing import Callable, Literal, Optional, Sequence
 
 from ._core import Case, Result, _run
+from .commands import _call
+from .inputs import Input, Overrides, StrPath, case_of
 from .progress import Progress, display
 
 
 def run(
-    case: Case,
+    case: Input,
     *,
+    overrides: Overrides = None,
     models: Optional[Sequence[str]] = None,
     threads: Optional[int] = None,
     studies: bool = True,
     surfaces: Literal["quarters", "all"] = "quarters",
     on_step: Optional[Callable[[str, int, int], object]] = None,
+    export: Optional[StrPath] = None,
     progress: Progress = None,
 ) -> Result:
-    """Run the models of a case, or those named.
+    """Run the models of a case, or those named. `overrides` are the program's --set.
 
     threads: for large grids (all cores). studies: also the further runs that the program makes for
     comparison. surfaces: result.surfaces(model) has the contact surface at the quarters of the
     first three periods and of the last one, or of every step. on_step(model, step, steps_at_most)
     is called after each step; what it raises ends the run. progress: see tricontact.progress.
+    export: a folder for papers, for which the program's command runs the models once more.
     Other threads go on, and Ctrl-C ends the run between two steps.
 
     Raises InputError, NotConverged.
@@ -36,7 +41,12 @@ def run(
             on_step(model, step, steps)
 
     names = list(models) if models is not None else None
+    resolved = case_of(Case, case, overrides)
     try:
-        return _run(case, names, threads, studies, surfaces == "all", tell)
+        result = _run(resolved, names, threads, studies, surfaces == "all", tell)
     finally:
         shown.close()
+    if export is not None:
+        _call("run", case, overrides, None, progress, models=names, threads=threads,
+              no_studies=not studies, export=export)
+    return result

@@ -53,6 +53,25 @@ def numbers(values: Iterable[tuple[str, Any, str]], caption: str = "") -> str:
     return rows(["", "value", "unit"], shown, caption)
 
 
+def models(found: dict[str, dict[str, Any]], caption: str = "") -> str:
+    """A row per quantity with its error, a column per model."""
+    def cell(one: dict[str, Any], name: str) -> str:
+        value, error = one.get(name), one.get(name + "_error")
+        if isinstance(value, list):
+            return ", ".join(map(text_of, value))
+        return text_of(value) + (f" ± {error:.2g}" if error else "")
+
+    names = dict.fromkeys(name for one in found.values() for name in one)
+    lines = []
+    for name in names:
+        values = [cell(one, name) for one in found.values()]
+        if name.endswith("_error") or not any(values):
+            continue
+        label = label_of(name)
+        lines.append([label.text, *values, label.over or ("" if label.unit == "1" else label.unit)])
+    return rows(["", *found, "unit"], lines, caption)
+
+
 def result(shown: "Result") -> str:
     """A row per quantity, a column per model."""
     found = {model: shown.results(model) for model in shown.models}

@@ -2,16 +2,16 @@
 
 import os
 from pathlib import Path
-from typing import Optional, Union
+from typing import Optional
 
-from ._core import _default_sweep_folder, _sweep
+from . import _toml
+from ._core import _sweep
+from .inputs import StrPath, StudyInput, file_of, study_folder
 from .table import Table, read_table
-
-StrPath = Union[str, "os.PathLike[str]"]
 
 
 def sweep(
-    study: StrPath,
+    study: StudyInput,
     output: Optional[StrPath] = None,
     *,
     jobs: Optional[int] = None,
@@ -28,8 +28,10 @@ def sweep(
     Raises InputError, and RuntimeError if points failed: the table, in which their errors stand,
     is written all the same.
     """
-    folder = os.fspath(output) if output is not None else _default_sweep_folder(os.fspath(study))
+    folder = study_folder(study, output)
     if jobs is not None and jobs < 1:
         raise ValueError("jobs: must be at least 1")
-    _sweep(os.fspath(study), folder, jobs or os.cpu_count() or 1, retry_failed, vtk, report)
+    with file_of(study) as file:
+        _sweep(_toml.argument(file), _toml.argument(folder), jobs or os.cpu_count() or 1, retry_failed,
+               vtk, report)
     return read_table(Path(folder) / "results.csv")

@@ -33,6 +33,8 @@ class Table(Mapping[str, _Array]):
         self._units = dict(units or {})
 
     def __getitem__(self, name: str) -> _Array:
+        if name not in self._columns:
+            raise KeyError(f"no column {name}; there are {', '.join(self._columns) or 'none'}")
         return self._columns[name]
 
     def __iter__(self) -> Iterator[str]:

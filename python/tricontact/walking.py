@@ -1,9 +1,10 @@
 """The micro-walking machine."""
 
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, Union
 
 from ._core import WalkCase, _walk
+from .inputs import Overrides, StrPath, case_of
 from .table import Table
 
 
@@ -19,7 +20,12 @@ class Walk:
     """Means of the run window by window, as in windows.csv."""
 
 
-def walk(case: WalkCase) -> Walk:
-    """Run a machine and judge its motion. Takes seconds; other threads go on, Ctrl-C waits."""
-    summary, motion, windows = _walk(case)
+def walk(
+    case: Union[StrPath, WalkCase, dict[str, Any]], *, overrides: Overrides = None
+) -> Walk:
+    """Run a machine - a file, a WalkCase or a dictionary - and judge its motion.
+
+    `overrides` are the program's --set. Takes seconds; other threads go on, Ctrl-C waits.
+    """
+    summary, motion, windows = _walk(case_of(WalkCase, case, overrides))
     return Walk(summary, Table(motion), Table(windows))

@@ -24,8 +24,20 @@ bad format "is of a format that this version does not read"
 bad idle "names no command"
 bad command "asks for frobnicate, which is no command that exports"
 bad verify "asks for verify, which is no command that exports"
-bad option "run: The following argument was not expected: --frobnicate"
-bad place "run: "
+bad option "run: holds the argument --frobnicate, which is none of those that an archive may have"
+bad place "run: holds the argument --output, which is none"
+bad cache "run: holds the argument --set=fem.cache=/tmp/layers, which is none"
+bad cache_key "an argument names fem.cache=layers, outside the archive"
+bad second "an argument names /etc/passwd"
+bad texts "an argument names /etc/passwd, outside the archive"
+bad export "run: holds the argument --export=./.config, which is none"
+bad export_value "run: holds the argument --export=./.config, which is none"
+bad short "run: holds the argument -h, which is none"
+bad rest "run: holds the argument --, which is none"
+bad inner "an argument names indenter.file=x{archive}/inputs, outside the archive"
+for kind in deep nan huge wide; do
+    bad $kind "results/summary.json is no JSON, or nests too deep, or has a number beyond double; take the archive"
+done
 bad escape "an argument names ../../case.toml, outside the archive"
 bad override "an argument names /etc/passwd, outside the archive"
 bad toml "inputs/rig_sphere_parallel.toml names ../../../etc/passwd, outside the archive"
@@ -41,4 +53,27 @@ refused "is not a regular file" reproduce /dev/null
 "$python" "$source_dir/tests/cli/papers.py" change paper/archive.zip newer.zip \
     inputs/rig_sphere_parallel.toml "[friction]" "[fiction]" || complain "newer"
 refused "$work/newer.zip: inputs/rig_sphere_parallel.toml:" reproduce "$work/newer.zip"
+
+# One that is killed leaves nothing behind, by whatever signal.
+"$python" "$source_dir/tests/cli/papers.py" change paper/archive.zip long.zip archive.json \
+    mdr.springs=500 mdr.springs=10000 rolling.steps=turning-points rolling.run_all=true \
+    rolling.periods=1 rolling.periods=40000 || complain "long"
+mkdir temporary
+for signal in KILL TERM HUP; do
+    TMPDIR=$work/temporary "$program" reproduce long.zip --quiet >/dev/null 2>&1 &
+    child=$!
+    for _ in $(seq 1 500); do
+        [ -n "$(find temporary -name '*.toml')" ] && break
+        sleep 0.01
+    done
+    [ -n "$(find temporary -name '*.toml')" ] || complain "no inputs before $signal"
+    kill -s $signal "$child" || complain "over before $signal"
+    wait "$child" 2>/dev/null
+    for _ in $(seq 1 500); do
+        [ -z "$(ls temporary)" ] && break
+        sleep 0.01
+    done
+    [ -z "$(ls temporary)" ] || complain "$signal leaves $(ls temporary)"
+    rm -rf temporary/*
+done
 finish

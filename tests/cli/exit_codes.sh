@@ -51,5 +51,54 @@ grep -q "substrate.poisson = 0.6" err || complain "message: $(cat err)"
 [ -e bad ] && complain "a folder in spite of bad input"
 expect 2 run
 expect 2
+for number in nan NaN; do
+    expect 2 limit "$case_file" --models mdr --tolerance $number --output bad
+    grep -q -- "--tolerance: Value $number is no number" err || complain "message: $(cat err)"
+done
+[ -e bad ] && complain "a folder in spite of a tolerance that is no number"
+
+# 5. Two runs into one folder at once: the second is told, the first is whole.
+"$program" run "$case_file" --models mdr --set rolling.periods=2000 --set rolling.run_all=true --set output.vtk=none \
+    --no-report --no-studies --quiet --output twice &
+child=$!
+for _ in $(seq 1 500); do
+    [ -e twice/.tricontact ] && break
+    sleep 0.01
+done
+kill -STOP $child
+expect 2 run "$case_file" "${coarse[@]}" --quiet --models mdr --output twice
+grep -qx "error: twice: is being filled by another run; wait until that has ended, or choose another output folder" err ||
+    complain "two runs at once: $(cat err)"
+kill -CONT $child
+kill -KILL $child
+wait $child 2>/dev/null
+expect 0 run "$case_file" "${coarse[@]}" --quiet --models mdr --output twice
+
+# 6. Little memory: an error of one line, of the program's own words, whatever library asks first.
+cat >layer.toml <<'TOML'
+models = ["fem"]
+[indenter]
+radius = "40 mm"
+[substrate]
+young = "5.2 MPa"
+poisson = 0.45
+thickness = "8 mm"
+[friction]
+coefficient = 0.57
+[load]
+normal_force = "21.1 N"
+tangential_ratio = 0.5
+[fem]
+size = "1.2 mm"
+cache = "none"
+TOML
+if "$program" run --help >/dev/null && ls "$(dirname "$program")"/tricontact_fem_module* >/dev/null 2>&1; then
+    for kilobytes in 200000 350000 450000 500000 600000 800000; do
+        code=$(ulimit -v $kilobytes; env -u OPENBLAS_NUM_THREADS "$program" run layer.toml --quiet --no-report --no-studies \
+            --output little >out 2>err; echo $?)
+        [ "$code" -eq 1 ] || [ "$code" -eq 2 ] || complain "exit code $code with $kilobytes kB: $(cat err)"
+        [ "$(wc -l <err)" -eq 1 ] && grep -q "^error: " err || complain "words of others with $kilobytes kB: $(cat err)"
+    done
+fi
 
 finish

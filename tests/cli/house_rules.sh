@@ -73,16 +73,25 @@ while read -r lines file; do
 done < <(find "${rooms[@]}" benchmarks tests \
     \( -name '*.cc' -o -name '*.h' -o -name '*.sh' -o -name '*.py' \) -exec wc -l {} + | grep -v ' total$')
 
-# What the numbers that are kept depend on has to be whole: of a part of comparisons that is in the
-# digest, all that it includes.
+# What the numbers that are kept depend on has to be whole: all of what computes; of a part of comparisons or of the
+# walking machines that is in the digest, all that it includes; and nothing that is not there.
 sources=$(dirname "$program")/app_numerics_digest.txt
 if [ -e "$sources" ]; then
-    grep -qx 'contact/run.cc' "$sources" || complain "the digest of the numerics has no contact/run.cc"
+    while read -r file; do
+        grep -qxF "$file" "$sources" || complain "$file is not in the digest of the numerics"
+    done < <(find contact files statistics theory meshes mdr bem fem rolling io -name '*.cc' -o -name '*.h')
+    while read -r file; do
+        [ -e "$file" ] || complain "$file, in the digest of the numerics, is no file"
+    done <"$sources"
+    for room in app atlas comparisons fem/finite_strain walking; do
+        grep -q "^$room/" "$sources" || complain "nothing of $room is in the digest of the numerics"
+    done
     while read -r header; do
         grep -qxF "$header" "$sources" || complain "$header is included, but not in the digest of the numerics"
         unit=${header%.h}.cc
         [ ! -e "$unit" ] || grep -qxF "$unit" "$sources" || complain "$unit is not in the digest of the numerics"
-    done < <(grep '^comparisons/' "$sources" | xargs sed -n 's/^#include "\(comparisons\/.*\)"$/\1/p' | sort -u)
+    done < <(grep -E '^(comparisons|walking)/' "$sources" |
+        xargs sed -n 's/^#include "\(\(comparisons\|walking\)\/.*\)"$/\1/p' | sort -u)
 fi
 
 # Keys of results are declared once. Steps of a run, and arguments of Python's theory, have words of their own.

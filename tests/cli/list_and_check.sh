@@ -102,5 +102,19 @@ version=$(sed -n 's/^project(Tricontact VERSION \([0-9.]*\).*/\1/p' CMakeLists.t
 [ "$("$program" --version)" = "tricontact ${version:?}" ] ||
     complain "version: $("$program" --version) is not $version"
 
+# What acts on a terminal does not get there out of a title, nor out of a name or a key in an error.
+cd "$work"
+mkdir -p hostile
+printf 'title = "a\\u009B31mb\\u001B]0;x\\u0007c\\u202Ed\\u2066e"\n' >hostile/a.toml
+sed 1d "$source_dir/examples/cases/rig_sphere_parallel.toml" >>hostile/a.toml
+cp hostile/a.toml hostile/$'b\xc2\x9b31m.toml'
+sed 's/^periods = /"p\\u009B31m" = /' hostile/a.toml >hostile/wrong.toml.txt
+"$program" list hostile >listed || complain "a folder with hostile titles"
+grep -q "a 31mb ]0;x c d e" listed || complain "title: $(grep 31mb listed)"
+"$program" check hostile/$'b\xc2\x9b31m.toml' >checked || complain "check of a hostile name"
+"$program" check hostile/wrong.toml.txt >>checked 2>&1 && complain "a wrong key"
+LC_ALL=C grep -qP '\x1b|\x07|\xc2[\x80-\x9f]|\xe2\x80[\xa8-\xae]|\xe2\x81[\xa6-\xa9]' listed checked &&
+    complain "control characters reach the terminal: $(cat -v listed checked)"
+
 printf '%d failures\n' "$failures"
 [ "$failures" -eq 0 ]

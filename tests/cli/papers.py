@@ -1,7 +1,7 @@
 """What --export writes, read without the program; archives with something changed in them.
 
 usage: papers.py check EXPORT                           complains of each thing that is not as it should be
-       papers.py change ARCHIVE OUT NAME FROM TO        a text of a file of the archive replaced, digests remade
+       papers.py change ARCHIVE OUT NAME FROM TO...     texts of a file of the archive replaced, digests remade
        papers.py spoil ARCHIVE OUT KIND                 an archive that is bad in a way
        papers.py cited SOURCE_DIR                       complains of publications that texts cite and sources.bib lacks
 """
@@ -164,12 +164,34 @@ def sealed(files):
     return {**files, "archive.json": json.dumps(listed)}
 
 
-def change(archive, out, name, old, new):
+def change(archive, out, name, *texts):
     files = read(archive)
-    if old.encode() not in files[name]:
-        sys.exit(f"{name} has no {old}")
-    files[name] = files[name].replace(old.encode(), new.encode(), 1)
+    for old, new in zip(texts[::2], texts[1::2]):
+        if old.encode() not in files[name]:
+            sys.exit(f"{name} has no {old}")
+        files[name] = files[name].replace(old.encode(), new.encode(), 1)
     write(out, sealed(files))
+
+
+# Arguments that --export never writes.
+ARGUMENTS = {
+    "cache": ["--set=fem.cache=/tmp/layers"],
+    "cache_key": ["--set", "fem.cache=layers"],
+    "second": ["--set", 'indenter.file="a=/etc/passwd"'],
+    "texts": ["--set", 'indenter.file=["a", "\\u002fetc/passwd"]'],
+    "export": ["--export=./.config"],
+    "export_value": ["--set", "--export=./.config"],
+    "short": ["-h"],
+    "rest": ["--", "elsewhere"],
+    "inner": ["--set", "indenter.file=x{archive}/inputs"],
+}
+# What json.loads of others takes, or fails at.
+NUMBERS = {
+    "deep": b'{"a":' + b"[" * 20000 + b"]" * 20000 + b"}",
+    "nan": b'{"models": {"mdr": {"indentation_m": NaN}}}',
+    "huge": b'{"models": {"mdr": {"indentation_m": 1e400}}}',
+    "wide": b"{" + b",".join(b'"%d": 1' % i for i in range(100000)) + b"}",
+}
 
 
 def spoil(archive, out, kind):
@@ -199,6 +221,11 @@ def spoil(archive, out, kind):
         write(out, {**files, "archive.json": b'{"format": "tricontact archive 2"}'})
     elif kind == "idle":
         write(out, {**files, "archive.json": json.dumps({**listed, "calls": []})})
+    elif kind in ARGUMENTS:
+        call["arguments"] += ARGUMENTS[kind]
+        write(out, {**files, "archive.json": json.dumps(listed)})
+    elif kind in NUMBERS:
+        write(out, sealed({**files, "results/summary.json": NUMBERS[kind]}))
     elif kind in ("command", "verify", "option", "place", "escape", "override"):
         if kind == "command":
             call["command"] = "frobnicate"

@@ -174,7 +174,7 @@ done
 kill -STOP "$child"  # or it might be done before the other loses patience
 message=$(sweep --output "$work/twice" --jobs 1 --quiet 2>&1)
 [ $? -eq 2 ] || complain "exit code of a second sweep: $message"
-[[ $message == *"is in use by another program"* ]] || complain "two sweeps: $message"
+[[ $message == *"twice: is being filled by another run; wait until that has ended, or choose another"* ]] || complain "two sweeps: $message"
 kill -CONT "$child"
 wait "$child"
 same_table twice "while a second sweep wanted to run"

@@ -133,6 +133,27 @@ def test_predictions_are_those_of_the_program(rig, models, tmp_path):
     assert predicted["bem"]["settled_shift_ratio_error"] > 0
 
 
+def test_predictions_are_shown_as_a_whole(rig):
+    predicted = tricontact.predict(rig)
+    page = predicted._repr_html_()
+    for name in ("static shift", "settled shift", "shakedown limit of the load", "mapping parameter", "rests on"):
+        assert name in page, page
+    assert page.count("<tr>") > 12 and "<th>mdr</th><th>bem</th>" in page
+    bem = predicted["bem"]
+    assert f"{bem['kappa']:.6g} ± {bem['kappa_error']:.2g}" in page
+    with pytest.raises(KeyError, match="no fem; there are .*mdr, bem"):
+        predicted["fem"]
+
+
+@pytest.mark.parametrize("text", ["[" * 20000, "NaN", "1e400", "{}", '{"format": 3}', "[1]", ""])
+def test_files_that_are_none_are_refused_in_words(text, tmp_path):
+    file = tmp_path / "none.json"
+    file.write_text(text)
+    with pytest.raises(tricontact.InputError, match="none.json: is no atlas") as refused:
+        tricontact.atlas.load(file)
+    assert "json.exception" not in str(refused.value) and "; " in str(refused.value)
+
+
 def test_what_no_atlas_is_about_is_refused(examples):
     case = tricontact.Case.from_file(examples / "cases" / "rolling_cylinder.toml")
     with pytest.raises(tricontact.InputError, match="no atlas is about"):

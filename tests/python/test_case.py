@@ -1,5 +1,6 @@
 """Cases from files and dictionaries, and what is said of bad ones."""
 
+import os
 from pathlib import Path
 
 import numpy as np
@@ -93,3 +94,25 @@ def test_a_walking_machine_is_a_case_of_its_own(examples):
     with pytest.raises(tricontact.InputError, match="tricontact walk computes it"):
         tricontact.Case.from_file(file)
     assert tricontact.WalkCase.from_file(file).to_dict()["machine"]["kappa1"] == 2
+
+
+def test_half_characters_are_refused(rig, tmp_path):
+    half = "\ud800"
+    for call in (lambda: tricontact.Case.from_dict({**VALUES, "title": half}),
+                 lambda: tricontact.Case.from_dict({**VALUES, half: 1}),
+                 lambda: tricontact.Case.from_file(rig, {"title": half}),
+                 lambda: tricontact.Case.from_file(half),
+                 lambda: tricontact.run(half),
+                 lambda: tricontact.limit(rig, overrides={"title": half}),
+                 lambda: tricontact.rig(half),
+                 lambda: tricontact.sweep(half, tmp_path / "out"),
+                 lambda: tricontact.atlas.load(half)):
+        with pytest.raises(tricontact.InputError, match="holds half a character"):
+            call()
+
+
+def test_files_may_have_names_that_are_no_text(rig, tmp_path):
+    file = os.fsencode(tmp_path) + b"/\xff.toml"
+    Path(os.fsdecode(file)).write_bytes(rig.read_bytes())
+    assert tricontact.Case.from_file(os.fsdecode(file)).title == tricontact.Case.from_file(rig).title
+    assert tricontact.Case.from_file(file).models == ["mdr", "bem"]

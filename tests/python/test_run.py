@@ -1,5 +1,6 @@
 """Runs beside closed forms, conservation laws, and the program's own files."""
 
+import copy
 import csv
 import gc
 import signal
@@ -212,3 +213,53 @@ def test_finite_elements_are_found(examples, program):
     # Elements of 2 mm in a contact of some 4 mm radius: force within some percent.
     assert history.scales.indentation == pytest.approx(exact.indentation, rel=0.05)
     assert history.snapshots[0].surface.layout == "nodes"
+
+
+def test_files_and_dictionaries_are_cases(rig):
+    settings = {**COARSE, "models": ["mdr"], "rolling.periods": 1}
+    expected = tricontact.run(tricontact.Case.from_file(rig, settings), studies=False)
+    whole = tricontact.Case.from_file(rig)
+    for given in (rig, str(rig), whole, whole.to_dict()):
+        result = tricontact.run(given, overrides=settings, studies=False)
+        assert result.case.to_toml() == expected.case.to_toml()
+        np.testing.assert_array_equal(result["mdr"]["shift_x_m"], expected["mdr"]["shift_x_m"])
+    with pytest.raises(tricontact.InputError, match="No such file"):
+        tricontact.run("missing.toml")
+    with pytest.raises(TypeError, match="3 is no case: give a file, a Case or a dictionary"):
+        tricontact.run(3)
+
+
+def test_errors_name_what_there_is(case):
+    result = tricontact.run(case, models=["mdr"], studies=False)
+    for call in (result.__getitem__, result.surfaces, result.results):
+        with pytest.raises(KeyError, match="no model bem; there are mdr"):
+            call("bem")
+    with pytest.raises(KeyError, match="no column shift; there are .*shift_x_m"):
+        result["mdr"]["shift"]
+    with pytest.raises(KeyError, match="no field pressure; there are .*normal_traction_Pa"):
+        result["mdr"].snapshots[-1].surface["pressure"]
+
+
+def test_export_fills_a_folder_whose_archive_runs_again(rig, tmp_path):
+    settings = {**COARSE, "rolling.periods": 1, "mdr.springs": 500}
+    result = tricontact.run(rig, models=["mdr"], overrides=settings, studies=False, export=tmp_path / "paper")
+    assert (tmp_path / "paper" / "references.bib").exists()
+    again = tricontact.reproduce(tmp_path / "paper" / "archive.zip", output=tmp_path / "again")
+    assert again["reproduces"]
+    shift = (tmp_path / "again" / "results" / "mdr" / "history.csv").read_text().splitlines()
+    column = shift[0].split(",").index("shift_x_m")
+    assert float(shift[-1].split(",")[column]) == result["mdr"]["shift_x_m"][-1]
+
+
+def test_objects_come_from_functions_alone(case):
+    classes = [thing for thing in vars(tricontact._core).values()
+               if isinstance(thing, type) and not issubclass(thing, Exception)]
+    assert tricontact.History in classes and len(classes) > 8
+    for one in classes:
+        for call in (one, lambda one=one: one.__new__(one), lambda one=one: object.__new__(one)):
+            with pytest.raises(TypeError):
+                call()
+    history = tricontact.run(case, models=["mdr"], studies=False)["mdr"]
+    with pytest.raises(TypeError):
+        copy.copy(history)
+    assert len(history) > 0

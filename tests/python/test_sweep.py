@@ -123,3 +123,23 @@ def test_from_a_thread_of_its_own(study, tmp_path):
     thread.start()
     thread.join()
     assert len(tables[0]["model"]) == 12
+
+
+def test_a_dictionary_is_a_study(rig, study, tmp_path):
+    values = {
+        "case": str(rig),
+        "models": ["mdr", "bem"],
+        "set": {"rolling": {"steps": "turning-points", "periods": 2}, "bem": {"spacing": "0.5 mm"}},
+        "vary": {"rolling": {"amplitude_ratio": [0.1, 0.24]}, "load": {"tangential_ratio": [0.1, 0.24, 0.56]}},
+    }
+    tricontact.sweep(values, tmp_path / "values", jobs=2, report=False)
+    tricontact.sweep(study, tmp_path / "file", jobs=2, report=False)
+    table = [(tmp_path / name / "results.csv").read_text() for name in ("values", "file")]
+    assert table[0] == table[1]
+    fitted = [tricontact.fit(given, tmp_path / name)["kappa"] for given, name in ((values, "values"), (study, "file"))]
+    assert fitted[0] == fitted[1]
+    for call in (tricontact.sweep, tricontact.fit, tricontact.atlas.build):
+        with pytest.raises(tricontact.InputError, match="<dict>: .* has no name for its folder; name one by output"):
+            call(values)
+    with pytest.raises(tricontact.InputError, match="^<dict>"):
+        tricontact.sweep({**values, "vari": {}}, tmp_path / "wrong")

@@ -83,8 +83,20 @@ TEST(GnuplotFigure, DrawingsSayWhatMadeThem) {
 TEST(GnuplotFigure, LabelsInGnuplotsNotation) {
     EXPECT_EQ(gnuplot_label("u_stat [1]"), "u_{stat} [1]");
     EXPECT_EQ(gnuplot_label("C(q) [m^4]"), "C(q) [m^{4}]");
-    EXPECT_EQ(gnuplot_label("it's a_b_c {x}"), "it''s a\\_b\\_c \\{x\\}");
+    EXPECT_EQ(gnuplot_label("it's a_b_c {x}"), "it's a\\_b\\_c \\{x\\}");
     EXPECT_EQ(gnuplot_label("a & b < c"), "a \\& b < c");
+}
+
+TEST(GnuplotFigure, NamesAreNoCommands) {
+    for (const char* name : {"'a.csv", "a.csv'", "it's", "'", "''", "' system 'touch stolen",
+                             "`id`", "\"`id`\"", "a\nb\rc", "\\'", "@a\\", "%n $1"}) {
+        Figure figure = curves();
+        figure.x.label = figure.curves[0].name = figure.curves[1].name = name;
+        EXPECT_NO_THROW(draw_all({figure})) << name;
+    }
+    Figure figure = curves();
+    figure.curves[0].name = "'a.csv";
+    EXPECT_TRUE(contains(picture_of(figure).script, "title ''.\"'\".'a.csv'"));
 }
 
 TEST(GnuplotFigure, TheScriptHoldsTheData) {

@@ -80,6 +80,25 @@ TEST_F(OutputFolderTest, IsFilledAgainAndAgain) {
               "alone.\na.csv\nmodel/\nplots/\n");
 }
 
+TEST_F(OutputFolderTest, IsFilledByOneAtATime) {
+    OutputFolder(out_, names()).fill([&] {
+        write_file(out_ + "/a.csv", "first");
+        const auto before = everything();
+        EXPECT_EQ(message_of([&] { call("second"); }),
+                  out_ +
+                      ": is being filled by another run; wait until that has ended, or choose "
+                      "another output folder");
+        EXPECT_EQ(everything(), before);
+        OutputFolder(out_ + "/plots", names()).fill([] {});  // is another folder
+    });
+    EXPECT_EQ(content(out_ + "/a.csv"), "first");
+    call("third");
+    EXPECT_EQ(content(out_ + "/a.csv"), "third");
+    EXPECT_THROW(OutputFolder(out_, names()).fill([] { throw std::runtime_error("failed"); }),
+                 std::runtime_error);
+    call("fourth");
+}
+
 TEST_F(OutputFolderTest, RemovesResultsOfEarlierCallsAtTheStart) {
     call();
     OutputFolder folder(out_, names());

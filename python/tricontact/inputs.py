@@ -1,0 +1,59 @@
+"""What functions take for a case: a file, a case, or a dictionary that holds what a file would."""
+
+import contextlib
+import os
+import tempfile
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any, Optional, TypeVar, Union
+
+from . import _core, _toml
+from ._core import Case, InputError, WalkCase
+
+StrPath = Union[str, "os.PathLike[str]"]
+Input = Union[StrPath, Case, dict[str, Any]]
+"""A file, a case, or a dictionary that holds what a file would (paths in it absolute)."""
+StudyInput = Union[StrPath, dict[str, Any]]
+"""The file of a study, or a dictionary that holds what one would (paths in it absolute)."""
+Overrides = Optional[dict[str, Any]]
+Kind = TypeVar("Kind", Case, WalkCase)
+
+
+def case_of(kind: type[Kind], given: Any, overrides: Overrides = None) -> Kind:
+    """The case itself, or that of a file or a dictionary. Raises InputError."""
+    changed = overrides or {}
+    if isinstance(given, kind):
+        return kind.from_dict(given.to_dict(), changed) if changed else given
+    if isinstance(given, dict):
+        return kind.from_dict(given, changed)
+    if isinstance(given, (str, bytes, os.PathLike)):
+        return kind.from_file(os.fsdecode(given), changed)
+    raise TypeError(f"{given!r} is no case: give a file, a {kind.__name__} or a dictionary")
+
+
+@contextlib.contextmanager
+def file_of(given: Any) -> Iterator[str]:
+    """The file itself, or one that is gone afterwards, which errors do not name."""
+    if not isinstance(given, (Case, dict)):
+        yield os.fspath(given)
+        return
+    text = given.to_toml() if isinstance(given, Case) else _toml.document(given)
+    with tempfile.TemporaryDirectory(prefix="tricontact-") as folder:
+        path = Path(folder) / "case.toml"
+        path.write_text(text, encoding="utf-8")
+        try:
+            yield str(path)
+        except InputError as error:
+            name = "<case>" if isinstance(given, Case) else "<dict>"
+            raise InputError(str(error).replace(str(path), name)) from None
+
+
+def study_folder(study: StudyInput, output: Optional[StrPath]) -> str:
+    """Where a study's results are: as given, or results/<name of the study>."""
+    if output is not None:
+        return os.fspath(output)
+    if isinstance(study, dict):
+        raise InputError(
+            "<dict>: a study that is a dictionary has no name for its folder; name one by output"
+        )
+    return _core._default_sweep_folder(_toml.argument(os.fspath(study)))
