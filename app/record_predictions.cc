@@ -2,10 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "app/case_run.h"
 #include "app/roll_models.h"
 #include "app/uncertain_case.h"
+#include "contact/error.h"
 #include "contact/load_path.h"
+#include "contact/verdict.h"
 #include "experiments/records/recorded_path.h"
 #include "io/case/case_reader.h"
 
@@ -18,6 +22,7 @@ using contact::History;
 using experiments::CaseQuantity;
 using experiments::Experiment;
 using experiments::ExperimentEvaluation;
+using experiments::ModelPrediction;
 using experiments::RecordedPath;
 
 // Of a limit run: by turning points the rig's layer needs 30.
@@ -110,6 +115,7 @@ class RecordPredictions {
     /// The case with the means of the recorded forces, which its uncertain numbers are about.
     Case follow_records(const Case& c) {
         const Case set = as_set(c);
+        recorded_from_ = set;
         recorded_ = experiments::recorded_path(
             input_.experiment, set, contact::steps_in_quarter(*c.rolling, *set.rolling->amplitude));
         evaluation_.rolled_as.loads = {*recorded_, *set.load.normal_force,
@@ -167,7 +173,7 @@ class RecordPredictions {
     void add_shift(const std::string& name, const Case& c) {
         options_.say(fmt::format("{}: {} periods", name, evaluation_.periods));
         const History history = run(name, c);
-        experiments::ModelPrediction prediction{
+        ModelPrediction prediction{
             name, shift_of(history), state_of(history), wobble_of(c, history), {}};
         const UncertainCase uncertain =
             recorded_ ? uncertain_case(c, input_.uncertain)
@@ -183,8 +189,89 @@ class RecordPredictions {
                 options_.say(
                     fmt::format("{}: the error of its mesh is not known: {}", name, none.what()));
             }
+            add_steps_error(c, history.amplitude, prediction);
+            add_ends(uncertain, prediction);
         }
         experiments::add_prediction(evaluation_, std::move(prediction));
+    }
+
+    /// By first order, which no path stays below: beside half as many steps, or of one step twice
+    /// as many.
+    void add_steps_error(const Case& c, double amplitude, ModelPrediction& prediction) const {
+        const int n = contact::steps_in_quarter(*c.rolling, amplitude);
+        const int other = n > 1 ? n / 2 : 2;
+        options_.say(fmt::format("{}: once more in {} steps per quarter", prediction.model, other));
+        const std::vector<double> shift = in_steps(prediction.model, c, other);
+        const double order = static_cast<double>(other) / std::abs(other - n);
+        for (std::size_t k = 0; k < shift.size(); ++k)
+            prediction.steps_error.push_back(
+                order * experiments::numerical_error(prediction.shift[k], shift[k]));
+    }
+
+    std::vector<double> in_steps(const std::string& name, Case c, int steps) const {
+        if (recorded_) {
+            const RecordedPath path =
+                experiments::recorded_path(input_.experiment, *recorded_from_, steps);
+            return path.shifts(
+                history_of(name, path.followed_by(as_set(c)), options_.threads, silent),
+                share_of_rest_after());
+        }
+        c.rolling->steps = Case::Steps::per_quarter;
+        c.rolling->steps_per_quarter = steps;
+        return shift_of(run(name, c));
+    }
+
+    /// What the prediction is at the ends of 95 % of its uncertain numbers, and whether it settles
+    /// at one and ratchets at the other.
+    void add_ends(const UncertainCase& uncertain, ModelPrediction& prediction) const {
+        const bool ratchets = evaluation_.kind == Experiment::Kind::ratcheting;
+        const auto compared = [&](const std::vector<double>& shift) {
+            return ratchets ? experiments::late_increment(shift, .95).value : shift.back();
+        };
+        std::vector<double> changes;
+        for (const std::vector<double>& shift : prediction.raised)
+            changes.push_back(compared(shift) - compared(prediction.shift));
+        const auto direction = steepest_direction(changes, evaluation_.correlation);
+        if (direction.empty()) return;
+        const double farthest = statistics::normal_quantile(.95);
+        const auto at = [&](double deviations) {
+            return history_at(prediction.model, displaced(uncertain, direction, deviations));
+        };
+        options_.say(prediction.model + ": once more at both ends of its uncertain numbers");
+        const auto low = at(-farthest), high = at(farthest);
+        for (const auto* end : {&low, &high})
+            if (*end)
+                prediction.ends.push_back(shift_of(**end));
+            else
+                prediction.slides_within = true;
+        if (prediction.slides_within || !settles_or_ratchets(*low, false) ||
+            !settles_or_ratchets(*high, true))
+            return;
+        options_.say(prediction.model + ": the limit lies between: how probable is ratcheting?");
+        double settled = -farthest, ratcheting = farthest;
+        constexpr int bisections = 5;  // a chance to some per cent
+        for (int i = 0; i < bisections; ++i) {
+            const double middle = (settled + ratcheting) / 2;
+            const auto history = at(middle);
+            (history && !settles_or_ratchets(*history, true) ? settled : ratcheting) = middle;
+        }
+        prediction.chance_of_ratcheting = std::erfc((settled + ratcheting) / 2 / std::sqrt(2.)) / 2;
+    }
+
+    /// Empty where the contact slides.
+    std::optional<History> history_at(const std::string& name, const Case& c) const {
+        try {
+            return run(name, c);
+        } catch (const contact::InputError&) {  // of a case of which only numbers have changed
+            return {};
+        }
+    }
+    /// One or the other; by the walk where the run does not decide.
+    bool settles_or_ratchets(const History& history, bool ratchets) const {
+        contact::State state = state_of(history);
+        if (state == contact::State::undecided)
+            state = experiments::state_by_walk(shift_of(history));
+        return ratchets ? state == contact::State::ratcheting : contact::settles(state);
     }
 
     /// The shift with a number larger by its error; where it cannot be, mirrored from a smaller
@@ -226,6 +313,7 @@ class RecordPredictions {
     const experiments::ExperimentInput& input_;
     const CommandOptions& options_;
     std::optional<RecordedPath> recorded_;
+    std::optional<Case> recorded_from_;  // the case that the path was made for
 };
 
 }  // namespace

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <optional>
 
 #include "app/identification_models.h"
@@ -63,6 +65,36 @@ UncertainCase uncertain_case(const Case& c, const std::vector<io::UncertainKey>&
     const contact::HalfSpaceScales scales = contact::half_space_scales(c);
     const double amplitude = c.rolling ? contact::path_amplitude(c, scales.contact_radius) : 0;
     return uncertain_case(c, scales.normal_force, amplitude, uncertain);
+}
+
+std::vector<double> steepest_direction(const std::vector<double>& changes,
+                                       const statistics::Correlations::Matrix& correlation) {
+    const double variance = statistics::combined_variance(changes, correlation);
+    if (!(variance > 0)) return {};
+    std::vector<double> direction(changes.size(), 0.);
+    for (std::size_t i = 0; i < changes.size(); ++i)
+        for (std::size_t k = 0; k < changes.size(); ++k) {
+            const double r = correlation.empty() ? (i == k ? 1. : 0.) : correlation[i][k];
+            direction[i] += r * changes[k] / std::sqrt(variance);
+        }
+    return direction;
+}
+
+Case displaced(const UncertainCase& uncertain, const std::vector<double>& direction,
+               double deviations) {
+    constexpr double least_share_of_value = 1e-6;  // of what has to stay positive
+    Case c = uncertain.set;
+    for (std::size_t i = 0; i < direction.size(); ++i) {
+        const CaseQuantity& quantity = uncertain.quantities[i];
+        double& number = quantity.of_case(c);
+        const double before = number;
+        const double probability = std::erfc(-deviations * direction[i] / std::sqrt(2.)) / 2;
+        number += quantity.standard_error *
+                  statistics::standard_quantile(quantity.distribution, probability);
+        if (number > quantity.largest) number = 2 * quantity.largest - number;
+        if (before > 0) number = std::max(number, least_share_of_value * before);
+    }
+    return c;
 }
 
 std::vector<std::string> UncertainCase::names() const {

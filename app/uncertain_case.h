@@ -28,4 +28,16 @@ UncertainCase uncertain_case(const contact::Case& c, double normal_force, double
 UncertainCase uncertain_case(const contact::Case& c,
                              const std::vector<io::UncertainKey>& uncertain);
 
+/// The direction, of length one in standard errors, along which a result changes most that changes
+/// by `changes` when a number grows by its error each: where a given change is most probable. Empty
+/// if none of them changes it.
+std::vector<double> steepest_direction(const std::vector<double>& changes,
+                                       const statistics::Correlations::Matrix& correlation);
+
+/// The case with its numbers off along a direction by as much as a normal variable is at
+/// `deviations` standard deviations; beyond the largest value that a number can have they are
+/// mirrored there.
+contact::Case displaced(const UncertainCase& uncertain, const std::vector<double>& direction,
+                        double deviations);
+
 }  // namespace tricontact::app

@@ -69,8 +69,8 @@ std::vector<Verdict> identifiability_verdicts(const IdentifiedModel& model) {
             if (std::isinf(model.found.parameters[k].likelihood.high))
                 verdicts.push_back(
                     {not_resolved, model.name +
-                                       " cannot tell mu: all larger ones are as likely. Measure at "
-                                       "larger forces, closer to sliding."});
+                                       ": mu is not identifiable: all larger values are as likely. "
+                                       "Measure at larger forces, closer to sliding."});
         } else if (!is_named[k]) {
             if (auto verdict = not_identifiable(model, k)) verdicts.push_back(std::move(*verdict));
         }

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "contact/error.h"
+#include "contact/special_values.h"
 
 namespace tricontact::experiments {
 
@@ -14,6 +15,8 @@ namespace {
 using Stage = DriveTimeline::Stage;
 
 constexpr double same_amplitude = 0.01;  // relative; stages of the rig differ by 3 % and more
+constexpr double gap_share = 1. / 12;    // of a period: sampling that suffices has a 32nd
+constexpr double hiding_share = .4;      // of a period: a gap that may hide half of it
 
 /// From the roller upright to the roller upright.
 struct Period {
@@ -44,17 +47,19 @@ class RecordedDrive {
             const std::size_t out = next(i, [far](double w) { return w > far; });
             const std::size_t across = next(out, [far](double w) { return w < -far; });
             const std::size_t back = next(across, [far](double w) { return w > -far; });
-            if (back == offset_.size()) return found;
+            if (back == offset_.size()) break;
             Period period;
             const double top = *std::max_element(at(out), at(across));
             const double bottom = *std::min_element(at(across), at(back));
             period.begin = upright_before(out, top);
             period.end = upright_after(back, bottom);
-            if (period.end > time_.back()) return found;
-            period.amplitude = 2 * mean_distance(period);
+            if (period.end > time_.back()) break;
             found.push_back(period);
             i = back;
         }
+        fill_in(found);
+        for (Period& period : found) period.amplitude = 2 * mean_distance(period);
+        return found;
     }
 
   private:
@@ -69,7 +74,30 @@ class RecordedDrive {
                                         offset_.begin());
     }
 
-    // Where the straight line through a flank, between a tenth and a half of its height, is zero.
+    // Ends whose flanks fell into a gap of the record: from the next flank, else from the periods
+    // beside them.
+    static void fill_in(std::vector<Period>& periods) {
+        double usual = 0;
+        int n = 0;
+        for (const Period& period : periods)
+            if (std::isfinite(period.end - period.begin)) {
+                usual += period.end - period.begin;
+                ++n;
+            }
+        usual /= n;
+        if (!periods.empty() && !std::isfinite(periods.front().begin))
+            periods.front().begin = periods.front().end - usual;
+        for (std::size_t k = 0; k < periods.size(); ++k) {
+            Period& period = periods[k];
+            if (!std::isfinite(period.begin)) period.begin = periods[k - 1].end;
+            if (std::isfinite(period.end)) continue;
+            const bool leads_on = k + 1 < periods.size() && std::isfinite(periods[k + 1].begin);
+            period.end = leads_on ? periods[k + 1].begin : period.begin + usual;
+        }
+    }
+
+    // Where the straight line through a flank, between a tenth and a half of its height, is zero;
+    // NaN where fewer than two samples lie on it.
     double zero_of(std::size_t from, std::size_t to, double height) const {
         double n = 0, t = 0, w = 0, tt = 0, tw = 0;
         const double origin = time_[from];
@@ -80,7 +108,7 @@ class RecordedDrive {
             n += 1, t += x, w += offset_[k], tt += x * x, tw += x * offset_[k];
         }
         const double slope = (n * tw - t * w) / (n * tt - t * t);
-        return n < 2 ? origin : origin + (t - w / slope) / n;
+        return n < 2 ? contact::undefined : origin + (t - w / slope) / n;
     }
     // The flank that leads to the turning point beyond sample i.
     double upright_before(std::size_t i, double height) const {
@@ -97,17 +125,32 @@ class RecordedDrive {
         return zero_of(from, i, height);
     }
 
-    // A drive of constant speed is W/2 away on the average.
+    // A drive of constant speed is W/2 away on the average; gaps count in neither.
     double mean_distance(const Period& period) const {
-        double sum = 0, t_before = period.begin, w_before = 0;
-        for (std::size_t k = 0; k < time_.size() && time_[k] < period.end; ++k) {
-            if (time_[k] <= period.begin) continue;
-            sum += (time_[k] - t_before) * (std::abs(offset_[k]) + w_before) / 2;
-            t_before = time_[k];
-            w_before = std::abs(offset_[k]);
-        }
-        sum += (period.end - t_before) * w_before / 2;
-        return sum / (period.end - period.begin);
+        const double duration = period.end - period.begin;
+        const double longest = gap_share * duration;
+        double sum = 0, left_out = 0, t_before = period.begin, w_before = 0;
+        const auto add = [&](double t, double w) {
+            if (t - t_before > longest)
+                left_out += distance_until((t - period.begin) / duration) -
+                            distance_until((t_before - period.begin) / duration);
+            else
+                sum += (t - t_before) * (w + w_before) / 2;
+            t_before = t;
+            w_before = w;
+        };
+        for (std::size_t k = 0; k < time_.size() && time_[k] < period.end; ++k)
+            if (time_[k] > period.begin) add(time_[k], std::abs(offset_[k]));
+        add(period.end, 0);
+        return sum / (duration * (1 - left_out));
+    }
+
+    // What a drive of constant speed has behind it at a phase of its distances over a whole period.
+    static double distance_until(double phase) {
+        const double half = 2 * phase, part = half - std::floor(half);
+        return (std::floor(half) +
+                (part < .5 ? 2 * part * part : 1 - 2 * (1 - part) * (1 - part))) /
+               2;
     }
 
     const std::vector<double>& time_;
@@ -165,6 +208,29 @@ std::vector<double> known_offsets(const std::vector<double>& time, const Stage& 
     return offset;
 }
 
+// A gap that may hide half a period; a shorter one leaves samples on both sides of upright.
+void check_gaps(const Record& record, const DriveTimeline& timeline) {
+    double shortest = timeline.stages.front().period();
+    for (const Stage& stage : timeline.stages)
+        for (std::size_t n = 1; n < stage.upright.size(); ++n)
+            shortest = std::min(shortest, stage.upright[n] - stage.upright[n - 1]);
+    for (std::size_t k = 1; k < record.time.size(); ++k) {
+        const double from = record.time[k - 1], to = record.time[k];
+        if (to - from <= hiding_share * shortest || to < timeline.start() || from > timeline.end())
+            continue;
+        if (from < timeline.start() && to <= timeline.start() + gap_share * shortest) continue;
+        if (to - from < 2 * (record.time.back() - record.time.front()) /
+                            static_cast<double>(record.time.size()))
+            continue;  // sampled as slowly throughout
+        refuse_record(
+            record,
+            fmt::format("there is a gap of {:.3g} s at {:.4g} s: what the drive did there "
+                        "is not known",
+                        to - from, from),
+            "leave this run out, or cut the record before the gap");
+    }
+}
+
 void check_sampling(const Record& record, const DriveTimeline& timeline) {
     for (const Stage& stage : timeline.stages)
         for (int n = 1; n <= stage.periods(); ++n) {
@@ -198,6 +264,7 @@ DriveTimeline drive_timeline(const Record& record, const Experiment& experiment)
         if (timeline.stages.empty())
             refuse_record(record, "the drive completes no period", "record at least one");
     }
+    check_gaps(record, timeline);
     check_sampling(record, timeline);
     return timeline;
 }

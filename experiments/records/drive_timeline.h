@@ -25,6 +25,9 @@ struct DriveTimeline {
     double end() const { return stages.back().upright.back(); }      ///< [s]
 };
 
+/// Part of a period to both sides of the upright roller in which its value is read.
+inline constexpr double upright_window = 1. / 16;
+
 /// Fewest samples in a period: an eighth of it, where a value is taken, then has four.
 inline constexpr int fewest_samples = 32;
 

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <utility>
 
-#include "comparisons/resolution/refinement.h"
 #include "contact/error.h"
 #include "contact/special_values.h"
 #include "statistics/estimate.h"
@@ -61,34 +60,66 @@ void check_amplitudes(const std::vector<RunEvaluation>& runs) {
     }
 }
 
+// Root of the sum of squares of what the kinds are to a value.
+template <class Of>
+double systematic(const std::vector<SystematicError>& errors, const Of& of) {
+    double squares = 0;
+    for (const SystematicError& one : errors) squares += std::pow(of(one.of_shift), 2);
+    return std::sqrt(squares);
+}
+
+void widen(Repeated& r, double error, double confidence) {
+    if (error == 0) return;
+    r.systematic = error;
+    r.at_confidence.widen(error, statistics::normal_quantile(confidence) * error);
+    r.at_95.widen(error, statistics::normal_quantile(.95) * error);
+}
+
 void put_together(ExperimentEvaluation& e) {
-    const auto over_runs = [&](auto&& of_run) {
+    const auto errors = common_errors(e);
+    // `of_run`: with its interval of a level; `of_error`: what is in the value of errors of shifts.
+    const auto over_runs = [&](auto&& of_run, auto&& of_error) {
         std::vector<Estimate> of_runs;
-        for (const RunEvaluation& run : e.runs) of_runs.push_back(of_run(run));
-        return repeated(of_runs, e.confidence);
+        for (const RunEvaluation& run : e.runs) of_runs.push_back(of_run(run, e.confidence));
+        Repeated r = repeated(of_runs, e.confidence);
+        if (r.runs == 1) r.at_95 = of_run(e.runs.front(), .95);
+        widen(r, systematic(errors, of_error), e.confidence);
+        return r;
     };
     const auto last = static_cast<std::size_t>(e.periods);
     for (std::size_t n = 0; n <= last; ++n) {
-        const auto shift = over_runs([&](auto& run) { return value_at(run, n, e.confidence); });
+        const auto shift =
+            over_runs([&](auto& run, double level) { return value_at(run, n, level); },
+                      [&](auto& error) { return error[n]; });
         e.shift.push_back(shift.at_confidence);
         if (n == 0) e.static_shift = shift;
         if (n == last) e.final_shift = shift;
     }
     for (std::size_t n = 1; n <= last; ++n)
         e.period_increments.push_back(
-            over_runs([&](auto& run) { return increment_at(run, n, e.confidence); }).at_confidence);
+            over_runs([&](auto& run, double level) { return increment_at(run, n, level); },
+                      [&](auto& error) { return error[n] - error[n - 1]; })
+                .at_confidence);
     std::vector<Estimate> wobble;
     for (const RunEvaluation& run : e.runs)
         if (run.wobble) wobble.push_back(*run.wobble);
     if (!wobble.empty()) e.wobble = repeated(wobble, e.confidence);
-    e.settled_shift = over_runs([](auto& run) { return run.stages.front().settling.settled; });
-    e.increment = over_runs([](auto& run) { return run.stages.front().increment; });
-}
-
-// What the record gives: the scatter of its runs, or noise and drift of one.
-UncertaintySource source_of_record(const Repeated& measured) {
-    if (measured.runs < 2) return {"noise and drift", measured.at_95.standard_error};
-    return {"repeated runs", measured.at_95.standard_error, measured.runs - 1.};
+    e.settled_shift = over_runs(
+        [](auto& run, double level) {
+            Estimate settled = run.stages.front().settling.settled;  // at verdict_confidence
+            const double factor = statistics::normal_quantile(level) /
+                                  statistics::normal_quantile(verdict_confidence);
+            settled.low = settled.value - factor * (settled.value - settled.low);
+            settled.high = settled.value + factor * (settled.high - settled.value);
+            return settled;
+        },
+        [](auto& error) { return error.back(); });
+    e.increment = over_runs(
+        [](auto& run, double level) {
+            const StageEvaluation& stage = run.stages.front();
+            return level == verdict_confidence ? stage.increment_95 : stage.increment;
+        },
+        [](auto& error) { return late_increment(error, verdict_confidence).value; });
 }
 
 statistics::Fit line_of(const StageEvaluation& stage, double origin, double confidence) {
@@ -183,11 +214,26 @@ std::optional<LimitReading> read_limit(const RunEvaluation& run, State StageEval
     return reading;
 }
 
-std::optional<bool> Deviation::differs() const {
-    if (!has_errors || rest_is_missing) return {};
-    if (is_excluded(error.difference(), creep, error.half_width())) return true;
-    if (!error.agrees()) return {};
-    return false;
+bool ExperimentEvaluation::is_spoilt() const {
+    return std::ranges::any_of(runs, &RunEvaluation::is_spoilt);
+}
+
+std::vector<SystematicError> common_errors(const ExperimentEvaluation& e) {
+    std::vector<SystematicError> errors;
+    if (e.runs.size() < 2) return errors;
+    const auto n_values = static_cast<std::size_t>(e.periods) + 1;
+    for (const RunEvaluation& run : e.runs)
+        for (const SystematicError& one : run.systematic) {
+            auto same = std::ranges::find(errors, one.name, &SystematicError::name);
+            if (same == errors.end())
+                same = errors.insert(same, {one.name, std::vector<double>(n_values, 0.)});
+            for (std::size_t n = 0; n < n_values; ++n)
+                same->of_shift[n] += one.of_shift[n] * one.of_shift[n];
+        }
+    for (SystematicError& one : errors)
+        for (double& error : one.of_shift)
+            error = std::sqrt(error / static_cast<double>(e.runs.size()));
+    return errors;
 }
 
 double ExperimentEvaluation::creep_per_period() const {
@@ -195,14 +241,6 @@ double ExperimentEvaluation::creep_per_period() const {
     double drifted = 0;
     for (const RunEvaluation& run : runs) drifted += run.drift.value * run.stages.front().period;
     return drifted / static_cast<double>(runs.size());
-}
-
-std::string name_of_number(const ExperimentEvaluation& e, std::size_t number) {
-    return number < e.uncertain_numbers.size() ? e.uncertain_numbers[number] : std::string();
-}
-
-double numerical_error(double fine, double coarse) {
-    return comparisons::safety_factor * (fine - coarse) / 2;
 }
 
 Repeated repeated(const std::vector<Estimate>& of_runs, double confidence) {
@@ -243,56 +281,6 @@ ExperimentEvaluation evaluate_experiment(const Experiment& experiment) {
     put_together(e);
     if (e.kind == Experiment::Kind::limit) read_limits(e);
     return e;
-}
-
-std::vector<double> half_widths(const ModelPrediction& p,
-                                const statistics::Correlations::Matrix& correlation) {
-    std::vector<double> widths;
-    if (p.raised.empty()) return widths;
-    for (std::size_t n = 0; n < p.shift.size(); ++n) {
-        std::vector<double> changes;
-        for (const std::vector<double>& raised : p.raised)
-            changes.push_back(raised[n] - p.shift[n]);
-        double squares = statistics::combined_variance(changes, correlation);
-        if (!p.coarser.empty()) squares += std::pow(numerical_error(p.shift[n], p.coarser[n]), 2);
-        widths.push_back(statistics::normal_quantile(.95) * std::sqrt(squares));
-    }
-    return widths;
-}
-
-void add_prediction(ExperimentEvaluation& e, ModelPrediction prediction) {
-    const double n = e.periods;
-    const auto add = [&](const char* name, const Repeated& measured, double n_drifted, auto&& of) {
-        const double value = of(prediction.shift);
-        ComparisonError error{measured.at_95.value, value, {source_of_record(measured)}};
-        std::vector<double> changes;
-        for (std::size_t i = 0; i < prediction.raised.size(); ++i) {
-            const double change = of(prediction.raised[i]) - value;
-            changes.push_back(change);
-            error.sources.push_back({name_of_number(e, i), std::abs(change)});
-        }
-        const double variance = statistics::combined_variance(changes, e.correlation);
-        error.covariance = statistics::covariance_part(changes, e.correlation);
-        if (!prediction.coarser.empty())
-            error.sources.push_back(
-                {"mesh", std::abs(numerical_error(value, of(prediction.coarser)))});
-        Deviation d{prediction.model, name, measured.at_confidence,
-                    statistics::with_interval(value, std::sqrt(variance),
-                                              statistics::student_t(e.confidence, many))};
-        d.has_errors = !prediction.raised.empty();
-        d.error = std::move(error);
-        d.rest_is_missing = e.rest_is_missing();
-        d.creep = n_drifted * e.creep_per_period();
-        e.deviations.push_back(std::move(d));
-    };
-    add("U_stat", e.static_shift, 0, [](const std::vector<double>& u) { return u.front(); });
-    if (e.kind == Experiment::Kind::shakedown)
-        add("U_sd", e.final_shift, n, [](const std::vector<double>& u) { return u.back(); });
-    else
-        add("ΔU", e.increment, 1,
-            [&](const std::vector<double>& u) { return late_increment(u, e.confidence).value; });
-    e.series.push_back(series_deviation(e, prediction));
-    e.predictions.push_back(std::move(prediction));
 }
 
 }  // namespace tricontact::experiments

@@ -23,6 +23,9 @@ namespace tricontact::experiments {
 struct Repeated {
     Estimate at_confidence, at_95;
     int runs = 0;  ///< that have it
+    /// Of its standard error what all runs have in common, which their scatter does not show: of
+    /// records that are not in order.
+    double systematic = 0;
 };
 
 /// Two straight lines of least squares and where they meet.
@@ -72,10 +75,24 @@ struct ModelPrediction {
     std::vector<std::vector<double>> raised;
     /// `shift` on cells, elements or springs of twice the size; empty: not computed.
     std::vector<double> coarser = {};
+    /// Standard errors of `shift` by its finite steps, with their sign [m]; empty: not computed.
+    std::vector<double> steps_error = {};
+    /// `shift` where the uncertain numbers are as far off as 95 % reach, in the direction in which
+    /// the shift changes most, down and up; empty: not computed.
+    std::vector<std::vector<double>> ends = {};
+    /// One of these settles and another ratchets: the limit lies within the uncertainty.
+    std::optional<double> chance_of_ratcheting = {};
+    /// F_T reaches mu F_N at one of the ends: nothing bounds the shift.
+    bool slides_within = false;
 };
 
-/// Half widths of the intervals of 95 % of its shifts, by the uncertain numbers of the case and the
-/// mesh, one per period [m]; empty if nothing is uncertain. `correlation`: of these numbers.
+/// Standard error that a quantity has beyond the linear one of `variance` where the response is not
+/// linear: `value`, and at the ends of 95 %. 0 up to a quarter more than the linear one.
+double nonlinear_error(double value, const std::vector<double>& at_ends, double variance);
+
+/// Half widths of the intervals of 95 % of its shifts, by the uncertain numbers of the case, the
+/// mesh and the steps, one per period [m]; empty if nothing is uncertain. `correlation`: of these
+/// numbers.
 std::vector<double> half_widths(const ModelPrediction& prediction,
                                 const statistics::Correlations::Matrix& correlation = {});
 
@@ -86,6 +103,8 @@ struct Deviation {
     bool has_errors = false;       ///< the case states uncertainties
     ComparisonError error = {};    ///< by these, the record and the model's mesh
     bool rest_is_missing = false;  ///< of a relaxing substrate: how long F_T acted is not known
+    bool is_spoilt = false;        ///< by a record that is damaged
+    bool slides = false;           ///< see ModelPrediction::slides_within
     /// Drift subtracted from the measured value that on a relaxing substrate may be creep, which
     /// the model's has [m].
     double creep = 0;
@@ -160,12 +179,18 @@ struct ExperimentEvaluation {
     std::vector<SeriesDeviation> series;  ///< one per prediction
     std::vector<PredictedLimit> model_limits;
 
+    /// A record is damaged such that its values are wrong by an unknown amount.
+    bool is_spoilt() const;
     /// Of a relaxing substrate: how long F_T acted before rolling is not known.
     bool rest_is_missing() const { return rolled_as.hold && !rolled_as.hold_is_known; }
     /// Drift subtracted in one period that on a relaxing substrate may be creep, mean of the
     /// runs [m]; models that follow the record are rid of their own.
     double creep_per_period() const;
 };
+
+/// What all runs may have wrong in common, one entry per kind: root mean squares over the runs, at
+/// the ends of the periods that all have. Of a single run none: they are in its own errors.
+std::vector<SystematicError> common_errors(const ExperimentEvaluation& evaluation);
 
 /// Of an uncertain number of the case; empty if it is not known.
 std::string name_of_number(const ExperimentEvaluation& evaluation, std::size_t number);

@@ -108,11 +108,19 @@ static void to_json(json& to, const StageEvaluation& s) {
           {"state_by_curvature", contact::name_of(s.by_curvature)}};
 }
 
+static void to_json(json& to, const RecordFinding& finding) {
+    to = {{"kind", name_of(finding.kind)},
+          {"sentence", finding.sentence},
+          {"spoils", finding.spoils}};
+}
+
 static void to_json(json& to, const RunEvaluation& run) {
     to = {{"name", run.name},
+          {"findings", run.findings},
+          {"loading_s", run.rest_is_whole ? json(run.loading) : json()},
           {"noise_m", run.noise.standard_deviation},
           {"resolution_m", run.noise.resolution},
-          {"correlated_samples", run.noise.correlated_samples()},
+          {"correlated_samples", run.noise.correlated_samples},
           {"drift_before_m_per_s", drift_json(run.before)},
           {"drift_after_m_per_s", run.after ? drift_json(*run.after) : json()},
           {"drift_m_per_s", drift_json(run.drift)},
@@ -164,6 +172,8 @@ static json models_json(const ExperimentEvaluation& e) {
         models.push_back(
             {{"model", p.model},
              {names::state.key, contact::name_of(p.state)},
+             {"chance_of_ratcheting", p.chance_of_ratcheting},
+             {"slides_within_uncertainty", p.slides_within},
              {"shift_m", p.shift},
              {"wobble_ratio", p.wobble},
              {"pivot_height_m", e.wobble ? uncertain(pivot_height(e, p.wobble)) : json()},

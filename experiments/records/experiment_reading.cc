@@ -33,23 +33,33 @@ auto count(const ExperimentEvaluation& e, State state) {
                               [](const RunEvaluation& run) { return run.stages.front().by_walk; });
 }
 
-// Of the run that walks most.
+std::string range_of_walk(double low, double high) {
+    return fmt::format("between {} and {} µm", report::significant(um * low, 3),
+                       report::significant(um * high, 3));
+}
+
+// Ratcheting: the mean of the runs by its scatter; what cannot be told: the range of all runs,
+// which differ in what they say; shakedown: the run that walks most.
 std::string walk(const ExperimentEvaluation& e) {
     const auto high = [](const RunEvaluation& r) { return r.stages[0].settling.increment.high; };
-    const StageEvaluation& stage = std::ranges::max_element(e.runs, {}, high)->stages.front();
-    const Estimate& increment = stage.settling.increment;
+    const auto low = [](const RunEvaluation& r) { return r.stages[0].settling.increment.low; };
+    const auto most = std::ranges::max_element(e.runs, {}, high);
+    const bool repeats = e.runs.size() > 1;
+    if (e.state == State::ratcheting)
+        return fmt::format("the residual ratcheting beside the transient is {} per period ({}{})",
+                           shift(walk_of_runs(e)), level(verdict_confidence),
+                           repeats ? ", by the scatter of the runs" : "");
     if (e.state != State::shakedown)
         return fmt::format(
-            "the residual ratcheting beside the transient is {} per period ({})",
-            e.state == State::ratcheting
-                ? shift(increment)
-                : fmt::format("between {} and {} µm", report::significant(um * increment.low, 3),
-                              report::significant(um * increment.high, 3)),
-            level(verdict_confidence));
-    const double added = std::max(0., increment.high * stage.periods());
+            "the residual ratcheting beside the transient is {} per period ({}{})",
+            range_of_walk(low(*std::ranges::min_element(e.runs, {}, low)), high(*most)),
+            level(verdict_confidence), repeats ? " of each run" : "");
+    const StageEvaluation& stage = most->stages.front();
+    const double added = std::max(0., stage.settling.increment.high * stage.periods());
     return fmt::format(
-        "residual ratcheting contributes at most {:.2g} % of the shift in {} periods ({})",
-        100 * added / std::abs(stage.shift.back()), stage.periods(), level(verdict_confidence));
+        "residual ratcheting contributes at most {:.2g} % of the shift in {} periods ({}{})",
+        100 * added / std::abs(stage.shift.back()), stage.periods(), level(verdict_confidence),
+        repeats ? ", the run that walks most" : "");
 }
 
 Verdict state_verdict(const ExperimentEvaluation& e) {
@@ -122,6 +132,11 @@ std::string why_not_compared(const D& d, double creep) {
     if (d.rest_is_missing)
         return "how long F_T acted before the rolling is not known: whether they differ is not "
                "resolved";
+    if (d.is_spoilt)
+        return "a record is damaged, as said below: whether they differ is not resolved";
+    if (d.slides)
+        return "within the uncertainty of the case the contact slides: whether they differ is "
+               "not resolved";
     return fmt::format(
         "{}; but not if the drift that was subtracted, {} µm, is creep of the substrate",
         statement(d.error, "m"), report::significant(um * creep, 2));
@@ -226,7 +241,7 @@ Verdict drift_verdict(const ExperimentEvaluation& e) {
     const auto changes =
         std::ranges::count_if(e.runs, [](const RunEvaluation& run) { return run.drift_changes; });
     return {not_resolved,
-            fmt::format("The drift before and after the rolling differs in {} of {} by more than "
+            fmt::format("The drift changes in {} of {}, before or after the rolling, by more than "
                         "three standard errors: it is not linear, {}the substrate still creeps; "
                         "the errors are widened by the difference.",
                         changes, runs(e), e.rolled_as.loads ? "the forces change, or " : "or ")};
@@ -271,6 +286,7 @@ std::vector<Verdict> experiment_verdicts(const ExperimentEvaluation& e) {
         if (e.rolled_as.hold) verdicts.push_back(rest_verdict(e));
     } else {
         verdicts = {state_verdict(e), values_verdict(e), curvature_verdict(e)};
+        for (Verdict& verdict : limit_within_verdicts(e)) verdicts.push_back(std::move(verdict));
         for (const SeriesDeviation& d : e.series) verdicts.push_back(series_verdict(d));
         for (const Deviation& d : e.deviations) verdicts.push_back(deviation_verdict(d));
         if (e.rolled_as.loads) verdicts.push_back(loads_verdict(*e.rolled_as.loads));
@@ -279,6 +295,7 @@ std::vector<Verdict> experiment_verdicts(const ExperimentEvaluation& e) {
             if (e.wobble && std::abs(p.wobble) > e.wobble->at_confidence.standard_error)
                 verdicts.push_back(wobble_verdict(e, p));
     }
+    for (Verdict& verdict : record_verdicts(e)) verdicts.push_back(std::move(verdict));
     if (std::ranges::any_of(e.runs, [](const RunEvaluation& run) { return run.drift_changes; }))
         verdicts.push_back(drift_verdict(e));
     return verdicts;

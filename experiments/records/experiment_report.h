@@ -12,6 +12,14 @@ namespace tricontact::experiments {
 /// What the experiment says, one statement each, the answer first.
 std::vector<report::Verdict> experiment_verdicts(const ExperimentEvaluation& e);
 
+/// What is wrong with records, one statement each.
+std::vector<report::Verdict> record_verdicts(const ExperimentEvaluation& e);
+/// Of each model whose limit lies within the uncertainty of the case.
+std::vector<report::Verdict> limit_within_verdicts(const ExperimentEvaluation& e);
+/// The walk beside the transient at verdict_confidence [m]: of several runs their mean, by its
+/// scatter.
+Estimate walk_of_runs(const ExperimentEvaluation& e);
+
 /// The text of experiment.json: fixed keys in fixed order, SI units in the names, undefined and
 /// non-finite numbers as null.
 std::string experiment_json(const std::string& version, const ExperimentEvaluation& e);

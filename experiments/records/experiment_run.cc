@@ -7,6 +7,9 @@
 #include <numeric>
 
 #include "contact/verdict.h"
+#include "experiments/records/drive_delay.h"
+#include "experiments/records/record_corrections.h"
+#include "report/format.h"
 #include "statistics/estimate.h"
 
 namespace tricontact::experiments {
@@ -14,159 +17,111 @@ namespace tricontact::experiments {
 namespace {
 
 using contact::State;
+using Corrections = RecordCorrections;
+using Part = RecordPart;
 
-constexpr double window = 1. / 16;   // of a period, to both sides of the upright roller
-constexpr double drifts_differ = 3;  // standard errors
+constexpr double noise_grows = 1.5;  // times that of the rest: it is louder while it rolls
 
-/// Successive samples.
-struct Part {
-    std::vector<double> time, shift, offset;
-};
-
-std::vector<double> mean_weights(std::size_t n) {
-    return std::vector<double>(n, 1 / static_cast<double>(n));
+/// Standard error of the slope of the second half by the noise of the record alone [m]; `memory`:
+/// only what it has by being correlated from period to period.
+double noise_of_slope(const StageEvaluation& stage, const RunEvaluation& run, double interval,
+                      bool memory) {
+    const std::size_t first = (stage.shift.size() - 1) / 2;
+    std::vector<double> count(stage.shift.size() - first);
+    std::iota(count.begin(), count.end(), 0.);
+    const auto weights = weights_of_slope(count);
+    double own = 0, common = 0;
+    for (std::size_t i = 0; i < weights.size(); ++i) {
+        own += std::pow(weights[i] * stage.noise_error[first + i], 2);
+        for (std::size_t k = 0; k < i; ++k)
+            common += 2 * weights[i] * weights[k] *
+                      run.noise.covariance_at(static_cast<std::size_t>(
+                          (stage.time[first + i] - stage.time[first + k]) / interval));
+    }
+    return std::sqrt(std::max(0., common + (memory ? 0 : own)));
 }
 
-RecordNoise noise_of(const Part& rest, double resolution) {
-    const double slope = weighted(weights_of_slope(rest.time), rest.shift);
-    const double first =
-        weighted(weights_of_polynomial_at(rest.time.front(), rest.time, 1), rest.shift);
-    std::vector<double> residuals;
-    for (std::size_t i = 0; i < rest.time.size(); ++i)
-        residuals.push_back(rest.shift[i] - first - slope * (rest.time[i] - rest.time.front()));
-    return {residuals, resolution};
-}
-
-Estimate drift_of(const Part& rest, const RecordNoise& noise) {
-    const auto weights = weights_of_slope(rest.time);
-    return {weighted(weights, rest.shift), noise.standard_error(weights)};
-}
-
-// Mean of the drifts before and after by their errors; where they contradict each other, the error
-// grows with their difference (Birge's ratio).
-void settle_drift(RunEvaluation& run) {
-    run.drift = run.before;
-    if (!run.after) return;
-    const double vb = run.before.standard_error * run.before.standard_error;
-    const double va = run.after->standard_error * run.after->standard_error;
-    const double difference = run.after->value - run.before.value;
-    if (va + vb == 0) {
-        run.drift = {run.before.value + difference / 2, std::abs(difference) / 2};
-        return;
-    }
-    const double ratio = std::abs(difference) / std::sqrt(va + vb);
-    run.drift.value = run.before.value + difference * vb / (va + vb);
-    run.drift.standard_error = std::sqrt(va * vb / (va + vb)) * std::max(1., ratio);
-    run.drift_changes = ratio > drifts_differ;
-}
-
-/// Noise, drift and zero of a record, found in its rests.
-class Corrections {
-  public:
-    Corrections(const Record& record, const Experiment& experiment, const DriveTimeline& timeline,
-                RunEvaluation& run)
-        : record_(record), timeline_(timeline), run_(run) {
-        const double first = record.time.front();
-        loading_ = experiment.loading.value_or(first);
-        reference_ = timeline.start();
-        run.rest = timeline.start() - loading_;
-        run.rest_is_whole = experiment.loading.has_value();
-        // A load that was applied in the record has the first half of the rest to settle.
-        const double from = experiment.loading ? (loading_ + timeline.start()) / 2 : first;
-        rest_ = rest(from, timeline.start());
-        if (rest_.time.size() < fewest_rest_samples)
-            refuse_record(record,
-                          fmt::format("there are {} samples of rest under load before rolling "
-                                      "begins at {:.4g} s, fewer than {}",
-                                      rest_.time.size(), timeline.start(), fewest_rest_samples),
-                          "record the static shift longer");
-        run.noise = noise_of(rest_, experiment.resolution.value_or(smallest_step(record.shift)));
-        run.degrees_of_freedom =
-            std::max(1, static_cast<int>(static_cast<double>(rest_.time.size()) /
-                                         run.noise.correlated_samples()) -
-                            2);
-        run.before = drift_of(rest_, run.noise);
-        const double end = timeline.end() + stopping * timeline.stages.back().period();
-        const Part after = rest(end, record.time.back());
-        if (after.time.size() >= fewest_rest_samples) run.after = drift_of(after, run.noise);
-        settle_drift(run);
-        for (std::size_t i = 0; i < run.time.size(); ++i)
-            run.shift[i] -= run.drift.value * (run.time[i] - timeline.start());
-        if (experiment.loading) subtract_zero(first);
-        rest_ = rest(from, timeline.start());
-    }
-
-    /// Before the first period.
-    void add_static(StageEvaluation& stage) const {
-        add(stage, timeline_.start(), rest_, mean_weights(rest_.time.size()));
-    }
-
-    /// Near an instant with the roller upright: the value at offset 0 of the parabola over the
-    /// offset, free of what the table adds in proportion to it, and of what the contact adds to
-    /// both sides alike.
-    void add_upright(StageEvaluation& stage, double upright, double period) const {
-        const Part part = rest(upright - window * period, upright + window * period);
-        add(stage, upright, part, weights_of_polynomial_at(0, part.offset, 2));
-    }
-
-    Part rest(double from, double to) const {
-        Part part;
-        const auto begin = std::ranges::lower_bound(run_.time, from) - run_.time.begin();
-        const auto end = std::ranges::upper_bound(run_.time, to) - run_.time.begin();
-        if (end <= begin) return part;
-        part.time.assign(run_.time.begin() + begin, run_.time.begin() + end);
-        part.shift.assign(run_.shift.begin() + begin, run_.shift.begin() + end);
-        part.offset.assign(timeline_.offset.begin() + begin, timeline_.offset.begin() + end);
-        return part;
-    }
-
-  private:
-    void subtract_zero(double first) {
-        const Part unloaded = rest(first, loading_);
-        if (unloaded.time.size() < 3)
-            refuse_record(record_, "there are fewer than 3 samples before record.loading",
-                          "omit loading if the record begins later");
-        const auto weights = mean_weights(unloaded.time.size());
-        const double zero = weighted(weights, unloaded.shift);
-        zero_error_ = run_.noise.standard_error(weights);
-        reference_ = weighted(weights, unloaded.time);
-        for (double& u : run_.shift) u -= zero;
-    }
-    void add(StageEvaluation& stage, double at, const Part& part,
-             const std::vector<double>& weights) const {
-        stage.time.push_back(at);
-        stage.shift.push_back(weighted(weights, part.shift));
-        stage.noise_error.push_back(run_.noise.standard_error(weights));
-        stage.drift_time.push_back(weighted(weights, part.time) - reference_);
-        stage.shift_error.push_back(std::hypot(stage.noise_error.back(),
-                                               run_.drift.standard_error * stage.drift_time.back(),
-                                               zero_error_));
-    }
-
-    const Record& record_;
-    const DriveTimeline& timeline_;
-    RunEvaluation& run_;
-    Part rest_;
-    double loading_ = 0, zero_error_ = 0;
-    double reference_ = 0;  // where the drift has no error [s]
-};
-
-void judge(StageEvaluation& stage, const RunEvaluation& run, const Part& samples,
+void judge(StageEvaluation& stage, const RunEvaluation& run, const Part& samples, double interval,
            double confidence) {
     stage.settling = fit_settling(stage.shift, verdict_confidence);
-    stage.increment = late_increment(stage.shift, confidence);
-    // An error of the drift is one of the walk.
-    const double drift = run.drift.standard_error * stage.period;
-    const auto half = [&](double level) {
-        return statistics::student_t(level, run.degrees_of_freedom) * drift;
+    const auto half = [&](double level, double error) {
+        return statistics::student_t(level, run.degrees_of_freedom) * error;
     };
-    stage.settling.increment.widen(drift, half(verdict_confidence));
-    stage.increment.widen(drift, half(confidence));
+    const double noise = noise_of_slope(stage, run, interval, false),
+                 drift = run.drift.standard_error * stage.period;
+    const auto increment = [&](double level) {
+        Estimate e = late_increment(stage.shift, level);
+        // Residuals of few values are small by chance, and of noise that remembers: its own error
+        // is the least.
+        if (const double least = half(level, noise); e.half_width() < least)
+            e = {e.value, noise, e.value - least, e.value + least};
+        e.widen(drift, half(level, drift));  // an error of the drift is one of the walk
+        return e;
+    };
+    stage.increment = increment(confidence);
+    stage.increment_95 = increment(verdict_confidence);
+    const double remembered = noise_of_slope(stage, run, interval, true);
+    stage.settling.increment.widen(remembered, half(verdict_confidence, remembered));
+    stage.settling.increment.widen(drift, half(verdict_confidence, drift));
     stage.curvature = normalised_curvature(stage.time, stage.shift, verdict_confidence);
     stage.sampled_curvature =
         normalised_curvature(samples.time, samples.shift, verdict_confidence).value;
     stage.by_walk = judge_walk(stage.settling.increment, stage.periods(), stage.shift.back());
     stage.by_curvature = contact::state_of(stage.curvature.low, stage.curvature.high, 0);
+    if (run.is_spoilt()) stage.by_walk = stage.by_curvature = State::undecided;
+}
+
+/// Noise that is louder while it rolls is counted as it is there.
+void count_louder_noise(RunEvaluation& run, double ratio) {
+    if (ratio <= noise_grows) return;
+    run.findings.push_back(
+        {RecordFinding::Kind::noise,
+         fmt::format("the noise is {:.1f} times as large while it rolls as in the rest before, {} "
+                     "nm: errors of the values upright are larger by that",
+                     ratio, report::significant(1e9 * run.noise.standard_deviation, 3))});
+    for (StageEvaluation& stage : run.stages)
+        for (std::size_t n = 1; n < stage.shift.size(); ++n) {
+            const double more = stage.noise_error[n] * std::sqrt(ratio * ratio - 1);
+            stage.noise_error[n] *= ratio;
+            stage.shift_error[n] = std::hypot(stage.shift_error[n], more);
+        }
+}
+
+/// What follows the drive late makes each value upright wrong by as much, but for the first.
+void count_delay(RunEvaluation& run, const DriveTimeline::Stage& rolled,
+                 const Corrections& corrections) {
+    const std::size_t first = rolled.upright.size() / 2;
+    if (run.stages.size() > 1 || first + 1 >= rolled.upright.size()) return;
+    const Part part = corrections.rest(rolled.upright[first], rolled.upright.back());
+    const auto delay = drive_delay(part.time, part.shift, rolled.upright[first],
+                                   (rolled.upright.back() - rolled.upright[first]) /
+                                       static_cast<double>(rolled.upright.size() - 1 - first));
+    if (!delay || !delay->is_seen(rolled.period())) return;
+    run.findings.push_back(
+        {RecordFinding::Kind::delay,
+         fmt::format("what follows the drive is {} it by {} s: the clocks of drive and shift "
+                     "differ, or the contact has hysteresis; values upright are uncertain by {} µm",
+                     delay->time > 0 ? "behind" : "ahead of",
+                     report::with_error(std::abs(delay->time), delay->standard_error, 3),
+                     report::significant(1e6 * delay->shift_upright, 2))});
+    StageEvaluation& stage = run.stages.front();
+    SystematicError timing{"timing of the drive", {0.}};
+    for (std::size_t n = 1; n < stage.shift.size(); ++n) {
+        timing.of_shift.push_back(delay->shift_upright);
+        stage.shift_error[n] = std::hypot(stage.shift_error[n], delay->shift_upright);
+    }
+    run.systematic.push_back(std::move(timing));
+}
+
+void count_drift(RunEvaluation& run, double drifted_zero) {
+    if (!run.drift_changes) return;
+    run.findings.push_back(
+        {RecordFinding::Kind::drift,
+         "the drift changes: it is not the same before and after the rolling, or before the load"});
+    SystematicError drift{"drift that changes", {}};
+    for (const double time : run.stages.front().drift_time)
+        drift.of_shift.push_back(std::hypot(run.drift.standard_error * time, drifted_zero));
+    run.systematic.push_back(std::move(drift));
 }
 
 // What goes with the offset in each period of the second half, beside a straight line in time.
@@ -227,17 +182,24 @@ Estimate late_increment(const std::vector<double>& shift, double confidence) {
     return fit_polynomial(count, late, 1, confidence).parameters[1];
 }
 
-RunEvaluation evaluate_run(const Record& record, const Experiment& experiment) {
-    if (record.time.size() < fewest_samples)
-        refuse_record(record, fmt::format("has {} samples", record.time.size()),
+bool RunEvaluation::is_spoilt() const {
+    return std::ranges::any_of(findings, &RecordFinding::spoils);
+}
+
+RunEvaluation evaluate_run(const Record& recorded, const Experiment& experiment) {
+    if (recorded.time.size() < fewest_samples)
+        refuse_record(recorded, fmt::format("has {} samples", recorded.time.size()),
                       "record a whole run");
-    const DriveTimeline timeline = drive_timeline(record, experiment);
-    check_stages(record, experiment, timeline);
     RunEvaluation run;
+    const Record record = without_outliers(recorded, run.findings);
+    const DriveTimeline timeline = drive_timeline(record, experiment);
+    find_gaps(record, timeline, run.findings);
+    check_stages(record, experiment, timeline);
     run.name = record.name;
     run.time = record.time;
     run.shift = record.shift;
-    const Corrections corrections(record, experiment, timeline, run);
+    Corrections corrections(record, experiment, timeline, run);
+    run.loading = corrections.loading();
     for (const auto& known : timeline.stages) {
         StageEvaluation& stage = run.stages.emplace_back();
         stage.amplitude = known.amplitude;
@@ -248,8 +210,14 @@ RunEvaluation evaluate_run(const Record& record, const Experiment& experiment) {
             corrections.add_upright(stage, known.upright.front(), stage.period);
         for (std::size_t n = 1; n < known.upright.size(); ++n)
             corrections.add_upright(stage, known.upright[n], stage.period);
-        judge(stage, run, corrections.rest(known.upright.front(), known.upright.back()),
-              experiment.confidence);
+    }
+    count_louder_noise(run, corrections.noise_ratio());
+    count_delay(run, timeline.stages.front(), corrections);
+    count_drift(run, corrections.drifted_zero());
+    for (std::size_t k = 0; k < run.stages.size(); ++k) {
+        const auto& upright = timeline.stages[k].upright;
+        judge(run.stages[k], run, corrections.rest(upright.front(), upright.back()),
+              corrections.mean_interval(), experiment.confidence);
     }
     if (run.stages.size() == 1 && run.stages[0].amplitude > 0)
         run.wobble = wobble_of(timeline.stages[0], corrections, experiment.confidence);

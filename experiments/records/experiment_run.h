@@ -7,6 +7,7 @@
 #include "contact/history.h"
 #include "experiments/records/drive_timeline.h"
 #include "experiments/records/experiment.h"
+#include "experiments/records/record_checks.h"
 #include "experiments/records/record_noise.h"
 #include "experiments/records/settling_fit.h"
 
@@ -37,17 +38,28 @@ struct StageEvaluation {
     Estimate curvature;               ///< of period values, at verdict_confidence [-]
     double sampled_curvature = 0;     ///< of all samples, as the thesis takes it [-]
     Estimate increment;               ///< Du: slope of the second half, `confidence` [m]
+    Estimate increment_95;            ///< the same at verdict_confidence
     /// Undecided: cannot tell. By the curvature's interval on one side of 0 (5.1.7, 5.1.8).
     contact::State by_walk{}, by_curvature{};
 
     int periods() const { return static_cast<int>(shift.size()) - 1; }
 };
 
+/// What may be wrong in the values of a run beside its noise, and the same way in all runs of a
+/// rig: standard errors at the ends of periods of the first stage [m].
+struct SystematicError {
+    std::string name;
+    std::vector<double> of_shift;
+};
+
 /// One record evaluated.
 struct RunEvaluation {
     std::string name;
+    RecordFindings findings;                  ///< what is wrong with the record
+    std::vector<SystematicError> systematic;  ///< of it; counted in the stages' errors, too
     std::vector<StageEvaluation> stages;
     RecordNoise noise;                ///< of the rest before rolling
+    double loading = 0;               ///< when F_T was applied, or the record begins [s]
     double rest = 0;                  ///< under F_T before rolling, as far as recorded [s]
     bool rest_is_whole = false;       ///< the record says when F_T was applied
     Estimate before;                  ///< slope of the rest before rolling [m/s]
@@ -58,6 +70,8 @@ struct RunEvaluation {
     std::vector<double> time, shift;  ///< the record, corrected as above [s], [m]
     int degrees_of_freedom = 0;       ///< of the noise: independent samples of the rest, less two
 
+    /// A finding spoils its values: there are no verdicts.
+    bool is_spoilt() const;
     /// Share of the rest after the rolling in the drift.
     double share_of_rest_after() const;
 };

@@ -252,7 +252,7 @@ report::DocumentTable noise_table(const ExperimentEvaluation& e) {
     for (const RunEvaluation& run : e.runs) {
         const Estimate after = run.after.value_or(Estimate{contact::undefined, contact::undefined});
         table.rows.push_back({run.name, nm * run.noise.resolution,
-                              nm * run.noise.standard_deviation, run.noise.correlated_samples(),
+                              nm * run.noise.standard_deviation, run.noise.correlated_samples,
                               with_standard_error(run.before, nm), with_standard_error(after, nm),
                               run.wobble ? report::Cell(with_half_width(*run.wobble, um / mm))
                                          : report::Cell(contact::undefined)});

@@ -5,15 +5,27 @@
 #include <numeric>
 #include <stdexcept>
 
+#include "experiments/records/noise_covariance.h"
+
 namespace tricontact::experiments {
 
 namespace {
 
 constexpr double independent = 1e-10;  // of squared norms: what is left of a dependent power
+constexpr std::size_t fewest_for_memory = 20;  // residuals
 
 // Over the places of the values; the last element belongs to the place that is asked for.
 double inner(const std::vector<double>& p, const std::vector<double>& q) {
     return std::inner_product(p.begin(), p.end() - 1, q.begin(), 0.);
+}
+
+// sum_ij w_i w_j c(|i - j|).
+double quadratic_form(const std::vector<double>& weights, const std::vector<double>& by_lag) {
+    double sum = 0;
+    for (std::size_t i = 0; i < weights.size(); ++i)
+        for (std::size_t lag = 0; lag < by_lag.size() && lag <= i; ++lag)
+            sum += (lag == 0 ? 1 : 2) * weights[i] * weights[i - lag] * by_lag[lag];
+    return sum;
 }
 
 }  // namespace
@@ -21,38 +33,33 @@ double inner(const std::vector<double>& p, const std::vector<double>& q) {
 RecordNoise::RecordNoise(const std::vector<double>& residuals, double step) : resolution(step) {
     const std::size_t n = residuals.size();
     if (n < 3) throw std::invalid_argument("noise needs at least three residuals");
-    const auto covariance = [&](std::size_t lag) {
-        double sum = 0;
-        for (std::size_t i = lag; i < n; ++i) sum += residuals[i] * residuals[i - lag];
-        return sum / static_cast<double>(n);
-    };
-    const double variance = covariance(0);
     // A line has taken two degrees of freedom.
-    standard_deviation = std::sqrt(variance * static_cast<double>(n) / static_cast<double>(n - 2));
+    const double variance =
+        std::inner_product(residuals.begin(), residuals.end(), residuals.begin(), 0.) /
+        static_cast<double>(n - 2);
+    standard_deviation = std::sqrt(variance);
+    degrees_of_freedom = std::max(1, static_cast<int>(n) - 2);
     if (variance == 0) return;
-    for (std::size_t lag = 1; lag < n / 4; ++lag) {
-        const double rho = covariance(lag) / variance;
-        if (rho <= 0) break;
-        autocorrelation.push_back(rho);
-    }
+    covariance = {variance};
+    if (n < fewest_for_memory) return;
+    const NoiseCovariance probable = noise_covariance(residuals);
+    covariance = probable.by_lag;
+    degrees_of_freedom = static_cast<int>(probable.degrees_of_freedom);
+    correlated_samples = probable.correlated_samples;
 }
 
 double RecordNoise::standard_error(const std::vector<double>& weights) const {
-    double sum = 0;
-    for (std::size_t i = 0; i < weights.size(); ++i)
-        for (std::size_t lag = 0; lag < autocorrelation.size() && lag <= i; ++lag)
-            sum += (lag == 0 ? 1 : 2) * weights[i] * weights[i - lag] * autocorrelation[lag];
-    double variance = standard_deviation * standard_deviation * std::max(sum, 0.);
+    double variance = quadratic_form(weights, covariance);
     if (standard_deviation < resolution / 2) {
         double total = 0;
         for (const double weight : weights) total += std::abs(weight);
         variance += total * total * resolution * resolution / 12;
     }
-    return std::sqrt(variance);
+    return std::sqrt(std::max(variance, 0.));
 }
 
-double RecordNoise::correlated_samples() const {
-    return 2 * std::accumulate(autocorrelation.begin(), autocorrelation.end(), 0.) - 1;
+double RecordNoise::covariance_at(std::size_t lag) const {
+    return lag < covariance.size() ? covariance[lag] : 0;
 }
 
 std::vector<double> weights_of_polynomial_at(double place, const std::vector<double>& x,

@@ -4,23 +4,26 @@
 
 namespace tricontact::experiments {
 
-/// Noise of evenly sampled values, as seen while nothing moves: neighbours may be correlated.
+/// Noise of evenly sampled values, as seen while nothing moves: neighbours may be correlated, for
+/// longer than the values tell (noise_covariance.h).
 struct RecordNoise {
     double standard_deviation = 0;
-    double resolution = 0;                    ///< step of the values
-    std::vector<double> autocorrelation{1.};  ///< by the lag
+    double resolution = 0;           ///< step of the values
+    std::vector<double> covariance;  ///< by the lag; empty: nothing is noisy
+    int degrees_of_freedom = 1;      ///< of errors by it
+    /// That count as one independent, at least 1.
+    double correlated_samples = 1;
 
     RecordNoise() = default;
-    /// From residuals about a trend, of mean zero. Correlations count up to the first that is not
-    /// positive, within a quarter of the values.
+    /// From at least three residuals about a trend, of mean zero.
     RecordNoise(const std::vector<double>& residuals, double step);
 
-    /// Standard error of sum_i weights[i] value[i] over successive samples:
-    /// sigma^2 sum_ij k_i k_j rho(|i - j|). Noise below half a step does not average the steps out:
-    /// then resolution^2/12 is added as if all were rounded alike.
+    /// Standard error of sum_i weights[i] value[i] over successive samples: the root of
+    /// sum_ij k_i k_j c(|i - j|). Noise below half a step does not average the steps out: then
+    /// resolution^2/12 is added as if all were rounded alike.
     double standard_error(const std::vector<double>& weights) const;
-    /// Samples that count as one independent: 1 + 2 sum rho, at least 1.
-    double correlated_samples() const;
+    /// Of two samples that are so far apart.
+    double covariance_at(std::size_t lag) const;
 };
 
 /// Weights of the values y(x) in the polynomial of least squares: its value at a place. Powers that

@@ -10,6 +10,7 @@
 #include "contact/error.h"
 #include "contact/load_path.h"
 #include "experiments/records/experiment_run.h"
+#include "experiments/records/loading_time.h"
 #include "experiments/records/record_noise.h"
 
 namespace tricontact::experiments {
@@ -83,7 +84,10 @@ class RowsOfRecord {
           steps_(steps) {
         stages_ = drive_timeline(record, experiment).stages;
         if (stages_.front().amplitude == 0) stages_.front().amplitude = *c.rolling->amplitude;
-        loading_ = experiment.loading.value_or(record.time.front());
+        loading_ =
+            experiment.loading
+                ? loading_time(record, *experiment.loading, stages_.front().upright.front()).time
+                : record.time.front();
         is_whole_ = experiment.loading.has_value();
     }
 

@@ -11,6 +11,9 @@ namespace tricontact::experiments {
 struct ExperimentEvaluation;
 struct ModelPrediction;
 
+/// Name of the source of what a response has beyond the linear one, see nonlinear_error().
+inline constexpr const char* nonlinear_response = "nonlinear response";
+
 /// The shift over all periods measured and by a model: upright before the first one (n = 0) and
 /// after each [m]. As Deviation is of a single quantity.
 struct SeriesDeviation {
@@ -18,6 +21,8 @@ struct SeriesDeviation {
     SeriesError error;             ///< by the case's uncertain numbers, the record and the mesh
     bool has_errors = false;       ///< the case states uncertainties
     bool rest_is_missing = false;  ///< of a relaxing substrate: how long F_T acted is not known
+    bool is_spoilt = false;        ///< as of a Deviation
+    bool slides = false;           ///< as of a Deviation
     /// Drift subtracted in one period that on a relaxing substrate may be creep [m].
     double creep_per_period = 0;
 
@@ -28,8 +33,9 @@ struct SeriesDeviation {
 };
 
 /// Of a prediction over the periods of the evaluation. What the record gives: the scatter of its
-/// runs (run_scatter.h); of a single one its noise, which is independent from period to period, its
-/// drift, which grows with time, and its zero, the same in all.
+/// runs (run_scatter.h), and what all of them may have wrong in common; of a single one its noise,
+/// which is independent from period to period, its drift, which grows with time, and its zero, the
+/// same in all.
 SeriesDeviation series_deviation(const ExperimentEvaluation& evaluation,
                                  const ModelPrediction& prediction);
 

@@ -6,6 +6,7 @@
 #include <boost/algorithm/string/replace.hpp>
 #include <cmath>
 
+#include "experiments/validation/student_sum.h"
 #include "report/format.h"
 
 namespace tricontact::experiments {
@@ -13,7 +14,6 @@ namespace tricontact::experiments {
 namespace {
 
 constexpr double confidence = .95;
-constexpr double many = 1e9;              // degrees of freedom that are as good as infinitely many
 constexpr double least_told_share = .01;  // of a contributor
 
 /// "+1.4 ± 6.8": both to the second digit of the half width.
@@ -34,21 +34,15 @@ double ComparisonError::standard_error() const {
     return std::sqrt(std::max(0., squares));
 }
 
-int ComparisonError::degrees_of_freedom() const {
-    double all = covariance, sum = 0;
-    for (const UncertaintySource& one : sources) {
-        const double variance = one.standard_error * one.standard_error;
-        all += variance;
-        sum += variance * variance / one.degrees_of_freedom;
-    }
-    constexpr double rounding = 1e-9;  // must not take one from a whole number
-    const double effective = sum > 0 ? all * all / sum * (1 + rounding) : many;
-    return static_cast<int>(std::clamp(effective, 1., many));
-}
-
 double ComparisonError::half_width() const {
-    const double error = standard_error();
-    return error > 0 ? statistics::student_t(confidence, degrees_of_freedom()) * error : 0;
+    double known = covariance;
+    std::vector<EstimatedError> estimated;
+    for (const UncertaintySource& one : sources)
+        if (std::isfinite(one.degrees_of_freedom))
+            estimated.push_back({one.standard_error, one.degrees_of_freedom});
+        else
+            known += one.standard_error * one.standard_error;
+    return half_width_of_sum(known, std::move(estimated));
 }
 
 bool ComparisonError::agrees() const {

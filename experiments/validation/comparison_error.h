@@ -30,11 +30,9 @@ struct ComparisonError {
     double difference() const { return measured - computed; }
     /// u_val, (4-2-1): the root of the sum of squares of all sources and their covariances.
     double standard_error() const;
-    /// Of the interval of 95 % of the difference: Student's t of the effective degrees of freedom
-    /// (Welch and Satterthwaite; JCGM 100:2008, G.4) times u_val.
+    /// Of the interval of 95 % of the difference: of the sum of normal errors and, where few values
+    /// tell one, of Student's t times it (see student_sum.h).
     double half_width() const;
-    /// The effective ones, whole, at least 1.
-    int degrees_of_freedom() const;
     /// The interval holds zero.
     bool agrees() const;
     /// The least deviation of the computed value, relative to it, that this comparison would have

@@ -34,6 +34,24 @@ std::vector<Values> basis_of(const std::vector<Values>& shapes) {
     return basis;
 }
 
+// Few curves cross zero where they do not vanish: there, and wherever their scatter over the mean
+// is less than on the average over the values, the average counts, as if the rest were independent.
+void level_out(SeriesSource& source, const Values& mean) {
+    constexpr double least = 1e-3;  // of the mean's root mean square, so that it can be divided by
+    const auto n_values = static_cast<double>(mean.size());
+    const double size = std::sqrt(product(mean, mean) / n_values);
+    Values variance(mean.size(), 0.), scale;
+    double relative = 0;
+    for (std::size_t n = 0; n < mean.size(); ++n) {
+        for (const Values& curve : source.common) variance[n] += curve[n] * curve[n];
+        scale.push_back(std::max(std::abs(mean[n]), least * size));
+        if (scale[n] > 0) relative += variance[n] / (scale[n] * scale[n]) / n_values;
+    }
+    for (std::size_t n = 0; n < mean.size(); ++n)
+        source.independent.push_back(
+            std::sqrt(std::max(0., relative * scale[n] * scale[n] - variance[n])));
+}
+
 }  // namespace
 
 Values mean_of_runs(const std::vector<Values>& runs) {
@@ -63,6 +81,7 @@ std::vector<SeriesSource> scatter_of_mean(const std::string& name,
         for (double& value : curve) value /= std::sqrt(n_runs * (n_runs - 1));
         common.common.push_back(std::move(curve));
     }
+    level_out(common, mean);
     SeriesSource independent{
         name, {}, {}, (n_runs - 1) * static_cast<double>(n_values - basis.size())};
     const double sum = std::accumulate(rest_squares.begin(), rest_squares.end(), 0.);

@@ -12,7 +12,8 @@ namespace tricontact::experiments {
 /// So few runs do not tell a covariance matrix. Their deviations from the mean are taken apart:
 /// - what runs have in common over their values is a constant, a multiple of the mean, and a drift
 ///   in proportion to the place: least squares, and the scatter of these curves, by one value less
-///   than there are runs;
+///   than there are runs; where it is smaller, over the mean, than on the average over the values,
+///   as where curves of two runs cross, the average counts;
 /// - the rest is independent from value to value, with the variance of all of them or that of the
 ///   value's own rest, whichever is larger: so a few values that scatter more than the others, as
 ///   those of a transient, are not told too well.

@@ -67,88 +67,55 @@ void decorrelate(std::vector<SeriesSource>& sources,
     }
 }
 
-/// Differences of a series that agrees, over the half widths that it would be given.
-class AgreeingSeries {
+/// Errors of a series as its sources tell them, over the half widths of its values by themselves:
+/// sizes that few values tell are drawn as they may be, given what was seen.
+class SeriesErrors {
   public:
-    AgreeingSeries(const std::vector<ComparisonError>& values, std::vector<SeriesSource> sources,
-                   const statistics::Correlations::Matrix& correlation)
-        : sources_(std::move(sources)), drawn_(values), scales_(sources_.size(), 1.) {
-        for (const SeriesSource& source : sources_) {
-            const auto& told = drawn_.front().sources;
-            const auto same = std::ranges::find(told, source.name, &UncertaintySource::name);
-            told_as_.push_back(static_cast<std::size_t>(same - told.begin()));
-            std::vector<double>& variance = variances_.emplace_back();
-            for (std::size_t n = 0; n < values.size(); ++n)
-                variance.push_back(variance_at(source, n));
-        }
+    SeriesErrors(const std::vector<ComparisonError>& values, std::vector<SeriesSource> sources,
+                 const statistics::Correlations::Matrix& correlation)
+        : sources_(std::move(sources)) {
+        for (const ComparisonError& value : values) half_widths_.push_back(value.half_width());
         decorrelate(sources_, correlation);
     }
 
     /// 0 where nothing is uncertain.
     std::vector<double> draw() {
-        std::vector<double> differences(drawn_.size(), 0.);
-        for (std::size_t s = 0; s < sources_.size(); ++s) draw(s, differences);
-        for (std::size_t n = 0; n < drawn_.size(); ++n)
-            if (const double half = half_width(n); half > 0) differences[n] /= half;
-        return differences;
+        std::vector<double> errors(half_widths_.size(), 0.);
+        for (const SeriesSource& source : sources_) draw(source, errors);
+        for (std::size_t n = 0; n < errors.size(); ++n)
+            errors[n] = half_widths_[n] > 0 ? errors[n] / half_widths_[n] : 0;
+        return errors;
     }
 
   private:
-    void draw(std::size_t s, std::vector<double>& differences) {
-        const SeriesSource& source = sources_[s];
+    void draw(const SeriesSource& source, std::vector<double>& errors) {
+        double scale = 1;
+        if (const double nu = source.degrees_of_freedom; std::isfinite(nu))
+            scale = std::sqrt(nu / boost::random::chi_squared_distribution<double>(nu)(random_));
         for (const std::vector<double>& cause : source.common) {
-            const double z = gauss_(random_);
-            for (std::size_t n = 0; n < cause.size(); ++n) differences[n] += z * cause[n];
+            const double z = scale * gauss_(random_);
+            for (std::size_t n = 0; n < cause.size(); ++n) errors[n] += z * cause[n];
         }
         for (std::size_t n = 0; n < source.independent.size(); ++n)
-            differences[n] += gauss_(random_) * source.independent[n];
-        if (std::isfinite(source.degrees_of_freedom))
-            scales_[s] = boost::random::chi_squared_distribution<double>(source.degrees_of_freedom)(
-                             random_) /
-                         source.degrees_of_freedom;
-    }
-
-    double half_width(std::size_t n) {
-        std::vector<UncertaintySource>& told = drawn_[n].sources;
-        for (UncertaintySource& one : told) one.standard_error = 0;
-        for (std::size_t s = 0; s < sources_.size(); ++s)
-            told[told_as_[s]].standard_error += scales_[s] * variances_[s][n];
-        for (UncertaintySource& one : told) one.standard_error = std::sqrt(one.standard_error);
-        const double error = drawn_[n].standard_error();
-        return error > 0 ? student_factor(drawn_[n].degrees_of_freedom()) * error : 0;
-    }
-
-    // Looked up: all draws together ask for it some 10^5 times.
-    double student_factor(int degrees_of_freedom) {
-        constexpr int looked_up = 1000;
-        if (degrees_of_freedom > looked_up) return statistics::normal_quantile(series_confidence);
-        const auto index = static_cast<std::size_t>(degrees_of_freedom);
-        while (student_factors_.size() <= index)
-            student_factors_.push_back(statistics::student_t(
-                series_confidence, std::max(1, static_cast<int>(student_factors_.size()))));
-        return student_factors_[index];
+            errors[n] += scale * gauss_(random_) * source.independent[n];
     }
 
     std::vector<SeriesSource> sources_;
-    std::vector<ComparisonError> drawn_;
-    std::vector<double> scales_;                  // drawn over true variances
-    std::vector<std::vector<double>> variances_;  // of each source at each value
-    std::vector<std::size_t> told_as_;            // which of a value's sources each one is part of
-    std::vector<double> student_factors_;
+    std::vector<double> half_widths_;
     boost::random::mt19937_64 random_{series_seed};
     boost::random::normal_distribution<double> gauss_;
 };
 
 // The relative deviation from which on one of the values is called a disagreement, with the errors
 // of a draw.
-double seen_from(const SeriesError& error, const std::vector<double>& draw) {
+double seen_from(const SeriesError& error, const std::vector<double>& half_widths,
+                 const std::vector<double>& draw) {
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t n = 0; n < draw.size(); ++n) {
         const double computed = error.values[n].computed;
         if (computed == 0) continue;
         const double towards = computed > 0 ? draw[n] : -draw[n];
-        least = std::min(
-            least, (error.widening - towards) * error.values[n].half_width() / std::abs(computed));
+        least = std::min(least, (error.widening - towards) * half_widths[n] / std::abs(computed));
     }
     return std::max(0., least);
 }
@@ -182,7 +149,7 @@ SeriesError series_error(const std::vector<double>& measured, const std::vector<
     for (std::size_t n = 0; n < measured.size(); ++n)
         error.values.push_back({measured[n], computed[n], sources_at(sources, n),
                                 covariance_at(sources, n, correlation)});
-    AgreeingSeries series(error.values, sources, correlation);
+    SeriesErrors series(error.values, sources, correlation);
     std::vector<std::vector<double>> draws;
     std::vector<double> largest, seen;
     for (int i = 0; i < n_draws; ++i) {
@@ -191,7 +158,10 @@ SeriesError series_error(const std::vector<double>& measured, const std::vector<
         for (const double x : draw) largest.back() = std::max(largest.back(), std::abs(x));
     }
     error.widening = std::max(1., statistics::sample_quantile(largest, series_confidence));
-    for (const std::vector<double>& draw : draws) seen.push_back(seen_from(error, draw));
+    std::vector<double> half_widths;
+    for (const ComparisonError& value : error.values) half_widths.push_back(value.half_width());
+    for (const std::vector<double>& draw : draws)
+        seen.push_back(seen_from(error, half_widths, draw));
     error.resolution = statistics::sample_quantile(seen, series_confidence);
     return error;
 }

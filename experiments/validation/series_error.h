@@ -12,11 +12,11 @@
 // several validation points whose errors are correlated. The intervals of the single values
 // (comparison_error.h) are widened by one factor until they hold all at once: simultaneous sets
 // that are balanced (Beran 1988, J. Amer. Statist. Assoc. 83, 679). The factor is the quantile of
-// 95 % of the largest |difference|/half width of the correlated vector, drawn with a fixed seed:
-// normal where all standard errors are known, multivariate t where one variance is estimated
-// (Hothorn, Bretz and Westfall 2008, Biometrical J. 50, 346), each with its own degrees of freedom
-// where several are. The quadratic form E' V^-1 E would need the inverse of a covariance matrix
-// that few runs do not tell, and does not say where a series is off.
+// 95 % of the largest |error|/half width of the correlated vector, drawn with a fixed seed: normal
+// where all standard errors are known, multivariate t where one variance is estimated (Hothorn,
+// Bretz and Westfall 2008, Biometrical J. 50, 346), sums of both (JCGM 101:2008) where some are.
+// The quadratic form E' V^-1 E would need the inverse of a covariance matrix that few runs do not
+// tell, and does not say where a series is off.
 namespace tricontact::experiments {
 
 /// A source of the uncertainty of a series.

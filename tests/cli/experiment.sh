@@ -214,5 +214,41 @@ says "how long F_T acted before the rolling is not known" out
 } >data.toml
 expect 2 data.toml --output path --quiet
 says "data.toml: [path]: records are compared with models that roll back and forth" err
+# 9. A record is checked before it is evaluated: what is wrong with it is named, and stands in the JSON.
+write 'kind = "shakedown"' 'runs = ["run.csv"]'
+run="$source_dir/examples/records/synthetic/run_1.csv"
+# damaged KIND TEXT AWK: evaluated, with a finding of the kind.
+damaged() {
+    record "$3"
+    expect 0 data.toml --output damaged --quiet
+    says "$2" out
+    json damaged/experiment.json "['runs'][0]['findings'][0]['kind']" | grep -qx "$1" || complain "no $1"
+}
+damaged outlier "1 sample is left out" 'NR == 300 { $2 += 40 } 1'
+damaged jump "the shift jumps by" 'NR > 800 { $2 += 40 } 1'
+says "Cannot tell shakedown from ratcheting" out
+damaged gap "there is a gap of 0.65 s" 'NR < 620 || NR > 631'
+record 'NR > 3 { $2 = 12.5 } 1'
+refused "the shift is 12.5 µm in all"
+record 'NR < 900 || NR > 960'
+refused "what the drive did there is not known"
+write 'kind = "shakedown"' 'loading = "4 s"' 'runs = ["run.csv"]'
+record '1'
+refused "but the shift does not rise before the rolling"
+damaged loading "the shift rises at 3 s: the record counts" 'NR > 3 && $1 < 3 { $2 = 0 } 1'
+
+# 10. Steps are a source of uncertainty; where the limit of the half-space (mu = 0.493) lies within the
+#     error of mu, both fates are possible, and the answer says how probable.
+cp "$run" run.csv
+of_case 's/^coefficient.*/coefficient = "0.493 ± 0.02"/; s/^steps_per_quarter.*/steps_per_quarter = 2/; s/^thickness.*//' \
+    'kind = "shakedown"' 'runs = ["run.csv"]'
+expect 0 data.toml --output near --quiet
+says "MDR: the limit lies within the uncertainty of the case. Shakedown and ratcheting are both possible" out
+json near/experiment.json "['models'][0]['deviations'][1]['comparison']['sources']" | grep -q "'steps'" ||
+    complain "steps are no source"
+sed -i 's/0.493 ± 0.02/0.57 ± 0.002/' data.toml
+expect 0 data.toml --output far --quiet
+grep -q "the limit lies within" out && complain "a limit that is far off: $(cat out)"
+[ "$(json far/experiment.json "['models'][0]['chance_of_ratcheting']")" = None ] || complain "a chance"
 
 finish

@@ -77,7 +77,7 @@ def differences(name):
 followed, constant = differences("with"), differences("without")
 # The record is sampled, and read by parabolas: 0.3 % of the shift.
 assert all(abs(d) < .003 for d in followed.values()), followed
-assert abs(constant["u_sd"]) > .05, constant
+assert abs(constant["U_sd"]) > .05, constant
 recorded = json.load(open("with/experiment.json"))["rolled_as"]["recorded_forces"]
 assert abs(recorded["normal_force_N"]["low"] - 17) < .01, recorded
 END

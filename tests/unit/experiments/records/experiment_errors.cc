@@ -136,5 +136,83 @@ TEST(Experiment, RestAndCreepOfARelaxingSubstrateAreNoDifference) {
     EXPECT_NE(sentences(e).find("creep of the substrate"), std::string::npos);
 }
 
+/// A prediction of 10 % less than measured, whose number is good for 1 %.
+ModelPrediction smaller(const ExperimentEvaluation& e) {
+    ModelPrediction p{"mdr", {}, State::shakedown, 0, {{}}};
+    for (const statistics::Estimate& u : e.shift) {
+        p.shift.push_back(.9 * u.value);
+        p.raised[0].push_back(.909 * u.value);
+    }
+    return p;
+}
+
+// Just below its limit a contact that shifts by 1 % per standard error may shift by 20 % at the end
+// of 95 %: that is what the interval then reaches to, and both fates are said.
+TEST(Experiment, NearItsLimitACaseIsNotJudgedByItsSlope) {
+    std::mt19937_64 random(9);
+    auto e = tests::evaluated(SyntheticRecord(), random);
+    ModelPrediction far = smaller(e), near = smaller(e), sliding = smaller(e);
+    near.ends = {near.shift, near.shift};
+    for (double& u : near.ends[1]) u *= 1.2;
+    near.chance_of_ratcheting = .31;
+    sliding.slides_within = true;
+    far.ends = {far.shift, far.shift};
+    for (double& u : far.ends[1]) u *= 1.02;  // as its slope says
+    add_prediction(e, far);
+    EXPECT_EQ(sentences(e).find("the limit lies within"), std::string::npos);
+    EXPECT_EQ(sentences(e).find(nonlinear_response), std::string::npos);
+    add_prediction(e, near);
+    add_prediction(e, sliding);
+    for (std::size_t i = 0; i < 2; ++i) {
+        EXPECT_EQ(e.deviations[i].differs(), std::optional(true));
+        EXPECT_EQ(e.deviations[2 + i].differs(), std::optional(false));
+        EXPECT_EQ(e.deviations[4 + i].differs(), std::nullopt);
+    }
+    EXPECT_EQ(e.series[0].differs(), std::optional(true));
+    EXPECT_EQ(e.series[1].differs(), std::optional(false));
+    EXPECT_EQ(e.series[2].differs(), std::nullopt);
+    const std::string text = sentences(e);
+    EXPECT_NE(text.find("the limit lies within the uncertainty of the case. Shakedown and "
+                        "ratcheting are both possible, ratcheting with a chance of some 31 %"),
+              std::string::npos)
+        << text;
+    EXPECT_NE(text.find("and the contact slides"), std::string::npos) << text;
+    EXPECT_NE(text.find(nonlinear_response), std::string::npos) << text;
+}
+
+// Steps are a source as the mesh is: 10 % of the shift by them cover 10 % of difference.
+TEST(Experiment, StepsAreASourceOfUncertainty) {
+    std::mt19937_64 random(9);
+    auto e = tests::evaluated(SyntheticRecord(), random);
+    ModelPrediction p = smaller(e);
+    for (const double u : p.shift) p.steps_error.push_back(.1 * u);
+    add_prediction(e, p);
+    for (const Deviation& d : e.deviations) {
+        EXPECT_EQ(d.differs(), std::optional(false));
+        EXPECT_EQ(d.error.shares().front().first, "steps");
+    }
+    EXPECT_EQ(e.series[0].differs(), std::optional(false));
+}
+
+// Of several runs the walk is their mean with the scatter's interval, not that of one run's noise.
+TEST(Experiment, RatchetingOfRepeatsHasTheIntervalOfTheirScatter) {
+    std::mt19937_64 random(9);
+    Experiment experiment;
+    experiment.kind = Experiment::Kind::ratcheting;
+    for (const double walk : {5., 5.2, 5.4}) {
+        SyntheticRecord synthetic;
+        synthetic.stages[0].walk = walk;
+        experiment.records.push_back(synthetic.make(random));
+    }
+    const auto e = evaluate_experiment(experiment);
+    const Estimate walk = walk_of_runs(e);
+    EXPECT_NEAR(walk.value, 5.2 * um, .02 * um);
+    // 4.303 times .2/sqrt(3) um.
+    EXPECT_NEAR(walk.half_width(), 4.303 * .2 / std::sqrt(3.) * um, .06 * um);
+    EXPECT_NE(sentences(e).find("5.2 ± 0.5 µm per period (95 %, by the scatter of the runs)"),
+              std::string::npos)
+        << sentences(e);
+}
+
 }  // namespace
 }  // namespace tricontact::experiments::experiment_errors_test

@@ -30,7 +30,7 @@ TEST(RecordNoise, ErrorOfAMeanCountsCorrelatedSamples) {
         // The sum of estimated correlations scatters by some 10 % at 20000 values.
         EXPECT_NEAR(seen.standard_error(weights), std::sqrt(factor / n),
                     0.1 * std::sqrt(factor / n));
-        EXPECT_NEAR(seen.correlated_samples(), factor, 0.25 * factor);
+        EXPECT_NEAR(seen.correlated_samples, factor, 0.25 * factor);
         EXPECT_NEAR(seen.standard_deviation, 1, 0.05);
     }
 }

@@ -188,7 +188,7 @@ TEST(RunScatter, TakesDeviationsApart) {
 
 // Of noise alone the mean of all variances is that of the noise over the runs: what the curves
 // take is in their scatter, and where a value's own rest is larger than the others' it counts (some
-// 10 to 20 % more on the average).
+// 10 to 20 % more on the average), and where curves cross their average does (another 10 to 20 %).
 TEST(RunScatter, NoiseIsNotLost) {
     std::mt19937_64 random(4);
     std::normal_distribution<double> gauss;
@@ -207,7 +207,7 @@ TEST(RunScatter, NoiseIsNotLost) {
     }
     const double of_noise = sum / n_series / 13 * 4;
     EXPECT_GT(of_noise, 1);
-    EXPECT_LT(of_noise, 1.3);
+    EXPECT_LT(of_noise, 1.5);
 }
 
 // What the resolution promises where all errors are known, drawn: a deviation of its size is called
@@ -276,11 +276,11 @@ Rates rates(int n_runs, std::size_t n_values, const Scatter& scatter) {
     return {alarms / double(n_series), seen / double(n_series)};
 }
 
-// Statements of 95 %: at most 8 % of what is true is called a disagreement, and at least 2 % where
-// the scatter is that of one kind or the numbers' errors count; noise alone makes few runs be
-// trusted less than they might be. Deviations of the stated resolution are seen in most cases, in
-// 95 % of many runs. 500 series scatter by 1 %, deviations seen by 1.5 %; the properties have the
-// numbers.
+// Statements of 95 %: at most 5 % of what is true is called a disagreement, and at least 2 % where
+// the scatter is that of one kind; two and three runs are trusted less than they might be where
+// noise makes them differ, or known errors stand beside them (Behrens and Fisher). Deviations of
+// the stated resolution are seen in most cases, in 95 % of many runs. 500 series scatter by 1 %,
+// deviations seen by 1.5 %; the properties have the numbers.
 TEST(SeriesError, AlarmsAsOftenAsItClaims) {
     const std::pair<const char*, Scatter> kinds[] = {{"factor", {.02, 0, 0, .02}},
                                                      {"constant_and_noise", {0, 1, 0, 1}},
@@ -293,8 +293,8 @@ TEST(SeriesError, AlarmsAsOftenAsItClaims) {
             SCOPED_TRACE(which);
             RecordProperty(which + "_alarms_percent", std::to_string(100 * r.alarms));
             RecordProperty(which + "_seen_percent", std::to_string(100 * r.seen));
-            EXPECT_LT(r.alarms, .08 + .03);
-            if (kind.noise < 1) {
+            EXPECT_LT(r.alarms, .05 + .03);
+            if (kind.noise < 1 && (n_runs == 10 || kind.number == 0)) {
                 EXPECT_GT(r.alarms, .02);
             }
             EXPECT_GT(r.seen, n_runs < 10 ? .78 : .90);
