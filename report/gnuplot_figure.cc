@@ -158,22 +158,31 @@ constexpr const char* lines_apart =
     "do for [k=1:|$lines|] { print $lines[k]; if (strlen($lines[k]) < 2) { print '' } }\n"
     "set print\n";
 
-/// From the least to the largest value, whatever else is drawn: curves lie at the height 0.
-std::string colour_bar(const ContourMap& map) {
-    double low = INFINITY, high = -INFINITY;
-    for (const double value : map.values)
-        if (std::isfinite(value)) low = std::min(low, value), high = std::max(high, value);
-    if (!(low < high)) return fmt::format("set cblabel {}\n", quoted(map.label));
-    const int letters = longest_tic(low, high, (high - low) / 8);
-    return fmt::format("set cbrange [{:.6g}:{:.6g}]\nset cblabel {} offset {},0\n", low, high,
-                       quoted(map.label), std::max(0, letters - 3));
-}
+/// The bar of colours: from the least to the largest value, whatever else is drawn, since curves
+/// lie at the height 0. `more_letters`: of its numbers, beyond three.
+struct ColourBar {
+    std::string commands;
+    int more_letters = 0;
+
+    explicit ColourBar(const ContourMap& map) {
+        double low = INFINITY, high = -INFINITY;
+        for (const double value : map.values)
+            if (std::isfinite(value)) low = std::min(low, value), high = std::max(high, value);
+        if (low < high) {
+            commands = fmt::format("set cbrange [{:.6g}:{:.6g}]\n", low, high);
+            more_letters = std::max(0, longest_tic(low, high, (high - low) / 8) - 3);
+        }
+        commands += fmt::format("set cblabel {} offset {},0\n", quoted(map.label), more_letters);
+    }
+};
 
 Picture map_picture(Figure figure, const PictureLayout& layout) {
     // Around the frame [CSS pixels]: labels of the axes, the bar of colours, the key.
-    constexpr int left = 84, right = 116, foot = 70, head = 16;
+    constexpr int left = 84, foot = 70, head = 16, letter = 10;
     const int frame = layout.map_frame;
     const ContourMap& map = *figure.map;
+    const ColourBar bar(map);
+    const int right = 116 + letter * bar.more_letters;
     figure.x = filled(figure.x, map.x);
     figure.y = filled(figure.y, map.y);
     const FigureStyles styles = styles_of(figure);
@@ -195,7 +204,7 @@ Picture map_picture(Figure figure, const PictureLayout& layout) {
     const std::string levels =
         map.levels.empty() ? "auto 8" : fmt::format("discrete {:.6g}", fmt::join(map.levels, ", "));
     return {width, height,
-            grid_data(map) + parts.data + plot_style() + axes(figure, frame) + colour_bar(map) +
+            grid_data(map) + parts.data + plot_style() + axes(figure, frame) + bar.commands +
                 (has_values ? fmt::format("set contour base\nset cntrparam levels {}\nunset "
                                           "surface\nset table $lines\nsplot $map using 1:2:3\n"
                                           "unset table\nset surface\nunset contour\n{}",
