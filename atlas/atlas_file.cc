@@ -28,7 +28,7 @@ using statistics::SparsePolynomial;
 constexpr std::size_t most_megabytes = 20;
 constexpr const char* format_name = "tricontact atlas 1";
 
-constexpr std::array<std::pair<Study::Scale, const char*>, 5> scales{
+constexpr std::array<std::pair<Study::Scale, const char*>, 5> scale_names{
     {{Study::Scale::linear, "linear"},
      {Study::Scale::log, "log"},
      {Study::Scale::cosine, "cosine"},
@@ -36,11 +36,11 @@ constexpr std::array<std::pair<Study::Scale, const char*>, 5> scales{
      {Study::Scale::root_to, "root-to"}}};
 
 const char* word_of(Study::Scale scale) {
-    return std::ranges::find(scales, scale, &std::pair<Study::Scale, const char*>::first)->second;
+    return std::ranges::find(scale_names, scale, &std::pair<Study::Scale, const char*>::first)->second;
 }
 
 Study::Scale scale_of(const std::string& word) {
-    for (const auto& [scale, name] : scales)
+    for (const auto& [scale, name] : scale_names)
         if (word == name) return scale;
     throw contact::InputError("unknown scale " + word);
 }

@@ -55,10 +55,10 @@ std::vector<double> steps_to(double end, int n) {
 }
 
 report::Figure figure_of(const Case& c, const Prediction& here) {
-    constexpr double largest_amplitude = .85;
+    constexpr double right_end = .85;
     const std::string model = report::display_name(here.model);
     report::ContourMap map{.label = "u_sd",
-                           .x = steps_to(largest_amplitude, n_amplitudes),
+                           .x = steps_to(right_end, n_amplitudes),
                            .y = steps_to(1, n_loads),
                            .values = {}};
     for (const double f : map.y)
@@ -84,7 +84,7 @@ report::Figure figure_of(const Case& c, const Prediction& here) {
                 "Poisson's ratio, friction and thickness of the case, from {}; "
                 "without colour where they do not reach. Above the limit contacts ratchet.",
                 model, fmt::join(here.rests_on, ", ")),
-            .x = {.label = "w = W/a", .low = 0, .high = largest_amplitude},
+            .x = {.label = "w = W/a", .low = 0, .high = right_end},
             .y = {.label = "f_T = F_T/(mu F_N)", .low = 0, .high = 1},
             .curves = {limit, point},
             .map = map};

@@ -313,19 +313,18 @@ report::DocumentTable models_table(const Case& c, const std::vector<Results>& re
         const bool is_reference = &s == &reference;
         const bool same = headline_of(c, s).length == headline.length;
         const auto value = same ? s.number(*headline.length) : std::nullopt;
-        const auto width = is_reference && error ? error->of(*headline.length) : std::nullopt;
+        const double width = is_reference && error ? error->of(*headline.length).value_or(0) : 0;
         const auto ratio = is_reference ? std::nullopt : ratio_of(c, s, reference);
         const unsigned extra = traits_of(c, s.model) & ~of_reference;
-        table.rows.push_back(
-            {report::display_name(s.model),
-             s.state() ? contact::name_of(*s.state()) : std::string("–"),
-             value && width && *width > 0
-                 ? report::Cell(report::WithError{*value / unit.factor, *width / unit.factor})
-                 : report::number_cell(value, unit.factor),
-             ratio ? 100 * (*ratio - 1) : std::numeric_limits<double>::quiet_NaN(),
-             is_reference ? std::string("reference")
-             : extra      ? names_of(extra)
-                          : "the same as " + name});
+        table.rows.push_back({report::display_name(s.model),
+                              s.state() ? contact::name_of(*s.state()) : std::string("–"),
+                              value && width > 0 ? report::Cell(report::WithError{
+                                                       *value / unit.factor, width / unit.factor})
+                                                 : report::number_cell(value, unit.factor),
+                              ratio ? 100 * (*ratio - 1) : std::numeric_limits<double>::quiet_NaN(),
+                              is_reference ? std::string("reference")
+                              : extra      ? names_of(extra)
+                                           : "the same as " + name});
     }
     // Of a run that is undecided, what is missing: one beside the answer is not left unexplained.
     for (const Results& s : results)

@@ -108,7 +108,7 @@ class GroupFigures {
         if (!parallel_) f.id += "_perpendicular";
         for (const RatchetingGroup& group : fit_.ratcheting) {
             if (group.group != group_) continue;
-            report::Curve& curve = f.curves.emplace_back(model_points(fit_, group.model));
+            report::Curve& curve = f.curves.emplace_back(model_points(group.model));
             for (const RatchetingLoad& load : group.loads) {
                 if (!load.slope) continue;
                 const statistics::Estimate& eta = load.slope->fit.parameters.front();

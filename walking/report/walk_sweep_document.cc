@@ -96,7 +96,7 @@ report::DocumentSection runs_section(const WalkSweep& sweep) {
 std::vector<WalkSection> sections_of(const WalkSweep& sweep) {
     const std::vector<WalkGroup> groups = groups_of(sweep);
     if (groups.empty()) return {};
-    if (auto scenarios = scenarios_section(sweep)) return {*scenarios};
+    if (auto compared = scenarios_section(sweep)) return {*compared};
     if (auto starts = starts_section(sweep)) return {*starts};
     if (const auto grid = grid_of(sweep, groups)) return {map_section(sweep, *grid)};
     std::vector<WalkSection> sections;
