@@ -23,7 +23,7 @@ namespace {
 ProgramSequence next_sequence(ProgramSequence cases) {
     std::size_t n = 1;
     if (cases.front().digits.tangential != 3)
-        while (n < cases.size() && cases[n].digits.previous != 2 && cases[n].digits.tangential != 3)
+        while (n < cases.size() && cases[n].digits.previous == 0 && cases[n].digits.tangential != 3)
             ++n;
     return cases.first(n);
 }
