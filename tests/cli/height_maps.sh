@@ -84,7 +84,7 @@ run plain
 depth=$(column indentation_m out_plain/bem/history.csv | tail -1)
 awk -v d="$depth" 'BEGIN { e = 1e9 / (1 - 0.09); hertz = (9 * 100 ^ 2 / (16 * e * e * 8e-3)) ^ (1 / 3)
     exit !((d / hertz - 1) ^ 2 < 0.01 ^ 2) }' || complain "d = $depth is not Hertz'"
-grep -q '25 x 25 nodes (x by y), 100 um apart, 2.4 mm x 2.4 mm; heights differ by 180 um' plain.out ||
+grep -q '25 x 25 nodes (x by y), 100.0 um apart, 2.400 mm x 2.400 mm; heights differ by 180.0 um' plain.out ||
     complain "the map is not said: $(cat plain.out)"
 grep -q 'the lowest node of the file presses first, at x = 0 m, y = 0 m from the middle node' plain.out ||
     complain "the side is not said: $(cat plain.out)"
