@@ -38,13 +38,11 @@ std::vector<std::string> archived_arguments(const CLI::App& parser) {
     std::vector<std::string> arguments;
     for (const CLI::Option* option : parser.get_options()) {
         const std::string name = option->get_name();
-        if (option->count() == 0) continue;
-        if (!option->get_positional()) {
-            const ArchivedOption what = archived_option(name);
-            if (what == ArchivedOption::unknown)
-                throw std::logic_error(name + " is neither kept in archives nor left out of them");
-            if (what == ArchivedOption::own_matter) continue;
-        }
+        const ArchivedOption what =
+            option->get_positional() ? ArchivedOption::kept : archived_option(name);
+        if (what == ArchivedOption::unknown)  // given or not: any export of the command tells
+            throw std::logic_error(name + " is neither kept in archives nor left out of them");
+        if (what == ArchivedOption::own_matter || option->count() == 0) continue;
         if (is_flag(*option)) arguments.push_back(name);
         if (is_flag(*option)) continue;
         std::vector<std::string> values = option->results();

@@ -170,14 +170,16 @@ void check_inside(const std::string& archive, const io::ZipFiles& files,
             leads_out("", std::string(path)))
             refuse_way_out(archive, "an argument", std::string(path));
     };
-    check(io::trimmed(argument));
+    const auto equals = std::min(argument.find('='), argument.size());
+    if (argument.starts_with(placed) || equals == argument.size()) check(io::trimmed(argument));
+    if (leads_out("", argument) || argument.find(archive_place, 1) < equals)
+        refuse_way_out(archive, "an argument", argument);
     // What the reader of overrides may take for the value, and the texts in it.
     for (auto at = argument.find('='); at != argument.npos; at = argument.find('=', at + 1)) {
         const std::string value(io::trimmed(std::string_view(argument).substr(at + 1)));
         check(value);
         for_each_text(parsed("value = " + value), check);
     }
-    const auto equals = std::min(argument.find('='), argument.size());
     if (argument.substr(0, equals).find("cache") != argument.npos &&
         io::trimmed(std::string_view(argument).substr(equals)) != "=none")
         refuse_way_out(archive, "an argument", argument);

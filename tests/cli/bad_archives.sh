@@ -34,7 +34,7 @@ bad export "run: holds the argument --export=./.config, which is none"
 bad export_value "run: holds the argument --export=./.config, which is none"
 bad short "run: holds the argument -h, which is none"
 bad rest "run: holds the argument --, which is none"
-bad inner "an argument names indenter.file=x{archive}/inputs, outside the archive"
+bad inner "an argument names x{archive}/inputs, outside the archive"
 for kind in deep nan huge wide; do
     bad $kind "results/summary.json is no JSON, or nests too deep, or has a number beyond double; take the archive"
 done
