@@ -11,7 +11,7 @@ namespace tricontact::statistics {
 
 namespace {
 
-constexpr int most_steps = 500;
+constexpr int most_steps = 2000;
 // Of variables of the order of 1: error and rounding of differences in balance.
 constexpr double difference_step = 1e-5;
 constexpr double largest_step = 1;
@@ -24,10 +24,10 @@ constexpr double step_tolerance = 1e-11, gain_tolerance = 1e-15;
 // its degrees of freedom.
 constexpr int idle_steps = 20;
 constexpr double idle_gain = 1e-9;
-// And a curved valley is followed to its end no further than statistics resolve: what the last
-// steps gained is to be below this of the sum, as is then what more of them would.
-constexpr int last_steps = 100;
-constexpr double last_gain = 1e-3;
+// And after the first steps a curved valley is followed no further than statistics resolve: until
+// so many gain less than this of the sum.
+constexpr int first_steps = 400, many_steps = 100;
+constexpr double many_gain = 1e-3;
 
 double squares(const std::vector<double>& residuals) {
     double sum = 0;
@@ -128,9 +128,13 @@ BoundedFit fit_within(const Residuals& residuals, std::vector<double> start, con
     BoundedFit fit{std::move(start), values.empty() ? contact::infinity : squares(values)};
     if (!std::isfinite(fit.sum_of_squares))
         throw contact::NotConverged("least squares: the model is not defined at the start");
-    double damping = first_damping, before_idling = fit.sum_of_squares, before_last = 0;
+    double damping = first_damping, before_idling = fit.sum_of_squares,
+           before_many = contact::infinity;
     for (int i = 0; i < most_steps; ++i) {
-        if (i == most_steps - last_steps) before_last = fit.sum_of_squares;
+        if (i >= first_steps && i % many_steps == 0) {
+            if (before_many - fit.sum_of_squares < many_gain * fit.sum_of_squares) return fit;
+            before_many = fit.sum_of_squares;
+        }
         if (i > 0 && i % idle_steps == 0) {
             if (before_idling - fit.sum_of_squares < idle_gain * fit.sum_of_squares) return fit;
             before_idling = fit.sum_of_squares;
@@ -152,8 +156,7 @@ BoundedFit fit_within(const Residuals& residuals, std::vector<double> start, con
             break;
         }
     }
-    if (before_last - fit.sum_of_squares < last_gain * fit.sum_of_squares) return fit;
-    throw contact::NotConverged("least squares: no minimum within 500 steps");
+    throw contact::NotConverged("least squares: no minimum within 2000 steps");
 }
 
 }  // namespace tricontact::statistics

@@ -24,9 +24,9 @@ struct BoundedFit {
 /// Fukushima 2004, J. Comput. Appl. Math. 172, 375, the local method): a variable at a bound that
 /// the slope drives outwards is held for the step. Variables are of the order of 1, such as
 /// logarithms: no step exceeds 1 in any of them. Where there are no residuals, a step is taken
-/// back. A valley on whose ground 20 steps gain less than 1e-9 of the sum, or the last 100 of 500
-/// less than 1e-3, is a minimum. Throws contact::NotConverged where there are no residuals at
-/// `start`, or after 500 steps that go on gaining.
+/// back. A valley on whose ground 20 steps gain less than 1e-9 of the sum, or beyond the 400th 100
+/// steps less than 1e-3, is a minimum. Throws contact::NotConverged where there are no residuals at
+/// `start`, or after 2000 steps.
 BoundedFit fit_within(const Residuals& residuals, std::vector<double> start, const Bounds& bounds);
 
 /// Slopes of the residuals by each variable that is not held, zero for the others: a column each.

@@ -121,6 +121,7 @@ std::vector<double> largest_inflations(const Columns& columns, const Columns& co
                                        const statistics::ResidualProjection& projection,
                                        const std::vector<double>& correlations) {
     std::vector<double> largest(covariance.size(), 1.);
+    if (std::ranges::max(correlations) == 0) return largest;  // not to rounding
     for (int part = 1; part <= n_correlations; ++part) {
         std::vector<double> at = correlations;
         for (double& rho : at) rho *= static_cast<double>(part) / n_correlations;

@@ -292,7 +292,7 @@ grep -q "^Use the values" text && complain "recommended in spite of a pattern: $
 awk -F, -v OFS=, 'NR == 6 { $2 += 12 } { print }' plain.csv >misprint.csv
 sed 's/plain.csv/misprint.csv/' plain.toml >misprint.toml
 "$program" identify misprint.toml --output out --quiet >text || complain "a misprint: $(cat text)"
-grep -q "^layer: one row is an outlier: row 5 of static-shift (tangential force F_T = " text ||
+grep -q "^layer: one row is an outlier: row 3 of static-shift (tangential force F_T = 3 N), " text ||
     complain "no outlier: $(cat text)"
 "$program" identify plain.toml --output out --quiet >text
 grep -qE "outlier|show a pattern" text && complain "an outlier or pattern in white noise: $(cat text)"

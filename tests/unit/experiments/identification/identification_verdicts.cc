@@ -79,6 +79,29 @@ TEST(IdentificationVerdicts, ARejectedModelIsNotUsed) {
     EXPECT_EQ(verdicts_of(half_space, layer).back().standing, report::Verdict::Standing::fail);
 }
 
+// A pattern of residuals does what chi^2 does of stated errors; beside stated ones that chi^2 finds
+// large enough, they are correlated, and the model is used with wider intervals.
+TEST(IdentificationVerdicts, WithoutStatedErrorsAPatternRejects) {
+    const auto half_space = model("half-space", 5.01e6, {4.9e6, 5.1e6}, .5, {.4, .6});
+    auto layer = model("layer", 5e6, {4.9e6, 5.1e6}, .5, {.4, .6});
+    layer.found.residuals = {{.has_pattern = true, .has_strong_one = true}};
+    IdentificationStudy study;
+    study.models = {half_space, layer};
+    EXPECT_EQ(
+        model_to_use(study)->sentence,
+        "None of the values is to be used before the reason is known: the residuals of layer, "
+        "the most complete model, show a pattern.");
+    study.models[1].found.goodness = .4;
+    EXPECT_EQ(model_to_use(study)->sentence.substr(0, 24), "The half-space suffices:");
+    study.models = {layer, layer};
+    study.models[0].name = "bem-layer";
+    study.models[0].found.residuals = {{.has_pattern = true}};
+    EXPECT_EQ(model_to_use(study)->sentence,
+              "Use the values of bem-layer, the most complete of these models. Without stated "
+              "errors no model is tested but by the pattern of its residuals, and those of "
+              "bem-layer have one that 5 % of tables have by chance.");
+}
+
 // Depths of a sphere: F = 4/3 E* R^(1/2) d^(3/2), so that an error of R moves E by half of it. R of
 // the evaluation is the true one and its error, drawn at random, as the forces are.
 TEST(IdentificationIntervals, CoverTheTruthAsOftenAsTheyClaimWithUncertainInputs) {
