@@ -1,13 +1,11 @@
 // Steps in proportion: what moves between indenter and surface before they meet is no slip.
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
-#include "contact/error.h"
 #include "contact/solvers/fixed_point.h"
 #include "contact/solvers/staggered_solver.h"
+#include "contact/special_values.h"
 
 namespace tricontact::contact {
 
@@ -15,6 +13,8 @@ namespace tricontact::contact {
 void StaggeredSolver::keep_gap(const LoadStep& step, const StepStart& before) {
     gap_before_.clear();
     before_touch_ = {};
+    met_traction_.assign(3, 0);
+    met_is_kept_ = false;
     if (!step.in_proportion || !step.friction) return;
     const NormalSolution& last = *now_.normal;
     if (last.force == 0 && last.indentation == 0) coupling_.place(step.offset);  // first touch
@@ -67,9 +67,12 @@ std::vector<double> StaggeredSolver::traction_ratio(const std::vector<std::size_
 /// closed. On the half-space, where nothing slips, increments of tangential contact are those of
 /// normal contact times a factor (Jaeger 1998, Ciavarella 1998), and this is exact for steps of any
 /// length. Of t/p the mean over what is met is taken, which a fixed-point iteration finds: a gain
-/// of a factor of 3 at the first touch, where all points are met, and more elsewhere.
+/// of a factor of 3 at the first touch, where all points are met, and more elsewhere. Where points
+/// are barely met it may jump between bounds of friction: then, after some damped iterations, it is
+/// kept for this step. What is solved is in equilibrium with any ratio; its error is one of the
+/// step's length, of points that carry next to nothing.
 void StaggeredSolver::solve_growing(const TangentialProblem& problem, const StepStart& before) {
-    constexpr int most_iterations = 100;
+    constexpr int most_accelerated = 8, most_iterations = 24;
     const auto solve = [&](const TangentialProblem& at) {
         tangential_solver_->solve(at, now_.tangential);
         now_.tangential_iterations += now_.tangential.iterations;
@@ -89,18 +92,10 @@ void StaggeredSolver::solve_growing(const TangentialProblem& problem, const Step
     const double ratio = local_ratio();
     const double allowed = tolerance_ * looseness_ * friction_coefficient_ *
                            std::max(now_.shift_factor, 1.) * now_.normal->length;
-    std::vector<double> traction(3, 0);
     FixedPoint iteration;
-    for (int k = 1; k <= most_iterations; ++k) {
-        before_touch_ = TangentialField(gap_before_.size(), n_threads());
-        TangentialField relative = problem.previous_displacement;
-        for (const std::size_t i : met) {
-            const double turned = radius > 0 ? traction[2] / radius : 0;
-            const Vector2 along{traction[0] - turned * (points().y[i] - now_.offset[1]),
-                                traction[1] + turned * (points().x[i] - now_.offset[0])};
-            before_touch_.set(i, (ratio * gap_before_[i]) * along);
-            relative.set(i, relative.at(i) - substrate_.stiffness() * before_touch_.at(i));
-        }
+    double last_change = infinity, weight = 1;
+    for (int k = 1;; ++k) {
+        const TangentialField relative = beyond_touch(problem, met, ratio, radius);
         solve({.bound = problem.bound,
                .previous_displacement = relative,
                .control = problem.control,
@@ -109,14 +104,36 @@ void StaggeredSolver::solve_growing(const TangentialProblem& problem, const Step
                .displaces_all = problem.displaces_all});
         const std::vector<double> found = traction_ratio(met, radius);
         double change = 0;
-        for (int d = 0; d < 3; ++d) change = std::max(change, std::abs(found[d] - traction[d]));
-        if (ratio * widest * change <= allowed) return;
-        traction = iteration.next(traction, found, change);
+        for (int d = 0; d < 3; ++d)
+            change = std::max(change, std::abs(found[d] - met_traction_[d]));
+        met_is_kept_ = met_is_kept_ || k == most_iterations;
+        if (met_is_kept_ || ratio * widest * change <= allowed) return;
+        if (k <= most_accelerated) {
+            met_traction_ = iteration.next(met_traction_, found, change);
+        } else {
+            if (change > .9 * last_change) weight /= 2;
+            for (int d = 0; d < 3; ++d) met_traction_[d] += weight * (found[d] - met_traction_[d]);
+        }
+        last_change = change;
+        for (double& part : met_traction_)
+            part = std::clamp(part, -friction_coefficient_, friction_coefficient_);
     }
-    throw NotConverged(
-        fmt::format("{}: the tractions of a contact that grows are not found after "
-                    "{} solutions of its friction",
-                    name_, most_iterations));
+}
+
+/// What was displaced before, where points have been met together with what moved before that.
+TangentialField StaggeredSolver::beyond_touch(const TangentialProblem& problem,
+                                              const std::vector<std::size_t>& met, double ratio,
+                                              double radius) {
+    before_touch_ = TangentialField(gap_before_.size(), n_threads());
+    TangentialField relative = problem.previous_displacement;
+    const double turned = radius > 0 ? met_traction_[2] / radius : 0;
+    for (const std::size_t i : met) {
+        const Vector2 along{met_traction_[0] - turned * (points().y[i] - now_.offset[1]),
+                            met_traction_[1] + turned * (points().x[i] - now_.offset[0])};
+        before_touch_.set(i, (ratio * gap_before_[i]) * along);
+        relative.set(i, relative.at(i) - substrate_.stiffness() * before_touch_.at(i));
+    }
+    return relative;
 }
 
 }  // namespace tricontact::contact

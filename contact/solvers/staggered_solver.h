@@ -112,6 +112,8 @@ class StaggeredSolver {
     void solve_growing(const TangentialProblem& problem, const StepStart& before);
     std::vector<double> traction_ratio(const std::vector<std::size_t>& met, double radius) const;
     double local_ratio() const;
+    TangentialField beyond_touch(const TangentialProblem& problem,
+                                 const std::vector<std::size_t>& met, double ratio, double radius);
     void slide_freely(const LoadStep& step);
     TangentialField displaced_before(const StepStart& before) const;
     void find_shift_factor();
@@ -127,6 +129,9 @@ class StaggeredSolver {
     double looseness_ = 1;             // of the tangential contact in this staggered iteration
     std::vector<double> gap_before_;   // at the start of a step in proportion [m]; else empty
     TangentialField before_touch_;     // see before_touch(); empty: 0
+    // Of solve_growing(): t/p where points are met, and whether this step keeps it.
+    std::vector<double> met_traction_;
+    bool met_is_kept_ = false;
     // They keep factors of the compliance.
     std::optional<NormalSolver> normal_solver_;
     std::optional<TangentialSolver> tangential_solver_;

@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cmath>
+#include <cstdio>
 #include <random>
 
 #include "app/case_run.h"
@@ -89,7 +90,7 @@ int check(std::uint64_t seed, int n) {
     using namespace comparisons::quantities;
     std::array tallies{Tally{&indentation}, Tally{&contact_radius}, Tally{&static_shift},
                        Tally{&final_shift}, Tally{&settled_shift},  Tally{&shift_increment}};
-    int n_runs = 0;
+    int n_runs = 0, n_failed = 0;
     for (int i = 0; i < n; ++i) {
         DrawnRun drawn;
         try {
@@ -106,9 +107,13 @@ int check(std::uint64_t seed, int n) {
             for (Tally& tally : tallies) compare(i, *error, truth, tally);
         } catch (const contact::InputError& e) {
             fmt::print("{} {}: refused: {}\n", i, drawn.text, e.what());
+        } catch (const contact::NotConverged& e) {
+            fmt::print("{} {}: {}\n", i, drawn.text, e.what());
+            ++n_failed;
         }
+        std::fflush(stdout);
     }
-    int result = EXIT_SUCCESS;
+    int result = n_failed > 0 ? EXIT_FAILURE : EXIT_SUCCESS;
     fmt::print("runs: {} of {}\n", n_runs, n);
     for (const Tally& tally : tallies) {
         fmt::print("{}: {} of {}\n", tally.quantity->key, tally.n_held, tally.n_told);
