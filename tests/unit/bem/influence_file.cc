@@ -112,9 +112,15 @@ TEST_F(InfluenceFile, MustFitTheGrid) {
     InfluenceTable other = table;
     other.spacing *= 1 + 1e-6;
     EXPECT_NE(refused(other).find("coefficients of cells of"), std::string::npos);
-    other = table;
-    other.n_y -= 1;
-    other.cells.resize(static_cast<std::size_t>(other.n_x) * other.n_y);
+    // The last position is one of the padding, farther than any two cells lie apart.
+    const auto with_rows = [&](int n_y) {
+        InfluenceTable cut = table;
+        cut.n_y = n_y;
+        cut.cells.resize(static_cast<std::size_t>(cut.n_x) * n_y);
+        return cut;
+    };
+    EXPECT_EQ(refused(with_rows(table.n_y - 1)), "no error");
+    other = with_rows(3);
     EXPECT_NE(refused(other).find("positions, but contact and rolling path need"),
               std::string::npos);
 }
