@@ -121,20 +121,20 @@ contact::HeightMap parse_height_matrix(std::string_view text, const std::string&
     const CsvLines found = csv_lines(text, most_rows);
     NumberMatrix numbers;
     DecimalReader reader(name);
-    std::optional<char> divider;  // as the first row has it
+    char divider = 0;  // as the first row has it
     bool trailing = false;
     for (const TextLine& line : found.lines) {
         // Between two commas an empty cell is a missing value, between blanks there is none.
-        if (!divider) divider = divider_of(line.text);
-        auto cells = divided_cells(line.text, *divider, matrix_place(name, line.number));
+        if (divider == 0) divider = divider_of(line.text);
+        auto cells = divided_cells(line.text, divider, matrix_place(name, line.number));
         if (numbers.n_rows == 0) {
             if (is_text_line(cells)) {
                 const auto place = matrix_place(name, line.number);
-                if (!names_nodes(heading_cells(line.text, *divider, place), scale, name))
+                if (!names_nodes(heading_cells(line.text, divider, place), scale, name))
                     fail(place, toml_string(shortened(line.text, 40)),
                          "a line of text stands above the heights",
                          "begin it with #, or remove it");
-                divider.reset();
+                divider = 0;
                 continue;
             }
             trailing = cells.size() > 2 && cells.back().empty();
