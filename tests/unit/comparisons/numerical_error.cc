@@ -90,9 +90,7 @@ TEST(NumericalError, IsZeroOfWhatIsPrescribedAlone) {
 // Where other steps do not converge, ± is that of the mesh, and says so.
 TEST(NumericalError, LeavesNothingOutInSilence) {
     NumericalError error = of_first_order(.01);
-    const auto sentence = [&] {
-        return answer_of(the_case, error.run->results, error).sentence;
-    };
+    const auto sentence = [&] { return answer_of(the_case, error.run->results, error).sentence; };
     EXPECT_NE(sentence().find("± is the error of mesh and steps"), std::string::npos);
     error.why_no_steps = "too long";
     EXPECT_NE(sentence().find("that of the steps is not known: too long"), std::string::npos);

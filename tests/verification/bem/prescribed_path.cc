@@ -104,8 +104,7 @@ TEST(BemPrescribedPath, ObliqueLoadingBelowFrictionIsExactInOneStep) {
             c.contact.coupling = false;
             const auto pair = c.materials();
             const double exact = 4. / 20 * pair.effective_modulus() /
-                                 pair.effective_shear_modulus() *
-                                 half_space_scales(c).indentation;
+                                 pair.effective_shear_modulus() * half_space_scales(c).indentation;
             const auto last = run_bem(c).steps.back();
             EXPECT_NEAR(last.shift[0], exact, 5e-3 * exact) << poisson << ' ' << steps;
             EXPECT_LT(last.slip_area, .1 * last.contact_area) << poisson << ' ' << steps;
