@@ -227,7 +227,7 @@ damaged() {
 damaged outlier "1 sample is left out" 'NR == 300 { $2 += 40 } 1'
 damaged jump "the shift jumps by" 'NR > 800 { $2 += 40 } 1'
 says "Cannot tell shakedown from ratcheting" out
-damaged gap "there is a gap of 0.65 s" 'NR < 620 || NR > 631'
+damaged gap "there is a gap of 0.6500 s" 'NR < 620 || NR > 631'
 record 'NR > 3 { $2 = 12.5 } 1'
 refused "the shift is 12.5 µm in all"
 record 'NR < 900 || NR > 960'
