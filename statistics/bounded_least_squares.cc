@@ -26,7 +26,7 @@ constexpr int idle_steps = 20;
 constexpr double idle_gain = 1e-9;
 // And after the first steps a curved valley is followed no further than statistics resolve: until
 // so many gain less than this of the sum.
-constexpr int first_steps = 400, many_steps = 100;
+constexpr int steps_of_first_search = 400, many_steps = 100;
 constexpr double many_gain = 1e-3;
 
 double squares(const std::vector<double>& residuals) {
@@ -131,7 +131,7 @@ BoundedFit fit_within(const Residuals& residuals, std::vector<double> start, con
     double damping = first_damping, before_idling = fit.sum_of_squares,
            before_many = contact::infinity;
     for (int i = 0; i < most_steps; ++i) {
-        if (i >= first_steps && i % many_steps == 0) {
+        if (i >= steps_of_first_search && i % many_steps == 0) {
             if (before_many - fit.sum_of_squares < many_gain * fit.sum_of_squares) return fit;
             before_many = fit.sum_of_squares;
         }
