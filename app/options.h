@@ -3,6 +3,7 @@
 #include <functional>
 #include <iostream>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -38,9 +39,11 @@ inline constexpr const char* resolved_case_name = "case.toml";
 struct CommandOptions {
     std::string file;                    ///< what the command works on: case, study, data
     std::vector<std::string> overrides;  ///< key=value
-    std::string output;                  ///< folder or file; empty: results/<name of the file>
-    std::vector<std::string> models;     ///< empty: those of the case
-    int threads = 1;                     ///< or processes side by side
+    /// Of a command that takes a case file: parts of it, as of io::rig_parts, that it reads.
+    std::optional<std::vector<std::string>> reads = {};
+    std::string output;               ///< folder or file; empty: results/<name of the file>
+    std::vector<std::string> models;  ///< empty: those of the case
+    int threads = 1;                  ///< or processes side by side
     bool quiet = false;
     bool report = true;                                  ///< write report.html
     std::shared_ptr<const Listener> listener = nullptr;  ///< null: the terminal

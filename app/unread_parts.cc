@@ -15,7 +15,7 @@ namespace {
 /// Which commands read a part of a case file.
 const std::map<std::string, std::string>& readers() {
     static const std::map<std::string, std::string> readers{
-        {"[rig]", "rig, design"},
+        {"[rig]", "rig, design, identify"},
         {"[record]", "experiment, design"},
         {"[measurement]", "identify"},
         {"[design]", "design"},
@@ -26,11 +26,11 @@ const std::map<std::string, std::string>& readers() {
 
 }  // namespace
 
-void say_unread_parts(const CommandOptions& options, const std::string& command,
-                      std::initializer_list<std::string> read) {
+void say_unread_parts(const CommandOptions& options, const std::string& command) {
+    if (!options.reads || options.quiet) return;
     std::vector<std::string> words;
     for (const std::string& part : io::rig_parts(options.file, options.overrides))
-        if (std::ranges::find(read, part) == read.end())
+        if (std::ranges::find(*options.reads, part) == options.reads->end())
             words.push_back(fmt::format("{} (read by {})",
                                         part == io::uncertainty_mark ? "± of the numbers" : part,
                                         readers().at(part)));

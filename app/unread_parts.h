@@ -1,15 +1,12 @@
 #pragma once
 
-#include <initializer_list>
 #include <string>
 
 #include "app/options.h"
 
 namespace tricontact::app {
 
-/// Says which parts of a case file this command does not read, and which commands do: sections of a
-/// rig and stated uncertainties (io::rig_parts). `read`: those that it reads.
-void say_unread_parts(const CommandOptions& options, const std::string& command,
-                      std::initializer_list<std::string> read = {});
+/// Says which parts of its case file (io::rig_parts) a command has not read, and which commands do.
+void say_unread_parts(const CommandOptions& options, const std::string& command);
 
 }  // namespace tricontact::app

@@ -2,10 +2,10 @@
 #include <optional>
 
 #include "app/commands/command.h"
-#include "app/unread_parts.h"
 #include "bem/contact_program_influence.h"
 #include "bem/grid_compliance.h"
 #include "bem/model.h"
+#include "comparisons/quantities/left_out.h"
 #include "io/contact_program/sequence.h"
 #include "io/contact_program/written_case.h"
 
@@ -53,7 +53,6 @@ BoundaryElementCase read_boundary_elements(const BoundaryElementOptions& options
 /// Writes the influence coefficients (docs/influence-format.md).
 void write_influence(const BoundaryElementOptions& options) {
     const auto read = read_boundary_elements(options);
-    say_unread_parts(options, "influence");
     io::check_output_file(options.output, bem::influence_file_title);
     const auto table = bem::case_influence(read.c, options.threads, read.body());
     io::write_file(options.output, bem::influence_text(table));
@@ -63,6 +62,7 @@ void write_influence(const BoundaryElementOptions& options) {
         "positions            {} x {}\n"
         "written              {}\n",
         read.model, 1e3 * table.spacing, table.n_x, table.n_y, options.output);
+    std::cout << comparisons::left_out_lines(read.c, {read.model});
 }
 
 /// The numerical coefficients for CONTACT; empty for its own half-spaces.
@@ -78,7 +78,6 @@ std::optional<std::string> influence_of(const BoundaryElementCase& read,
 void export_to_contact_program(BoundaryElementOptions options) {
     const auto read = read_boundary_elements(options);
     const Case& c = read.c;
-    say_unread_parts(options, "export");
     const std::string name = std::filesystem::path(options.file).stem().string();
     const std::string influence_name = name + ".influence";
     options.choose_folder("_contact");
@@ -104,7 +103,8 @@ void export_to_contact_program(BoundaryElementOptions options) {
     });
     std::cout << fmt::format("model                {}\n{}written              {}/{}.inp{}\n",
                              read.model, found, options.output, name,
-                             influence ? ", " + influence_name : "");
+                             influence ? ", " + influence_name : "")
+              << comparisons::left_out_lines(c, {read.model});
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 
 #include "app/options.h"
 #include "app/papers/paper_export.h"
+#include "app/unread_parts.h"
 #include "io/case/case_reader.h"
 
 // Files of commands take from here what most of them need: texts, output, options, cases.
@@ -41,9 +42,13 @@ class Declared {
         command_.run = [options = options_, parser = command_.parser, run] {
             const auto call = [&]() -> int {
                 using Result = decltype(run(*options));
-                if constexpr (std::is_same_v<Result, bool>) return run(*options) ? 0 : 1;
-                if constexpr (std::is_same_v<Result, int>) return run(*options);
-                if constexpr (std::is_void_v<Result>) return run(*options), 0;
+                int code = 0;
+                if constexpr (std::is_same_v<Result, bool>) code = run(*options) ? 0 : 1;
+                if constexpr (std::is_same_v<Result, int>) code = run(*options);
+                if constexpr (std::is_void_v<Result>) run(*options);
+                if constexpr (std::is_base_of_v<CommandOptions, Options>)
+                    say_unread_parts(*options, parser->get_name());
+                return code;
             };
             if constexpr (std::is_base_of_v<CommandOptions, Options>)
                 if (!options->papers.folder.empty()) return run_for_papers(*parser, *options, call);
@@ -97,8 +102,9 @@ class Declared {
     Declared& on_file(const char* name, const char* text, const char* type) {
         return required(name, &CommandOptions::file, text, type);
     }
-    /// The case file and --set.
-    Declared& on_case() {
+    /// The case file and --set. `reads`: what of io::rig_parts the command reads.
+    Declared& on_case(std::vector<std::string> reads = {}) {
+        options_->reads = std::move(reads);
         on_file("case", "Case file (TOML)", "CASE.toml");
         option("--set", &CommandOptions::overrides,
                "Override a key of the case: section.key=value (may be repeated)", "KEY=VALUE");

@@ -2,7 +2,6 @@
 
 #include "app/commands/command.h"
 #include "app/rig_design.h"
-#include "app/unread_parts.h"
 #include "io/case/rig_file.h"
 
 namespace tricontact::app {
@@ -14,7 +13,6 @@ struct DesignOptions : CommandOptions {};
 /// That nothing within the bounds does it is a finding, no error.
 void design_rig(DesignOptions options) {
     const auto input = experiments::read_design(io::read_rig_file(options.file, options.overrides));
-    say_unread_parts(options, "design", {"[rig]", "[record]", "[design]", io::uncertainty_mark});
     options.choose_folder("_design");
     experiments::DesignStudy study;
     const std::string name = std::filesystem::path(options.file).filename().string();
@@ -36,7 +34,7 @@ Command design_command() {
     return Declared<DesignOptions>(
                "design", "Find values of a rig that make assumptions hold and deviations visible",
                design_rig)
-        .on_case()
+        .on_case({"[rig]", "[record]", "[design]", io::uncertainty_mark})
         .output("Folder (results/<case>_design)")
         .exports();
 }

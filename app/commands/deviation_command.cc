@@ -2,9 +2,9 @@
 #include "app/commands/strain_deviation.h"
 #include "app/roll_models.h"
 #include "app/studies/study_kind.h"
-#include "app/unread_parts.h"
 #include "comparisons/finite_strain/strain_runs.h"
 #include "comparisons/half_space/deviation_output.h"
+#include "comparisons/quantities/left_out.h"
 
 namespace tricontact::app {
 
@@ -57,7 +57,6 @@ void compare_with_half_space(DeviationOptions options) {
     options.choose_folder("_deviation");
     const Case c = io::read_case(options.file, options.overrides);
     refuse_rolling_on(c, options.file);
-    say_unread_parts(options, "deviation");
     // Before anything is removed.
     options.told_of_file([&] { return comparisons::deviation_contact(c); });
     HalfSpaceDeviation deviation;
@@ -67,7 +66,7 @@ void compare_with_half_space(DeviationOptions options) {
                      if (options.runs) add_runs(options, deviation);
                      write(options, c, deviation);
                  });
-    options.out() << deviation_text(deviation);
+    options.out() << deviation_text(deviation) << comparisons::left_out_lines(c, {"bem-layer"});
     for (const auto& verdict : deviation_verdicts(deviation))
         options.out() << verdict.sentence << '\n';
     options.say(options.where());

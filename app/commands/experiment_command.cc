@@ -1,6 +1,5 @@
 #include "app/commands/command.h"
 #include "app/record_predictions.h"
-#include "app/unread_parts.h"
 #include "experiments/records/experiment.h"
 #include "experiments/records/experiment_report.h"
 #include "io/case/rig_file.h"
@@ -13,7 +12,6 @@ void evaluate_records(CommandOptions options) {
     options.choose_folder();
     const experiments::ExperimentInput input =
         experiments::read_experiment(options.file, options.overrides);
-    say_unread_parts(options, "experiment", {"[record]", io::uncertainty_mark});
     experiments::ExperimentEvaluation evaluation =
         experiments::evaluate_experiment(input.experiment);
     report::Document document;
@@ -33,7 +31,7 @@ void evaluate_records(CommandOptions options) {
 Command experiment_command() {
     return Declared<CommandOptions>(
                "experiment", "Evaluate records of a rig; compare with its models", evaluate_records)
-        .on_case()
+        .on_case({"[record]", io::uncertainty_mark})
         .output("Folder (results/<case>)")
         .exports()
         .threads()

@@ -5,7 +5,6 @@
 
 #include "app/commands/command.h"
 #include "app/identification_models.h"
-#include "app/unread_parts.h"
 #include "io/case/rig_file.h"
 #include "report/format.h"
 
@@ -232,7 +231,6 @@ void identify_properties(IdentifyOptions options) {
     const IdentificationInput input =
         experiments::read_identification(options.file, options.overrides);
     check_lengths_scale(input);
-    say_unread_parts(options, "identify", {"[measurement]", io::uncertainty_mark});
     options.choose_folder();
     IdentificationStudy study;
     options.fill({{"identify.json", "report.html", "posterior.csv"}}, [&] {
@@ -250,7 +248,7 @@ Command identify_command() {
     return Declared<IdentifyOptions>(
                "identify", "Find E, nu, mu, lengths and Prony terms from measurements on a rig",
                identify_properties)
-        .on_case()
+        .on_case({"[measurement]", "[rig]", io::uncertainty_mark})
         .flag("--posterior", &IdentifyOptions::posterior,
               "Draw from the posterior density of what is found and the uncertain inputs "
               "(posterior.csv)")

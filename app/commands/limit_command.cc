@@ -1,7 +1,6 @@
 #include "app/commands/command.h"
 #include "app/models.h"
 #include "app/roll_models.h"
-#include "app/unread_parts.h"
 #include "bem/model.h"
 #include "comparisons/quantities/left_out.h"
 #include "comparisons/quantities/reference.h"
@@ -26,6 +25,10 @@ struct LimitOptions : CommandOptions {
 
 void check(const LimitOptions& options, const Case& c) {
     refuse_rolling_on(c, options.file);
+    if (c.prescribed_path)
+        options.refuse(
+            "[path]: a limit of shakedown is that of rolling back and forth; give [load] and "
+            "[rolling] instead, or take tricontact run, which computes the path");
     if (!c.rolling)
         options.refuse(
             "there is no [rolling], and without it no limit of shakedown; add that section");
@@ -85,7 +88,6 @@ void find_limits(const Case& c, const LimitOptions& options) {
 void limit_of_case(LimitOptions options) {
     const Case c = io::read_case(options.file, options.overrides, options.models);
     check(options, c);
-    say_unread_parts(options, "limit");
     bem::check_influence_file(c);
     options.choose_folder("_limit");
     options.fill({{resolved_case_name, "limit.json", "limit.csv", "report.html"}},

@@ -2,7 +2,6 @@
 #include "app/commands/command.h"
 #include "app/roll_models.h"
 #include "app/uncertain_prediction.h"
-#include "app/unread_parts.h"
 #include "atlas/page/atlas_page.h"
 #include "atlas/prediction_json.h"
 #include "io/case/rig_file.h"
@@ -124,10 +123,10 @@ void write_files(const PredictOptions& options, const Case& c, const std::string
 }
 
 /// What atlases say of a case, without a run; with a folder also as files.
-void predict_case(const PredictOptions& options) {
+void predict_case(PredictOptions& options) {
     const io::RigFile rig = io::read_rig_file(options.file, options.overrides);
     const Case& c = rig.c;
-    say_unread_parts(options, "predict", {options.samples > 0 ? io::uncertainty_mark : ""});
+    if (options.samples > 0) options.reads->emplace_back(io::uncertainty_mark);
     if (options.samples > 0 && rig.uncertain_of_case().empty())
         options.refuse(
             "no number of the case states an uncertainty; write for example thickness = "

@@ -4,7 +4,6 @@
 #include "app/commands/command.h"
 #include "app/rig_body.h"
 #include "app/rig_growth.h"
-#include "app/unread_parts.h"
 #include "experiments/assumptions/rig.h"
 #include "experiments/assumptions/rig_report.h"
 #include "io/case/rig_file.h"
@@ -68,10 +67,8 @@ void print(const experiments::RigReport& report, std::ostream& out) {
 experiments::Rig read_rig(const CommandOptions& options) {
     const std::string text = io::read_input_file(options.file);
     io::Document document = io::parse_document(text, options.file);
-    if (!io::is_walk_case(document)) {
-        say_unread_parts(options, "rig", {"[rig]", "[printed]", io::uncertainty_mark});
+    if (!io::is_walk_case(document))
         return rig_with_body(io::parse_rig_file(text, options.file, options.overrides));
-    }
     walking::parse_walk_case(text, options.file, options.overrides);  // checked
     io::apply_overrides(document, options.overrides, walking::walk_file_keys());
     return experiments::walking_rig(document, walking::walk_file_keys());
@@ -102,7 +99,7 @@ void check_assumptions(RigOptions options) {
 Command rig_command() {
     return Declared<RigOptions>("rig", "Check what the evaluation of a rig assumes",
                                 check_assumptions)
-        .on_case()
+        .on_case({"[rig]", "[printed]", io::uncertainty_mark})
         .number("--samples", &RigOptions::samples,
                 "Points of the uncertain quantities, for the chance that an assumption is violated",
                 2, 1'000'000)

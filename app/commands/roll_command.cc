@@ -6,7 +6,6 @@
 #include "app/commands/command.h"
 #include "app/roll_models.h"
 #include "app/shown_states.h"
-#include "app/unread_parts.h"
 #include "bem/model.h"
 #include "comparisons/quantities/left_out.h"
 #include "comparisons/run/input_reading.h"
@@ -161,7 +160,6 @@ void roll_models(const Case& c, const RollOptions& options) {
 void roll_case(RollOptions options) {
     const Case c = io::read_case(options.file, options.overrides, options.models);
     require_rolling_on(c, options.file);
-    say_unread_parts(options, "roll");
     bem::check_influence_file(c);  // before anything is written
     options.choose_folder();
     for (const std::string& sentence : comparisons::input_sentences(c)) options.say(sentence);

@@ -5,7 +5,6 @@
 #include "app/case_run.h"
 #include "app/commands/command.h"
 #include "app/roll_models.h"
-#include "app/unread_parts.h"
 #include "atlas/run_section.h"
 #include "bem/model.h"
 #include "comparisons/quantities/left_out.h"
@@ -97,7 +96,6 @@ std::string line_of(const comparisons::Results& r) {
 void run_case(RunOptions options) {
     const Case c = io::read_case(options.file, options.overrides, options.models);
     refuse_rolling_on(c, options.file);
-    say_unread_parts(options, "run");
     bem::check_influence_file(c);  // before anything is written
     options.choose_folder();
     std::optional<CaseRun> run;

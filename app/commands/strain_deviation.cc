@@ -6,7 +6,6 @@
 #include "app/models.h"
 #include "app/roll_models.h"
 #include "app/studies/study_kind.h"
-#include "app/unread_parts.h"
 #include "comparisons/finite_strain/strain_output.h"
 
 namespace tricontact::app {
@@ -55,7 +54,6 @@ void compare_with_finite_strains(CommandOptions options, double elements) {
     options.choose_folder("_finite_strain");
     const Case c = io::read_case(options.file, options.overrides);
     refuse_rolling_on(c, options.file);
-    say_unread_parts(options, "deviation");
     if (!std::ranges::count(known_models(), "fem", &ModelDescription::name))
         options.refuse("--finite-strain: this program was built without the model fem");
     // Before anything is removed.

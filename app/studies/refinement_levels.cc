@@ -10,7 +10,6 @@
 #include "io/case/case_reader.h"
 #ifdef TRICONTACT_WITH_FEM
 #include "app/fem_entries.h"
-#include "app/unread_parts.h"
 #endif
 
 namespace tricontact::app {
@@ -54,7 +53,6 @@ double start_size(const Case& c, const RefineOptions& options, const Say& say) {
 Case case_of(const RefineOptions& options) {
     const Case all = io::read_case(options.file, options.overrides);
     refuse_rolling_on(all, options.file);
-    say_unread_parts(options, "refine");
     if (!std::ranges::count(all.models, options.model))
         options.refuse("models: " + options.model +
                        " is not among the models of the case; add it, or name another with "

@@ -119,6 +119,16 @@ void check_covered(const io::RigFile& file) {
                  "and forth",
                  "give load.normal_force and [rolling] in place of the path; tricontact run "
                  "computes it");
+    if (c.tractive_rolling)
+        io::fail(document.place_of("tractive_rolling.distance"), "",
+                 "[tractive_rolling]: the formulas of rigs are those of rolling back and forth",
+                 "give [rolling] in place of it; tricontact roll computes rolling on");
+    for (const auto& [key, ratio] :
+         {std::pair("load.normal_amplitude_ratio", c.load.normal_amplitude_ratio),
+          std::pair("load.tangential_amplitude_ratio", c.load.tangential_amplitude_ratio)})
+        if (ratio != 0)
+            io::refuse(document, key, "the formulas of rigs are those of constant loads",
+                       "omit it; tricontact run computes loads that oscillate");
     if (!c.layer.thickness)
         io::fail(document.place_of("substrate.thickness"), "", "missing key substrate.thickness",
                  "add thickness = \"8 mm\" or the like: rig needs substrate.thickness");

@@ -192,6 +192,9 @@ Input read_identification(const std::string& path, const std::vector<std::string
         path, overrides, "measurement", "nothing was measured",
         "add one with static_shift = \"shift.csv\", find = [\"substrate.young\"] and models = "
         "[\"half-space\", \"layer\"]");
+    if (const auto* loads = document.find_section("path"))
+        io::fail(loads->place, "[path]", "what was measured stands in tables of [measurement]",
+                 "omit it, and give load.normal_force; tricontact run computes paths");
     Input input;
     input.name = path;
     std::vector<std::string> find;

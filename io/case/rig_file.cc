@@ -141,7 +141,9 @@ std::vector<UncertainKey> RigFile::uncertain_of_case() const {
 
 std::vector<std::string> rig_parts(const std::string& path,
                                    const std::vector<std::string>& overrides) {
-    const Document document = case_document(read_input_file(path), path, overrides);
+    const std::string text = read_input_file(path);
+    if (parse_document(text, path).find_section("machine")) return {};  // reads all
+    const Document document = case_document(text, path, overrides);
     std::vector<std::string> parts;
     for (const char* section : {"rig", "record", "measurement", "design", "printed"})
         if (document.find_section(section)) parts.push_back("[" + std::string(section) + "]");

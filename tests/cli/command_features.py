@@ -48,7 +48,7 @@ def changed(case, changes):
 class Answer:
     """What a command made of a case: exit code, what it said, its files without echoes of the case."""
 
-    def __init__(self, program, command, case):
+    def __init__(self, program, command, case, with_page=False):
         with tempfile.TemporaryDirectory() as folder:
             self.folder = Path(folder)
             for name, text in {**data.files(), **made(program), **command.get("files", {})}.items():
@@ -57,9 +57,10 @@ class Answer:
             self.said, self.code = "", 0
             for arguments in command["calls"]:
                 if self.code == 0:
-                    self.call([program, *arguments])
+                    quick = [] if with_page or arguments[0] not in data.commands_with_no_report else ["--no-report"]
+                    self.call([program, *arguments, *quick])
             self.result = {} if self.code else self.numbers(command["answer"], command.get("part", ()))
-            self.told = "" if self.code else self.sentences(command.get("telling"))
+            self.told = "" if self.code else self.sentences(command.get("telling") if with_page else None)
 
     def call(self, arguments):
         environment = {**os.environ, "OPENBLAS_NUM_THREADS": "1"}
@@ -129,6 +130,14 @@ def names(feature, said):
     return any(word in said for word in feature["words"])
 
 
+def names_of_new(feature, one, other):
+    """Whether a sentence that the other case adds, or one about what is left out, names the feature."""
+    split = r"(?<=[.;]) |\n"
+    sentences = set(re.split(split, other.told))
+    left_out = {sentence for sentence in sentences if "leaves out" in sentence}
+    return any(names(feature, sentence) for sentence in (sentences - set(re.split(split, one.told))) | left_out)
+
+
 def cell(program, name, command, feature):
     """works, refused, unaffected, or what is wrong."""
     base = changed(data.base, command.get("base", {}))
@@ -143,30 +152,46 @@ def cell(program, name, command, feature):
         return "refused" if names(feature, lines[0]) else f"wrong: refused without its name: {lines[0][:250]}"
     one = Answer(program, command, pair[0])
     answers = [one, other]
+    if one.code == 2 and other.code == 0 and names(feature, one.said):
+        return "refused"
     if one.code or other.code:
         return f"wrong: exit codes {one.code}, {other.code}: {(one if one.code else other).said.strip()[-250:]}"
     if not answers[0].result:
         return "wrong: no answer"
     if answers[0].result != answers[1].result:
         return "works"
-    new = set(re.split(r"(?<=[.:;]) ", answers[1].told)) - set(re.split(r"(?<=[.:;]) ", answers[0].told))
-    if any(names(feature, sentence) for sentence in new):
+    if names_of_new(feature, one, other):
         return "said"
+    if command.get("telling"):
+        pages = [Answer(program, command, case, with_page=True) for case in pair]
+        if names_of_new(feature, *pages):
+            return "said"
     if any(name in commands.split("|") and (features == "*" or feature["name"] in features.split("|"))
            for commands, features, reason in data.unaffected):
         return "unaffected"
     return "wrong: ignored in silence"
 
 
+MARKS = {"works": "✓", "refused": "refused", "said": "left out", "unaffected": "–"}
+
+
 def table_text(cells):
-    commands = list(data.commands)
-    marks = {"works": "✓", "refused": "refused", "unaffected": "–", "said": "left out, said"}
-    lines = ["| | " + " | ".join(f"`{name}`" for name in commands) + " |",
-             "|---|" + "---|" * len(commands)]
+    """The table of the document: a row per feature, a column per command."""
+    lines = ["| | " + " | ".join(f"`{name}`" for name in data.commands) + " |",
+             "|---|" + "---|" * len(data.commands)]
     for feature in data.features:
-        row = [marks.get(cells.get((name, feature["name"]), ""), "?") for name in commands]
+        row = [MARKS.get(cells[name, feature["name"]], "?") for name in data.commands]
         lines.append(f"| {feature['name']} | " + " | ".join(row) + " |")
     return "\n".join(lines) + "\n"
+
+
+def marks_of(table):
+    """The cells of that table in a document."""
+    rows = [[text.strip() for text in line.strip("|\n").split("|")]
+            for line in table.read_text().splitlines() if line.startswith("| ")]
+    names = [name.strip("`") for name in rows[0][1:]]
+    return {(name, row[0]): mark for row in rows[1:] if len(row) == len(names) + 1
+            for name, mark in zip(names, row[1:])}
 
 
 def check_keys(program):
@@ -202,8 +227,14 @@ def main():
     cells = {(name, feature["name"]): value for (name, feature), value in zip(wanted, found)}
     faults = check_keys(program) + check_commands(program)
     faults += [f"{name} x {feature}: {value}" for (name, feature), value in cells.items() if value.startswith("wrong")]
+    table = Path(table)
     if "--write" in sys.argv:
-        print(table_text(cells))
+        text = re.sub(r"(?ms)^\| \| `.*?\n\n", lambda _: table_text(cells) + "\n", table.read_text())
+        table.write_text(text)
+    expected = marks_of(table)
+    faults += [f"{name} x {feature}: {MARKS[value]}, the table has {expected.get((name, feature), 'no such cell')}"
+               for (name, feature), value in cells.items()
+               if value in MARKS and expected.get((name, feature)) != MARKS[value]]
     for fault in faults:
         print("FAILED:", fault)
     sys.exit(1 if faults else 0)
