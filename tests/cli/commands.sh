@@ -28,12 +28,12 @@ input=$(find exported -name '*.inp' | head -1)
 for command in run check walk roll refine limit deviation export "influence --output x" sweep fit experiment \
     identify rig; do
     case $command in
-        run | check | refine | limit | deviation | export | influence*) own=contact ;;
+        run | check | refine | limit | deviation | influence*) own=contact ;;
         walk) own=walking ;;
         roll) own=rolling ;;
         sweep | fit) own=study ;;
         rig) own="contact walking rolling" ;; # what they lack, it says itself
-        experiment | identify) own="contact rolling" ;;
+        experiment | identify | export) own="contact rolling" ;;
     esac
     while read -r kind right file; do
         [[ " $own " == *" $kind "* ]] && continue
