@@ -31,7 +31,7 @@ double frames_at_most(const Case& c, double contact_radius, int n_steps) {
     double n = n_steps;
     if (c.prescribed_path) {
         for (const auto& row : c.prescribed_path->rows)
-            n -= std::max(0, row.steps - (c.output.vtk == quarters ? 1 : most));
+            n -= std::max(0, std::max(1, row.steps) - (c.output.vtk == quarters ? 1 : most));
     } else if (c.rolling) {
         const double amplitude = contact::path_amplitude(c, contact_radius);
         const int of_period = 4 * contact::steps_in_quarter(*c.rolling, amplitude);

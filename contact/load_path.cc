@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -60,7 +61,7 @@ LoadStep step_to(const PrescribedPath::Row& row, const CentreOfRotation& centre,
     step.tangential = row.tangential;
     step.rotation = row.rotation;
     step.recurs = false;
-    step.in_proportion = true;
+    step.in_proportion = row.steps > 0;
     return step;
 }
 
@@ -84,11 +85,12 @@ LoadPath prescribed(const Case& c) {
     }
     for (std::size_t r = 1; r < prescribed.rows.size(); ++r) {
         const auto &from = prescribed.rows[r - 1], &to = prescribed.rows[r];
-        for (int k = 1; k <= to.steps; ++k) {
-            const double share = static_cast<double>(k) / to.steps;
+        const int n = std::max(1, to.steps);
+        for (int k = 1; k <= n; ++k) {
+            const double share = static_cast<double>(k) / n;
             LoadStep step = step_to(PrescribedPath::between(from, to, share), prescribed.centre,
                                     static_cast<double>(r - 1) + share);
-            step.duration = prescribed.is_timed() ? (to.time - from.time) / to.steps
+            step.duration = prescribed.is_timed() ? (to.time - from.time) / n
                                                   : std::numeric_limits<double>::infinity();
             check_carries(c, step);
             path.loading.push_back(step);

@@ -57,7 +57,7 @@ bool PrescribedPath::loads_across() const {
 
 int PrescribedPath::n_steps() const {
     int n = 0;
-    for (std::size_t k = 1; k < rows.size(); ++k) n += rows[k].steps;
+    for (std::size_t k = 1; k < rows.size(); ++k) n += std::max(1, rows[k].steps);  // 0: at once
     return n;
 }
 

@@ -200,8 +200,9 @@ std::vector<CaseKey> path_keys() {
         {text_key("path.table", R"("normal_force [N], shift_x [um]\n20, 0\n20, 5")",
                   "the same table in the case file itself", {.alternative = path_rows}),
          at<&Case::path_input, &Path::table>},
-        {integer_key("path.steps", {1, 100000}, "10",
-                     "equal steps from one row to the next, where the table has no column `steps`",
+        {integer_key("path.steps", {0, 100000}, "10",
+                     "equal steps from one row to the next, where the table has no column `steps`; "
+                     "0: one step whose loads and motions act at once, as in CONTACT",
                      {.default_value = "10"}),
          at<&Case::path_input, &Path::steps>},
         {choice_key("path.centre_of_rotation",

@@ -74,7 +74,7 @@ class PathReading {
         }
         if (further.empty()) table += row(head(), 0, {}, 0, depth, false);  // a path has two rows
         return heading + bodies + (frictionless ? "[load]\npress = \"frictionless\"\n" : "") +
-               "[path]\nsteps = 1\n" + centre_text() + "table = \"\"\"\n" + table + "\"\"\"\n" +
+               "[path]\nsteps = 0\n" + centre_text() + "table = \"\"\"\n" + table + "\"\"\"\n" +
                cells_text(head());
     }
 

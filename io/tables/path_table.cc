@@ -65,10 +65,10 @@ void set_steps(const CsvTable& table, int steps, PrescribedPath& path) {
     const Column values =
         table.has("steps") ? table.values("steps", Dimension::none) : Column(table.n_rows(), steps);
     for (std::size_t i = 0; i < values.size(); ++i) {
-        if (!(values[i] >= 1) || values[i] > most_steps_of_row ||
+        if (!(values[i] >= 0) || values[i] > most_steps_of_row ||
             values[i] != std::floor(values[i]))
             table.refuse_value(
-                i, "steps", "must be a whole number from 1 to " + std::to_string(most_steps_of_row),
+                i, "steps", "must be a whole number from 0 to " + std::to_string(most_steps_of_row),
                 "correct it");
         path.rows[i].steps = static_cast<int>(values[i]);
     }

@@ -26,7 +26,7 @@ using contact::Vector2;
 std::string path_text(const std::string& table, const std::string& keys = "") {
     return "models = [\"bem\"]\n[indenter]\nradius = \"40 mm\"\n[substrate]\nyoung = \"5.2 MPa\"\n"
            "poisson = 0.5\n[friction]\ncoefficient = 0.5\n[bem]\ncells_per_radius = 5\n[path]\n"
-           "steps = 1\n" +
+           "steps = 0\n" +
            keys + "table = \"\"\"\n" + table + "\"\"\"\n";
 }
 
