@@ -46,7 +46,7 @@ void judge(StageEvaluation& stage, const RunEvaluation& run, const Part& samples
            double confidence) {
     stage.settling = fit_settling(stage.shift, verdict_confidence);
     const auto half = [&](double level, double error) {
-        return statistics::student_t(level, run.degrees_of_freedom) * error;
+        return run.noise.coverage_factor(level) * error;
     };
     const double noise = noise_of_slope(stage, run, interval, false),
                  drift = run.drift.standard_error * stage.period;
