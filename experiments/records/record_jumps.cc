@@ -18,7 +18,7 @@ constexpr std::size_t beside = 3;                       // samples to each side
 constexpr std::size_t phase_tolerance = 2;              // samples to each side of the same phase
 constexpr std::size_t settling = 4;                     // periods
 constexpr double while_settling = 1.6, settled = 1.25;  // times those of the periods beside
-constexpr double visible = 5, beyond = 3;               // standard deviations of differences
+constexpr double visible = 6, beyond = 4;               // standard deviations of differences
 constexpr double steps = 3;                             // of the resolution
 constexpr double usual_part = .9;                       // of the changes
 constexpr double to_deviation_of_all = 1.521;  // mean size of the smaller 90 % of normal values
