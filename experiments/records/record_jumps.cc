@@ -14,13 +14,14 @@ namespace tricontact::experiments {
 
 namespace {
 
-constexpr std::size_t beside = 3;                       // samples to each side
-constexpr std::size_t phase_tolerance = 2;              // samples to each side of the same phase
-constexpr std::size_t settling = 4;                     // periods
-constexpr double while_settling = 1.6, settled = 1.25;  // times those of the periods beside
-constexpr double visible = 6, beyond = 4;               // standard deviations of differences
-constexpr double steps = 3;                             // of the resolution
-constexpr double usual_part = .9;                       // of the changes
+constexpr std::size_t beside = 3;           // samples to each side
+constexpr std::size_t phase_tolerance = 2;  // samples to each side of the same phase
+constexpr std::size_t settling = 4;         // periods
+constexpr double at_first = 4, while_settling = 1.6,
+                 settled = 1.25;               // times those of the periods beside
+constexpr double visible = 6, beyond = 4;      // standard deviations of differences
+constexpr double steps = 3;                    // of the resolution
+constexpr double usual_part = .9;              // of the changes
 constexpr double to_deviation_of_all = 1.521;  // mean size of the smaller 90 % of normal values
 
 /// Standard deviation of most; steps of the resolution average out, unlike in a median.
@@ -36,6 +37,7 @@ double deviation_of_most(std::vector<double> sizes) {
 /// From upright to upright [s].
 struct Rolled {
     double begin = 0, end = 0;
+    std::size_t count = 0;  // of the same amplitude before it
 };
 
 /// Changes from sample i to sample i + 1, beside those nearby and at the same phase.
@@ -46,7 +48,7 @@ class Changes {
             all_.push_back(record.shift[i] - record.shift[i - 1]);
         for (const auto& stage : timeline.stages)
             for (std::size_t n = 1; n < stage.upright.size(); ++n)
-                periods_.push_back({stage.upright[n - 1], stage.upright[n]});
+                periods_.push_back({stage.upright[n - 1], stage.upright[n], n - 1});
         at_rest_ = std::max(usual_step() * steps / visible, noise_at_rest());
         rolling_ = std::max(at_rest_, noise_while_rolling());
     }
@@ -101,7 +103,8 @@ class Changes {
             largest = std::max({largest, scaled(i - k, i, sign), scaled(i + k, i, sign)});
         if (!n) return largest;
         const std::size_t last_period = periods_.size() - 1;
-        const double factor = *n < settling ? while_settling : settled;
+        const std::size_t count = periods_[*n].count;
+        const double factor = count == 0 ? at_first : count < settling ? while_settling : settled;
         const auto add = [&](std::size_t other) {
             const std::size_t same = same_phase(i, *n, other);
             const std::size_t last = std::min(same + phase_tolerance, all_.size() - 1);

@@ -226,7 +226,7 @@ damaged() {
 }
 damaged outlier "1 sample is left out" 'NR == 300 { $2 += 40 } 1'
 damaged jump "the shift jumps by" 'NR > 800 { $2 += 40 } 1'
-says "Cannot tell shakedown from ratcheting" out
+says "Shakedown and ratcheting are not resolved" out
 damaged gap "there is a gap of 0.6500 s" 'NR < 620 || NR > 631'
 record 'NR > 3 { $2 = 12.5 } 1'
 refused "the shift is 12.5 µm in all"

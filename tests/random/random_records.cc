@@ -255,7 +255,11 @@ int check(std::uint64_t seed, int n) {
         fmt::print("\n");
         // Statements of an experiment go together: three standard deviations of experiments.
         const double part = double(c.false_rejections) / c.statements;
-        const bool jumps_hold = !c.findings.contains("jump") && c.jumps_named == c.records;
+        // In the first period of an amplitude a contact that settles may do four times what it does
+        // in the next: a jump below that is not told from it. One in 80 jumps lies there at the
+        // phase of such slip.
+        const bool jumps_hold =
+            !c.findings.contains("jump") && c.jumps_named >= c.records - 1 - c.records / 80;
         holds = holds && jumps_hold && part < .05 + 3 * std::sqrt(.05 * .95 / c.records) &&
                 c.named == c.within;
     }
