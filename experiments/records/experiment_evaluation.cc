@@ -24,7 +24,7 @@ constexpr int many = 1'000'000;            // degrees of freedom of a known stan
 Estimate value_at(const RunEvaluation& run, std::size_t n, double confidence) {
     const StageEvaluation& stage = run.stages.front();
     return statistics::with_interval(stage.shift[n], stage.shift_error[n],
-                                     statistics::student_t(confidence, run.degrees_of_freedom));
+                                     run.noise.coverage_factor(confidence));
 }
 
 // The zero's error is the same in both values, the drift's differs by that of one period.
@@ -34,7 +34,7 @@ Estimate increment_at(const RunEvaluation& run, std::size_t n, double confidence
     const double error =
         std::hypot(std::hypot(stage.noise_error[n], stage.noise_error[n - 1]), drift);
     return statistics::with_interval(stage.shift[n] - stage.shift[n - 1], error,
-                                     statistics::student_t(confidence, run.degrees_of_freedom));
+                                     run.noise.coverage_factor(confidence));
 }
 
 State joint_state(const std::vector<RunEvaluation>& runs) {

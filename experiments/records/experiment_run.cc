@@ -9,6 +9,7 @@
 #include "contact/verdict.h"
 #include "experiments/records/drive_delay.h"
 #include "experiments/records/record_corrections.h"
+#include "experiments/records/record_jumps.h"
 #include "report/format.h"
 #include "statistics/estimate.h"
 
@@ -45,7 +46,7 @@ void judge(StageEvaluation& stage, const RunEvaluation& run, const Part& samples
            double confidence) {
     stage.settling = fit_settling(stage.shift, verdict_confidence);
     const auto half = [&](double level, double error) {
-        return statistics::student_t(level, run.degrees_of_freedom) * error;
+        return run.noise.coverage_factor(level) * error;
     };
     const double noise = noise_of_slope(stage, run, interval, false),
                  drift = run.drift.standard_error * stage.period;
@@ -191,8 +192,20 @@ RunEvaluation evaluate_run(const Record& recorded, const Experiment& experiment)
         refuse_record(recorded, fmt::format("has {} samples", recorded.time.size()),
                       "record a whole run");
     RunEvaluation run;
-    const Record record = without_outliers(recorded, run.findings);
-    const DriveTimeline timeline = drive_timeline(record, experiment);
+    Record record = without_outliers(recorded, run.findings);
+    DriveTimeline timeline = drive_timeline(record, experiment);
+    std::optional<double> loading;
+    if (experiment.loading)
+        loading = loading_time(record, *experiment.loading, timeline.start()).half_way;
+    find_jumps(recorded, timeline, loading, run.findings);
+    if (run.is_spoilt() && record.time.size() < recorded.time.size()) {
+        // A jump that the rolling undid soon passed for outliers: what was left out was none.
+        std::erase_if(run.findings, [](const RecordFinding& finding) {
+            return finding.kind == RecordFinding::Kind::outlier;
+        });
+        record = recorded;
+        timeline = drive_timeline(record, experiment);
+    }
     find_gaps(record, timeline, run.findings);
     check_stages(record, experiment, timeline);
     run.name = record.name;

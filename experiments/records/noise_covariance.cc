@@ -13,6 +13,7 @@ namespace {
 constexpr std::size_t most_values = 20'000;  // of a longer stretch the last ones
 constexpr int n_memories = 24;
 constexpr std::array shares{.02, .05, .1, .2, .35, .5, .65, .8, .9, .95, .98, 1.};
+constexpr int n_shares = static_cast<int>(shares.size());
 constexpr double least_white = 1e-9;  // keeps the filter regular where the share is 1
 constexpr double forgotten = 1e-3;    // of the variance: what lags are followed to
 
@@ -82,41 +83,108 @@ Fitted fitted(const std::vector<double>& y, const NoiseKind& kind) {
     return f;
 }
 
-/// All kinds with their probabilities in place of the logarithms.
-std::vector<Fitted> probabilities(const std::vector<double>& y) {
-    std::vector<Fitted> all{fitted(y, {})};
-    const double n = static_cast<double>(y.size());
+/// Places on the scales of memory and share, between which a kind may lie.
+struct Range {
+    double low = 0, high = 0;
+
+    double at(int k, int n) const { return low + (high - low) * k / (n - 1); }
+    double step(int n) const { return (high - low) / (n - 1); }
+};
+struct Box {
+    Range memory{0, n_memories - 1}, share{0, n_shares - 1};
+
+    double area() const { return (memory.high - memory.low) * (share.high - share.low); }
+};
+
+/// A kind of an even grid in a box.
+struct Place {
+    double memory = 0, share = 0;
+};
+
+NoiseKind kind_at(const Place& place, double n) {
     constexpr double shortest = .5;  // samples
-    const double longest = n;
-    const double each = std::log(1. / (n_memories * shares.size()));
+    const double memory = shortest * std::pow(n / shortest, place.memory / (n_memories - 1.));
+    const auto k = std::min(static_cast<std::size_t>(place.share), shares.size() - 2);
+    const double part = place.share - static_cast<double>(k);
+    return {shares[k] + part * (shares[k + 1] - shares[k]), std::exp(-1 / memory)};
+}
+
+/// Logarithms of the probabilities, but for a constant, in place of the likelihoods.
+std::vector<Fitted> grid_in(const Box& box, const std::vector<double>& y,
+                            std::vector<Place>& places) {
+    const double each =
+        std::log(box.memory.step(n_memories) * box.share.step(n_shares) / (n_memories * n_shares));
+    std::vector<Fitted> all;
+    places.clear();
     for (int m = 0; m < n_memories; ++m)
-        for (const double share : shares) {
-            const double memory = shortest * std::pow(longest / shortest, m / (n_memories - 1.));
-            all.push_back(fitted(y, {share, std::exp(-1 / memory)}));
+        for (int s = 0; s < n_shares; ++s) {
+            places.push_back({box.memory.at(m, n_memories), box.share.at(s, n_shares)});
+            all.push_back(fitted(y, kind_at(places.back(), static_cast<double>(y.size()))));
             all.back().log_likelihood += each;
         }
-    const double most = std::ranges::max_element(all, {}, &Fitted::log_likelihood)->log_likelihood;
+    return all;
+}
+
+double largest_likelihood(const std::vector<Fitted>& all) {
+    return std::ranges::max_element(all, {}, &Fitted::log_likelihood)->log_likelihood;
+}
+
+/// The part of a box, and one step around it, where the kinds are not improbable.
+Box probable_part(const Box& box, const std::vector<Fitted>& all,
+                  const std::vector<Place>& places) {
+    constexpr double improbable = 12;  // logarithm
+    const double least = largest_likelihood(all) - improbable;
+    Box part{{box.memory.high, box.memory.low}, {box.share.high, box.share.low}};
+    const auto include = [](Range& range, double place, double step, const Range& whole) {
+        range.low = std::min(range.low, std::max(place - step, whole.low));
+        range.high = std::max(range.high, std::min(place + step, whole.high));
+    };
+    for (std::size_t k = 0; k < all.size(); ++k) {
+        if (all[k].log_likelihood < least) continue;
+        include(part.memory, places[k].memory, box.memory.step(n_memories), box.memory);
+        include(part.share, places[k].share, box.share.step(n_shares), box.share);
+    }
+    return part;
+}
+
+/// All kinds with their probabilities in place of the logarithms. What a long stretch leaves
+/// probable lies between the places of the first grid: they are set more densely there.
+std::vector<Fitted> probabilities(const std::vector<double>& y) {
+    constexpr int refinements = 3;
+    constexpr double not_smaller = .6;
+    Box box;
+    std::vector<Place> places;
+    std::vector<Fitted> all = grid_in(box, y, places);
+    for (int k = 0; k < refinements; ++k) {
+        const Box part = probable_part(box, all, places);
+        if (part.area() > not_smaller * box.area()) break;
+        box = part;
+        all = grid_in(box, y, places);
+    }
+    all.push_back(fitted(y, {}));
+    const double most = largest_likelihood(all);
     double sum = 0;
     for (Fitted& f : all) sum += f.log_likelihood = std::exp(f.log_likelihood - most);
     for (Fitted& f : all) f.log_likelihood /= sum;
     return all;
 }
 
-/// What the error of the mean exceeds in 5 % of the cases.
-double largest_error(const std::vector<Fitted>& all) {
-    double low = 0, high = 10 * std::sqrt(all.back().variance_of_mean);
+}  // namespace
+
+double coverage_factor(const std::vector<PossibleError>& possible, double confidence) {
+    double low = 0, high = 0;
+    constexpr double far = 10;
+    for (const PossibleError& error : possible) high = std::max(high, far * error.ratio);
     constexpr int bisections = 40;
     for (int i = 0; i < bisections; ++i) {
-        const double error = (low + high) / 2;
+        const double factor = (low + high) / 2;
         double beyond = 0;
-        for (const Fitted& f : all)
-            beyond += f.log_likelihood * std::erfc(error / std::sqrt(2 * f.variance_of_mean));
-        (beyond > .05 ? low : high) = error;
+        for (const auto& [ratio, probability] : possible)
+            beyond += probability * std::erfc(factor / (std::sqrt(2.) * ratio));
+        (beyond > 1 - confidence ? low : high) = factor;
     }
     return high;
 }
-
-}  // namespace
 
 NoiseCovariance noise_covariance(const std::vector<double>& values) {
     const auto n_used = static_cast<std::ptrdiff_t>(std::min(values.size(), most_values));
@@ -132,7 +200,10 @@ NoiseCovariance noise_covariance(const std::vector<double>& values) {
     for (std::size_t lag = 1; lag < 2 * y.size() && part > forgotten * middle->variance; ++lag)
         result.by_lag.push_back(part *= middle->kind.kept);
     result.correlated_samples = std::max(1., middle->variance_of_mean * n / middle->variance);
-    const double factor = largest_error(all) / std::sqrt(middle->variance_of_mean);
+    for (const Fitted& f : all)
+        result.possible.push_back(
+            {std::sqrt(f.variance_of_mean / middle->variance_of_mean), f.log_likelihood});
+    const double factor = coverage_factor(result.possible, .95);
     int low = 1, high = std::max(1, static_cast<int>(n) - 2);
     while (low < high) {
         const int between = (low + high + 1) / 2;

@@ -13,11 +13,10 @@ namespace tricontact::experiments {
 
 namespace {
 
-constexpr std::size_t neighbours = 3;        // to each side
-constexpr double isolated = 4;               // times what the neighbours show
-constexpr double improbable = 8;             // standard deviations
-constexpr std::size_t longest_outlier = 10;  // samples
-constexpr double to_deviation = 1.4826;      // median of absolute values of a normal variable
+constexpr std::size_t neighbours = 3;    // to each side
+constexpr double isolated = 4;           // times what the neighbours show
+constexpr double improbable = 8;         // standard deviations
+constexpr double to_deviation = 1.4826;  // median of absolute values of a normal variable
 
 using FindingKind = RecordFinding::Kind;
 
@@ -209,35 +208,6 @@ Record without_outliers(const Record& record, RecordFindings& findings) {
     return only(record, kept);
 }
 
-void find_jumps(const Record& record, const DriveTimeline& timeline, std::optional<double> loading,
-                RecordFindings& findings) {
-    const Threshold threshold(record);
-    const Differences& d = threshold.differences();
-    const Differences intervals(record.time);
-    std::vector<std::size_t> jumps;
-    for (std::size_t i = neighbours; i + neighbours < d.size(); ++i) {
-        const bool is_loading =
-            loading && record.time[i] <= *loading && *loading <= record.time[i + 1];
-        const bool is_gap = intervals[i] > isolated * intervals.around(i, i);
-        if (threshold.stands_out(i, i, i) && !is_loading && !is_gap) jumps.push_back(i);
-    }
-    if (jumps.empty()) return;
-    std::size_t periods = 0;
-    for (const auto& stage : timeline.stages) periods += stage.upright.size() - 1;
-    const bool recurs = 2 * jumps.size() > periods;
-    const std::size_t most =
-        *std::ranges::max_element(jumps, {}, [&](std::size_t i) { return std::abs(d[i]); });
-    findings.push_back(
-        {FindingKind::jump,
-         fmt::format(
-             "the shift jumps by {} from one sample to the next at {}{}, and stays there{}",
-             micrometres(d[most]), seconds(record.time[most + 1]),
-             jumps.size() == 1 ? "" : fmt::format(", the largest of {} jumps", jumps.size()),
-             recurs ? ": if the contact does not slip at once, the record is wrong"
-                    : ": correct the record, or give record.loading if F_T was applied then"),
-         !recurs});
-}
-
 void find_repeated_values(const Record& record, const DriveTimeline& timeline, double from,
                           RecordFindings& findings) {
     const std::size_t start = index_at(record, from);
@@ -282,7 +252,7 @@ void find_gaps(const Record& record, const DriveTimeline& timeline, RecordFindin
     const Differences intervals(record.time);
     std::size_t n = 0, longest = 0;
     for (std::size_t i = 0; i < intervals.size(); ++i) {
-        if (intervals[i] <= isolated * intervals.around(i, i)) continue;
+        if (intervals[i] <= gap_factor * intervals.around(i, i)) continue;
         const double from = record.time[i], to = record.time[i + 1];
         if (n++ == 0 || intervals[i] > intervals[longest]) longest = i;
         for (const auto& stage : timeline.stages)

@@ -36,17 +36,16 @@ const char* name_of(RecordFinding::Kind kind);
 
 using RecordFindings = std::vector<RecordFinding>;
 
+/// An interval between samples is a gap where it is so many times as long as the three to each
+/// side.
+inline constexpr double gap_factor = 4;
+inline constexpr std::size_t longest_outlier = 10;  ///< samples
+
 /// The record without outliers: up to ten samples away from both neighbours by more than eight
 /// standard deviations of the differences between samples, and four times as far as any of the
 /// three samples to each side are from theirs, between samples that agree. Throws
 /// contact::InputError where the shift never changes: a dead channel.
 Record without_outliers(const Record& record, RecordFindings& findings);
-
-/// Levels that change from one sample to the next, by as much as outliers do, and stay; but for
-/// gaps. `loading`: when F_T was applied [s], which is none. More than one in two periods may be
-/// slip of the contact at the turning points: they are said, but do not spoil the record.
-void find_jumps(const Record& record, const DriveTimeline& timeline, std::optional<double> loading,
-                RecordFindings& findings);
 
 /// From `from` on [s]: values that repeat longer than noise lets them (once in 10^9 samples, by how
 /// often neighbours are equal in the rest before rolling): a sensor that is clipped where this is

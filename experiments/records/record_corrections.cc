@@ -88,8 +88,6 @@ RecordCorrections::RecordCorrections(const Record& record, const Experiment& exp
     reference_ = timeline.start();
     run.rest = timeline.start() - loading_;
     run.rest_is_whole = loading.has_value();
-    find_jumps(record, timeline, loading ? std::optional(loading->half_way) : std::nullopt,
-               run.findings);
     find_repeated_values(record, timeline, loading_, run.findings);
     // A load that was applied in the record has the first half of the rest to settle.
     const double from = loading ? (loading_ + timeline.start()) / 2 : first;

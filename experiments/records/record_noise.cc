@@ -5,7 +5,7 @@
 #include <numeric>
 #include <stdexcept>
 
-#include "experiments/records/noise_covariance.h"
+#include "statistics/estimate.h"
 
 namespace tricontact::experiments {
 
@@ -39,6 +39,7 @@ RecordNoise::RecordNoise(const std::vector<double>& residuals, double step) : re
         static_cast<double>(n - 2);
     standard_deviation = std::sqrt(variance);
     degrees_of_freedom = std::max(1, static_cast<int>(n) - 2);
+    independent_samples = static_cast<double>(n);
     if (variance == 0) return;
     covariance = {variance};
     if (n < fewest_for_memory) return;
@@ -46,6 +47,8 @@ RecordNoise::RecordNoise(const std::vector<double>& residuals, double step) : re
     covariance = probable.by_lag;
     degrees_of_freedom = static_cast<int>(probable.degrees_of_freedom);
     correlated_samples = probable.correlated_samples;
+    independent_samples = static_cast<double>(n) / correlated_samples;
+    possible = probable.possible;
 }
 
 double RecordNoise::standard_error(const std::vector<double>& weights) const {
@@ -56,6 +59,14 @@ double RecordNoise::standard_error(const std::vector<double>& weights) const {
         variance += total * total * resolution * resolution / 12;
     }
     return std::sqrt(std::max(variance, 0.));
+}
+
+double RecordNoise::coverage_factor(double confidence) const {
+    const int of_samples = std::max(1, static_cast<int>(independent_samples) - 2);
+    const double by_samples = statistics::student_t(confidence, of_samples);
+    return possible.empty()
+               ? by_samples
+               : std::max(by_samples, experiments::coverage_factor(possible, confidence));
 }
 
 double RecordNoise::covariance_at(std::size_t lag) const {

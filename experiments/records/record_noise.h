@@ -2,6 +2,8 @@
 
 #include <vector>
 
+#include "experiments/records/noise_covariance.h"
+
 namespace tricontact::experiments {
 
 /// Noise of evenly sampled values, as seen while nothing moves: neighbours may be correlated, for
@@ -13,6 +15,8 @@ struct RecordNoise {
     int degrees_of_freedom = 1;      ///< of errors by it
     /// That count as one independent, at least 1.
     double correlated_samples = 1;
+    double independent_samples = 3;
+    std::vector<PossibleError> possible;  ///< errors of a mean; empty: nothing remembers
 
     RecordNoise() = default;
     /// From at least three residuals about a trend, of mean zero.
@@ -22,6 +26,10 @@ struct RecordNoise {
     /// sum_ij k_i k_j c(|i - j|). Noise below half a step does not average the steps out: then
     /// resolution^2/12 is added as if all were rounded alike.
     double standard_error(const std::vector<double>& weights) const;
+    /// Half width of an interval in standard errors: by the degrees of freedom of independent
+    /// samples, and by the errors that are possible where the memory is not known. These are seldom
+    /// much larger: what 95 % need is no measure of what 68 % need.
+    double coverage_factor(double confidence) const;
     /// Of two samples that are so far apart.
     double covariance_at(std::size_t lag) const;
 };

@@ -15,7 +15,7 @@ said() { grep -qF -- "$2" "$1.out" || complain "block $1 does not say '$2': $(ca
 said 2 'b/D_c = 0.843'
 said 2 'Indentation is 37.7 % below Hertz'
 said 2 'The stiffness is 2.06 times'
-said 2 'finds 2.50 MPa where the layer has 2.02 MPa: 24 % too high'
+said 2 'would give 2.50 MPa for a layer of 2.02 MPa: 24 % too high'
 said 2 'changes the static shift by 0.24 % only'
 said 2 'not given: rig.eigenfrequency'
 said 2 'not given: rig.pivot_displacement'
@@ -25,12 +25,12 @@ grep -q '^bem-layer .* 0.703[0-9]* *0.703' 4.out || complain "the limit: $(cat 4
 said 4 '0.6953125: shakedown after 26 periods'
 grep -q '5.71 MPa' 5.out && grep -q '4.22 MPa' 5.out || complain "E: $(cat 5.out)"
 said 7 'Shakedown in 3 of 3 runs'
-grep -q '^BEM layer, all periods: .*agrees; .* would have seen 16 %.*contributors: substrate.young 90 %' 7.out || complain "the layer: $(cat 7.out)"
-grep -q '^BEM, all periods: .*disagrees; .* would have seen 17 %' 7.out || complain "the half-space: $(cat 7.out)"
+grep -q '^BEM layer, all periods: .*agrees; .* would have seen 17 %.*contributors: substrate.young 90 %' 7.out || complain "the layer: $(cat 7.out)"
+grep -q '^BEM, all periods: .*disagrees; .* would have seen 18 %' 7.out || complain "the half-space: $(cat 7.out)"
 grep -q '^BEM: U_stat .*(−18.6 %)' 7.out || complain "how far the half-space is off: $(cat 7.out)"
 # With E to 3 % the same records resolve what the page says.
 sed 's/2.5 ± 0.2 MPa/2.5 MPa ± 3 %/; s/^models = .*/models = ["bem-layer"]/' my_rig.toml >better.toml
 "$program" experiment better.toml --quiet >better.txt || complain "better E: $(cat better.txt)"
-grep -q '^BEM layer, all periods: .*would have seen \(7.[5-9]\|8\|8.[0-4]\) %' better.txt || complain "with a better E: $(cat better.txt)"
+grep -q '^BEM layer, all periods: .*would have seen \(8.[5-9]\|9\|9.[0-4]\) %' better.txt || complain "with a better E: $(cat better.txt)"
 
 finish

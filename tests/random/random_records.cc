@@ -3,6 +3,8 @@
 // their true shift: contacts that differ from run to run by 1 %, drift, wobble, noise that is white
 // or correlated over 3 s. True models are called a disagreement in at most 5 % of the statements,
 // whatever the steps of the models, and cases whose limit lies within the stated errors are named.
+// No record of them has a jump; one that is added (ten standard deviations of the noise and more
+// beyond what neighbouring samples change) is named.
 // usage: random_records SEED N
 #include <fmt/format.h>
 #include <unistd.h>
@@ -32,6 +34,7 @@ namespace {
 using contact::Case;
 
 constexpr int n_periods = 10;
+constexpr double noise = .1e-6;  // standard deviation [m]
 
 /// Stated numbers and their relative errors.
 struct Rig {
@@ -117,7 +120,7 @@ experiments::Record record_of(const contact::History& history, double memory, do
             shifts.back() = step.shift[0];
         }
     const double scale = 1 + .01 * gauss(random), drift = 2e-9 * gauss(random),
-                 wobble = 1e-3 * gauss(random), noise = .1e-6;
+                 wobble = 1e-3 * gauss(random);
     const double kept = memory > 0 ? std::exp(-interval / memory) : 0;
     double now = gauss(random);
     experiments::Record record{.name = "run", .time = {}, .shift = {}, .drive = {}};
@@ -144,8 +147,30 @@ void write(const experiments::Record& record, const std::filesystem::path& file)
 struct Counts {
     int records = 0, statements = 0, false_rejections = 0, records_rejected = 0;
     int within = 0, named = 0;
-    std::map<std::string, int> findings = {};  ///< runs with one of the kind
+    int runs = 0, spoilt = 0, jumps_named = 0;  ///< of as many jumps as experiments
+    std::map<std::string, int> findings = {};   ///< runs with one of the kind
 };
+
+/// The record with a jump somewhere between its third and its last sample but three is named.
+bool jump_is_named(experiments::Record record, const experiments::Experiment& experiment,
+                   Random& random) {
+    const auto last = static_cast<double>(record.shift.size()) - 4;
+    const auto i = static_cast<std::size_t>(between(random, {4, last}));
+    double largest = 0;
+    for (std::size_t k = i - 3; k <= i + 3; ++k)
+        largest = std::max(largest, std::abs(record.shift[k] - record.shift[k - 1]));
+    const double sign = between(random, {0, 1}) < .5 ? -1 : 1;
+    const double size = sign * between(random, {1, 5}) * (largest + 10 * noise);
+    for (std::size_t k = i; k < record.shift.size(); ++k) record.shift[k] += size;
+    const auto run = experiments::evaluate_run(record, experiment);
+    const bool named = std::ranges::any_of(run.findings, [](const auto& finding) {
+        return finding.kind == experiments::RecordFinding::Kind::jump;
+    });
+    if (!named)
+        fmt::print("a jump of {:.3g} µm at {} s was not named; neighbours change by {:.3g} µm\n",
+                   1e6 * size, record.time[i], 1e6 * largest);
+    return named;
+}
 
 /// One experiment; `n`: how many runs, and which noise, take turns.
 void add_experiment(Random& random, int n, const std::filesystem::path& folder,
@@ -186,6 +211,8 @@ void add_experiment(Random& random, int n, const std::filesystem::path& folder,
     const double margin =
         rig.tangential / (rig.friction * rig.force) / (1 - 1.5 * w + .5 * w * w * w) - 1;
     const bool within = std::abs(margin) < 1.5 * rig.friction_error;
+    const bool jump_named =
+        jump_is_named(input.experiment.records.front(), input.experiment, random);
     const std::string names[] = {"all", fmt::format("{} runs", n_runs),
                                  memory > 0 ? "correlated" : "white", rig.near ? "near" : "far"};
     for (const std::string& name : names) {
@@ -196,6 +223,9 @@ void add_experiment(Random& random, int n, const std::filesystem::path& folder,
         c.records_rejected += rejected > 0;
         c.within += within;
         c.named += within && (prediction.chance_of_ratcheting || prediction.slides_within);
+        c.runs += n_runs;
+        c.jumps_named += jump_named;
+        for (const auto& run : evaluation.runs) c.spoilt += run.is_spoilt();
         for (const auto& run : evaluation.runs)
             for (const auto& finding : run.findings) ++c.findings[name_of(finding.kind)];
     }
@@ -215,14 +245,23 @@ int check(std::uint64_t seed, int n) {
     for (const auto& [name, c] : counts) {
         fmt::print(
             "{}: {} experiments; {} of {} statements rejected wrongly ({:.1f} %), in {} "
-            "experiments; limit well within the errors in {}, named in {}; findings:",
+            "experiments; limit well within the errors in {}, named in {}; {} added jumps named; "
+            "of {} runs "
+            "not compared {}; findings:",
             name, c.records, c.false_rejections, c.statements,
-            100. * c.false_rejections / c.statements, c.records_rejected, c.within, c.named);
+            100. * c.false_rejections / c.statements, c.records_rejected, c.within, c.named,
+            c.jumps_named, c.runs, c.spoilt);
         for (const auto& [kind, n_found] : c.findings) fmt::print(" {} {}", kind, n_found);
         fmt::print("\n");
         // Statements of an experiment go together: three standard deviations of experiments.
         const double part = double(c.false_rejections) / c.statements;
-        holds = holds && part < .05 + 3 * std::sqrt(.05 * .95 / c.records) && c.named == c.within;
+        // In the first period of an amplitude a contact that settles may do four times what it does
+        // in the next: a jump below that is not told from it. One in 80 jumps lies there at the
+        // phase of such slip.
+        const bool jumps_hold =
+            !c.findings.contains("jump") && c.jumps_named >= c.records - 1 - c.records / 80;
+        holds = holds && jumps_hold && part < .05 + 3 * std::sqrt(.05 * .95 / c.records) &&
+                c.named == c.within;
     }
     return holds ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -66,10 +66,21 @@ TEST(ExperimentRun, IntervalsOfOneRunCoverTheTruthAsOftenAsTheyClaim) {
         const double lost = correlation > 0 ? 0.05 : 0;
         EXPECT_NEAR(n_static / double(n_runs), 0.95, scatter(0.95, n_runs) + lost);
         EXPECT_NEAR(n_final / double(n_runs), 0.95, scatter(0.95, n_runs) + lost);
-        EXPECT_NEAR(n_middle / double(n_runs), 0.683, scatter(0.683, n_runs) + lost);
-        EXPECT_NEAR(n_drift / double(n_runs), 0.683, scatter(0.683, n_runs) + lost);
-        for (const int n : n_increment)
-            EXPECT_NEAR(n / double(n_runs), 0.683, scatter(0.683, n_runs) + lost);
+        // No fewer than claimed. More by what widens them on purpose: Birge's ratio R of two drifts
+        // that are normal and equally well known is |N(0, 1)|, so that max(1, R) standard errors of
+        // their mean, which R does not depend on, hold in (1 + p^2)/2 of the cases, p = .683; and a
+        // slow part of the noise that the rest cannot exclude widens by up to 8 % in the mean of
+        // white rests (coverage_factor): P(|z| < 1.08) = .720, with Birge's ratio .768.
+        constexpr double claimed = .683, by_birge = (1 + claimed * claimed) / 2, by_memory = .720,
+                         by_both = .768;
+        const auto between = [&](int n, double most) {
+            EXPECT_GE(n / double(n_runs), claimed - scatter(claimed, n_runs) - lost);
+            EXPECT_LE(n / double(n_runs), most + scatter(most, n_runs));
+        };
+        between(n_middle, by_both);
+        between(n_drift, by_birge);
+        between(n_increment[0], by_memory);
+        between(n_increment[1], by_both);
     }
 }
 
