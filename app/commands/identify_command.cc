@@ -216,10 +216,12 @@ void print(const IdentificationStudy& study, std::ostream& out) {
             out << fmt::format(" {:<32}", k ? experiments::shown(model, *k) : "none");
         }
         const auto [squares, degrees] = experiments::chi_squared(model);
-        out << fmt::format(" {:>8.5f}  {}\n", found.r_squared,
-                           found.goodness ? fmt::format("{}, {:.4g} degrees of freedom",
-                                                        report::significant(squares, 3), degrees)
-                                          : "errors estimated");
+        out << fmt::format(
+            " {:>8}  {}\n",
+            std::isfinite(found.r_squared) ? fmt::format("{:.5f}", found.r_squared) : "undefined",
+            found.goodness ? fmt::format("{}, {:.4g} degrees of freedom",
+                                         report::significant(squares, 3), degrees)
+                           : "errors estimated");
     }
     for (const IdentifiedModel& model : study.models)
         if (model.posterior) out << experiments::posterior_sentence(model) << '\n';

@@ -18,6 +18,11 @@ namespace tricontact::experiments {
 
 namespace {
 
+/// R^2; undefined where the observed values do not vary.
+double determination(double sum_of_squares, double about_mean) {
+    return about_mean > 0 ? 1 - sum_of_squares / about_mean : contact::undefined;
+}
+
 // First step from the best value when an edge of an interval is looked for: of the linearised half
 // width, else of the coordinate; and its growth.
 constexpr double first_part = .7, first_step = 1e-4, step_growth = 1.6;
@@ -160,7 +165,7 @@ void add_tables(const IdentificationTask& task, const BestSumOfSquares& squares,
         }
         fit.residual_standard_deviation = std::sqrt(squares_si / fit.degrees_of_freedom);
         const double about_mean = total_of(table.observed, fit.standard_errors);
-        fit.r_squared = 1 - fit.sum_of_squares / about_mean;
+        fit.r_squared = determination(fit.sum_of_squares, about_mean);
         explained += fit.sum_of_squares;
         total += about_mean;
         if (!table.standard_errors.empty()) {
@@ -170,7 +175,7 @@ void add_tables(const IdentificationTask& task, const BestSumOfSquares& squares,
         }
         found.tables.push_back(std::move(fit));
     }
-    found.r_squared = 1 - explained / total;
+    found.r_squared = determination(explained, total);
     if (known_degrees > 0) found.goodness = gsl_cdf_chisq_Q(known, known_degrees);
 }
 
