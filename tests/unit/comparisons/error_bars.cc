@@ -139,8 +139,8 @@ TEST(ErrorBars, OfTheDriftAreThoseOfTheWalk) {
     EXPECT_NEAR(with.value - with.low, std::hypot(without.value - without.low, drift), 1e-15);
 }
 
-// Drifts that contradict each other: Birge's ratio, here of two values, makes the error of their
-// weighted mean |d| (v_a v_b)^(1/2)/(v_a + v_b).
+// Drifts that contradict each other are no samples of one: their plain mean counts, and both stand
+// at an end of its error.
 TEST(ErrorBars, OfDriftsThatContradictEachOther) {
     std::mt19937_64 random(4);
     Experiment experiment;
@@ -149,10 +149,8 @@ TEST(ErrorBars, OfDriftsThatContradictEachOther) {
     for (std::size_t i = 0; i < record.time.size(); ++i)
         record.shift[i] += 1e-9 * record.time[i] * record.time[i];
     const experiments::RunEvaluation run = experiments::evaluate_experiment(experiment).runs.at(0);
-    const double a = run.before.standard_error, b = run.after->standard_error;
     EXPECT_TRUE(run.drift_changes);
-    EXPECT_NEAR(run.drift.standard_error,
-                std::abs(run.after->value - run.before.value) * a * b / (a * a + b * b), 1e-15);
+    EXPECT_NEAR(run.drift.standard_error, std::abs(run.after->value - run.before.value) / 2, 1e-15);
 }
 
 // Of a model that is linear in E the interval of the likelihood is Student's; the level of a region

@@ -191,7 +191,7 @@ TEST(RigSentences, FiniteStrainsAreNotToldBeyondTheirFit) {
     open("mu", 1.2, "an estimate for mu = 1.20");
     open("nu_2", .45, "an estimate for nu_2 = 0.450");
     open("R", 5e-3, "an estimate for a/R = 0.");
-    open("E_1", 50e6, "not rigid");
+    open("E_1", 50e6, "no theory here for an elastic indenter");
 }
 
 TEST(RigSentences, ARollerThatIsNotRigidIsNotComparedWithALayerUnderARigidOne) {

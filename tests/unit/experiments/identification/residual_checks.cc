@@ -234,7 +234,7 @@ TEST(LeftOutAdhesion, IsSaidWithWhatItDoesToRadii) {
     const double cubes = 1 + pull + std::sqrt(2 * pull + pull * pull);  // under 1 N
     const auto verdict = left_out_adhesion(study);
     ASSERT_TRUE(verdict);
-    EXPECT_EQ(verdict->standing, Verdict::Standing::fail);
+    EXPECT_EQ(verdict->standing, Verdict::Standing::violated);
     const auto percent = [](double share) { return report::significant(100 * share, 2) + " %"; };
     EXPECT_EQ(
         verdict->sentence,

@@ -84,8 +84,8 @@ TEST(ToldCombination, ForcesOfAHalfSpaceTellTheModulusTimesTheRootOfTheRadius) {
     EXPECT_NEAR(told[0].standard_error / (force_error / std::sqrt(squares)), 1, .02);
     EXPECT_NEAR(found.best()[0] * std::sqrt(found.best()[1]) / (young * std::sqrt(radius)), 1,
                 4 * told[0].standard_error);
-    EXPECT_EQ(sentence(told[0], found).substr(0, 51),
-              "E and R are identifiable only in the combination E R^0.50 (");
+    EXPECT_TRUE(sentence(told[0], found)
+                    .starts_with("E and R are identifiable only in the combination E R^0.50 ("));
     // Alone they are open.
     EXPECT_TRUE(std::isinf(found.parameters[0].standard_error));
     for (const ParameterEstimate& one : found.parameters) {

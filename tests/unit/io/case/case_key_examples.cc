@@ -45,7 +45,7 @@ std::string case_of(std::string_view path) {
         {"indenter.length", "rig_cylinder"},         {"indenter.chamfer", "rig_cylinder_roller"},
         {"indenter.radius_y", "body_ellipsoid"},     {"indenter.angle", "body_cone"},
         {"indenter.exponent", "body_power_law"},     {"indenter.flat_radius", "body_rounded_punch"},
-        {"indenter.roughness", "rough_plane"},       {"path", "path_forces"},
+        {"indenter.roughness", "rough_plane"},       {"path", "path_twist"},
         {"tractive_rolling", "rolling_spin"},        {"tractive_rolling.speed", "rolling_relaxing"},
         {"output.volume_depth", "rig_sphere_inside"}};
     for (const std::string_view key : {path, section_of(path)})

@@ -69,7 +69,7 @@ Case::Load any_load(double mu, double force, double indentation, bool oscillatin
         load.normal_force = force;
     else
         load.indentation = indentation;
-    const double ratio = between(0, 0.5);
+    const double ratio = between(0.01, 0.5);  // an F_T of 0 has no amplitude
     if (*rc::gen::arbitrary<bool>())
         load.tangential_ratio = ratio;
     else
