@@ -17,7 +17,7 @@ namespace {
 constexpr std::size_t beside = 3;           // samples to each side
 constexpr std::size_t phase_tolerance = 2;  // samples to each side of the same phase
 constexpr std::size_t settling = 4;         // periods
-constexpr double at_first = 4, while_settling = 1.6,
+constexpr double at_first = 4, while_settling = 2,
                  settled = 1.25;               // times those of the periods beside
 constexpr double visible = 6, beyond = 4;      // standard deviations of differences
 constexpr double steps = 3;                    // of the resolution
