@@ -9,6 +9,7 @@
 #include <limits>
 
 #include "comparisons/quantities/reference.h"
+#include "comparisons/run/error_note.h"
 #include "comparisons/run/input_reading.h"
 #include "report/format.h"
 
@@ -167,43 +168,6 @@ std::string not_tested(const Case& c, const std::vector<Results>& results) {
 bool ends_at_prescribed_shift(const Case& c) {
     return c.prescribed_path && c.prescribed_path->rows.back().tangential[0].kind ==
                                     contact::TangentialControl::Kind::shift;
-}
-
-/// "217.9 ± 1.1 µm".
-std::string value_text(double value, const char* base, std::optional<double> error) {
-    if (!error || *error == 0) return report::quantity(value, base);
-    const report::Unit unit = report::fitting_unit(value, base);
-    return report::with_error(value / unit.factor, *error / unit.factor) + ' ' + unit.symbol;
-}
-
-/// Half width of the finest level's value; empty of what is not refined.
-std::optional<double> refined_width(const std::optional<Refinement>& refinement,
-                                    const Quantity& q) {
-    if (refinement)
-        for (const RefinedQuantity& refined : refinement->quantities)
-            if (refined.quantity == &q) return refined.limit.error;
-    return {};
-}
-
-std::string refinement_note(const Refinement& refinement, const Quantity& q) {
-    return refined_width(refinement, q)
-               ? " ± is the error of the finest mesh, estimated from all levels."
-               : " What the mesh leaves in it is told by the section on the refinement.";
-}
-
-std::string error_note(const std::optional<NumericalError>& error, const Quantity& q) {
-    if (!error) return " Its numerical error was not asked for (--no-studies).";
-    if (error->is_exact(q)) return fmt::format(" The {} is exact: the case prescribes it.", q.name);
-    if (error->of(q) && !error->why_no_steps.empty())
-        return " ± is the error of the mesh, estimated with coarser ones; that of the steps is not "
-               "known: " +
-               error->why_no_steps + ".";
-    if (error->of(q))
-        return fmt::format(" ± is the error of mesh{} and steps, estimated with coarser ones.",
-                           error->wide_block ? ", width of the block" : "");
-    return error->why_none.empty()
-               ? " The error of mesh and steps is not known: coarser ones give no such number."
-               : " The error of mesh and steps is not known: " + error->why_none + ".";
 }
 
 }  // namespace

@@ -74,6 +74,17 @@ std::vector<std::vector<double>> starts_of(const std::vector<FreeParameter>& par
     return starts;
 }
 
+/// The place with all terms of relaxation as small as they may be, but for a held one: the valley
+/// of a slow, large term and that of none are apart, and a search ends in one of them.
+std::vector<double> without_terms(const std::vector<FreeParameter>& parameters,
+                                  const statistics::Bounds& bounds, std::size_t held,
+                                  std::vector<double> x) {
+    for (std::size_t i = 0; i < parameters.size(); ++i)
+        if (i != held && parameters[i].key == "substrate.relaxation.relative_moduli")
+            x[i] = bounds.low[i];
+    return x;
+}
+
 }  // namespace
 
 BestSumOfSquares::BestSumOfSquares(const IdentificationTask& task) : task_(task) {
@@ -157,7 +168,15 @@ statistics::BoundedFit BestSumOfSquares::profile(std::size_t k, double coordinat
     statistics::Bounds held = bounds_;
     held.low[k] = held.high[k] = x[k] = coordinate;
     if (!std::isfinite(at(x))) return {std::move(x), contact::infinity};
-    return statistics::fit_within([this](const auto& at) { return residuals(at); }, x, held);
+    const auto from = [&](const std::vector<double>& start) {
+        return statistics::fit_within([this](const auto& at) { return residuals(at); }, start,
+                                      held);
+    };
+    auto best = from(x);
+    const std::vector<double> bare = without_terms(task_.parameters, bounds_, k, x);
+    if (bare == x || !std::isfinite(at(bare))) return best;
+    auto other = from(bare);
+    return other.sum_of_squares < best.sum_of_squares ? other : best;
 }
 
 std::vector<std::vector<double>> BestSumOfSquares::logarithmic_slopes(

@@ -78,7 +78,12 @@ double edge(const BestSumOfSquares& squares, const std::vector<FreeParameter>& p
     };
     // An infinite sum has no root finder: a large one has its edge at the same place.
     const auto beyond = [&](double way) {
-        const auto fit = squares.profile(k, coordinate(way), nearest);
+        auto fit = squares.profile(k, coordinate(way), nearest);
+        // Far out the others are elsewhere, from where a search may not come back.
+        if (fit.sum_of_squares > level)
+            if (auto other = squares.profile(k, coordinate(way), best.x);
+                other.sum_of_squares < fit.sum_of_squares)
+                fit = std::move(other);
         if (std::isfinite(fit.sum_of_squares)) nearest = fit.x;
         return std::min(fit.sum_of_squares - level, 1e300);
     };

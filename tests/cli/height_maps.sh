@@ -43,7 +43,7 @@ sdf() {
     echo '*'
 }
 sdf aISO-1.0 -1 >iso1.sdf
-sdf aISO-2.0 -1 | sed '/=/!s/\./,/g' >iso2.sdf
+sdf aISO-2.0 -1 | sed '1!{/=/!s/\./,/g}' >iso2.sdf
 sdf aISO-2.0 1 >gap.sdf
 
 # case FILE [KEYS]
@@ -109,14 +109,14 @@ cp out_iso1/case.toml again.toml
 run again
 cmp -s out_plain/bem/history.csv out_again/bem/history.csv || complain "the resolved case turns the map over"
 
-# Turned over it stands on its corners: said by check, terminal, summary and report.
+# Turned over it stands on its corners, most of the force on the cells of the border: said by check, terminal, summary and report.
 map_case summit_up.csv >corners.toml
 "$program" run corners.toml --no-studies --output out_corners >corners.out 2>&1 || complain "$(cat corners.out)"
-grep -q 'warning: bem: cells at the border of the height map carry 100 % of F_N' corners.out ||
+grep -q 'warning: bem: cells at the border of the height map carry [5-9][0-9] % of F_N' corners.out ||
     complain "no warning: $(cat corners.out)"
 grep -q 'the map is turned over; heights = "outward" turns it' corners.out || complain "no remedy: $(cat corners.out)"
 "$program" check corners.toml | grep -q 'heights = "outward" turns it' || complain "check says nothing"
-grep -q '"border_force_share": 1' out_corners/summary.json || complain "$(grep border out_corners/summary.json)"
+grep -q '"border_force_share": 0.[5-9]' out_corners/summary.json || complain "$(grep border out_corners/summary.json)"
 grep -q 'The height map is larger than the contact: cells at the border' out_corners/report.html ||
     complain "the report says nothing"
 grep -q '"border_force_share": 0' out_plain/summary.json || complain "$(grep border out_plain/summary.json)"

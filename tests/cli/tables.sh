@@ -37,7 +37,7 @@ iconv -t UTF-16 plain.csv >utf16.csv
 { echo '# an instrument'; echo "# ${header//,/}"; tr -d , <rows; } >savetxt.csv
 for name in plain r r_german pandas quoted units preamble utf16 savetxt; do
     with $name.csv >$name.toml
-    "$program" identify $name.toml --output out_$name --quiet --no-report >$name.out 2>&1 ||
+    "$program" identify $name.toml --output out_$name --quiet >$name.out 2>&1 ||
         complain "$name: $(cat $name.out)"
     [ "$(young out_$name value)" = "$(young out_plain value)" ] || complain "$name: E = $(young out_$name value)"
 done
@@ -53,7 +53,7 @@ with "$work/curve.csv" >curve.toml
 refused 'indentation = -700: there is no contact at this depth, counted from where it begins; add "zero_depth" to measurement.find, or leave out the rows before contact' \
     identify "$work/curve.toml" --output out
 sed 's/find = .*/find = ["substrate.young", "zero_depth"]/' curve.toml >zero.toml
-"$program" identify zero.toml --output out_zero --quiet --no-report >zero.out 2>&1 || complain "zero: $(cat zero.out)"
+"$program" identify zero.toml --output out_zero --quiet >zero.out 2>&1 || complain "zero: $(cat zero.out)"
 "$python" - <<'PYTHON' || complain "E or the depth of contact: $(cat zero.out)"
 import json
 m = json.load(open("out_zero/identify.json"))["models"]["half-space"]
@@ -71,10 +71,10 @@ refused 'force_indentation tells zero_depth only beside the modulus; add "substr
 sed 's/find = .*/find = ["substrate.young", "zero_depth"]/; s/, *"half-space"//; s/"half-space", *//' \
     "$source_dir/examples/measurements/rig_indentation.toml" >layer.toml
 cp "$source_dir/examples/measurements/rig_indentation.csv" .
-"$program" identify layer.toml --output out_layer --quiet --no-report >layer.out 2>&1 || complain "layer: $(cat layer.out)"
+"$program" identify layer.toml --output out_layer --quiet >layer.out 2>&1 || complain "layer: $(cat layer.out)"
 awk -F, -v OFS=, '/^#|indentation/ { print; next } NF { $1 = $1 - 1000; print }' rig_indentation.csv >moved.csv
 sed 's/rig_indentation.csv/moved.csv/' layer.toml >moved.toml
-"$program" identify moved.toml --output out_moved --quiet --no-report >moved.out 2>&1 || complain "moved: $(cat moved.out)"
+"$program" identify moved.toml --output out_moved --quiet >moved.out 2>&1 || complain "moved: $(cat moved.out)"
 "$python" - <<'PYTHON' || complain "zero_depth on a layer: $(cat layer.out moved.out)"
 import json
 here, there = (json.load(open(f"out_{name}/identify.json"))["models"]["layer"] for name in ("layer", "moved"))

@@ -131,9 +131,8 @@ TEST(ErrorBars, OfTheDriftAreThoseOfTheWalk) {
     const statistics::Estimate without =
         experiments::fit_settling(stage.shift, experiments::verdict_confidence).increment;
     const statistics::Estimate& with = stage.settling.increment;
-    const double drift =
-        statistics::student_t(experiments::verdict_confidence, run.degrees_of_freedom) *
-        run.drift.standard_error * stage.period;
+    const double drift = run.noise.coverage_factor(experiments::verdict_confidence) *
+                         run.drift.standard_error * stage.period;
     EXPECT_GT(drift, 0);
     EXPECT_NEAR(with.high - with.value, std::hypot(without.high - without.value, drift), 1e-15);
     EXPECT_NEAR(with.value - with.low, std::hypot(without.value - without.low, drift), 1e-15);

@@ -155,7 +155,8 @@ TEST(ResidualChecks, WhatFewRowsDoNotTestIsSaid) {
     IdentificationTask task = shift_task(8);
     task.tables[0].standard_errors.assign(8, noise_of(task));
     do add_noise(task = shift_task(8), 0, generator);
-    while (identify(task).has_pattern());
+    // Where a correlation that is not excluded would hardly widen the intervals nothing is said.
+    while (identify(task).has_pattern() || identify(task).possible_widening < 1.3);
     const std::string text = sentences_of(study_of(task, "layer"));
     EXPECT_TRUE(has(text,
                     "Errors of different rows are assumed to be independent. The residuals "
@@ -290,12 +291,13 @@ IdentificationTask relaxation_task(double g) {
 TEST(ResidualChecks, ATimeWithoutItsTermIsNotIdentifiable) {
     std::mt19937_64 generator(16);
     std::normal_distribution<double> gauss;
+    int n_missed = 0;
     for (int k = 0; k < 20; ++k) {
         IdentificationTask task = relaxation_task(0);
         for (double& force : task.tables[0].observed) force += .02 * gauss(generator);
         const IdentificationStudy study = study_of(task, "layer");
         const Identification& found = study.models[0].found;
-        EXPECT_TRUE(covers(found, young) || found.goodness < .1 || found.has_pattern());
+        n_missed += !covers(found, young);
         if (found.parameters[1].likelihood.low > 1e-6) continue;  // one of twenty
         EXPECT_EQ(found.parameters[2].likelihood.low, 0);
         const std::string text = sentences_of(study);
@@ -305,6 +307,7 @@ TEST(ResidualChecks, ATimeWithoutItsTermIsNotIdentifiable) {
                     has(text, "tau_1 is identifiable from one side only"))
             << text;
     }
+    EXPECT_LE(n_missed, 3);  // of 20 intervals of 95 %: four and more would be 1.6 % by chance
     // And one that does relax has its time.
     IdentificationTask task = relaxation_task(.4);
     EXPECT_FALSE(has(sentences_of(study_of(task, "layer")), "identifiable"));
