@@ -9,7 +9,7 @@
 #include <limits>
 
 #include "comparisons/quantities/reference.h"
-#include "comparisons/run/error_note.h"
+#include "comparisons/resolution/error_note.h"
 #include "comparisons/run/input_reading.h"
 #include "report/format.h"
 

@@ -1,4 +1,4 @@
-#include "comparisons/run/error_note.h"
+#include "comparisons/resolution/error_note.h"
 
 #include <fmt/format.h>
 
