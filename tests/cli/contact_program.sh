@@ -79,6 +79,9 @@ sed '/^% Case of Tricontact/,$d' path/path_twist.inp >path/plain.inp
 "$program" import path/plain.inp --output path_back >told.txt || complain "import of a path: $(cat told.txt)"
 grep -q '^centre_of_rotation = "substrate"' path_back/plain.toml || complain "the centre of rotation: $(cat path_back/plain.toml)"
 "$program" run "$cases/path_twist.toml" --models bem "${coarse[@]}" --output run_path --quiet --no-report || complain "run of a path"
+# CONTACT's cases act at once; each in proportion they are the steps of the path.
+grep -q '^steps = 0$' path_back/plain.toml || complain "the steps: $(grep steps path_back/plain.toml)"
+sed -i 's/^steps = 0$/steps = 1/' path_back/plain.toml
 "$program" run path_back/plain.toml --output run_path_back --quiet --no-report || complain "run of an imported path"
 for name in normal_force_N tangential_force_x_N tangential_force_y_N dissipation_J stored_energy_J; do
     paste <(column "$name" run_path/bem/history.csv) <(column "$name" run_path_back/bem/history.csv) |
