@@ -36,7 +36,8 @@ constexpr std::array<std::pair<Study::Scale, const char*>, 5> scale_names{
      {Study::Scale::root_to, "root-to"}}};
 
 const char* word_of(Study::Scale scale) {
-    return std::ranges::find(scale_names, scale, &std::pair<Study::Scale, const char*>::first)->second;
+    return std::ranges::find(scale_names, scale, &std::pair<Study::Scale, const char*>::first)
+        ->second;
 }
 
 Study::Scale scale_of(const std::string& word) {

@@ -217,7 +217,7 @@ struct Case {
     std::optional<double> c01_ratio;       ///< c01/(c10 + c01) of Mooney and Rivlin's law [-]
     std::optional<Relaxation> relaxation;  ///< of the substrate; empty: elastic
     RelaxationInput relaxation_input;
-    std::optional<DmaFit> dma_fit;  ///< table and fit, if `relaxation` comes from one
+    std::optional<DmaFit> dma_fit;              ///< table and fit, if `relaxation` comes from one
     std::optional<RelaxationTestFit> test_fit;  ///< likewise, of a relaxation test
     Layer layer;
     std::optional<LowerLayersInput> lower_layers_input;  ///< while the case is read

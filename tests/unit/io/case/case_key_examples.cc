@@ -58,7 +58,7 @@ TEST(CaseKeys, EveryKeyHasAMeaningAndAnExampleThatIsAccepted) {
         EXPECT_FALSE(key.text.empty()) << key.path;
         if (key.path == "substrate.relaxation.dma") continue;   // a file: io_relaxation.cc
         if (key.path == "substrate.relaxation.test") continue;  // a file: cli/tables.sh
-        if (key.path == "bem.influence") continue;             // a file: cli/influence.sh
+        if (key.path == "bem.influence") continue;              // a file: cli/influence.sh
         if (key.path == "indenter.file" || key.path == "indenter.spacing" ||
             key.path == "indenter.unit" || key.path == "indenter.heights")
             continue;                           // files: cli/bodies.sh, cli/height_maps.sh
