@@ -112,6 +112,7 @@ def as_numbers(text, part):
         for key in part:
             value = value[key]
         text = json.dumps(without_case(value))
+    text = text.split("% Case of Tricontact")[0]  # which export writes behind its numbers
     return re.sub(r"\d+(\.\d+)? s\b", "", re.sub(r"(?m)^(#|%|!).*$", "", text))
 
 
@@ -144,6 +145,7 @@ def cell(program, name, command, feature):
     bases = {**feature.get("base", {}), **command.get("over", {})}
     pair = [changed(changed(changed(base, bases), part), command.get("always", {}))
             for part in (feature["one"], feature["other"])]
+    pair[1] = changed(pair[1], feature["over_for"].get(name, {}))
     other = Answer(program, command, pair[1])
     if other.code == 2:
         lines = [line for line in other.said.splitlines() if line.startswith("error: ")]
@@ -213,17 +215,18 @@ def check_keys(program):
 def check_commands(program):
     help_text = subprocess.run([program, "--help"], capture_output=True, text=True, check=True).stdout
     found = re.findall(r"^  ([a-z]+)  ", help_text, re.M)
-    known = {name.split()[0] for name in data.commands} | set(data.commands_without_a_case)
+    known = {name.split()[0] for name in [*data.commands, *data.slow_commands]} | set(data.commands_without_a_case)
     return [f"command {name} has no column (command_features_data.py)" for name in found if name not in known]
 
 
 def main():
     program, table = sys.argv[1:3]
     only = [one for one in sys.argv[3:] if not one.startswith("--")]
-    wanted = [(name, feature) for name, feature in itertools.product(data.commands, data.features)
+    tried = {**data.commands, **{name: one for name, one in data.slow_commands.items() if name in only}}
+    wanted = [(name, feature) for name, feature in itertools.product(tried, data.features)
               if not only or name in only or feature["name"] in only]
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
-        found = list(pool.map(lambda one: cell(program, one[0], data.commands[one[0]], one[1]), wanted))
+        found = list(pool.map(lambda one: cell(program, one[0], tried[one[0]], one[1]), wanted))
     cells = {(name, feature["name"]): value for (name, feature), value in zip(wanted, found)}
     faults = check_keys(program) + check_commands(program)
     faults += [f"{name} x {feature}: {value}" for (name, feature), value in cells.items() if value.startswith("wrong")]
@@ -234,7 +237,7 @@ def main():
     expected = marks_of(table)
     faults += [f"{name} x {feature}: {MARKS[value]}, the table has {expected.get((name, feature), 'no such cell')}"
                for (name, feature), value in cells.items()
-               if value in MARKS and expected.get((name, feature)) != MARKS[value]]
+               if value in MARKS and name in data.commands and expected.get((name, feature)) != MARKS[value]]
     for fault in faults:
         print("FAILED:", fault)
     sys.exit(1 if faults else 0)
