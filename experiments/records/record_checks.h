@@ -26,7 +26,7 @@ struct RecordFinding {
 
     Kind kind{};
     std::string sentence;  ///< without the record's name
-    /// Values of the record are wrong by an amount that nobody knows: no verdict is based on them.
+    /// Values of the record are wrong by an unknown amount: no verdict is based on them.
     bool spoils = false;
 };
 
