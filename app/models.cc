@@ -52,13 +52,7 @@ std::unique_ptr<contact::Model> make_model(const std::string& name, const Case& 
     throw contact::InputError("models: this program was built without the model " + name);
 }
 
-namespace {
-
-/// Element of the mesh that fem makes of the case, and sides of its block [m].
-struct OwnBlock {
-    double size, width, depth;
-};
-OwnBlock own_block([[maybe_unused]] const Case& c, [[maybe_unused]] const Say& say) {
+MeshBlock block_of([[maybe_unused]] const Case& c, [[maybe_unused]] const Say& say) {
 #ifdef TRICONTACT_WITH_FEM
     const meshes::LayerMeshSpec spec = fem_entries().mesh_spec(c, say);
     return {spec.size, 2 * spec.half_x, 2 * spec.half_y};
@@ -66,8 +60,6 @@ OwnBlock own_block([[maybe_unused]] const Case& c, [[maybe_unused]] const Say& s
     throw contact::InputError("models: this program was built without the model fem");
 #endif
 }
-
-}  // namespace
 
 CoarserModel make_coarser_model(const std::string& name, const Case& c, double factor,
                                 int n_threads, const Say& say) {
@@ -80,7 +72,7 @@ CoarserModel make_coarser_model(const std::string& name, const Case& c, double f
     if (name == "fem") {
         if (c.fem.mesh)
             throw contact::InputError("the mesh is a file's; run another one beside it");
-        to.fem.size = factor * (c.fem.size ? *c.fem.size : own_block(c, silent).size);
+        to.fem.size = factor * (c.fem.size ? *c.fem.size : block_of(c, silent).size);
         to.fem.accuracy.reset();
     }
     if (c.bem.spacing) *to.bem.spacing *= factor;
@@ -94,7 +86,7 @@ CoarserModel make_coarser_model(const std::string& name, const Case& c, double f
 std::optional<Case> with_wider_block(const Case& c, double factor, const Say& say) {
     const bool has_depth = !c.is_cylindrical();
     if (c.layer.width && (!has_depth || c.layer.depth)) return {};
-    const OwnBlock block = own_block(c, say);
+    const MeshBlock block = block_of(c, say);
     Case wider = c;
     if (!c.layer.width) wider.layer.width = factor * block.width;
     if (has_depth && !c.layer.depth) wider.layer.depth = factor * block.depth;

@@ -33,6 +33,13 @@ struct CoarserModel {
 CoarserModel make_coarser_model(const std::string& name, const Case& c, double factor,
                                 int n_threads, const Say& say);
 
+/// Element in the contact patch and sides of the block of the mesh that fem makes of a case [m].
+struct MeshBlock {
+    double size, width, depth;
+};
+/// Throws InputError where this program was built without fem.
+MeshBlock block_of(const Case& c, const Say& say);
+
 /// Of fem without a mesh file: its block with sides `factor` times as far apart where the case
 /// leaves that to the model. Empty where no side is the model's choice.
 std::optional<Case> with_wider_block(const Case& c, double factor, const Say& say);

@@ -6,11 +6,9 @@
 #include <cmath>
 #include <utility>
 
+#include "app/models.h"
 #include "app/roll_models.h"
 #include "io/case/case_reader.h"
-#ifdef TRICONTACT_WITH_FEM
-#include "app/fem_entries.h"
-#endif
 
 namespace tricontact::app {
 
@@ -22,19 +20,6 @@ constexpr double least_growth = 1.05;  // that a case file may ask for
 
 std::string length(double metres) {
     return fmt::format("\"{} m\"", metres);
-}
-
-/// Block and element size of our own mesh of the case [m].
-struct MeshBlock {
-    double size, width, depth;
-};
-MeshBlock block_of([[maybe_unused]] const Case& c, [[maybe_unused]] const Say& say) {
-#ifdef TRICONTACT_WITH_FEM
-    const meshes::LayerMeshSpec spec = fem_entries().mesh_spec(c, say);
-    return {spec.size, 2 * spec.half_x, 2 * spec.half_y};
-#else
-    throw contact::InputError("models: this program was built without the model fem");
-#endif
 }
 
 double start_size(const Case& c, const RefineOptions& options, const Say& say) {
