@@ -41,6 +41,7 @@ struct DocumentTable {
     std::vector<Column> columns = {};
     std::vector<std::vector<Cell>> rows = {};
     bool folded = false;  ///< shown on a click
+    bool stacks = false;  ///< on a phone each row is a paragraph, its cells lines
 };
 
 /// The columns of a table by their headings, each with the significant digits of its numbers behind
@@ -73,9 +74,6 @@ struct Verdict {
 /// pages, terminal and JSON.
 const char* word_of(Verdict::Standing standing);
 
-/// The verdicts with a subject as a table, failures first.
-DocumentTable verdict_table(const std::vector<Verdict>& verdicts);
-
 /// Failures first, then what could not be decided, then the rest, each in the given order.
 std::vector<Verdict> by_severity(std::vector<Verdict> verdicts);
 
@@ -86,6 +84,7 @@ struct DocumentSection {
     std::vector<Figure> figures = {};
     std::vector<DocumentTable> tables = {};
     bool printed = false;  ///< on paper also where nobody has unfolded it
+    bool open = false;     ///< unfolded from the beginning
 };
 
 /// What a study, an identification, an evaluated experiment or a rig's check tells its reader.
@@ -97,6 +96,8 @@ struct Document {
     std::optional<DocumentTable> comparison = {};  ///< of those who answer
     std::string verdicts_heading = "Verdict";
     std::vector<Verdict> verdicts = {};
+    /// Headings of the verdicts' table: of Verdict::subject and Verdict::effect.
+    std::string judged = "assumption or comparison", consequence = "effect on what is measured";
     /// Beside answer and verdicts; empty: the first one of the sections.
     std::optional<Figure> figure = {};
     std::optional<Player> player = {};
@@ -110,6 +111,9 @@ struct Document {
     /// them itself.
     std::string plots = {};
 };
+
+/// The verdicts with a subject as a table, failures first.
+DocumentTable verdict_table(const Document& document);
 
 /// All figures; their provenance is the document's version and command.
 std::vector<Figure> figures_of(const Document& document);

@@ -53,7 +53,7 @@ std::string escaped(const std::string& text) {
     return kainjow::mustache::html_escape<std::string>(text);
 }
 
-data cell(const Cell& content, const ColumnStyle& style) {
+data cell(const Cell& content, const ColumnStyle& style, const std::string& heading) {
     const auto* words = std::get_if<std::string>(&content);
     std::string text, value;
     if (words) {
@@ -70,6 +70,7 @@ data cell(const Cell& content, const ColumnStyle& style) {
     return object({{"has_words", is_text(content)},
                    {"is_words", style.words},
                    {"is_heading", words && style.first},
+                   {"heading", heading},
                    {"text", text},
                    {"has_value", !value.empty()},
                    {"value", value}});
@@ -86,7 +87,8 @@ data table(const DocumentTable& content) {
     data rows{data::type::list};
     for (const std::vector<Cell>& row : content.rows) {
         data cells{data::type::list};
-        for (std::size_t i = 0; i < row.size(); ++i) cells << cell(row[i], styles[i]);
+        for (std::size_t i = 0; i < row.size(); ++i)
+            cells << cell(row[i], styles[i], content.columns[i].heading);
         rows << data{"cells", cells};
     }
     return object({{"id", content.id},
@@ -94,6 +96,7 @@ data table(const DocumentTable& content) {
                    {"title_text", content.title},
                    {"note", typeset(content.note)},
                    {"folded", content.folded},
+                   {"stacks", content.stacks},
                    {"columns", columns},
                    {"rows", rows},
                    {"csv", base64(table_csv(content))}});
@@ -118,6 +121,7 @@ data section(const DocumentSection& content, const std::string& plots) {
     for (const DocumentTable& each : content.tables) tables << table(each);
     return object({{"id", content.id},
                    {"heading", typeset(content.heading)},
+                   {"open", content.open},
                    {"paragraphs", paragraphs},
                    {"printed", content.printed},
                    {"section_has_figures", !content.figures.empty()},
@@ -129,7 +133,7 @@ data section(const DocumentSection& content, const std::string& plots) {
 void set_answer(const Document& document, data& page) {
     data list{data::type::list}, answer{data::type::list}, comparison{data::type::list},
         figure{data::type::list};
-    const DocumentTable judged = verdict_table(document.verdicts);
+    const DocumentTable judged = verdict_table(document);
     data judged_list{data::type::list};
     if (!judged.rows.empty()) judged_list << table(judged);
     bool has_cards = false;
@@ -224,12 +228,13 @@ const char* word_of(Verdict::Standing standing) {
     return words[static_cast<int>(standing)];
 }
 
-DocumentTable verdict_table(const std::vector<Verdict>& verdicts) {
-    DocumentTable table{.id = "verdicts",
-                        .title = "Verdicts",
-                        .columns = columns("assumption or comparison", "verdict", "number",
-                                           "threshold", "effect on what is measured")};
-    for (const Verdict& one : by_severity(verdicts))
+DocumentTable verdict_table(const Document& document) {
+    DocumentTable table{
+        .id = "verdicts",
+        .title = "Verdicts",
+        .columns = columns(document.judged, "verdict", "number", "threshold", document.consequence),
+        .stacks = true};
+    for (const Verdict& one : by_severity(document.verdicts))
         if (!one.subject.empty())
             table.rows.push_back({one.subject,
                                   one.word.empty() ? std::string(word_of(one.standing)) : one.word,

@@ -18,7 +18,8 @@ using Style = std::optional<int>;
 
 /// The colour that a curve has of itself.
 Style own_style(const Curve& curve) {
-    return curve.colour || curve.theory ? curve.colour : model_style(curve.name);
+    if (curve.colour || curve.theory) return curve.colour;
+    return curve.name == "measured" ? measured_style : model_style(curve.name);
 }
 
 Style known_style(const std::map<std::string, Style>& styles, const std::string& name) {

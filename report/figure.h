@@ -108,8 +108,9 @@ struct Figure {
     bool equal_scales = false;       ///< one unit is as long along either axis
 };
 
-/// Numbers of the colours of what sticks and what slips.
-inline constexpr int stick_style = -1, slip_style = -2;
+/// Numbers of the colours of what sticks, what slips, and what was measured: curves named
+/// "measured" have it, the colour of the letters, which no model has.
+inline constexpr int stick_style = -1, slip_style = -2, measured_style = -3;
 
 /// Colours, markers and dashes of a figure, whoever draws it.
 struct FigureStyles {

@@ -3,6 +3,7 @@
 const figures = (() => {
 const {colours: of_models, states: of_states} = document.getElementById("content").dataset;
 const colours = of_models.split(" "), states = of_states.split(" ");  // stick, slip
+const measured = -3;  // figure.h
 // In the order of plot_style.h.
 const markers = ["circle", "square", "triangle-up", "diamond", "triangle-down",
                  "circle-open", "square-open", "triangle-up-open", "diamond-open", "triangle-down-open"];
@@ -11,7 +12,7 @@ const most_grounds = 30;
 
 function colour_of(style, theme) {
     if (style === null) return theme.soft;
-    return style < 0 ? states[-style - 1] : colours[style % colours.length];
+    return style === measured ? theme.text : style < 0 ? states[-style - 1] : colours[style % colours.length];
 }
 
 function error_bars(errors) {

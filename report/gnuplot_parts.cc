@@ -100,6 +100,7 @@ std::string quoted(const std::string& text) {
 std::string colour_of(std::optional<int> style) {
     if (style == stick_style) return stick_colour;
     if (style == slip_style) return slip_colour;
+    if (style == measured_style) return measured_colour;
     return style ? model_colour(static_cast<std::size_t>(*style)) : theory_colour;
 }
 

@@ -264,6 +264,8 @@ function span_of(key) {
 // A column over another, of the steps of all films, and where the instant is.
 function chart(canvas) {
     const {across, up} = canvas.dataset, pen = pen_on(canvas, 0.62);
+    const [first] = films[0][across];  // of a body that does not move there is no loop
+    canvas.closest("figure").hidden = films.every(film => film[across].every(value => value === first));
     const ratio = devicePixelRatio || 1, inset = 40 * ratio;
     const [left, right] = span_of(across), [low, high] = span_of(up);
     const x_of = x => inset + (x - left) / (right - left) * (canvas.width - 1.3 * inset);

@@ -11,7 +11,7 @@ std::string model_colour(std::size_t i);
 /// Marker of the i-th model, so that colour is never the only difference.
 int model_marker(std::size_t i);
 
-inline const std::string theory_colour = "#555555";
+inline const std::string theory_colour = "#555555", measured_colour = "#222222";
 /// What sticks and what slips, in every figure, player and film: apart by lightness, too.
 inline const std::string stick_colour = "#465678", slip_colour = "#d5963c";
 

@@ -21,8 +21,8 @@ void design_rig(DesignOptions options) {
         options.write("design.json", experiments::design_json(study));
         options.write_report(experiments::design_document(study), "tricontact design " + name);
     });
-    for (const std::string& line : experiments::design_sentences(study))
-        options.out() << line << '\n';
+    for (const report::Verdict& verdict : experiments::design_verdicts(study))
+        options.out() << verdict.sentence << '\n';
     options.out() << "look closer: tricontact rig " << options.file
                   << experiments::best_overrides(study) << '\n'
                   << options.where() << '\n';

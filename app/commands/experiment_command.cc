@@ -22,6 +22,7 @@ void evaluate_records(CommandOptions options) {
         options.write("experiment.json", experiments::experiment_json(files::version, evaluation));
         options.write_report(document, "tricontact experiment " + options.file);
     });
+    options.out() << document.answer->sentence << '\n';
     for (const auto& verdict : document.verdicts) options.out() << verdict.sentence << '\n';
     options.say(options.where());
 }

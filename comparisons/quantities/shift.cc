@@ -121,6 +121,7 @@ constexpr Quantity settled_shift{.key = "settled_shift_m",
                                      "verdict extrapolates to remain.",
                                  .defined = settled,
                                  .of = [](const Subject& s) { return finite(settled_shift_of(s)); },
+                                 .is_refined = true,
                                  .is_plotted = true};
 
 constinit const Quantity settled_shift_ratio = over_unit_shift(

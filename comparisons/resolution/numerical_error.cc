@@ -129,8 +129,12 @@ std::vector<const Quantity*> prescribed_quantities(const Case& c) {
 report::Band NumericalError::shift_band(double unit) const {
     report::Band band;
     if (!run || !coarser) return band;
+    double begin = 0;  // where all have a shift: longer steps of a path end later
+    for (const auto* one : {&run, &coarser, &coarsest, &long_steps, &short_steps, &wide_block})
+        if (*one && !(*one)->phases.empty()) begin = std::max(begin, (*one)->phases.front());
     for (const std::size_t k : report::thinned(run->phases.size(), most_band_points)) {
         const double phase = run->phases[k], shift = run->shifts[k];
+        if (phase < begin) continue;
         const double width = half_width(*this, [phase](const ResolvedRun& r) {
                                  return std::optional(r.shift_at(phase));
                              }).value_or(0);

@@ -270,7 +270,8 @@ report::DocumentTable models_table(const Case& c, const std::vector<Results>& re
                     {.heading = "state"},
                     {.heading = fmt::format("{} [{}]", headline.words, unit.symbol)},
                     {.heading = "beside " + name + " [%]", .change = true},
-                    {.heading = "assumes"}}};
+                    {.heading = "assumes"}},
+        .stacks = true};
     const unsigned of_reference = traits_of(c, reference.model);
     for (std::size_t i = results.size(); i-- > 0;) {
         const Results& s = results[i];

@@ -59,7 +59,8 @@ report::Figure shift_figure(const contact::Case& c, const Histories& histories,
             bottom = std::min(bottom, step.shift[0] / unit);
         }
         figure.curves.push_back(step_curve(histories[i], unit));
-        figure.curves.push_back(period_curve(histories[i], unit));
+        if (!histories[i].shift_per_period.empty())
+            figure.curves.push_back(period_curve(histories[i], unit));
     }
     // A ratio in small letters, a length in capitals.
     const std::string letter = figure.id == "shift" ? "U" : "u";
@@ -77,7 +78,9 @@ report::Figure shift_figure(const contact::Case& c, const Histories& histories,
         add_theory(
             letter + "_stat, " + static_theory(c) + (static_shift_is_relaxed(c) ? "" : ", relaxed"),
             r.static_shift_ratio);
-    figure.x = {.label = "rolling periods n", .low = 0, .high = end};
+    figure.x = {.label = c.prescribed_path ? "row of the path" : "rolling periods n",
+                .low = 0,
+                .high = end};
     const double margin = 0.08 * (top - bottom);
     const bool is_negative = bottom < -negligible_ratio * std::max(top, theory_unit);
     figure.y.low = is_negative ? bottom - margin : 0;
@@ -91,10 +94,12 @@ Figures shift_figures(const contact::Case& c, const Histories& histories,
                       const std::optional<NumericalError>& error) {
     if (last_phase(histories) <= 0) return {};
     const report::Unit unit = report::fitting_unit(histories.front().scales.unit_shift, "m");
-    const std::string steps = "Lines: every step; markers: indenter upright.";
+    const std::string steps =
+        c.prescribed_path ? "Lines: every step." : "Lines: every step; markers: indenter upright.";
+    const std::string along = c.prescribed_path ? "along the path" : "through the rolling periods";
     report::Figure metres = shift_figure(c, histories, [&unit](double) { return unit.factor; },
                                          {.id = "shift",
-                                          .title = "Shift through the rolling periods",
+                                          .title = "Shift " + along,
                                           .caption = steps,
                                           .y = {"shift U [" + unit.symbol + "]"}});
     if (error && error->coarser) {
@@ -110,7 +115,7 @@ Figures shift_figures(const contact::Case& c, const Histories& histories,
     return {std::move(metres),
             shift_figure(c, histories, [](double unit_shift) { return unit_shift; },
                          {.id = "shift_ratio",
-                          .title = "Shift over U_max through the rolling periods",
+                          .title = "Shift over U_max " + along,
                           .caption = steps + " Each model's shift is over its own unit U_max.",
                           .y = {"shift u = U / U_max"}})};
 }

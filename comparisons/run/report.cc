@@ -69,7 +69,8 @@ std::vector<DocumentSection> study_sections(const contact::Case& c,
     }
     if (extras.refinement)
         add("refinement", "Refinement", refinement_sentences(*extras.refinement),
-            {refinement_table(*extras.refinement)});
+            {refinement_table(*extras.refinement)}),
+            sections.back().open = true;
     return sections;
 }
 

@@ -13,6 +13,8 @@ void add(report::Document& document, report::DocumentSection section) {
         document.sections.push_back(std::move(section));
 }
 
+constexpr std::size_t most_named = 4;  // a longer list is the table once more
+
 /// How many of the assumptions and comparisons do not hold.
 std::optional<report::Verdict> fit_answer(const std::vector<report::Verdict>& verdicts) {
     using enum report::Verdict::Standing;
@@ -27,8 +29,10 @@ std::optional<report::Verdict> fit_answer(const std::vector<report::Verdict>& ve
     if (failed.empty())
         return report::Verdict{finding, fmt::format("No statement of {} is contradicted.", n),
                                "none fails"};
-    return report::Verdict{fail, fmt::format("{}.", fmt::join(failed, "; ")),
-                           fmt::format("{} of {} fail", failed.size(), n)};
+    const std::string word = fmt::format("{} of {} fail", failed.size(), n);
+    if (failed.size() > most_named)
+        return report::Verdict{fail, "The table begins with them.", word};
+    return report::Verdict{fail, fmt::format("{}.", fmt::join(failed, "; ")), word};
 }
 
 }  // namespace

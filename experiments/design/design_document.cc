@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <utility>
 
 #include "contact/special_values.h"
 #include "experiments/design/design_report.h"
@@ -179,7 +181,6 @@ report::DocumentTable requirements_table(const DesignStudy& study) {
 }  // namespace
 
 report::Document design_document(const DesignStudy& study) {
-    const bool is_feasible = study.solution.best.is_feasible();
     report::Document document{
         .kind = "Design of a rig",
         .title = study.title,
@@ -188,12 +189,10 @@ report::Document design_document(const DesignStudy& study) {
             "comparison of measured and computed able to see what it shall: those with the "
             "largest of all least margins.",
         .files = {{"all numbers (JSON)", "design.json"}}};
-    const auto sentences = design_sentences(study);
-    document.verdicts.push_back(
-        {is_feasible ? report::Verdict::Standing::pass : report::Verdict::Standing::fail,
-         sentences.front(), is_feasible ? "feasible" : "not feasible"});
-    for (std::size_t i = 1; i < sentences.size(); ++i)
-        document.verdicts.push_back({.sentence = sentences[i]});
+    std::vector<report::Verdict> verdicts = design_verdicts(study);
+    document.answer = std::move(verdicts.front());
+    document.judged = "requirement", document.consequence = "margin";
+    document.verdicts.assign(std::next(verdicts.begin()), verdicts.end());
     report::DocumentSection section{.id = "design", .heading = "The trade-off"};
     section.figures.push_back(study.input.axes.size() == 1 ? ratios_figure(study)
                                                            : map_figure(study));

@@ -29,8 +29,9 @@ std::string value_text(const DesignStudy& study, std::size_t axis, double fracti
 /// "3.12 %, at most 5 %".
 std::string finding_text(const Requirement& requirement, double ratio);
 
-/// First whether all requirements are met, then each key and each requirement.
-std::vector<std::string> design_sentences(const DesignStudy& study);
+/// First whether all requirements are met, then each key and each requirement, the latter as rows
+/// of a table.
+std::vector<report::Verdict> design_verdicts(const DesignStudy& study);
 /// `--set` options that put the best values into the rig file, four digits.
 std::string best_overrides(const DesignStudy& study);
 

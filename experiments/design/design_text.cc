@@ -85,6 +85,40 @@ std::string remedy(const DesignStudy& study) {
     return text;
 }
 
+report::Verdict answer_of(const DesignStudy& study) {
+    const DesignPoint& best = study.solution.best;
+    if (best.is_feasible())
+        return {
+            report::Verdict::Standing::pass,
+            fmt::format("All requirements can be met. Here the least margin is largest: {} % "
+                        "of the limit of {}.",
+                        report::significant(100 * (1 - best.worst()), 2), names_of_binding(study)),
+            "feasible"};
+    return {report::Verdict::Standing::fail,
+            fmt::format("Nothing within the bounds meets all requirements. Closest, with the worst "
+                        "finding {} times its limit ({}):",
+                        report::significant(best.worst(), 3), names_of_binding(study)),
+            "not feasible"};
+}
+
+report::Verdict requirement_verdict(const DesignStudy& study, std::size_t i) {
+    const Requirement& r = study.requirements[i];
+    const double ratio = study.solution.best.ratios[i];
+    const std::string of = r.is_resolution()
+                               ? fmt::format("{} of {} ({})", r.name, study.input.quantity,
+                                             report::display_name(study.model))
+                               : fmt::format("{}: {}", r.name, r.symbol);
+    const std::string finding = finding_alone(r, r.finding(ratio));
+    return {
+        .standing = ratio <= 1 ? report::Verdict::Standing::pass : report::Verdict::Standing::fail,
+        .sentence = fmt::format("{} = {}, {}: {}", of, finding, limit_text(r), margin_text(ratio)),
+        .subject = r.is_resolution() ? of : r.name,
+        .number = r.is_resolution() ? finding : fmt::format("{} = {}", r.symbol, finding),
+        .threshold = limit_text(r),
+        .effect =
+            ratio <= 1 ? report::significant(100 * (1 - ratio), 2) + " %" : margin_text(ratio)};
+}
+
 }  // namespace
 
 double DesignStudy::value(std::size_t axis, double fraction) const {
@@ -100,32 +134,18 @@ std::string finding_text(const Requirement& r, double ratio) {
     return fmt::format("{}, {}", finding_alone(r, r.finding(ratio)), limit_text(r));
 }
 
-std::vector<std::string> design_sentences(const DesignStudy& study) {
-    const DesignPoint& best = study.solution.best;
-    std::vector<std::string> lines{
-        best.is_feasible()
-            ? fmt::format("All requirements can be met. Here the least margin is largest: {} % of "
-                          "the limit of {}.",
-                          report::significant(100 * (1 - best.worst()), 2), names_of_binding(study))
-            : fmt::format("Nothing within the bounds meets all requirements. Closest, with the "
-                          "worst finding {} times its limit ({}):",
-                          report::significant(best.worst(), 3), names_of_binding(study))};
+std::vector<report::Verdict> design_verdicts(const DesignStudy& study) {
+    std::vector<report::Verdict> verdicts{answer_of(study)};
     for (std::size_t axis = 0; axis < study.input.axes.size(); ++axis)
-        lines.push_back(axis_sentence(study, axis));
-    for (std::size_t i = 0; i < study.requirements.size(); ++i) {
-        const Requirement& r = study.requirements[i];
-        const std::string of = r.is_resolution()
-                                   ? fmt::format("{} of {} ({})", r.name, study.input.quantity,
-                                                 report::display_name(study.model))
-                                   : fmt::format("{}: {}", r.name, r.symbol);
-        lines.push_back(fmt::format("{} = {}: {}", of, finding_text(r, best.ratios[i]),
-                                    margin_text(best.ratios[i])));
-    }
+        verdicts.push_back({.sentence = axis_sentence(study, axis)});
+    for (std::size_t i = 0; i < study.requirements.size(); ++i)
+        verdicts.push_back(requirement_verdict(study, i));
     if (study.comparison)
-        lines.push_back("The comparison's uncertainty is that of " +
-                        largest_contributors(*study.comparison, most_contributors) + '.');
-    if (!best.is_feasible()) lines.push_back(remedy(study));
-    return lines;
+        verdicts.push_back({.sentence = "The comparison's uncertainty is that of " +
+                                        largest_contributors(*study.comparison, most_contributors) +
+                                        '.'});
+    if (!study.solution.best.is_feasible()) verdicts.push_back({.sentence = remedy(study)});
+    return verdicts;
 }
 
 std::string best_overrides(const DesignStudy& study) {

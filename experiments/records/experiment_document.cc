@@ -1,6 +1,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
+#include <utility>
 
 #include "contact/special_values.h"
 #include "experiments/records/experiment_report.h"
@@ -32,14 +34,15 @@ std::vector<report::Curve> with_models(const ExperimentEvaluation& e,
         for (std::size_t i = first_period; i < n; ++i) result.push_back(static_cast<double>(i));
         return result;
     };
-    std::vector<report::Curve> curves{{.name = "measured",
-                                       .x = counts(shift.size()),
-                                       .y = of(shift),
-                                       .y_error = errors,
-                                       .kind = report::Curve::Kind::points}};
+    std::vector<report::Curve> curves;
     for (const ModelPrediction& p : e.predictions)
         curves.push_back(
             {.name = report::display_name(p.model), .x = counts(p.shift.size()), .y = of(p.shift)});
+    curves.push_back({.name = "measured",
+                      .x = counts(shift.size()),
+                      .y = of(shift),
+                      .y_error = errors,
+                      .kind = report::Curve::Kind::points});
     return curves;
 }
 
@@ -58,7 +61,7 @@ report::Figure periods_figure(const ExperimentEvaluation& e) {
         .curves = with_models(e, e.shift, 0,
                               [](const std::vector<double>& shift) { return scaled(shift, um); })};
     for (std::size_t i = 0; i < e.predictions.size(); ++i)  // behind what was measured
-        figure.curves[i + 1].y_error = scaled(half_widths(e.predictions[i], e.correlation), um);
+        figure.curves[i].y_error = scaled(half_widths(e.predictions[i], e.correlation), um);
     return figure;
 }
 
@@ -254,10 +257,14 @@ report::Document experiment_document(const ExperimentEvaluation& e) {
                     ? "At which rolling amplitude does the contact begin to ratchet, and where was "
                       "it then?"
                     : "Did the contact settle or ratchet, how far, and what do the models say?",
-        .verdicts = experiment_verdicts(e),
         .settings = {{"runs", std::to_string(e.runs.size())},
                      {"periods", std::to_string(e.periods)},
                      {"confidence", level(e.confidence)}}};
+    std::vector<report::Verdict> verdicts = experiment_verdicts(e);
+    document.answer = std::move(verdicts.front());
+    document.answer->word = limit ? e.limit_amplitude ? "limit" : "no limit" : word(e.state);
+    document.judged = "comparison", document.consequence = "what it can see";
+    document.verdicts.assign(std::next(verdicts.begin()), verdicts.end());
     if (e.amplitude > 0)
         document.settings.push_back({limit ? "first amplitude W" : "amplitude W",
                                      report::significant(mm * e.amplitude, 4) + " mm"});

@@ -142,6 +142,16 @@ std::string why_not_compared(const D& d, double creep) {
         statement(d.error, "m"), report::significant(um * creep, 2));
 }
 
+/// The largest difference that agrees [m].
+std::string allowed(double half_width, bool has_errors) {
+    return has_errors ? fmt::format("within {} µm", report::significant(um * half_width, 2)) : "";
+}
+
+std::string seen(double resolution, const ComparisonError& error) {
+    return fmt::format("would have seen {} %; uncertain by {}",
+                       report::significant(100 * resolution, 2), largest_contributors(error, 3));
+}
+
 Verdict::Standing standing_of(std::optional<bool> differs) {
     return !differs ? not_resolved : *differs ? fail : pass;
 }
@@ -150,18 +160,34 @@ Verdict deviation_verdict(const Deviation& d) {
     const auto differs = d.differs();
     const std::string computed =
         d.has_errors ? shift(d.predicted) : report::significant(um * d.predicted.value) + " µm";
-    return {standing_of(differs),
-            fmt::format("{}: {} = {}, measured {} ({}); {}.", report::display_name(d.model),
-                        d.quantity, computed, shift(d.measured), report::percent(d.ratio()),
-                        differs ? statement(d.error, "m") : why_not_compared(d, d.creep))};
+    const std::string model = report::display_name(d.model), measured = shift(d.measured),
+                      ratio = report::percent(d.ratio());
+    Verdict verdict{
+        standing_of(differs),
+        fmt::format("{}: {} = {}, measured {} ({}); {}.", model, d.quantity, computed, measured,
+                    ratio, differs ? statement(d.error, "m") : why_not_compared(d, d.creep))};
+    verdict.subject = model + ": " + d.quantity;
+    verdict.number = fmt::format("{}, measured {} ({})", computed, measured, ratio);
+    verdict.threshold = allowed(d.error.half_width(), d.has_errors);
+    verdict.effect = differs ? seen(d.error.resolution(), d.error) : why_not_compared(d, d.creep);
+    return verdict;
 }
 
 Verdict series_verdict(const SeriesDeviation& d) {
     const auto differs = d.differs();
-    return {standing_of(differs),
-            fmt::format("{}, all periods: {}.", report::display_name(d.model),
-                        differs ? statement(d.error, "m")
-                                : why_not_compared(d, d.creep(d.error.furthest())))};
+    const std::size_t n = d.error.furthest();
+    const std::string model = report::display_name(d.model);
+    Verdict verdict{standing_of(differs), fmt::format("{}, all periods: {}.", model,
+                                                      differs ? statement(d.error, "m")
+                                                              : why_not_compared(d, d.creep(n)))};
+    verdict.subject = model + ": U over all periods";
+    verdict.number = fmt::format("furthest at n = {}: {}, measured {} µm", n,
+                                 report::significant(um * d.error.values[n].computed, 4),
+                                 report::significant(um * d.error.values[n].measured, 4));
+    verdict.threshold = allowed(d.error.half_width(n), d.has_errors);
+    verdict.effect =
+        differs ? seen(d.error.resolution, d.error.values[n]) : why_not_compared(d, d.creep(n));
+    return verdict;
 }
 
 // Of a relaxing substrate.

@@ -47,7 +47,7 @@ TEST(Verdicts, HaveOneVocabulary) {
 
 // With a subject they are rows: assumption, verdict, number, threshold, effect; the others cards.
 TEST(Verdicts, AreATableWhereTheyHaveNumbers) {
-    const DocumentTable table = verdict_table(some());
+    const DocumentTable table = verdict_table({.verdicts = some()});
     ASSERT_EQ(table.rows.size(), 3u);
     const std::vector<Cell> worst{std::string("half-space"), std::string("violated"),
                                   std::string("b/a = 1.8"), std::string("at least 10"),
