@@ -116,7 +116,12 @@ int longest_tic(double low, double high, double step) {
 
 std::string axes(const Figure& figure, int width) {
     Extent x, y;
-    for (const Curve& curve : figure.curves) x.include(curve.x), y.include(curve.y);
+    for (const Curve& curve : figure.curves) {
+        y.include(curve.y);
+        for (std::size_t i = 0; i < curve.x.size();
+             ++i)  // gnuplot's ends are those of what it draws
+            if (std::isfinite(curve.y[i])) x.include({curve.x[i]});
+    }
     for (const Band& band : figure.bands)
         x.include(band.x), y.include(band.low), y.include(band.high);
     if (figure.map) x.include(figure.map->x), y.include(figure.map->y);

@@ -140,6 +140,15 @@ TEST(DrawnFigures, NumbersAlongAnAxisStandApart) {
     }
 }
 
+// Found: what has no value widens no axis; gnuplot chose other ends, and 21 numbers ran together.
+TEST(DrawnFigures, StepsOfAnAxisAreThoseOfWhatIsDrawn) {
+    const Figure one{.curves = {{.x = {0, .1, .4}, .y = {1, nan, nan}}}};
+    EXPECT_EQ(picture_of(one).script.find("set xtics "), std::string::npos);
+    const Figure two{.curves = {{.x = {0, 1, 1000}, .y = {1, 2, nan}}}};
+    const std::string script = picture_of(two).script;
+    EXPECT_LT(std::stod(script.substr(script.find("set xtics ") + 10)), 1);
+}
+
 // Found: curves at the height 0 over a map made its bar of colours begin there.
 TEST(DrawnFigures, TheColourBarIsThatOfTheValues) {
     const Figure figure{
