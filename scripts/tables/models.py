@@ -1,10 +1,10 @@
-"""docs/models/bem.md, docs/models/mdr.md."""
+"""docs/models/bem.md, mdr.md and common.md."""
 
 import math
 import tempfile
 from pathlib import Path
 
-from .common import CASES, power, short, table
+from .common import CASES, percent, power, short, table
 
 RIG = CASES / "rig_sphere_parallel.toml"
 
@@ -77,3 +77,32 @@ def bem_ratcheting(program):
 def relaxing_springs(program):
     return [[row[0], *(f"{row[k]}: {power(float(row[k + 1]))}" for k in (1, 3, 5))]
             for row in program.tests("verification_tests", "MdrViscoelastic.*")]
+
+
+# --- docs/models/common.md ---------------------------------------------------------------------------------------------
+
+@table("docs/models/common.md", "| Changed | static shift | settled shift | static shift, ratcheting | Du |")
+def loading_variants(program):
+    found = [program.call("run", CASES / "rig_layer_parallel.toml", ["output.vtk=none", *settings], "--models", "bem-layer",
+                          "--no-report")["loading_variants"] for settings in ([], ["load.tangential_ratio=0.8"])]
+    rows = []
+    for key, text in (("load.press", '`load.press = "frictionless"`'), ("load.press_steps", "`load.press_steps = 1`"),
+                      ("contact.coupling", "`contact.coupling = false`")):
+        changes = [next(one[name] for one in variants if one["key"] == key)
+                   for variants in found for name in ("static_change", "rolled_change")]
+        rows.append([text, *(percent(change, 2) if abs(change) > 5e-5 else f"{power(100 * change, 1)} %" for change in changes)])
+    return rows
+
+
+# --- README.md ---------------------------------------------------------------------------------------------------------
+
+@table("README.md", "| w, f_T | `mdr` | `bem` along | `bem` across the load |", cheap=True)
+def settled_shifts(program):
+    rows = []
+    for w, f in ((.24, .24), (.24, .56), (.51, .09), (.51, .24)):
+        settings = ["rolling.steps=turning-points", "rolling.periods=200", f"rolling.amplitude_ratio={w}", f"load.tangential_ratio={f}"]
+        along = program.run(RIG, *settings, models="mdr,bem")
+        across = program.run(RIG, *settings, 'rolling.angle="90 deg"', models="bem")
+        rows.append([f"{short(w, 2)} {short(f, 2)}", *(short(one["final_shift_ratio"], 4) for one in
+                                                       (along["mdr"], along["bem"], across["bem"]))])
+    return rows
