@@ -48,8 +48,8 @@ class Program:
     def fit(self, study):
         """fit.json of a study that is swept before."""
         with tempfile.TemporaryDirectory() as folder:
-            for command in ("sweep", "fit"):
-                subprocess.run([self.path, command, STUDIES / study, "--output", folder + "/out", "--quiet", "--no-report"],
+            for command, *options in (("sweep", "--no-report"), ("fit",)):
+                subprocess.run([self.path, command, STUDIES / study, "--output", folder + "/out", "--quiet", *options],
                                cwd=folder, check=True, stdout=subprocess.DEVNULL)
             return read(Path(folder) / "out/fit.json")
 
