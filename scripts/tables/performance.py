@@ -44,12 +44,30 @@ def performance(program):
         for cells in (512, 1024):
             one = rough(f"rough_contact/cells:{cells}/per_wave:{cells // 64}/free:{free}/")
             row(f"rough contact, {what}, {cells} cells a side: iterations; without coarser grids; before their method",
-                ", ".join(f"{one[key]:.0f}" for key in ("iterations_needed", "iterations_without_start", "iterations_plain")), "benchmark_rough")
-            row("its iterations over their convolutions; memory", f"{one['over_its_convolutions']:.2f}; {one['peak_GB']:.2f} GB", "benchmark_rough")
+                ", ".join(f"{one[key]:.0f}" for key in ("iterations", "iterations_without_start", "iterations_plain")), "benchmark_rough")
+            row("its iterations over their convolutions; memory", f"{one['over_its_convolutions']:.2f}; {one['peak_memory_GB']:.2f} GB", "benchmark_rough")
 
     steady = of("benchmark_steady_rolling", "steady_point")
     for name, what in (("cylinder/9", "cylinder of 80 cells, v tau = 9 mm"), ("cylinder/2000", "2 m"), ("sphere/9", "sphere, 9 mm")):
         one = steady(f"steady_point/{name}")
         row(f"steady rolling over relaxing rubber, {what}: products; over elastic", f"{one['products']:.0f}; {one['over_elastic']:.1f}",
             "benchmark_steady_rolling")
+
+    walking = of("benchmark_walking", "avx2/|plain/|one_machine")
+    for body in ("two-spot", "prism"):
+        row(f"walking machines in vectors of AVX2, {body}, over no vectors",
+            f"{walking('avx2/' + body)['lane_steps'] / walking('plain/' + body)['lane_steps']:.1f}", "benchmark_walking")
+    row("two spots without vectors over the integrator of any machine",
+        f"{walking('plain/two-spot')['lane_steps'] / walking('one_machine')['lane_steps']:.1f}", "benchmark_walking")
+
+    finite = of("benchmark_layer", "/100/")
+    step = finite("layer_rolling")
+    row("layer of finite elements, h = 1 mm: staggered iterations, products a step", f"{step['normal_per_step']:.1f}, {step['tangential_per_step']:.0f}",
+        "benchmark_layer")
+    row("steps that cost as much as its condensation", f"{1e3 * times(finite('condensation')) / step['ms_per_step']:.0f}", "benchmark_layer")
+    row("its condensation over taking it from the cache", f"{times(finite('condensation')) / times(finite('from_cache')):.0f}", "benchmark_layer")
+    row("section through it over condensation", f"{times(finite('section')) / times(finite('condensation')):.2f}", "benchmark_layer")
+    strained = of("benchmark_finite_strain", "strained_rolling/100")("strained_rolling")
+    row("a step at finite strains: iterations; over the linear one", f"{strained['iterations']:.0f}; {strained['ms'] / strained['ms_linear']:.0f}",
+        "benchmark_finite_strain")
     return rows

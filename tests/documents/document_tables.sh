@@ -2,7 +2,7 @@
 # Tables of numbers in the documents are those that their commands compute: those that take seconds. Digits are the
 # documents', so that a number differs where it has changed.
 # usage: document_tables.sh PROGRAM SOURCE_DIR
-source "$(dirname -- "${BASH_SOURCE[0]}")/prepare.bash"
+source "$(dirname -- "${BASH_SOURCE[0]}")/../cli/prepare.bash"
 tables=$source_dir/scripts/document_tables.py
 
 "$python" "$tables" --program "$program" --check --cheap || complain "documents and commands differ"
