@@ -74,6 +74,13 @@ class Program:
             raise SystemExit(f"{path} --gtest_filter={names} prints no rows")
         return rows
 
+    def random(self, binary, *arguments):
+        """What a program of tests/random prints; it may fail, which its own test shows."""
+        path = self.build / "tests/random" / binary
+        if not path.exists():
+            raise NotBuilt(path)
+        return subprocess.run([path, *arguments], check=False, capture_output=True, text=True).stdout
+
     def benchmarks(self, binary, names, **environment):
         """The figures of a benchmark: name -> its JSON."""
         path = self.build / "benchmarks" / binary

@@ -2,7 +2,7 @@
 
 import math
 
-from .common import CASES, STUDIES, find, percent, read, table  # noqa: F401
+from .common import CASES, find, percent, table
 
 RIG = CASES / "rig_cylinder.toml"
 

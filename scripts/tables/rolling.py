@@ -1,6 +1,7 @@
-"""docs/rolling.md."""
+"""docs/rolling.md, docs/contact-program.md."""
 
 import subprocess
+import sys
 
 from .common import CASES, ROOT, table
 
@@ -37,3 +38,12 @@ def creep_ratio(program):
     found = [line.split() for line in text.splitlines()[1:]]
     return [[nu, *(f"{float(one[5]):.3f} ± {float(one[6]):.3f}" for one in found if one[0] == nu),
              f"{next(float(one[7]) for one in found if one[0] == nu):.3f}"] for nu in ("0", "0.25", "0.3", "0.5")]
+
+
+# --- docs/contact-program.md -------------------------------------------------------------------------------------------
+
+@table("docs/contact-program.md", "| Example | Quantity | Case | Tricontact | CONTACT | Difference | Reason |")
+def contact_examples(program):
+    text = subprocess.run([sys.executable, ROOT / "scripts/contact_examples.py", program.path], check=True, capture_output=True,
+                          text=True).stdout
+    return [[cell.strip() for cell in line.strip().strip("|").split("|")] for line in text.splitlines()[2:] if line.startswith("|")]
