@@ -19,6 +19,10 @@ class NotBuilt(Exception):
     """A program that a table needs is not there."""
 
 
+class NoRows(Exception):
+    """A test that should print a table does not: it is older than the table."""
+
+
 class Program:
     """The program's answers as its files have them; its tests and benchmarks stand beside it in the build folder."""
 
@@ -71,7 +75,7 @@ class Program:
         text = subprocess.run([path, f"--gtest_filter={names}"], check=True, capture_output=True, text=True).stdout
         rows = [[cell.strip() for cell in line.strip("|").split("|")] for line in text.splitlines() if line.startswith("|")]
         if not rows:
-            raise SystemExit(f"{path} --gtest_filter={names} prints no rows")
+            raise NoRows(f"{path} --gtest_filter={names} prints no rows")
         return rows
 
     def random(self, binary, *arguments):
