@@ -97,6 +97,8 @@ class Program:
 
 def read(path):
     text = path.read_text()
+    if path.suffix == ".html":
+        return text
     return list(csv.DictReader(text.splitlines())) if path.suffix == ".csv" else json.loads(text)
 
 

@@ -1,6 +1,9 @@
-"""docs/walking.md."""
+"""docs/walking.md, docs/walking-studies.md."""
 
-from .common import find, table
+import html
+import re
+
+from .common import STUDIES, find, table
 
 
 def interval(value, error):
@@ -41,3 +44,18 @@ def walking_rocking(program):
             row.append("" if not held else f"m = {min(held):.2f}" + (f" to {max(held):.2f}" if len(held) > 1 else ""))
         rows.append(row)
     return rows
+
+
+# --- docs/walking-studies.md -------------------------------------------------------------------------------------------
+
+REGIONS = {"critical": ("critical: tilts", "46.7"), "no effect": ("no effect: mu_e > 0.99", "26.5"),
+           "reduction": ("reduction: mu_e < 0.95", "25.6"), "strong reduction": ("mu_e < 0.5", "10.0"),
+           "constant z": ("z constant to 1 % of z_stat", "13.6"), "jumps": ("jumps: z_min < 0", "31.2")}  # and the other program's
+
+
+@table("docs/walking-studies.md", "| Region | as judged | second half | other program |")
+def walking_map(program):
+    page = program.call("sweep", STUDIES / "walking_map.toml", outputs=["report.html"])
+    rows = [[html.unescape(re.sub("<.*?>", "", cell)).strip() for cell in re.findall(r"<t[dh].*?</t[dh]>", row, re.S)]
+            for row in re.findall(r"<tr.*?</tr>", page, re.S)]
+    return [[REGIONS[row[0]][0], row[2], row[3], REGIONS[row[0]][1]] for row in rows if len(row) == 4 and row[0] in REGIONS]
