@@ -62,7 +62,6 @@ REASONS = {
     "conformal": "spin is taken at 0.1747 of a cell ahead, there at 1/6",
     "ertz_temperature": "square cells of 0.2 mm, there 0.2 x 0.5 mm",
     "fastsim": "square cells of 0.4 mm, there 0.4 x 0.2 mm",
-    "spence35": "there 0 lies 1e-4 mm beside a centre",
     "tractcurv": "square cells of 0.289 mm, there 0.289 x 0.630 mm",
     "visc_cylindr": "there 0 lies between two cells, on which row all printed digits agree; of first order in the cell, Carter has 1.3965e-2 for case 1",
 }

@@ -16,7 +16,8 @@ cp "$root/results/rig_sphere_inside/plots/von_mises_bem-layer.png" "$root/docs/i
     --output "$root/results/walking_map_full" --quiet
 # picture NAME SIZE FILE: of the upper end of a page.
 picture() {
-    chromium --headless --no-sandbox --disable-gpu --hide-scrollbars --window-size="$2" \
+    # A page that never gets idle would wait for ever.
+    timeout 120 chromium --headless --no-sandbox --disable-gpu --hide-scrollbars --window-size="$2" \
         --virtual-time-budget=8000 --screenshot="$root/docs/images/$1" "file://$3" 2>/dev/null
 }
 "$root/build/release/app/tricontact" predict "$root/examples/cases/rig_sphere_parallel.toml" \

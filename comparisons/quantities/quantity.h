@@ -81,7 +81,7 @@ std::string heading_of(const Quantity& q);
 
 /// docs/quantities.md's tables, Markdown: a section per file of declarations, a row per quantity.
 std::string glossary();
-/// README's table, Markdown: keys of summary.json and their meaning.
+/// docs/quantities.md's table of summary.json, Markdown: keys and their meaning.
 std::string summary_keys();
 
 }  // namespace tricontact::comparisons

@@ -76,4 +76,12 @@ for signal in KILL TERM HUP; do
     [ -z "$(ls temporary)" ] || complain "$signal leaves $(ls temporary)"
     rm -rf temporary/*
 done
+
+# At random: run again, or refused; nothing is written beside the folder of the output.
+# More of them: bad_archives_random.py PROGRAM ARCHIVE SEED N
+"$program" run "$source_dir/examples/cases/rig_sphere_parallel.toml" --models mdr --set mdr.springs=100 \
+    --set rolling.steps=turning-points --set rolling.periods=1 --no-studies --output small --export small_paper \
+    --quiet >/dev/null || complain "export of a small archive"
+"$python" "$source_dir/tests/cli/bad_archives_random.py" "$program" small_paper/archive.zip 20261127 200 ||
+    complain "archives changed at random"
 finish

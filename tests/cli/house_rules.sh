@@ -111,7 +111,7 @@ found=$(find . \( -path './build*' -o -path ./results -o -path ./.git \) -prune 
 [ -z "$found" ] || complain "empty: $found"
 
 # Debian's Python has the packages; the first python3 in PATH may be another one.
-found=$(grep -nE '(^ *|[;&|({] *)python3? ' tests/cli/*.sh tests/installed/*.sh scripts/*.sh || true)
+found=$(grep -nE '(^ *|[;&|({] *)python3? ' tests/cli/*.sh tests/documents/*.sh tests/installed/*.sh scripts/*.sh || true)
 [ -z "$found" ] || complain "$found: take \"\$python\" of prepare.bash, or /usr/bin/python3"
 
 # Package clients know registries, mirrors and proxies of the machine.

@@ -1,5 +1,6 @@
 #include "theory/sticking_contact.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -80,6 +81,24 @@ TEST(TheoryStickingContact, MoreTractionsAreStiffer) {
     // docs/models/mdr-layer.md
     EXPECT_NEAR(most, .0037, 1e-4);
     EXPECT_NEAR(of_coupling, .0310, 1e-4);
+}
+
+// The table of docs/models/mdr-layer.md: the stiffness, what tractions along x that depend on r
+// alone lack of it without coupling, and what coupling adds.
+TEST(TheoryStickingContact, PrintsTheTable) {
+    for (const double a_over_b : {.55, 1., 2., 5., 10.}) {
+        fmt::print("| {} |", a_over_b);
+        for (const double nu : {.5, .3}) {
+            const double radial = stiffening(a_over_b, nu, StickTractions::radial),
+                         in_plane = stiffening(a_over_b, nu, StickTractions::in_plane),
+                         all = stiffening(a_over_b, nu, StickTractions::all);
+            fmt::print(" {:.4f} | {:.3f} % | {:.2f} % |", all, 100 * (radial / in_plane - 1),
+                       100 * (all / in_plane - 1));
+            EXPECT_LE(radial, in_plane * (1 + 1e-12));
+            EXPECT_LE(in_plane, all * (1 + 1e-6));
+        }
+        fmt::print("\n");
+    }
 }
 
 TEST(TheoryStickingContact, Rig) {

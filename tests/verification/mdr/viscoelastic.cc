@@ -1,6 +1,7 @@
 // A sphere on a relaxing half-space: Lee and Radok's closed forms while the contact grows, Ting's
 // equations while it recedes, neither of which knows of springs.
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -67,11 +68,14 @@ double relaxation(double t) {
     return 1 + ratio * std::exp(-t / relaxes_in);
 }
 
-/// Errors over three step sizes: second order, the finest within `allowed`.
-void expect_second_order(const std::function<double(int)>& error, std::array<int, 3> steps,
-                         double allowed) {
+/// Errors over three step sizes: second order, the finest within `allowed`. Prints a row of
+/// docs/models/mdr.md.
+void expect_second_order(const char* test, const std::function<double(int)>& error,
+                         std::array<int, 3> steps, double allowed) {
     std::array<double, 3> found{};
     for (int k = 0; k < 3; ++k) found[k] = error(steps[k]);
+    fmt::print("| {} | {} | {:.1e} | {} | {:.1e} | {} | {:.1e} |\n", test, steps[0], found[0],
+               steps[1], found[1], steps[2], found[2]);
     for (int k = 0; k < 2; ++k)
         EXPECT_NEAR(std::log(found[k] / found[k + 1]) /
                         std::log(static_cast<double>(steps[k + 1]) / steps[k]),
@@ -97,7 +101,8 @@ TEST(MdrViscoelastic, CreepUnderAForceThatIsAppliedAtOnce) {
         EXPECT_NEAR(bed.scales().contact_radius / std::sqrt(radius * d), 1, 1e-5);
         return d / at(time) - 1;
     };
-    expect_second_order(error, {10, 20, 41}, 3e-4);
+    expect_second_order("F_N applied at once, d after 2.3 tau (Lee and Radok 1960)", error,
+                        {10, 20, 41}, 3e-4);
     auto bed = make_bed();
     bed.advance(press(0, force(load)));
     const double last =
@@ -121,7 +126,8 @@ TEST(MdrViscoelastic, PressedAtConstantRate) {
             found = bed.advance(press(time / n, depth(rate * time * k / n))).normal_force;
         return found / exact - 1;
     };
-    expect_second_order(error, {15, 30, 61}, 1e-3);
+    expect_second_order("d = v t, F_N after 3.1 tau (Lee and Radok 1960)", error, {15, 30, 61},
+                        1e-3);
 }
 
 // Ting (1966), J. Appl. Mech. 33, 845: where the contact recedes, it is as wide as it was at the
@@ -175,7 +181,8 @@ TEST(MdrViscoelastic, RecedingContactFollowsTing) {
         EXPECT_TRUE(bed.audit().passed());
         return worst;
     };
-    expect_second_order(error, {20, 40, 81}, 1e-3);
+    expect_second_order("d = v t, then back, 2.6 tau each (Ting 1966), steps one way", error,
+                        {20, 40, 81}, 1e-3);
 }
 
 // Relaxed under a held indentation, then withdrawn by some depth at once: each spring loses its
@@ -209,7 +216,7 @@ TEST(MdrViscoelastic, StuckContactCreepsSideways) {
         for (int k = 0; k < n; ++k) shift = bed.advance(step).shift[0];
         return shift / first / exact - 1;
     };
-    expect_second_order(error, {10, 20, 41}, 1e-3);
+    expect_second_order("stuck, F_T applied at once, U after 1.4 tau", error, {10, 20, 41}, 1e-3);
 }
 
 /// f_T,lim of a contact that has relaxed upright and is then rolled by w = W/a to either side, too

@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <array>
@@ -12,10 +13,7 @@ namespace {
 /// (nu = 1/2) layer bonded to a rigid base: F over Hertz' force at the same indentation d,
 ///   1 + c1 chi + c2 chi^2 + c3 chi^3 + c4 chi^4,  chi = sqrt(R d)/b.
 /// For comparison only: the exact curve is that of solve_layer_contact (elastic_layer.h), with
-/// c1 = 1.12695, c2 = 7/6 c1^2 = 1.4817, c3 = 1.470. Errors of the force against it, in percent:
-///   chi                      .1     .2     .5     1      2
-///   Dimitriadis et al.      -0.19  -1.06  -7.73  -16.3  -12.3
-///   Garcia and Garcia        0.06   0.12   0.71   14.4   80.1
+/// c1 = 1.12695, c2 = 7/6 c1^2 = 1.4817, c3 = 1.470.
 struct LayerForceSeries {
     const char* source;
     std::array<double, 4> coefficients;  ///< c1 to c4
@@ -39,7 +37,7 @@ double error_percent(const LayerForceSeries& series, double chi) {
     return 100 * (series.force_ratio(chi) / exact - 1);
 }
 
-// The table above.
+// Prints the table of docs/models/mdr-layer.md.
 TEST(TheoryLayerSeries, ErrorsAgainstTheExactSolution) {
     struct Row {
         double chi, dimitriadis, garcia, digit;
@@ -50,6 +48,12 @@ TEST(TheoryLayerSeries, ErrorsAgainstTheExactSolution) {
         // Half a unit of the last digit given.
         EXPECT_NEAR(error_percent(dimitriadis_series, row.chi), row.dimitriadis, .51 * row.digit);
         EXPECT_NEAR(error_percent(garcia_series, row.chi), row.garcia, .51 * row.digit);
+    }
+    for (const auto& series : {dimitriadis_series, garcia_series}) {
+        fmt::print("| {} |", series.source);
+        for (const double chi : {.1, .2, .5, 1., 2.})
+            fmt::print(" {:.{}f} % |", error_percent(series, chi), chi < 1 ? 2 : 1);
+        fmt::print("\n");
     }
 }
 

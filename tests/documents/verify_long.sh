@@ -2,7 +2,7 @@
 # tricontact verify: every row passes, and the table in docs is the command's, the digits of errors
 # and orders aside, which differ with the processor.
 # usage: verify_long.sh PROGRAM SOURCE_DIR
-source "$(dirname -- "${BASH_SOURCE[0]}")/prepare.bash"
+source "$(dirname -- "${BASH_SOURCE[0]}")/../cli/prepare.bash"
 document=$source_dir/docs/verification.md
 
 "$program" verify --quiet >long 2>err || complain "a row fails: $(grep FAIL long)"

@@ -2,8 +2,8 @@
 # Each block of docs/tutorial.md works: files are written, commands end with the code they should, and
 # what is said of their numbers is so.
 # usage: tutorial.sh PROGRAM SOURCE_DIR
-source "$(dirname -- "${BASH_SOURCE[0]}")/prepare.bash"
-source "$source_dir/tests/cli/document_blocks.bash"
+source "$(dirname -- "${BASH_SOURCE[0]}")/../cli/prepare.bash"
+source "$source_dir/tests/documents/document_blocks.bash"
 
 run_blocks tutorial.md
 [ "$blocks" -ge 9 ] || complain "only $blocks blocks"

@@ -163,7 +163,7 @@ def with_few_points(study):
 def main():
     program, source, part = os.path.realpath(sys.argv[1]), os.path.realpath(sys.argv[2]), sys.argv[3]
     found = documented(source)
-    table = replacements(os.path.join(source, "tests/cli/documented_commands.txt"))
+    table = replacements(os.path.join(source, "tests/documents/documented_commands.txt"))
     checker = Checker(program, source, part)
     for command in table:
         if command not in found:

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # The examples of module 3 of the program CONTACT are imported, and some computed: the numbers that CONTACT prints.
 # usage: contact_examples.sh PROGRAM SOURCE_DIR
-source "$(dirname -- "${BASH_SOURCE[0]}")/prepare.bash"
+source "$(dirname -- "${BASH_SOURCE[0]}")/../cli/prepare.bash"
 examples=$source_dir/tests/contact_program
 
 # imports EXAMPLE WRITTEN OF: how many sequences of the file become cases.

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # Each block of docs/rig-how-to.md works, and what is said of their numbers is so.
 # usage: rig_how_to.sh PROGRAM SOURCE_DIR
-source "$(dirname -- "${BASH_SOURCE[0]}")/prepare.bash"
-source "$source_dir/tests/cli/document_blocks.bash"
+source "$(dirname -- "${BASH_SOURCE[0]}")/../cli/prepare.bash"
+source "$source_dir/tests/documents/document_blocks.bash"
 
 mkdir -p examples
 ln -s "$source_dir/examples/measurements" examples/measurements
