@@ -256,6 +256,11 @@ sed -i 's/^models = .*/models = ["atlas"]/' edge.toml
 "$program" identify edge.toml --output out --quiet >text 2>err || complain "maps beside large forces: $(cat err)"
 friction=$(number "['models']['atlas']['friction_coefficient']['value']")
 holds "0.785 < $friction && $friction < 0.815" "mu by the maps: $friction"
+# Their bars are part of the interval, which says so; those of bem-layer above were none.
+grep -q "from the likelihood and the errors of the maps, the rig's data taken as exact" text || complain "no maps: $(cat text)"
+own=$(number "['models']['atlas']['friction_coefficient']['standard_error']")
+all=$(number "['models']['atlas']['friction_coefficient']['combined_standard_error']")
+holds "$all > 1.1 * $own" "mu by the maps: $own, with their bars $all"
 
 # 16. The terminal, the report's sentence and the file count the same degrees of freedom: of mu at its bound none is taken.
 "$program" identify small.toml --output out --quiet >text || complain "degrees of freedom"

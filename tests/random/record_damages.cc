@@ -93,7 +93,7 @@ std::vector<Damage> of_samples() {
                   }),
         on_record("clipped",
                   [](Record& r, Random& d) {
-                      const double most = between(d, {90, 119}) * micro;
+                      const double most = std::ranges::max(r.shift) - between(d, {.3, 30}) * micro;
                       for (double& u : r.shift) u = std::min(u, most);
                   }),
         on_record("stuck",
