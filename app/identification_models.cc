@@ -1,6 +1,7 @@
 #include "app/identification_models.h"
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <optional>
 #include <variant>
@@ -78,6 +79,38 @@ void set_term(contact::Relaxation& relaxation, const FreeParameter& p, double va
         relaxation.branches[p.index].time = value;
     else
         relative[p.index] = value;
+}
+
+/// Errors of a model's own shifts as two inputs.
+std::vector<experiments::InputContribution> own_contributions(
+    const std::string& model, const experiments::IdentificationInput& input,
+    const experiments::IdentificationTask& task, const experiments::Identification& found,
+    const Case& rig, const std::vector<double>& observed) {
+    const auto table = std::ranges::find(input.tables, Measurement::static_shift,
+                                         &experiments::IdentificationInput::Table::measurement);
+    if (table == input.tables.end()) return {};
+    const std::vector<double> errors = static_shift_errors(model, relaxed(rig), table->given);
+    if (errors.empty()) return {};
+    std::size_t row = 0;
+    for (auto before = input.tables.begin(); before != table; ++before)
+        row += before->observed.size();
+    const auto [least, largest] = std::ranges::minmax(table->given);
+    std::vector<experiments::InputContribution> contributions;
+    for (const bool alike : {true, false}) {
+        std::vector<double> moved = observed;
+        for (std::size_t i = 0; i < errors.size(); ++i) {
+            const double place =
+                largest > least ? (2 * table->given[i] - least - largest) / (largest - least) : 0;
+            // Mean squares of 1, of forces that are evenly spread.
+            const double pattern = alike ? 1 : std::sqrt(3.) * place;
+            moved[row + i] -= pattern * errors[i] / std::sqrt(2.);
+        }
+        std::vector<double> change = experiments::best_nearby(task, found, moved);
+        for (std::size_t k = 0; k < change.size(); ++k) change[k] -= found.parameters[k].value;
+        contributions.push_back({alike ? "atlas" : "atlas.curve",
+                                 std::ranges::max(errors) / std::sqrt(2.), std::move(change)});
+    }
+    return contributions;
 }
 
 }  // namespace
@@ -196,6 +229,8 @@ std::vector<experiments::InputContribution> input_contributions(
         for (std::size_t k = 0; k < change.size(); ++k) change[k] -= found.parameters[k].value;
         contributions.push_back({std::string(key->path), error, std::move(change)});
     }
+    for (auto& own : own_contributions(model, input, task, found, rig.as_case, observed))
+        contributions.push_back(std::move(own));
     return contributions;
 }
 

@@ -25,6 +25,11 @@ struct IdentifiedRig {
 std::vector<double> static_shifts(const std::string& model, const contact::Case& rig,
                                   const std::vector<double>& forces, int threads);
 
+/// Standard errors of these shifts that the model itself states [m]: of the maps, by their bars;
+/// empty: none.
+std::vector<double> static_shift_errors(const std::string& model, const contact::Case& rig,
+                                        const std::vector<double>& forces);
+
 /// False for the half-space's closed forms, which have no such coupling.
 bool is_coupled(const std::string& model, const contact::Case& rig, int threads);
 
@@ -101,7 +106,9 @@ std::vector<double> values_of_tables(const std::string& model,
                                      const IdentifiedRig& rig, int threads);
 
 /// What a standard error of each input that has one does to the values found, to first order:
-/// what it does to the model's values, taken off the observed ones.
+/// what it does to the model's values, taken off the observed ones. Of a model that states errors
+/// of its shifts these follow as "atlas" and "atlas.curve": half of their variance is the same at
+/// all forces, the other half goes from one sign at the least to the other at the largest.
 std::vector<experiments::InputContribution> input_contributions(
     const std::string& model, const experiments::IdentificationInput& input,
     const experiments::IdentificationTask& task, const experiments::Identification& found,

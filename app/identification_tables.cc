@@ -5,6 +5,9 @@
 #include <cmath>
 #include <numbers>
 
+#include "atlas/atlas.h"
+#include "atlas/shipped.h"
+
 namespace tricontact::app {
 
 namespace {
@@ -44,6 +47,13 @@ double largest_ratio(const Case& rig, const std::vector<double>& forces) {
                           : std::ranges::max(forces) / *rig.load.normal_force;
 }
 
+/// The maps' is bounded; what is found beyond it is refused when it is run itself.
+LoadAndFriction::Reach reach_of(const std::string& model) {
+    if (model != "atlas") return {};
+    const auto* friction = atlas::shipped("sphere_layer_static").axis("friction.coefficient");
+    return {friction->from, friction->to};
+}
+
 double unit_of(const Case& c, contact::NormalControl::Kind kind) {
     const double b = *c.layer.thickness, depth = b * b / c.indenter.radius;
     return kind == contact::NormalControl::Kind::indentation ? depth
@@ -52,19 +62,21 @@ double unit_of(const Case& c, contact::NormalControl::Kind kind) {
 
 }  // namespace
 
-LoadAndFriction::LoadAndFriction(const Case& rig, double least_friction, bool has_friction_rows)
+LoadAndFriction::LoadAndFriction(const Case& rig, double least_friction, bool has_friction_rows,
+                                 Reach reach)
     : radius_(rig.indenter.radius),
       thickness_(*rig.layer.thickness),
-      least_(least_friction),
-      most_(std::max(most_over_least * least_, most_at_least)),
-      has_rows_(has_friction_rows) {}
+      least_(std::max(least_friction, reach.least)),
+      most_(std::min(std::max(most_over_least * least_, most_at_least), reach.most)),
+      has_rows_(has_friction_rows && least_ < most_) {}
 
 LazyTable::Rows LoadAndFriction::rows() const {
     return {0, has_rows_ ? last_row : 0};
 }
 
 double LoadAndFriction::row_of(const Case& c) const {
-    const double friction = std::min(c.friction_coefficient, most_);
+    if (!has_rows_) return 0;
+    const double friction = std::clamp(c.friction_coefficient, least_, most_);
     return last_row * (1 / (1 + least_) - 1 / (1 + friction)) / z_range();
 }
 
@@ -95,7 +107,8 @@ ShiftTable::ShiftTable(std::string model, const Case& rig, std::vector<double> f
       forces_(std::move(forces)),
       threads_(threads),
       places_(curve_points()),
-      axes_(rig_, largest_ratio(rig_, forces_), is_coupled(model_, rig_, threads_)),
+      axes_(rig_, largest_ratio(rig_, forces_), is_coupled(model_, rig_, threads_),
+            reach_of(model_)),
       table_([this](double x, double row) { return node(std::exp(x), axes_.friction_at(row)); },
              log_step, 1, axes_.rows()) {}
 
@@ -127,7 +140,7 @@ std::vector<double> ShiftTable::node(double young, double friction) const {
 WobbleTable::WobbleTable(std::string model, const Case& rig, double amplitude,
                          const std::vector<double>& forces, int threads)
     : rig_(rig),
-      axes_(rig_, largest_ratio(rig_, forces), !forces.empty()),
+      axes_(rig_, largest_ratio(rig_, forces), !forces.empty(), {}),
       table_(
           [this, model = std::move(model), amplitude, threads, is_known = forces.empty()](
               double x, double row) {

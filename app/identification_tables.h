@@ -5,6 +5,7 @@
 
 #include "app/identification_models.h"
 #include "app/models.h"
+#include "contact/special_values.h"
 #include "report/lazy_table.h"
 
 namespace tricontact::app {
@@ -15,8 +16,13 @@ namespace tricontact::app {
 /// one row.
 class LoadAndFriction {
   public:
+    /// mu that a model reaches; beyond it coupling stays as it is there, too.
+    struct Reach {
+        double least = 0, most = contact::infinity;
+    };
+
     /// `least_friction`: of the search.
-    LoadAndFriction(const Case& rig, double least_friction, bool has_friction_rows);
+    LoadAndFriction(const Case& rig, double least_friction, bool has_friction_rows, Reach reach);
 
     report::LazyTable::Rows rows() const;
     double row_of(const Case& c) const;

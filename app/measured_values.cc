@@ -76,9 +76,9 @@ std::vector<Pressed> presses_of_model(const std::string& name, const Case& rig,
 }
 
 /// Of the maps of the layer. Throws InputError where they are not about the rig, or do not reach.
-std::vector<double> mapped_shifts(Case c, const std::vector<double>& forces) {
+std::vector<atlas::Value> mapped_shifts(Case c, const std::vector<double>& forces) {
     const atlas::Atlas& maps = atlas::shipped("sphere_layer_static");
-    std::vector<double> shifts;
+    std::vector<atlas::Value> shifts;
     for (const double force : forces) {
         // Below the maps' least load the shift goes on as that of the half-space.
         const double least_load = maps.axis("load.tangential_ratio")->from;
@@ -91,8 +91,8 @@ std::vector<double> mapped_shifts(Case c, const std::vector<double>& forces) {
             throw contact::InputError(
                 "models: atlas: " + (p.gaps.empty() ? "no static shift" : p.gaps.front()) +
                 "; take bem-layer");
-        shifts.push_back(shift->value.value * theory::static_shift_ratio(f) /
-                         theory::static_shift_ratio(read));
+        const double of_read = theory::static_shift_ratio(f) / theory::static_shift_ratio(read);
+        shifts.push_back({of_read * shift->value.value, of_read * shift->value.error});
     }
     return shifts;
 }
@@ -151,9 +151,22 @@ std::string shift_model(const std::string& model) {
     return model == "layer" ? "mdr-layer" : model;
 }
 
+std::vector<double> static_shift_errors(const std::string& name, const Case& rig,
+                                        const std::vector<double>& forces) {
+    if (name != "atlas") return {};
+    std::vector<double> errors;
+    for (const atlas::Value& value : mapped_shifts(rig, forces))
+        errors.push_back(value.standard_error());
+    return errors;
+}
+
 std::vector<double> static_shifts(const std::string& name, const Case& rig,
                                   const std::vector<double>& forces, int threads) {
-    if (name == "atlas") return mapped_shifts(rig, forces);
+    if (name == "atlas") {
+        std::vector<double> shifts;
+        for (const atlas::Value& value : mapped_shifts(rig, forces)) shifts.push_back(value.value);
+        return shifts;
+    }
     const auto model = make_model(name, rig, threads, silent);
     // Close to sliding friction moves a coupled contact aside, over the edge of a grid that
     // pressing alone had room on.

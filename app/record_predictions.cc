@@ -12,6 +12,7 @@
 #include "contact/verdict.h"
 #include "experiments/records/recorded_path.h"
 #include "io/case/case_reader.h"
+#include "report/format.h"
 
 namespace tricontact::app {
 
@@ -43,6 +44,7 @@ class RecordPredictions {
 
     void add() {
         rest_as_recorded();
+        compare_amplitudes();
         const auto& stage = evaluation_.runs.front().stages.front();
         Case c = case_with(evaluation_.amplitude, stage.period, evaluation_.periods, true);
         check(c);
@@ -93,6 +95,25 @@ class RecordPredictions {
         const bool case_knows = c.load.hold > 0 && c.load.hold >= rest.time;
         as.hold_is_known = rest.is_whole || case_knows;
         as.hold = !rest.is_whole && case_knows ? c.load.hold : rest.time;
+    }
+
+    /// The models roll as the drive did: said where the case states another amplitude; refused
+    /// where it is so far off that a unit is wrong.
+    void compare_amplitudes() const {
+        if (evaluation_.kind == Experiment::Kind::limit || evaluation_.amplitude == 0) return;
+        constexpr double equal = .02, implausible = 100;
+        const Case c = io::read_case(*input_.case_file, options_.overrides);
+        const double stated =
+            contact::path_amplitude(c, contact::half_space_scales(c).contact_radius);
+        if (stated == 0) return;
+        const double ratio = evaluation_.amplitude / stated;
+        if (ratio > implausible || ratio < 1 / implausible)
+            throw contact::InputError(fmt::format(
+                "{}: the drive goes to {} on both sides, the case states {}; correct the unit of "
+                "the column drive, or rolling.amplitude in {}",
+                evaluation_.runs.front().name, report::quantity(evaluation_.amplitude, "m", 3),
+                report::quantity(stated, "m", 3), *input_.case_file));
+        if (std::abs(ratio - 1) > equal) evaluation_.rolled_as.stated_amplitude = stated;
     }
 
     Case case_with(double amplitude, double period, int periods, bool run_all) const {

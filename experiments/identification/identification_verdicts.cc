@@ -27,11 +27,16 @@ std::string named(const std::string& name, const std::string& value) {
 
 /// What the interval holds beside the errors of the observed values.
 std::string what_else(const IdentificationStudy& study, const IdentifiedModel& model) {
-    if (study.input.rig_errors.empty()) return ", the rig's data taken as exact";
-    if (model.contributions.empty())
+    const bool has_rig = !study.input.rig_errors.empty();
+    const bool has_maps = model.contributions.size() > study.input.rig_errors.size();
+    if (has_rig && model.contributions.empty())
         return "; the errors of the rig's data are left out, since at the best mu the largest "
                "force slides";
-    return " and the errors of the rig's data";
+    if (has_rig)
+        return has_maps ? ", the errors of the rig's data and those of the maps"
+                        : " and the errors of the rig's data";
+    return std::string(has_maps ? " and the errors of the maps" : "") +
+           ", the rig's data taken as exact";
 }
 
 Verdict values_found(const IdentificationStudy& study, const IdentifiedModel& model) {

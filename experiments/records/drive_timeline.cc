@@ -7,6 +7,7 @@
 
 #include "contact/error.h"
 #include "contact/special_values.h"
+#include "statistics/estimate.h"
 
 namespace tricontact::experiments {
 
@@ -22,6 +23,7 @@ constexpr double hiding_share = .4;      // of a period: a gap that may hide hal
 struct Period {
     double begin = 0, end = 0;  // [s]
     double amplitude = 0;       // [m]
+    double extent = 0;          // half the distance of its turning points [m]
 };
 
 /// Periods in a recorded drive.
@@ -53,6 +55,7 @@ class RecordedDrive {
             const double bottom = *std::min_element(at(across), at(back));
             period.begin = upright_before(out, top);
             period.end = upright_after(back, bottom);
+            period.extent = (top - bottom) / 2;
             if (period.end > time_.back()) break;
             found.push_back(period);
             i = back;
@@ -160,16 +163,20 @@ class RecordedDrive {
 
 std::vector<Stage> stages_of(const std::vector<Period>& periods) {
     std::vector<Stage> stages;
+    std::vector<double> extents;
     double sum = 0;
     for (const Period& period : periods) {
         const double mean = stages.empty() ? 0 : sum / stages.back().periods();
         if (stages.empty() || std::abs(period.amplitude - mean) > same_amplitude * mean) {
             stages.push_back({0, {period.begin}});
             sum = 0;
+            extents.clear();
         }
         stages.back().upright.push_back(period.end);
         sum += period.amplitude;
         stages.back().amplitude = sum / stages.back().periods();
+        extents.push_back(period.extent);
+        stages.back().extent = statistics::median(extents);
     }
     return stages;
 }

@@ -12,6 +12,7 @@ struct DriveTimeline {
     struct Stage {
         double amplitude = 0;         ///< W [m]
         std::vector<double> upright;  ///< when: before the first period and after each [s]
+        double extent = 0;  ///< half the distance of its recorded turning points, median [m]
 
         int periods() const { return static_cast<int>(upright.size()) - 1; }
         /// Mean [s].

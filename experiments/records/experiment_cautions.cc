@@ -22,7 +22,7 @@ report::Verdict record_verdict(const RunEvaluation& run) {
     std::vector<std::string> sentences;
     for (const RecordFinding& finding : run.findings)
         if (is_told_here(finding)) sentences.push_back(finding.sentence);
-    const bool spoilt = run.is_spoilt();
+    const bool spoilt = !run.is_comparable();
     return {spoilt ? Standing::not_resolved : Standing::finding,
             fmt::format("{}: {}.{}", run.name, fmt::join(sentences, "; "),
                         spoilt ? " Its values are not compared with models." : "")};

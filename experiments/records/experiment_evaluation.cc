@@ -215,7 +215,7 @@ std::optional<LimitReading> read_limit(const RunEvaluation& run, State StageEval
 }
 
 bool ExperimentEvaluation::is_spoilt() const {
-    return std::ranges::any_of(runs, &RunEvaluation::is_spoilt);
+    return !std::ranges::all_of(runs, &RunEvaluation::is_comparable);
 }
 
 std::vector<SystematicError> common_errors(const ExperimentEvaluation& e) {

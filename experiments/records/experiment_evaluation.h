@@ -131,8 +131,9 @@ struct RecordedLoads {
 struct RolledAs {
     std::optional<double> hold;  ///< under F_T before rolling [s]; empty: an elastic substrate
     bool hold_is_known = false;
-    std::optional<double> speed;         ///< of the drive [m/s]; empty: an elastic substrate
-    std::optional<RecordedLoads> loads;  ///< empty: constant, as the case states
+    std::optional<double> speed;             ///< of the drive [m/s]; empty: an elastic substrate
+    std::optional<RecordedLoads> loads;      ///< empty: constant, as the case states
+    std::optional<double> stated_amplitude;  ///< by the case, where the drive had another [m]
 };
 
 /// Verdicts of a model over the amplitudes of a limit run.
@@ -179,7 +180,7 @@ struct ExperimentEvaluation {
     std::vector<SeriesDeviation> series;  ///< one per prediction
     std::vector<PredictedLimit> model_limits;
 
-    /// A record is damaged such that its values are wrong by an unknown amount.
+    /// A record is damaged such that its values, or the drive's, are wrong by an unknown amount.
     bool is_spoilt() const;
     /// Of a relaxing substrate: how long F_T acted before rolling is not known.
     bool rest_is_missing() const { return rolled_as.hold && !rolled_as.hold_is_known; }

@@ -5,6 +5,7 @@
 
 #include "contact/special_values.h"
 #include "experiments/records/experiment_report.h"
+#include "experiments/records/record_scales.h"
 #include "report/format.h"
 
 namespace tricontact::experiments {
@@ -99,9 +100,10 @@ Verdict values_verdict(const ExperimentEvaluation& e) {
         sentence += fmt::format("ΔU = {} per period ({}, {}).", shift(e.increment),
                                 level(e.confidence), scatter);
     else
-        sentence += fmt::format("U_sd = {} after {} periods ({}, {}); extrapolated {}.",
-                                shift(e.final_shift), e.periods, level(e.confidence), scatter,
-                                shift(e.settled_shift));
+        sentence += fmt::format(
+            "U_sd = {} after {} periods ({}, {}){}.", shift(e.final_shift), e.periods,
+            level(e.confidence), scatter,
+            e.state == State::shakedown ? "; extrapolated " + shift(e.settled_shift) : "");
     return {finding, sentence};
 }
 
@@ -156,6 +158,17 @@ Verdict::Standing standing_of(std::optional<bool> differs) {
     return !differs ? not_resolved : *differs ? fail : pass;
 }
 
+/// Of a quantity that is off by a power of a thousand, to a factor of two.
+std::string doubted_unit(const Deviation& d) {
+    constexpr double factor = .5;
+    const auto power = power_of_thousand(d.ratio(), factor);
+    if (!power) return "";
+    return fmt::format(
+        " It was measured some {:g} times as large: is the unit of the column shift "
+        "right?",
+        *power);
+}
+
 Verdict deviation_verdict(const Deviation& d) {
     const auto differs = d.differs();
     const std::string computed =
@@ -164,12 +177,15 @@ Verdict deviation_verdict(const Deviation& d) {
                       ratio = report::percent(d.ratio());
     Verdict verdict{
         standing_of(differs),
-        fmt::format("{}: {} = {}, measured {} ({}); {}.", model, d.quantity, computed, measured,
-                    ratio, differs ? statement(d.error, "m") : why_not_compared(d, d.creep))};
+        fmt::format("{}: {} = {}, measured {} ({}); {}.{}", model, d.quantity, computed, measured,
+                    ratio, differs ? statement(d.error, "m") : why_not_compared(d, d.creep),
+                    doubted_unit(d))};
     verdict.subject = model + ": " + d.quantity;
     verdict.number = fmt::format("{}, measured {} ({})", computed, measured, ratio);
     verdict.threshold = allowed(d.error.half_width(), d.has_errors);
-    verdict.effect = differs ? seen(d.error.resolution(), d.error) : why_not_compared(d, d.creep);
+    verdict.effect =
+        (differs ? seen(d.error.resolution(), d.error) : why_not_compared(d, d.creep)) +
+        doubted_unit(d);
     return verdict;
 }
 
@@ -188,6 +204,12 @@ Verdict series_verdict(const SeriesDeviation& d) {
     verdict.effect =
         differs ? seen(d.error.resolution, d.error.values[n]) : why_not_compared(d, d.creep(n));
     return verdict;
+}
+
+Verdict amplitude_verdict(const ExperimentEvaluation& e) {
+    return {finding, fmt::format("The models roll as the drive did, by {}; the case states {}.",
+                                 report::quantity(e.amplitude, "m", 3),
+                                 report::quantity(*e.rolled_as.stated_amplitude, "m", 3))};
 }
 
 // Of a relaxing substrate.
@@ -315,6 +337,7 @@ std::vector<Verdict> experiment_verdicts(const ExperimentEvaluation& e) {
         for (Verdict& verdict : limit_within_verdicts(e)) verdicts.push_back(std::move(verdict));
         for (const SeriesDeviation& d : e.series) verdicts.push_back(series_verdict(d));
         for (const Deviation& d : e.deviations) verdicts.push_back(deviation_verdict(d));
+        if (e.rolled_as.stated_amplitude) verdicts.push_back(amplitude_verdict(e));
         if (e.rolled_as.loads) verdicts.push_back(loads_verdict(*e.rolled_as.loads));
         if (e.rolled_as.hold) verdicts.push_back(rest_verdict(e));
         for (const ModelPrediction& p : e.predictions)

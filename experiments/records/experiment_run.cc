@@ -10,6 +10,7 @@
 #include "experiments/records/drive_delay.h"
 #include "experiments/records/record_corrections.h"
 #include "experiments/records/record_jumps.h"
+#include "experiments/records/record_scales.h"
 #include "report/format.h"
 #include "statistics/estimate.h"
 
@@ -187,6 +188,10 @@ bool RunEvaluation::is_spoilt() const {
     return std::ranges::any_of(findings, &RecordFinding::spoils);
 }
 
+bool RunEvaluation::is_comparable() const {
+    return !is_spoilt() && std::ranges::none_of(findings, &RecordFinding::hides_amplitude);
+}
+
 RunEvaluation evaluate_run(const Record& recorded, const Experiment& experiment) {
     if (recorded.time.size() < fewest_samples)
         refuse_record(recorded, fmt::format("has {} samples", recorded.time.size()),
@@ -207,6 +212,7 @@ RunEvaluation evaluate_run(const Record& recorded, const Experiment& experiment)
         timeline = drive_timeline(record, experiment);
     }
     find_gaps(record, timeline, run.findings);
+    find_uneven_drive(record, timeline, run.findings);
     check_stages(record, experiment, timeline);
     run.name = record.name;
     run.time = record.time;
@@ -224,6 +230,8 @@ RunEvaluation evaluate_run(const Record& recorded, const Experiment& experiment)
         for (std::size_t n = 1; n < known.upright.size(); ++n)
             corrections.add_upright(stage, known.upright[n], stage.period);
     }
+    find_sign(record, run.stages.front().shift.front(), run.stages.front().shift_error.front(),
+              run.findings);
     count_louder_noise(run, corrections.noise_ratio());
     count_delay(run, timeline.stages.front(), corrections);
     count_drift(run, corrections.drifted_zero());

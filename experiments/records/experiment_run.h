@@ -72,6 +72,8 @@ struct RunEvaluation {
 
     /// A finding spoils its values: there are no verdicts.
     bool is_spoilt() const;
+    /// Nor is the amplitude of its drive unknown: models are set beside it.
+    bool is_comparable() const;
     /// Share of the rest after the rolling in the drift.
     double share_of_rest_after() const;
 };

@@ -50,7 +50,7 @@ report::DocumentTable values_table(const ExperimentEvaluation& e) {
     };
     add("U_stat", e.static_shift);
     add("U_sd", e.final_shift);
-    add("u_inf", e.settled_shift);
+    if (e.state != contact::State::ratcheting) add("u_inf", e.settled_shift);
     add("ΔU", e.increment);
     return table;
 }

@@ -168,6 +168,16 @@ const char* name_of(RecordFinding::Kind kind) {
             return "noise";
         case FindingKind::correlation:
             return "correlation";
+        case FindingKind::sign:
+            return "sign";
+        case FindingKind::unit:
+            return "unit";
+        case FindingKind::resolution:
+            return "resolution";
+        case FindingKind::drive:
+            return "drive";
+        case FindingKind::hum:
+            return "hum";
     }
     return "";
 }

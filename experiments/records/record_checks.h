@@ -21,17 +21,24 @@ struct RecordFinding {
         drift,
         delay,
         noise,
-        correlation
+        correlation,
+        sign,
+        unit,
+        resolution,
+        drive,
+        hum
     };
 
     Kind kind{};
     std::string sentence;  ///< without the record's name
     /// Values of the record are wrong by an unknown amount: no verdict is based on them.
     bool spoils = false;
+    /// W is not known: no model is set beside it.
+    bool hides_amplitude = false;
 };
 
 /// "gap", "jump", "outlier", "stuck", "clipped", "loading", "drift", "delay", "noise",
-/// "correlation".
+/// "correlation", "sign", "unit", "resolution", "drive", "hum".
 const char* name_of(RecordFinding::Kind kind);
 
 using RecordFindings = std::vector<RecordFinding>;

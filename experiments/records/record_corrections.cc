@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "experiments/records/record_hum.h"
+#include "experiments/records/record_scales.h"
 #include "statistics/regression.h"
 
 namespace tricontact::experiments {
@@ -21,14 +23,15 @@ std::vector<double> mean_weights(std::size_t n) {
     return std::vector<double>(n, 1 / static_cast<double>(n));
 }
 
-RecordNoise noise_of(const Part& rest, double resolution) {
+/// About a straight line.
+std::vector<double> residuals_of(const Part& rest) {
     const double slope = weighted(weights_of_slope(rest.time), rest.shift);
     const double first =
         weighted(weights_of_polynomial_at(rest.time.front(), rest.time, 1), rest.shift);
     std::vector<double> residuals;
     for (std::size_t i = 0; i < rest.time.size(); ++i)
         residuals.push_back(rest.shift[i] - first - slope * (rest.time[i] - rest.time.front()));
-    return {residuals, resolution};
+    return residuals;
 }
 
 Estimate drift_of(const Part& rest, const RecordNoise& noise) {
@@ -98,7 +101,7 @@ RecordCorrections::RecordCorrections(const Record& record, const Experiment& exp
                                   "begins at {:.4g} s, fewer than {}",
                                   rest_.time.size(), timeline.start(), fewest_rest_samples),
                       "record the static shift longer");
-    know_noise(experiment.resolution.value_or(smallest_step(record.shift)));
+    know_noise(resolution_of(record, experiment.resolution, run.findings));
     run.before = drift_of(rest_, run.noise);
     const double end = timeline.end() + stopping * timeline.stages.back().period();
     const Part after = rest(end, record.time.back());
@@ -168,7 +171,9 @@ LoadingTime RecordCorrections::found_loading(double stated) {
 }
 
 void RecordCorrections::know_noise(double resolution) {
-    run_.noise = noise_of(rest_, resolution);
+    const std::vector<double> residuals = residuals_of(rest_);
+    run_.noise = {residuals, resolution};
+    find_hum(residuals, mean_interval(), resolution, run_.findings);
     const double independent =
         static_cast<double>(rest_.time.size()) / run_.noise.correlated_samples;
     run_.degrees_of_freedom =

@@ -20,7 +20,7 @@ constexpr std::size_t settling = 4;         // periods
 constexpr double at_first = 4, while_settling = 2,
                  settled = 1.25;               // times those of the periods beside
 constexpr double visible = 6, beyond = 4;      // standard deviations of differences
-constexpr double steps = 3;                    // of the resolution
+constexpr double visible_steps = 3;            // of the resolution
 constexpr double usual_part = .9;              // of the changes
 constexpr double to_deviation_of_all = 1.521;  // mean size of the smaller 90 % of normal values
 
@@ -49,7 +49,7 @@ class Changes {
         for (const auto& stage : timeline.stages)
             for (std::size_t n = 1; n < stage.upright.size(); ++n)
                 periods_.push_back({stage.upright[n - 1], stage.upright[n], n - 1});
-        at_rest_ = std::max(usual_step() * steps / visible, noise_at_rest());
+        at_rest_ = std::max(usual_step() * visible_steps / visible, noise_at_rest());
         rolling_ = std::max(at_rest_, noise_while_rolling());
     }
 

@@ -232,10 +232,21 @@ record 'NR > 3 { $2 = 12.5 } 1'
 refused "the shift is 12.5 µm in all"
 record 'NR < 900 || NR > 960'
 refused "what the drive did there is not known"
+damaged sign "the shift under F_T is −15" 'NR > 3 { $2 = -$2 } 1'
+says "Its values are not compared with models" out
+damaged drive "the drive turns" 'NR > 3 && $3 > .7 { $3 = .7 } 1'
 write 'kind = "shakedown"' 'loading = "4 s"' 'runs = ["run.csv"]'
 record '1'
 refused "but the shift does not rise before the rolling"
 damaged loading "the shift rises at 3 s: the record counts" 'NR > 3 && $1 < 3 { $2 = 0 } 1'
+
+# The models roll as the drive did: another amplitude is said, another unit refused.
+of_case 's/^models.*/models = ["mdr"]/; s/^amplitude_ratio.*/amplitude = "1.4 mm"/' 'kind = "shakedown"' 'runs = ["run.csv"]'
+record '1'
+expect 0 data.toml --output rolled --quiet
+says "The models roll as the drive did, by 1.08 mm; the case states 1.40 mm." out
+record 'NR > 3 { $3 *= 1000 } 1'
+refused "run.csv: the drive goes to 1.08 m on both sides, the case states 1.40 mm"
 
 # 10. Steps are a source of uncertainty; where the limit of the half-space (mu = 0.493) lies within the
 #     error of mu, both fates are possible, and the answer says how probable.

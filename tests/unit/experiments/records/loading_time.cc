@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <random>
 
 #include "contact/error.h"
 #include "experiments/records/experiment_evaluation.h"
@@ -16,12 +17,13 @@ constexpr double um = 1e-6;
 /// multiples of 1/16 s, which are exact.
 Record record_loaded_at(double loaded) {
     Record record{.name = "run.csv", .time = {}, .shift = {}, .drive = {}};
+    std::minstd_rand random(1);
     for (int i = 0; i <= 100 * 16; ++i) {
         const double t = i / 16., phase = std::clamp((t - 30) / 4, 0., 10.);
         const double part = phase - std::floor(phase);
         record.time.push_back(t);
-        // Noise of one step to both sides, without a pattern that repeats within a rest.
-        const double noise = .05 * um * (((i * i) % 7) - 3);
+        // Three steps to both sides at random: what repeats were a hum.
+        const double noise = .05 * um * (static_cast<int>(random() % 7) - 3);
         record.shift.push_back((t >= loaded ? 150 * um : 0) + noise);
         record.drive.push_back(1e-3 * (part < .25   ? 4 * part
                                        : part < .75 ? 2 - 4 * part
