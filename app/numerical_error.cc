@@ -112,8 +112,13 @@ std::optional<NumericalError> numerical_error(const Case& c, const contact::Hist
     } catch (const std::exception&) {  // then two meshes have to do
     }
     if (name != "fem") return error;
-    if (const auto wide = with_wider_block(coarser.c, wider, silent))
-        error.wide_block = resolved(*wide, *make_model(name, *wide, n_threads, silent));
+    try {
+        if (const auto wide = with_wider_block(coarser.c, wider, silent))
+            error.wide_block = resolved(*wide, *make_model(name, *wide, n_threads, silent));
+    } catch (const std::exception& e) {  // half widths without it would leave the sides out
+        error.coarser.reset();
+        error.why_none = fmt::format("in a wider block, {}", e.what());
+    }
     return error;
 }
 

@@ -24,14 +24,15 @@ constexpr double of_quarter_steps = 4. / 3;
 // Sides that are 1.5 times as far apart: what the second power of their distance leaves.
 constexpr double of_wider_block = 1.8;
 constexpr double of_tolerance = 10;
-// What separates the coarsest meshes counts half; of what is counted in cells, which has no order,
-// it counts as it is.
+// What separates the coarsest meshes counts half; where there is no order, it counts as it is: of
+// what is counted in cells (a period's increment in those that slip), and on springs, which bring
+// an error that depends on where between two of them the contact ends, of either sign.
 constexpr double first_order = .5, no_order = 1;
 
 /// `value`: of a run, empty if it has none. Without what is less than rounding and tolerances.
 template <class Value>
 std::optional<double> half_width(const NumericalError& error, const Value& value,
-                                 double of_coarsest = first_order) {
+                                 double of_coarse = first_order) {
     if (!error.run || !error.coarser) return {};
     const std::optional<double> fine = value(*error.run), coarse = value(*error.coarser);
     if (!fine || !coarse) return {};
@@ -40,7 +41,7 @@ std::optional<double> half_width(const NumericalError& error, const Value& value
     if (error.coarsest) {
         const std::optional<double> coarsest = value(*error.coarsest);
         if (!coarsest) return {};
-        mesh = safety_factor * std::max(change, of_coarsest * std::abs(*coarse - *coarsest));
+        mesh = safety_factor * std::max(change, of_coarse * std::abs(*coarse - *coarsest));
     }
     double rest = 0;
     const std::array others{std::pair(&error.long_steps, 1.),
@@ -55,23 +56,25 @@ std::optional<double> half_width(const NumericalError& error, const Value& value
     return mesh + safety_factor * rest;
 }
 
-/// What errors of a quantity are compared with: U_max of shifts, else its own value.
+double of_coarsest(const NumericalError& error, const Quantity& q) {
+    using namespace quantities;
+    const bool is_counted =
+        &q == &contact_radius || &q == &shift_increment || &q == &shift_increment_ratio;
+    return is_counted || error.model.starts_with("mdr") ? no_order : first_order;
+}
+
+/// What errors of a quantity are compared with: U_max of shifts, F_N, F_N U_max, else its own
+/// value.
 double scale_of(const Quantity& q, const Results& r) {
     using namespace quantities;
     const double value = std::abs(r.number(q).value_or(0));
     if (q.over == std::string_view("U_max")) return 1;
+    const double force = std::abs(r.number(normal_force).value_or(0));
+    if (&q == &path_force) return std::max(value, force);
+    if (&q == &path_work) return std::max(value, force * r.number(unit_shift).value_or(0));
     for (const Quantity* shift : {&static_shift, &final_shift, &settled_shift, &shift_increment})
         if (&q == shift) return std::max(value, r.number(unit_shift).value_or(0));
     return value;
-}
-
-/// What a case may ask first.
-const std::vector<const Quantity*>& told_quantities() {
-    using namespace quantities;
-    static const std::vector<const Quantity*> list{
-        &indentation,   &contact_radius,  &static_shift,        &final_shift,
-        &settled_shift, &shift_increment, &settled_shift_ratio, &shift_increment_ratio};
-    return list;
 }
 
 }  // namespace
@@ -102,8 +105,7 @@ double ResolvedRun::shift_at(double phase) const {
 std::optional<double> NumericalError::of(const Quantity& q) const {
     if (is_exact(q)) return run && run->results.number(q) ? std::optional(0.) : std::nullopt;
     const auto width = half_width(
-        *this, [&q](const ResolvedRun& r) { return r.results.number(q); },
-        &q == &quantities::contact_radius ? no_order : first_order);
+        *this, [&q](const ResolvedRun& r) { return r.results.number(q); }, of_coarsest(*this, q));
     if (!width) return {};
     return std::max(*width, of_tolerance * tolerance * scale_of(q, run->results));
 }
@@ -112,17 +114,28 @@ bool NumericalError::is_exact(const Quantity& q) const {
     return std::ranges::find(prescribed, &q) != prescribed.end();
 }
 
+const std::vector<const Quantity*>& quantities_with_error() {
+    using namespace quantities;
+    static const std::vector<const Quantity*> list{
+        &indentation,           &contact_radius, &normal_force,    &static_shift,
+        &final_shift,           &settled_shift,  &shift_increment, &settled_shift_ratio,
+        &shift_increment_ratio, &path_work,      &path_force};
+    return list;
+}
+
 std::vector<const Quantity*> prescribed_quantities(const Case& c) {
     using contact::NormalControl;
     using contact::TangentialControl;
     std::vector<const Quantity*> list;
     const bool by_path = c.prescribed_path.has_value();
-    if (by_path ? c.prescribed_path->hardest_normal().kind == NormalControl::Kind::indentation
-                : c.load.indentation.has_value())
-        list.push_back(&quantities::indentation);
-    if (by_path &&
-        c.prescribed_path->rows.back().tangential[0].kind == TangentialControl::Kind::shift)
-        list.push_back(&quantities::final_shift);
+    const bool by_depth =
+        by_path ? c.prescribed_path->hardest_normal().kind == NormalControl::Kind::indentation
+                : c.load.indentation.has_value();
+    list.push_back(by_depth ? &quantities::indentation : &quantities::normal_force);
+    if (!by_path) return list;
+    const TangentialControl::Kind along = c.prescribed_path->rows.back().tangential[0].kind;
+    if (along == TangentialControl::Kind::shift) list.push_back(&quantities::final_shift);
+    if (along == TangentialControl::Kind::force) list.push_back(&quantities::path_force);
     return list;
 }
 
@@ -135,9 +148,11 @@ report::Band NumericalError::shift_band(double unit) const {
     for (const std::size_t k : report::thinned(run->phases.size(), most_band_points)) {
         const double phase = run->phases[k], shift = run->shifts[k];
         if (phase < begin) continue;
-        const double width = half_width(*this, [phase](const ResolvedRun& r) {
-                                 return std::optional(r.shift_at(phase));
-                             }).value_or(0);
+        const auto at_phase = [phase](const ResolvedRun& r) {
+            return std::optional(r.shift_at(phase));
+        };
+        const double width =
+            half_width(*this, at_phase, of_coarsest(*this, quantities::final_shift)).value_or(0);
         band.x.push_back(phase);
         band.low.push_back((shift - width) / unit);
         band.high.push_back((shift + width) / unit);
@@ -161,7 +176,7 @@ std::optional<State> NumericalError::other_state() const {
 json numerical_error_json(const NumericalError& error) {
     if (error.model.empty()) return {};
     json widths = json::object(), exact = json::array();
-    for (const Quantity* q : told_quantities()) {
+    for (const Quantity* q : quantities_with_error()) {
         if (const auto width = error.of(*q)) widths[q->key] = *width;
         if (widths.contains(q->key) && error.is_exact(*q)) exact.push_back(q->key);
     }

@@ -26,9 +26,11 @@ struct ResolvedRun {
 /// turning point to the next. Half widths count the first order, the least that contacts have:
 ///     e = 1.25 (max(|v_h - v_2h|, |v_2h - v_4h|/2) + |v_2h - v_2h,2dW| + 4/3 |v_2h - v_2h,dW/4|)
 /// with Roache's factor (1998, Verification and Validation, ch. 5), 3 instead of 1.25 for the mesh
-/// where the coarsest one is missing. Two meshes may agree by accident, three hardly do. A block
-/// whose sides the model has chosen adds what wider ones change. No half width is less than the
-/// solvers' own tolerance, ten times over, but for what the case prescribes, which is exact.
+/// where the coarsest one is missing; without the half of what has no order: radii and
+/// increments counted in cells, and all of springs. Two meshes may agree by accident, three hardly
+/// do. A block whose sides the model has chosen adds what wider ones change. No half width is less
+/// than the solvers' own tolerance, ten times over, but for what the case prescribes, which is
+/// exact.
 struct NumericalError {
     std::string model;
     std::optional<ResolvedRun> run, coarser, coarsest;
@@ -47,6 +49,9 @@ struct NumericalError {
     /// The state that coarser meshes or longer steps come to, where it is another one.
     std::optional<contact::State> other_state() const;
 };
+
+/// What half widths are told of, what a case may ask first before the rest.
+const std::vector<const Quantity*>& quantities_with_error();
 
 /// What a case prescribes of its results.
 std::vector<const Quantity*> prescribed_quantities(const contact::Case& c);

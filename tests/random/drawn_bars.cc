@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -24,27 +25,32 @@ class Drawing {
 
     DrawnRun run() {
         constexpr std::array models{"mdr", "mdr", "bem", "bem", "bem", "bem-layer", "mdr-layer"};
-        model_ = models[whole(0, models.size() - 1)];
-        const bool springs = model_.starts_with("mdr"), layer = model_.ends_with("layer");
+        return run(models[whole(0, models.size() - 1)]);
+    }
+
+    DrawnRun run(const std::string& model) {
+        model_ = model;
+        const bool springs = model_.starts_with("mdr"),
+                   layer = model_.ends_with("layer") || model_ == "fem";
         c_ = drawn_sphere_on_layer(random_, {.3, 1}, {.4, 3});
         if (!layer) c_.layer = {};
         c_.models = {model_};
         draw_body(springs, layer);
         if (!springs && chance(.4)) c_.substrate.poisson = between(random_, {.2, .49});
         c_.contact.coupling = !springs && chance(.7);
-        c_.load.press_steps = whole(2, 8);
+        c_.load.press_steps = whole(2, 6);
         c_.load.tangential_force = {};
         c_.mdr.springs = 4 * whole(20, 100);
-        c_.bem.cells_per_radius = between(random_, {4, 7});
+        c_.bem.cells_per_radius = between(random_, {3.5, 5.5});
         c_.output.vtk = Case::VtkOutput::none;
+        if (model_ == "fem") mesh_coarsely();
         radius_ = contact::half_space_scales(c_).contact_radius;
         const double kind = between(random_, {0, 1});
         if (kind < .45)
             follow_path(springs);
         else
             load(kind);
-        std::string text = fmt::format("{} {} {}", model_, body_, loading_);
-        return {io::parse_case(io::write_case(c_), "case.toml"), std::move(text), closed_form_,
+        return {io::parse_case(io::write_case(c_), "case.toml"), body_, loading_, closed_form_,
                 exact_shift_};
     }
 
@@ -86,6 +92,20 @@ class Drawing {
         closed_form_ = shape < 2;
     }
 
+    /// Some on a frictionless base, some with elements of the model's own choice.
+    void mesh_coarsely() {
+        c_.fem.cache = "none";
+        if (chance(.3)) {
+            c_.layer.base = Case::Base::frictionless;
+            c_.fem.sides = Case::Sides::fixed;
+            body_ += " on a gliding layer";
+        }
+        if (chance(.1)) return;
+        const auto half = contact::half_space_scales(c_).half_widths;
+        c_.fem.size = (c_.is_cylindrical() ? half[0] : std::min(half[0], half[1])) /
+                      between(random_, {3.5, 5.5});
+    }
+
     void load(double kind) {
         c_.load.tangential_ratio = between(random_, {.1, .8});
         if (chance(.25)) {
@@ -104,7 +124,7 @@ class Drawing {
             return;
         }
         if (chance(.12)) relax(*rolling.amplitude);
-        rolling.steps_per_quarter = whole(1, 10);
+        rolling.steps_per_quarter = whole(1, 5);
         loading_ = fmt::format("{} steps per quarter", rolling.steps_per_quarter);
     }
 
@@ -131,7 +151,7 @@ class Drawing {
             const double share = r == 0 ? 0 : between(random_, {.5, 1});
             row.normal = {NormalControl::Kind::force, share * force};
             row.tangential[0].value = r == 0 ? 0 : between(random_, {-.7, .7}) * share * limit;
-            row.steps = whole(1, 12);
+            row.steps = whole(1, 8);
             if (moves)
                 row.tangential[0] = {TangentialControl::Kind::shift,
                                      r == 0 ? 0 : between(random_, {-.4, .4}) * depth};
@@ -177,6 +197,10 @@ class Drawing {
 
 DrawnRun drawn_run(std::uint64_t seed) {
     return Drawing(seed).run();
+}
+
+DrawnRun drawn_fem_run(std::uint64_t seed) {
+    return Drawing(seed).run("fem");
 }
 
 }  // namespace tricontact::random_cases

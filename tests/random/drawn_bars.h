@@ -11,11 +11,15 @@ namespace tricontact::random_cases {
 /// A case for runs beside finer ones: one model, coarse, few steps.
 struct DrawnRun {
     contact::Case c;
-    std::string text;                        ///< for people: model, body, kind of loading
+    std::string body, loading;               ///< for people
     bool has_closed_form = false;            ///< of d and a on the half-space
     std::optional<double> exact_shift = {};  ///< of its path's end, which has not slipped [m]
+
+    std::string text() const { return c.models.front() + ' ' + body + ' ' + loading; }
 };
 
 DrawnRun drawn_run(std::uint64_t seed);
+/// The same of fem: coarse elements, or those of its own choice.
+DrawnRun drawn_fem_run(std::uint64_t seed);
 
 }  // namespace tricontact::random_cases

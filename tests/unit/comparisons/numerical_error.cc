@@ -50,6 +50,57 @@ TEST(NumericalError, AnAccidentDoesNotHideIt) {
     EXPECT_NEAR(*error.of(quantities::settled_shift), 1.25 * .03 / 2 * exact(), 1e-12);
 }
 
+// Error of the midpoint rule behind its last whole spring, which the contact's end crosses by a
+// share t of their distance h: h^2 (1/24 - (t - 1/2)^2/2), of either sign. Beds of h and 2 h that
+// agree by accident are told by the third, whose difference is not halved.
+TEST(NumericalError, SpringsHaveNoOrder) {
+    NumericalError error = of_first_order(.01);
+    error.coarser = run_off(.012);
+    error.coarsest = run_off(.022);
+    const auto width = [&] { return *error.of(quantities::settled_shift) / exact(); };
+    EXPECT_NEAR(width(), 1.25 * .005, 1e-12);
+    error.model = "mdr";
+    EXPECT_NEAR(width(), 1.25 * .01, 1e-12);
+    const auto band = error.shift_band(1);
+    EXPECT_NEAR((band.high.back() - band.low.back()) / 2,
+                1.25 * .01 / 1.01 * error.run->shifts.back(), 1e-12 * exact() + 1e-15);
+}
+
+// A force that is prescribed is exact; one that follows from a depth is not, nor is what a
+// prescribed shift takes, nor the work on its way. Work of nothing that slips has the solvers'
+// tolerance.
+TEST(NumericalError, ForcesAndWorkHaveHalfWidths) {
+    using namespace quantities;
+    EXPECT_EQ(prescribed_quantities(the_case), std::vector{&indentation});
+    contact::Case c = the_case;
+    c.load.indentation.reset();
+    c.load.normal_force = 1;
+    EXPECT_EQ(prescribed_quantities(c), std::vector{&normal_force});
+    contact::PrescribedPath path;
+    path.rows.resize(2);
+    path.rows[1].normal = {contact::NormalControl::Kind::indentation, 1e-4};
+    path.rows[1].tangential[0] = {contact::TangentialControl::Kind::force, .1};
+    c.prescribed_path = path;
+    EXPECT_EQ(prescribed_quantities(c), (std::vector{&indentation, &path_force}));
+    c.prescribed_path->rows[1].tangential[0].kind = contact::TangentialControl::Kind::ratio;
+    EXPECT_EQ(prescribed_quantities(c), std::vector{&indentation});
+    c.prescribed_path->rows[1].normal.kind = contact::NormalControl::Kind::force;
+    c.prescribed_path->rows[1].tangential[0].kind = contact::TangentialControl::Kind::shift;
+    EXPECT_EQ(prescribed_quantities(c), (std::vector{&normal_force, &final_shift}));
+
+    contact::History history = synthetic::settling_history("bem");
+    for (contact::StepRecord& step : history.steps) step.dissipation = 0;
+    NumericalError error{.model = "bem",
+                         .run = ResolvedRun(c, history),
+                         .coarser = ResolvedRun(c, history),
+                         .coarsest = {},
+                         .tolerance = 1e-7,
+                         .prescribed = prescribed_quantities(c)};
+    EXPECT_GT(error.of(path_work).value_or(0), 0);
+    EXPECT_GT(error.of(path_force).value_or(0), 0);
+    EXPECT_EQ(error.of(normal_force), 0);
+}
+
 TEST(NumericalError, TwoMeshesCountThreeTimesAndStepsAreAdded) {
     NumericalError error = of_first_order(.01);
     error.coarsest.reset();
