@@ -6,8 +6,8 @@
 
 #include "app/case_run.h"
 #include "comparisons/run/relaxation_report.h"
-#include "contact/error.h"
 #include "contact/own_limit.h"
+#include "contact/stopped.h"
 
 namespace tricontact::app {
 
@@ -50,22 +50,6 @@ Change change(Value& value, Value other) {
 template <class Value>
 Change flip(Value& value) {
     return change(value, static_cast<Value>(!static_cast<bool>(value)));
-}
-
-/// Runs; what stopped the contact, in words, which leaves the run itself none the worse, or
-/// nothing. Failures of the program (no memory, a file that is gone) are no findings and pass.
-template <class Run>
-std::string why_it_stopped(Run run) {
-    try {
-        run();
-    } catch (const contact::InputError& error) {
-        return error.what();
-    } catch (const contact::NotConverged& error) {
-        return error.what();
-    } catch (const contact::ContactAtEdge& error) {
-        return error.what();
-    }
-    return {};
 }
 
 Case without_rolling(Case c) {
@@ -111,7 +95,7 @@ class Variants {
         variant.changed = changed;
         variant.run = run_;
         say_(fmt::format("{}: loading once more with {} = {}", name_, key, variant.changed));
-        variant.why_none = why_it_stopped(
+        variant.why_none = contact::why_it_stopped(
             [&] { variant.other = run_values(contact::run(c, *model_.sibling(c.contact))); });
         variant.why_not_rolled = why_not_rolled_;
         variants_.push_back(std::move(variant));
@@ -129,7 +113,7 @@ class Variants {
             return run_values(history);
         say_(fmt::format("{}: loading once more, rolled by turning points", name_));
         RunValues rolled = loaded;
-        why_not_rolled_ = why_it_stopped([&] {
+        why_not_rolled_ = contact::why_it_stopped([&] {
             rolled = run_values(contact::run(as_rolled_, *model_.sibling(as_rolled_.contact)));
         });
         if (why_not_rolled_.empty()) return rolled;
@@ -186,7 +170,7 @@ RunValues run_once(const Case& c, const std::string& model, int n_threads) {
 
 void run_twin(const Case& c, int n_threads, const Say& say, TwinComparison& comparison) {
     say(fmt::format("{}: once more on the relaxed, elastic substrate", comparison.model));
-    comparison.why_none = why_it_stopped([&] {
+    comparison.why_none = contact::why_it_stopped([&] {
         comparison.other = run_once(comparisons::elastic_twin(c), comparison.model, n_threads);
     });
     const std::string found = comparisons::twin_sentence(comparison);
@@ -266,7 +250,7 @@ void study_small_strains(const Case& c, const History& history, const RunOptions
         Case linear = contact::loaded_as(c, history);
         linear.law = Case::Law::linear;
         linear.c01_ratio.reset();
-        study.why_none = why_it_stopped([&] {
+        study.why_none = contact::why_it_stopped([&] {
             study.linear = comparisons::Results(
                 linear, history_of(history.model, linear, options.threads, silent));
         });

@@ -1,11 +1,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <stdexcept>
 
 #include "app/case_run.h"
 #include "contact/load_path.h"
 #include "contact/own_limit.h"
+#include "contact/stopped.h"
 
 namespace tricontact::app {
 
@@ -92,25 +92,21 @@ std::optional<NumericalError> numerical_error(const Case& c, const contact::Hist
     say(fmt::format("{}: once more on coarser meshes and with other steps", name));
     const int n_threads = options.threads;
     CoarserModel coarser;
-    try {
+    // The run itself is none the worse for what stops these.
+    error.why_none = contact::why_it_stopped([&] {
         coarser = make_coarser_model(name, loaded, 2, n_threads, silent);
         error.coarser = resolved(coarser.c, *coarser.model);
-    } catch (const std::exception& e) {  // the run itself is none the worse for it
-        error.why_none = e.what();
-        return error;
-    }
-    try {
+    });
+    if (!error.why_none.empty()) return error;
+    error.why_no_steps = contact::why_it_stopped([&] {
         const OtherSteps steps(loaded, coarser, history.amplitude, n_threads);
         error.long_steps = steps.run(name, [](int n) { return std::max(1, n / 2); });
         error.short_steps = steps.run(name, [](int n) { return n == 1 ? steps_for_one : n; });
-    } catch (const std::exception& e) {
-        error.why_no_steps = e.what();
-    }
-    try {
+    });
+    contact::why_it_stopped([&] {  // else two meshes have to do
         const CoarserModel coarsest = make_coarser_model(name, loaded, 4, n_threads, silent);
         error.coarsest = resolved(coarsest.c, *coarsest.model);
-    } catch (const std::exception&) {  // then two meshes have to do
-    }
+    });
     if (name != "fem") return error;
     try {
         if (const auto wide = with_wider_block(coarser.c, wider, silent))

@@ -28,6 +28,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* limit_variable = "TRICONTACT_CACHE_LIMIT";
+constexpr const char* folder_variable = "TRICONTACT_CACHE";  // in place of the user's; absolute
 constexpr std::uint64_t default_limit = 10'000'000'000;
 
 constexpr std::array<std::pair<std::string_view, double>, 5> units{
@@ -53,6 +54,8 @@ double size_of(std::string_view text) {
 }
 
 std::string user_folder() {
+    const char* own = std::getenv(folder_variable);
+    if (own && *own == '/') return own;
     const char* cache = std::getenv("XDG_CACHE_HOME");
     // The XDG specification: relative paths are invalid and to be ignored.
     if (cache && *cache == '/') return (fs::path(cache) / "tricontact").string();

@@ -43,7 +43,8 @@ std::string size_text(std::uint64_t bytes);
 /// not used for longest go.
 class LayerCache {
   public:
-    /// Empty folder: $XDG_CACHE_HOME/tricontact or ~/.cache/tricontact; "none": nothing is kept.
+    /// Empty folder: $TRICONTACT_CACHE, $XDG_CACHE_HOME/tricontact or ~/.cache/tricontact; "none":
+    /// nothing is kept.
     /// Throws contact::InputError if the limit that the user set is no size.
     explicit LayerCache(const std::string& folder);
 

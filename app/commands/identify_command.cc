@@ -162,9 +162,9 @@ std::vector<std::pair<std::string, std::string>> settings_of(const Identificatio
     for (const auto& table : input.tables)
         settings.emplace_back(
             std::string(experiments::name_of(table.measurement)),
-            fmt::format("{}, {} observations",
+            fmt::format("{}, {} observations{}",
                         std::filesystem::path(table.data_file).filename().string(),
-                        table.observed.size()));
+                        table.observed.size(), table.reading.empty() ? "" : "; " + table.reading));
     const auto add = [&](const char* key, const char* symbol, const std::string& value) {
         if (!input.is_free(key)) settings.emplace_back(symbol, value);
     };
@@ -204,6 +204,10 @@ IdentificationStudy study_of(const IdentificationInput& input, const IdentifyOpt
 }
 
 void print(const IdentificationStudy& study, std::ostream& out) {
+    for (const auto& table : study.input.tables)
+        if (!table.reading.empty())
+            out << std::filesystem::path(table.data_file).filename().string() << ": "
+                << table.reading << '\n';
     const auto& parameters = study.input.parameters;
     out << fmt::format("{:<11}", "model");
     for (const auto& p : parameters) out << fmt::format(" {:<32}", p.symbol);

@@ -1,4 +1,5 @@
 #include <boost/algorithm/string/replace.hpp>
+#include <cstdlib>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -99,12 +100,37 @@ void say_versions(const ReproduceOptions& options, const Archive& archive) {
     }
 }
 
+/// While it lives, condensed layers are kept in a folder that goes away with it: an archive of
+/// others leaves nothing in the user's own, and none from there stands in for what is to be
+/// computed again.
+class LayersApart {
+  public:
+    LayersApart() {
+        if (const char* before = std::getenv(variable)) before_ = before;
+        ::setenv(variable, folder_.path().c_str(), 1);
+    }
+    ~LayersApart() {
+        if (before_)
+            ::setenv(variable, before_->c_str(), 1);
+        else
+            ::unsetenv(variable);
+    }
+    LayersApart(const LayersApart&) = delete;
+    LayersApart& operator=(const LayersApart&) = delete;
+
+  private:
+    static constexpr const char* variable = "TRICONTACT_CACHE";
+    TemporaryFolder folder_;
+    std::optional<std::string> before_;
+};
+
 comparisons::Reproduction compared(const ReproduceOptions& options, const Archive& archive,
                                    const std::string& folder) {
     unpack(archive, folder);
     const std::string real = std::filesystem::canonical(folder).string();
     Findings findings;
     const io::InputLog inputs;
+    const LayersApart apart;
     try {
         for (const Call& call : archive.calls) findings = run_again(options, call, real);
     } catch (const contact::InputError& error) {

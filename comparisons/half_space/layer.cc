@@ -5,8 +5,8 @@
 
 #include "comparisons/quantities/reference.h"
 #include "contact/bodies/half_space_scales.h"
-#include "contact/error.h"
 #include "contact/load_path.h"
+#include "contact/stopped.h"
 #include "theory/hertz.h"
 
 namespace tricontact::comparisons {
@@ -25,33 +25,27 @@ theory::LayerContact solve(const Case& c) {
                                        contact::press_step(c).normal);
 }
 
+PressedValues exact_values(const Case& c) {
+    if (c.is_line_contact()) {
+        const theory::LineContact line = exact_line_contact(c).value();
+        const double length = c.indenter.length;  // the shift of full sliding is left out
+        return {
+            line.half_width,        line.indentation, line.load * length, line.centre_pressure, {},
+            line.stiffness * length};
+    }
+    const theory::LayerContact exact = solve(c);
+    std::optional<double> shift = exact.unit_shift;
+    if (shift) *shift *= c.friction_coefficient;
+    return {
+        exact.contact_radius,  exact.indentation, exact.normal_force, exact.centre_pressure, shift,
+        exact.normal_stiffness};
+}
+
 void add_exact(const Case& c, LayerComparison& result) {
     result.why_not = why_no_exact_theory(c);
     if (!result.why_not.empty()) return;
-    try {
-        if (c.is_line_contact()) {
-            const theory::LineContact line = exact_line_contact(c).value();
-            const double length = c.indenter.length;  // the shift of full sliding is left out
-            result.exact = {line.half_width,
-                            line.indentation,
-                            line.load * length,
-                            line.centre_pressure,
-                            {},
-                            line.stiffness * length};
-            return;
-        }
-        const theory::LayerContact exact = solve(c);
-        std::optional<double> shift = exact.unit_shift;
-        if (shift) *shift *= c.friction_coefficient;
-        result.exact = {exact.contact_radius,
-                        exact.indentation,
-                        exact.normal_force,
-                        exact.centre_pressure,
-                        shift,
-                        exact.normal_stiffness};
-    } catch (const std::runtime_error& error) {  // out of the theory's range, not converged
-        result.why_not = error.what();
-    }
+    // Out of the theory's range, or not converged.
+    result.why_not = contact::why_it_stopped([&] { result.exact = exact_values(c); });
 }
 
 ApparentModuli apparent_moduli(const Case& c, const PressedValues& layer) {
@@ -144,11 +138,9 @@ PressedValues hertz_values(const Case& c) {
 
 std::optional<theory::LayerContact> exact_layer_contact(const Case& c) {
     if (!c.layer.thickness || !why_no_exact_theory(c).empty()) return {};
-    try {
-        return solve(c);
-    } catch (const std::runtime_error&) {  // out of the theory's range, not converged
-        return {};
-    }
+    std::optional<theory::LayerContact> exact;  // empty: out of the theory's range, not converged
+    contact::why_it_stopped([&] { exact = solve(c); });
+    return exact;
 }
 
 std::optional<LayerComparison> compare_with_layer(const Case& c,

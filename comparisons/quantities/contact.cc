@@ -51,8 +51,12 @@ constinit const Quantity peak_pressure{
     .unit = "Pa",
     .name = "peak pressure",
     .meaning = "Largest normal traction, pressed without friction.",
+    .defined = "not under a conical tip, where it is infinite: that of a mesh grows with the mesh",
     .source = "Johnson (1985), 4.2",
-    .of = [](const Subject& s) { return finite(s.history.scales.peak_pressure); },
+    .of = [](const Subject& s) -> QuantityValue {
+        if (contact::has_conical_tip(s.c)) return {};
+        return finite(s.history.scales.peak_pressure);
+    },
     .exact = [](const Reference& r) { return finite(r.peak_pressure); },
     .part = Part::pressed,
     .is_refined = true};

@@ -57,6 +57,8 @@ std::vector<std::pair<const Quantity*, std::string>> why_undefined(const contact
         why.emplace_back(&quantities::kappa, why_no_kappa(c, r));
     if (r.state() == contact::State::ratcheting && !r.number(quantities::eta))
         why.emplace_back(&quantities::eta, why_no_eta(c, r));
+    if (contact::has_conical_tip(c))
+        why.emplace_back(&quantities::peak_pressure, "it is infinite under a conical tip");
     return why;
 }
 

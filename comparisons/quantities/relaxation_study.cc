@@ -6,8 +6,8 @@
 #include <boost/math/tools/roots.hpp>
 #include <cmath>
 #include <numbers>
-#include <stdexcept>
 
+#include "contact/stopped.h"
 #include "contact/verdict.h"
 
 namespace tricontact::comparisons {
@@ -45,7 +45,7 @@ void search(const ErrorAtSpeed& error, double speed, double slowest, double fast
         result.fastest = std::max(result.fastest, v);
         const auto found = error(v);
         if (!found)
-            throw std::runtime_error(fmt::format("the error is undefined at {:.3g} m/s", v));
+            throw contact::NotConverged(fmt::format("the error is undefined at {:.3g} m/s", v));
         return std::log(std::max(*found, least_error) / SpeedLimit::limit);
     };
     result.slowest = result.fastest = speed;
@@ -144,13 +144,12 @@ SpeedLimit find_speed_limit(const Relaxation& relaxation, double amplitude,
         std::ranges::minmax(relaxation.branches, {}, &Relaxation::Branch::time);
     // Half a step of slack: rounding does not decide whether a step is taken.
     const double slack = std::sqrt(step);
-    try {
+    const std::string why = contact::why_it_stopped([&] {
         search(error, speed_of(first_deborah, slow.time, amplitude),
                speed_of(least_deborah, slow.time, amplitude) / slack,
                speed_of(largest_deborah, fast.time, amplitude) * slack, result);
-    } catch (const std::runtime_error& failure) {
-        result.why_none = failure.what();
-    }
+    });
+    if (!why.empty()) result.why_none = why;
     if (result.speed) result.frequency = *result.speed / (4 * amplitude);
     return result;
 }

@@ -87,7 +87,7 @@ struct SpeedLimit {
 };
 
 /// |Error of the elastic reference run| at a drive speed [m/s]; empty where undefined. May throw
-/// std::runtime_error: no solution.
+/// what contact::why_it_stopped knows: no solution.
 using ErrorAtSpeed = std::function<std::optional<double>(double speed)>;
 
 /// Looks for the speed by runs of `error`: from De = 0.01 of the slowest branch in steps of ten,

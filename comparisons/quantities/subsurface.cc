@@ -38,8 +38,14 @@ constinit const Quantity peak_von_mises_ratio{
     .over = "p_0",
     .name = "largest von Mises stress",
     .meaning = "Largest von Mises stress inside the substrate over the peak pressure.",
-    .defined = written,
-    .of = of_inside<[](Inside i, Scales s) { return i.peak_von_mises / s.peak_pressure; }>,
+    .defined =
+        "where the inside of the substrate was written (output.volume) and the peak pressure is "
+        "finite",
+    .of = [](const Subject& s) -> QuantityValue {
+        const auto p0 = number_of(peak_pressure.of(s));
+        if (!s.history.subsurface || !p0) return {};
+        return finite(s.history.subsurface->peak_von_mises / *p0);
+    },
     .place = "/subsurface/peak_von_mises_ratio",
     .part = Part::inside};
 

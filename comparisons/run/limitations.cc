@@ -58,8 +58,8 @@ std::string coupled_sentence(const contact::Case& c, const Summaries& summaries)
 
 std::string pressure_sentence(const contact::Case& c, const Summaries& summaries) {
     if (contact::has_conical_tip(c))
-        return "Under the tip the pressure is infinite, as a logarithm: a model's peak is that of "
-               "its cells there, and grows as they shrink.";
+        return "Under the tip the pressure is infinite, as a logarithm: that of a model's cells "
+               "there grows as they shrink, and is no result.";
     if (c.indenter.shape == contact::Case::Shape::profile || !theory::has_body_theory(c) ||
         contact::pressure_falls(c))
         return {};

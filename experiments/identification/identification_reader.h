@@ -33,6 +33,7 @@ struct IdentificationInput {
     struct Table {
         Measurement measurement = Measurement::static_shift;
         std::string data_file;                ///< as it is opened
+        std::string reading;                  ///< what of it was taken; empty: all its columns
         double held = 0;                      ///< of a history: indentation [m] or force [N]
         bool has_free_zero = false;           ///< depths count from anywhere, see zero_depth_key
         std::vector<double> given;            ///< [SI] F_T, d, F_N, t or W of each row

@@ -1,7 +1,13 @@
 #include <algorithm>
+#include <filesystem>
+#include <utility>
 
 #include "experiments/identification/identification_reader.h"
+#include "io/keys/input_file.h"
+#include "io/keys/messages.h"
 #include "io/tables/csv_table.h"
+#include "io/tables/divided_text.h"
+#include "io/tables/force_curve.h"
 
 namespace tricontact::experiments {
 
@@ -72,16 +78,49 @@ void check_touches(const io::CsvTable& table, std::string_view depth, std::strin
     }
 }
 
+constexpr std::size_t most_rows = 10'000;
+constexpr std::size_t most_megabytes = 16;  // instruments write all their channels
+
+std::string few_rows(std::size_t n, std::size_t least) {
+    return "the table has " + std::to_string(n) +
+           " rows, which do not determine the values to be found and how well they are known: " +
+           std::to_string(least) + " at least";
+}
+
+/// As an instrument exports it, with all its segments.
+void read_force_curve(IdentificationInput::Table& measured, const std::string& text,
+                      const std::string& name, std::size_t least_rows) {
+    if (measured.measurement != Measurement::force_indentation)
+        io::fail(name, "",
+                 "this is a force curve, which is read for measurement.force_indentation alone",
+                 "write a table of its segment for " + std::string(key_of(measured.measurement)));
+    if (!measured.has_free_zero)
+        io::fail(name, "", "the heights of a force curve count from anywhere",
+                 "add \"zero_depth\" to measurement.find");
+    io::ForceCurve curve = io::force_curve(text, name, most_rows);
+    if (curve.depth.size() < least_rows)
+        io::fail(name, "", few_rows(curve.depth.size(), least_rows), "export the whole approach");
+    if (!(std::ranges::max(curve.force) > 0))
+        io::fail(name, "", "no force is positive", "turn the sign of vDeflection");
+    measured.given = std::move(curve.depth);
+    measured.observed = std::move(curve.force);
+    measured.reading = std::move(curve.reading);
+}
+
 }  // namespace
 
 void read_measured_table(IdentificationInput::Table& measured, std::size_t least_rows) {
+    const std::string name = std::filesystem::path(measured.data_file).filename().string();
+    const std::string text = io::utf8_text(
+        io::read_input_file(measured.data_file, "table of a measurement", most_megabytes), name);
+    if (io::is_force_curve(text)) return read_force_curve(measured, text, name, least_rows);
     const auto& [given, observed, example] = columns_of(measured.measurement);
     const std::string error_column = std::string(observed.name) + "_error";
-    const io::CsvTable table =
-        io::read_csv_table(measured.data_file, {.kind = "table of a measurement",
-                                                .header = std::string(example),
-                                                .most_rows = 10'000,
-                                                .thinning = "thin it out, or take means"});
+    const io::CsvTable table(text, name,
+                             {.kind = "table of a measurement",
+                              .header = std::string(example),
+                              .most_rows = most_rows,
+                              .thinning = "thin it out, or take means"});
     table.check_names({given.name, observed.name, error_column});
     measured.given = table.values(given.name, given.dimension);
     measured.observed = table.values(observed.name, observed.dimension);
@@ -97,11 +136,7 @@ void read_measured_table(IdentificationInput::Table& measured, std::size_t least
         measured.standard_errors = table.values(error_column, observed.dimension);
         table.check_positive(error_column);
     }
-    if (table.n_rows() < least_rows)
-        table.refuse_header(
-            "the table has " + std::to_string(table.n_rows()) +
-            " rows, which do not determine the values to be found and how well they are known: " +
-            std::to_string(least_rows) + " at least");
+    if (table.n_rows() < least_rows) table.refuse_header(few_rows(table.n_rows(), least_rows));
     if (is_rolled && std::ranges::max(measured.given) == std::ranges::min(measured.given))
         table.refuse_value(0, given.name, "the offset is the same everywhere",
                            "a period rolls to both sides: copy the shift at several offsets");

@@ -136,4 +136,14 @@ refused 'missing.msh' own "$work/missing.msh"
 head -c 20000 meshed/mesh.msh >short.msh
 refused 'short.msh' own "$work/short.msh"
 
+# 9. An archive of others leaves no layer in the user's folder, nor is one from there taken for what is computed again.
+export XDG_CACHE_HOME=$work/users
+"$program" run "$source_dir/examples/cases/rig_layer_parallel.toml" --models fem --no-studies --set 'fem.size="2 mm"' \
+    --set rolling.periods=1 --set rolling.steps=turning-points --output exported --export paper --quiet >/dev/null 2>&1 ||
+    complain "the archive"
+[ -n "$(ls users/tricontact)" ] || complain "the run keeps no layer"
+rm -r users
+"$program" reproduce paper/archive.zip --quiet >said.txt 2>&1 || complain "reproduce: $(cat said.txt)"
+[ ! -e users ] || complain "reproduce fills the user's folder: $(find users)"
+
 finish

@@ -66,6 +66,60 @@ sed 's/find = .*/find = ["zero_depth"]/' curve.toml >alone.toml
 refused 'force_indentation tells zero_depth only beside the modulus; add "substrate.young"' \
     identify "$work/alone.toml" --output out
 
+# A force curve as JPK's programs export it, E = 2 kPa, first touch 3.2 um below the zero of the tip: an approach, a pause and
+# a retraction that is no Hertz' (forces at 0.9 of the depth). Of the tip, and of the height with the bending in it,
+# k = 0.05 N/m; the piezo's own height is 1 % off.
+jpk() { # COLUMNS UNITS
+    awk -v columns="$1" -v units="$2" 'function row(d, k,    f, i, n, c, v) {
+            f = (d > 0 ? 4 / 3 * 2000 / 0.75 * sqrt(10e-6) * d ^ 1.5 : 0) + 2e-11 * (((k * 7) % 11 - 5) / 5)
+            v["verticalTipPosition"] = 3.2e-6 - d; v["vDeflection"] = f; v["measuredHeight"] = 3.2e-6 - d - f / 0.05
+            v["height"] = 1.01 * v["measuredHeight"]; v["seriesTime"] = k / 1000
+            n = split(columns, c, " ")
+            for (i = 1; i <= n; i++) printf "%.10e%s", v[c[i]], i < n ? " " : "\n" }
+        function head(index_, name) { printf "\n# segmentIndex: %d\n# segment: %s\n# springConstant: 0.05\n#\n", index_, name
+            printf "# columns: %s\n# units: %s\n", columns, units }
+        BEGIN { print "# xPosition: 0.0"
+            head(0, "extend"); for (k = 0; k <= 80; k++) row((-300 + 10 * k) * 1e-9, k)
+            head(1, "pause"); for (k = 0; k <= 20; k++) row(500e-9, k)
+            head(2, "retract"); for (k = 80; k >= 0; k--) row((-300 + 10 * k) * 0.9e-9, k) }'
+}
+jpk "height vDeflection verticalTipPosition seriesTime" "m N m s" >tip.txt
+jpk "height vDeflection measuredHeight" "m N m" >height.txt
+for name in tip height; do
+    sed "s|$work/curve.csv|$work/$name.txt|" zero.toml >$name.toml
+    "$program" identify $name.toml --output out_$name --quiet >$name.out 2>&1 || complain "$name: $(cat $name.out)"
+    "$python" - $name <<'PYTHON' || complain "E or the first touch of JPK's text: $(cat $name.out)"
+import json, sys
+m = json.load(open(f"out_{sys.argv[1]}/identify.json"))["models"]["half-space"]
+low, high = m["young_Pa"]["likelihood_interval"]
+assert low < 2000 < high and high - low < 100, (low, high)
+low, high = m["zero_depth_m"]["likelihood_interval"]
+assert low < -3.2e-6 < high and high - low < 2e-8, (low, high)
+PYTHON
+done
+grep -q '^tip.txt: segment extend of 3, depth = -verticalTipPosition$' tip.out || complain "not said: $(cat tip.out)"
+grep -q 'depth = -(measuredHeight + vDeflection/k), k = 0.05 N/m' out_height/identify.json || complain "the settings say nothing"
+# jpk_refused FILE EXPECTED: instead of tip.txt.
+jpk_refused() {
+    sed "s|$work/curve.csv|$work/$1|" zero.toml >refused.toml
+    refused "$2" identify "$work/refused.toml" --output out
+}
+sed 's/# units: m N/# units: m V/' tip.txt >volts.txt
+jpk_refused volts.txt 'vDeflection in "V": "V" is not a unit of force; export it in N'
+grep -v springConstant height.txt >loose.txt
+jpk_refused loose.txt 'measuredHeight, which the bending of the cantilever is part of, and the file no line # springConstant'
+sed 's/# segment: retract/# segment: extend/' tip.txt >twice.txt
+jpk_refused twice.txt 'a second segment "extend" begins here; keep the one that is to be evaluated'
+sed 's/# segment: extend/# segment: approach/' tip.txt >other.txt
+jpk_refused other.txt 'has no segment "extend", which goes towards the sample; it has approach, pause, retract'
+sed 's/\(e-0[0-9]\) \(-\{0,1\}[0-9]\)/\1 -\2/; s/--//' tip.txt >flipped.txt
+jpk_refused flipped.txt 'has its largest force far from the sample'
+sed "s|$work/curve.csv|$work/tip.txt|" curve.toml >no_zero.toml
+refused 'the heights of a force curve count from anywhere; add "zero_depth" to measurement.find' \
+    identify "$work/no_zero.toml" --output out
+sed 's/force_indentation/contact_radius/; s/, "zero_depth"//' tip.toml >radius.toml
+refused 'this is a force curve, which is read for measurement.force_indentation alone' identify "$work/radius.toml" --output out
+
 # On a layer, too: depths counted from elsewhere change nothing but the depth of first touch, and the stated 4.22 MPa lie
 # in the interval.
 sed 's/find = .*/find = ["substrate.young", "zero_depth"]/; s/, *"half-space"//; s/"half-space", *//' \

@@ -138,6 +138,12 @@ TEST(Summary, SaysWhyKappaIsUndefined) {
     cone.indenter.shape = contact::Case::Shape::cone;
     cone.indenter.angle = .1;
     EXPECT_NE(why(cone, base).find("paraboloid or sphere"), std::string::npos) << why(cone, base);
+    // Nor is there a peak of its pressure, whatever the cell under the tip has.
+    const Results pressed(cone, synthetic::settling_history("bem", base));
+    EXPECT_FALSE(pressed.number(quantities::peak_pressure));
+    EXPECT_TRUE(
+        Results(c, synthetic::settling_history("bem", base)).number(quantities::peak_pressure));
+    EXPECT_EQ(why_undefined(cone, pressed).back().first, &quantities::peak_pressure);
     contact::Case oscillating = c;
     oscillating.load.tangential_amplitude_ratio = .1;
     EXPECT_EQ(why(oscillating, base), "the loads oscillate");

@@ -190,10 +190,16 @@ TEST(RelaxationSpeedLimit, SaysWhenThereIsNone) {
 
 TEST(RelaxationSpeedLimit, FailingRunsEndTheSearchWithTheirMessage) {
     const SpeedLimit failed = find_speed_limit(one_branch, 1, [](double) -> std::optional<double> {
-        throw std::runtime_error("no convergence");
+        throw contact::NotConverged("no convergence");
     });
     EXPECT_FALSE(failed.speed);
     EXPECT_EQ(failed.why_none, "no convergence");
+    // A failure of the program is no finding.
+    EXPECT_THROW(find_speed_limit(one_branch, 1,
+                                  [](double) -> std::optional<double> {
+                                      throw std::runtime_error("a file is gone");
+                                  }),
+                 std::runtime_error);
     const SpeedLimit undefined =
         find_speed_limit(one_branch, 1, [](double) { return std::optional<double>(); });
     EXPECT_NE(undefined.why_none.find("undefined"), std::string::npos);
