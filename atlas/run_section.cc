@@ -134,7 +134,8 @@ std::optional<report::DocumentSection> place_in_maps(const Case& c,
     section.paragraphs.push_back(
         "The shipped maps say without a run what contacts at other amplitudes and loads come to: "
         "tricontact predict.");
-    for (const std::string& gap : here.gaps) section.paragraphs.push_back("Not told: " + gap + ".");
+    for (const std::string& gap : here.gaps)
+        section.paragraphs.push_back("Not predicted: " + gap + ".");
     section.figures.push_back(figure_of(c, here));
     report::DocumentTable table = table_of(c, results, models);
     if (!table.rows.empty()) section.tables.push_back(std::move(table));

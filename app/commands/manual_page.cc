@@ -28,7 +28,7 @@ std::string manual_page(const std::vector<CommandText>& commands) {
         ".TH TRICONTACT 1 \"\" \"tricontact {}\" \"User Commands\"\n"
         ".SH NAME\ntricontact \\- models of frictional contact side by side\n"
         ".SH SYNOPSIS\n.B tricontact\n\\fICOMMAND\\fR [\\fIARGUMENT\\fR|\\fIOPTION\\fR]...\n"
-        ".SH DESCRIPTION\n{}\n.PP\n\\fBtricontact \\fICOMMAND\\fB \\-\\-help\\fR tells the same "
+        ".SH DESCRIPTION\n{}\n.PP\n\\fBtricontact \\fICOMMAND\\fB \\-\\-help\\fR prints the same "
         "as the following sections.\n.SH COMMANDS\n",
         files::version, roff(program_text));
     for (const CommandText& command : commands) {

@@ -23,7 +23,7 @@ std::optional<double> refined_width(const std::optional<Refinement>& refinement,
 std::string refinement_note(const Refinement& refinement, const Quantity& q) {
     return refined_width(refinement, q)
                ? " ± is the error of the finest mesh, estimated from all levels."
-               : " What the mesh leaves in it is told by the section on the refinement.";
+               : " Its error of the mesh stands in the section on the refinement.";
 }
 
 std::string error_note(const std::optional<NumericalError>& error, const Quantity& q) {
