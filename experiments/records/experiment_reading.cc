@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "contact/special_values.h"
 #include "experiments/records/experiment_report.h"
-#include "experiments/records/record_scales.h"
 #include "report/format.h"
 
 namespace tricontact::experiments {
@@ -15,14 +15,6 @@ namespace {
 using contact::State;
 using report::Verdict;
 using enum Verdict::Standing;
-
-// "217.9 ± 0.3 um" with the half width of the interval.
-std::string shift(const Estimate& e) {
-    return report::with_error(1e6 * e.value, 1e6 * e.half_width(), 4) + " µm";
-}
-std::string shift(const Repeated& r) {
-    return shift(r.at_confidence);
-}
 
 std::string runs(const ExperimentEvaluation& e) {
     return e.runs.size() == 1 ? "one run" : fmt::format("{} runs", e.runs.size());
@@ -48,7 +40,7 @@ std::string walk(const ExperimentEvaluation& e) {
     const bool repeats = e.runs.size() > 1;
     if (e.state == State::ratcheting)
         return fmt::format("the residual ratcheting beside the transient is {} per period ({}{})",
-                           shift(walk_of_runs(e)), level(verdict_confidence),
+                           shift_text(walk_of_runs(e)), level(verdict_confidence),
                            repeats ? ", by the scatter of the runs" : "");
     if (e.state != State::shakedown)
         return fmt::format(
@@ -95,15 +87,15 @@ Verdict curvature_verdict(const ExperimentEvaluation& e) {
 Verdict values_verdict(const ExperimentEvaluation& e) {
     const std::string scatter =
         e.runs.size() > 1 ? "by the scatter of " + runs(e) : "of one run, by noise and drift";
-    std::string sentence = fmt::format("U_stat = {}, ", shift(e.static_shift));
+    std::string sentence = fmt::format("U_stat = {}, ", shift_text(e.static_shift));
     if (e.kind == Experiment::Kind::ratcheting)
-        sentence += fmt::format("ΔU = {} per period ({}, {}).", shift(e.increment),
+        sentence += fmt::format("ΔU = {} per period ({}, {}).", shift_text(e.increment),
                                 level(e.confidence), scatter);
     else
         sentence += fmt::format(
-            "U_sd = {} after {} periods ({}, {}){}.", shift(e.final_shift), e.periods,
+            "U_sd = {} after {} periods ({}, {}){}.", shift_text(e.final_shift), e.periods,
             level(e.confidence), scatter,
-            e.state == State::shakedown ? "; extrapolated " + shift(e.settled_shift) : "");
+            e.state == State::shakedown ? "; extrapolated " + shift_text(e.settled_shift) : "");
     return {finding, sentence};
 }
 
@@ -123,87 +115,7 @@ Verdict limit_verdict(const ExperimentEvaluation& e) {
                         report::with_error(1e3 * w.value, 1e3 * w.half_width(), 4),
                         e.limit_amplitude->runs, runs(e), level(e.confidence),
                         report::significant(mm * e.last_shakedown->at_confidence.value, 4),
-                        report::percent(ratio_limit), shift(*e.limit_shift))};
-}
-
-// Of a Deviation or a SeriesDeviation that cannot tell.
-template <class D>
-std::string why_not_compared(const D& d, double creep) {
-    if (!d.has_errors)
-        return "the case states no uncertainty of its numbers: whether they differ is not resolved";
-    if (d.rest_is_missing)
-        return "how long F_T acted before the rolling is not known: whether they differ is not "
-               "resolved";
-    if (d.is_spoilt)
-        return "a record is damaged, as said below: whether they differ is not resolved";
-    if (d.slides)
-        return "within the uncertainty of the case the contact slides: whether they differ is "
-               "not resolved";
-    return fmt::format(
-        "{}; but not if the drift that was subtracted, {} µm, is creep of the substrate",
-        statement(d.error, "m"), report::significant(um * creep, 2));
-}
-
-/// The largest difference that agrees [m].
-std::string allowed(double half_width, bool has_errors) {
-    return has_errors ? fmt::format("within {} µm", report::significant(um * half_width, 2)) : "";
-}
-
-std::string seen(double resolution, const ComparisonError& error) {
-    return fmt::format("would have seen {} %; uncertain by {}",
-                       report::significant(100 * resolution, 2), largest_contributors(error, 3));
-}
-
-Verdict::Standing standing_of(std::optional<bool> differs) {
-    return !differs ? not_resolved : *differs ? fail : pass;
-}
-
-/// Of a quantity that is off by a power of a thousand, to a factor of two.
-std::string doubted_unit(const Deviation& d) {
-    constexpr double factor = .5;
-    const auto power = power_of_thousand(d.ratio(), factor);
-    if (!power) return "";
-    return fmt::format(
-        " It was measured some {:g} times as large: is the unit of the column shift "
-        "right?",
-        *power);
-}
-
-Verdict deviation_verdict(const Deviation& d) {
-    const auto differs = d.differs();
-    const std::string computed =
-        d.has_errors ? shift(d.predicted) : report::significant(um * d.predicted.value) + " µm";
-    const std::string model = report::display_name(d.model), measured = shift(d.measured),
-                      ratio = report::percent(d.ratio());
-    Verdict verdict{
-        standing_of(differs),
-        fmt::format("{}: {} = {}, measured {} ({}); {}.{}", model, d.quantity, computed, measured,
-                    ratio, differs ? statement(d.error, "m") : why_not_compared(d, d.creep),
-                    doubted_unit(d))};
-    verdict.subject = model + ": " + d.quantity;
-    verdict.number = fmt::format("{}, measured {} ({})", computed, measured, ratio);
-    verdict.threshold = allowed(d.error.half_width(), d.has_errors);
-    verdict.effect =
-        (differs ? seen(d.error.resolution(), d.error) : why_not_compared(d, d.creep)) +
-        doubted_unit(d);
-    return verdict;
-}
-
-Verdict series_verdict(const SeriesDeviation& d) {
-    const auto differs = d.differs();
-    const std::size_t n = d.error.furthest();
-    const std::string model = report::display_name(d.model);
-    Verdict verdict{standing_of(differs), fmt::format("{}, all periods: {}.", model,
-                                                      differs ? statement(d.error, "m")
-                                                              : why_not_compared(d, d.creep(n)))};
-    verdict.subject = model + ": U over all periods";
-    verdict.number = fmt::format("furthest at n = {}: {}, measured {} µm", n,
-                                 report::significant(um * d.error.values[n].computed, 4),
-                                 report::significant(um * d.error.values[n].measured, 4));
-    verdict.threshold = allowed(d.error.half_width(n), d.has_errors);
-    verdict.effect =
-        differs ? seen(d.error.resolution, d.error.values[n]) : why_not_compared(d, d.creep(n));
-    return verdict;
+                        report::percent(ratio_limit), shift_text(*e.limit_shift))};
 }
 
 Verdict amplitude_verdict(const ExperimentEvaluation& e) {
@@ -335,8 +247,7 @@ std::vector<Verdict> experiment_verdicts(const ExperimentEvaluation& e) {
     } else {
         verdicts = {state_verdict(e), values_verdict(e), curvature_verdict(e)};
         for (Verdict& verdict : limit_within_verdicts(e)) verdicts.push_back(std::move(verdict));
-        for (const SeriesDeviation& d : e.series) verdicts.push_back(series_verdict(d));
-        for (const Deviation& d : e.deviations) verdicts.push_back(deviation_verdict(d));
+        for (Verdict& verdict : comparison_verdicts(e)) verdicts.push_back(std::move(verdict));
         if (e.rolled_as.stated_amplitude) verdicts.push_back(amplitude_verdict(e));
         if (e.rolled_as.loads) verdicts.push_back(loads_verdict(*e.rolled_as.loads));
         if (e.rolled_as.hold) verdicts.push_back(rest_verdict(e));

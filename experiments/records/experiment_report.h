@@ -12,6 +12,8 @@ namespace tricontact::experiments {
 /// What the experiment says, one statement each, the answer first.
 std::vector<report::Verdict> experiment_verdicts(const ExperimentEvaluation& e);
 
+/// Of each model: the shift over all periods, then single values, beside what was measured.
+std::vector<report::Verdict> comparison_verdicts(const ExperimentEvaluation& e);
 /// What is wrong with records, one statement each.
 std::vector<report::Verdict> record_verdicts(const ExperimentEvaluation& e);
 /// Of each model whose limit lies within the uncertainty of the case.
@@ -30,6 +32,12 @@ report::Document experiment_document(const ExperimentEvaluation& e);
 
 /// "shakedown", or "undecided".
 std::string word(contact::State state);
+
+/// "217.9 ± 0.3 µm", with the half width of the interval.
+std::string shift_text(const Estimate& e);
+inline std::string shift_text(const Repeated& r) {
+    return shift_text(r.at_confidence);
+}
 
 /// "68.3 %" of the level of an interval.
 std::string level(double confidence);
