@@ -6,6 +6,7 @@
 #include <cmath>
 #include <functional>
 
+#include "bem/case_grid.h"
 #include "bem/grid_compliance.h"
 #include "bem/grid_limits.h"
 #include "bem/periodic_compliance.h"
@@ -25,62 +26,6 @@ constexpr double first_margin = 1.08;  // grid over Hertz' contact
 constexpr double enlargement = 1.25;
 // Margin: the far edge of a sliding cylinder at mu beta = 7.5 (weak_coupling in grid_limits.cc).
 constexpr double widest_by_friction = 4.8;
-constexpr double max_cells = 4096. * 4096.;
-constexpr double whole_cells = 1e-6;  // how far a period may be from them, in cells
-
-double spacing_of(const contact::Case& c, double radius) {
-    return c.bem.spacing ? *c.bem.spacing : radius / *c.bem.cells_per_radius;
-}
-
-void check_size(double n_x, double n_y) {
-    if (n_x * n_y > max_cells)
-        throw contact::InputError(
-            fmt::format("bem: the grid would have {:.0f} x {:.0f} cells, more than {:.0f}; enlarge "
-                        "bem.spacing or shorten the rolling path",
-                        n_x, n_y, max_cells));
-}
-
-/// Grid with a cell's centre at the origin that covers `half_x` and `half_y` on either side, of
-/// what y = 0 mirrors on one.
-contact::ContactPoints make_grid(double half_x, double half_y, double spacing, bool mirrored) {
-    const double beside_x = std::ceil(half_x / spacing), beside_y = std::ceil(half_y / spacing);
-    const double n_x = 2 * beside_x + 1, n_y = 2 * beside_y + 1;
-    check_size(n_x, n_y);
-    if (mirrored)
-        return contact::ContactPoints::mirrored_grid(static_cast<int>(n_x),
-                                                     static_cast<int>(beside_y) + 1,
-                                                     -beside_x * spacing, {spacing, spacing});
-    return contact::ContactPoints::grid(static_cast<int>(n_x), static_cast<int>(n_y),
-                                        {-beside_x * spacing, -beside_y * spacing},
-                                        {spacing, spacing});
-}
-
-/// The same in x, over a body's whole length in y by cells of about this spacing, or by strips.
-contact::ContactPoints make_long_grid(double half_x, double spacing, double length, bool strips) {
-    const double beside = std::ceil(half_x / spacing), n_x = 2 * beside + 1;
-    const double n_y = strips ? 1 : std::ceil(length / spacing * (1 - whole_cells));
-    check_size(n_x, n_y);
-    const double width = length / n_y;
-    auto grid =
-        contact::ContactPoints::grid(static_cast<int>(n_x), static_cast<int>(n_y),
-                                     {-beside * spacing, -(n_y - 1) / 2 * width}, {spacing, width});
-    grid.line_length = length;
-    return grid;
-}
-
-/// One period, a cell's centre at the origin.
-contact::ContactPoints period_grid(double period, double spacing, bool adjustable) {
-    const double n = adjustable ? std::ceil(period / spacing) : std::round(period / spacing);
-    if (!adjustable && std::abs(period / spacing - n) > whole_cells)
-        throw contact::InputError(
-            fmt::format("bem: a period of {:.6g} m is no whole number of cells of {:.6g} m; take a "
-                        "spacing of {:.6g} m",
-                        period, spacing, period / std::max(1., n)));
-    check_size(n, n);
-    const double h = period / n, first = -std::floor(n / 2) * h;
-    return contact::ContactPoints::grid(static_cast<int>(n), static_cast<int>(n), {first, first},
-                                        {h, h});
-}
 
 /// How far ahead of the contact a relaxing surface that rolls on has to be seen [m]: it enters the
 /// grid relaxed. Eight radii leave half a percent of a sphere's resistance to a rolling way vtau of
@@ -144,11 +89,11 @@ using MakeCompliance = std::function<std::unique_ptr<GridCompliance>(contact::Co
 
 /// Half sides of the largest grid that a table of coefficients has positions for [m]. What the grid
 /// has beside the contact need not be more; a contact that has reached its edge (`aside`) needs it.
-contact::Vector2 widest_half(const contact::Case& c, double spacing, double aside) {
+contact::Vector2 widest_half(const contact::Case& c, const Cells& cells, double aside) {
     if (!c.bem.influence || aside > 0) return {contact::infinity, contact::infinity};
     const InfluenceTable table = read_influence(*c.bem.influence);
-    const auto half = [&](int n) { return (std::floor((n - 1) / 2.) - .5) * spacing; };
-    return {half(table.n_x), half(table.n_y)};
+    const auto half = [](int n, double h) { return (std::floor((n - 1) / 2.) - .5) * h; };
+    return {half(table.n_x, cells.spacing[0]), half(table.n_y, cells.spacing[1])};
 }
 
 /// On a grid that is enlarged until it covers the contact.
@@ -159,7 +104,8 @@ std::unique_ptr<GridCompliance> fitting(const contact::Case& c, double spacing,
     // a grows with F_N^(1/3) or d^(1/2) of Hertz' contact: the root covers both controls.
     const double growth = std::sqrt(contact::crest_factor(c));
     const std::shared_ptr<const contact::Indenter> indenter = c.make_indenter();
-    const contact::Vector2 widest = widest_half(c, spacing, aside);
+    const Cells cells = cells_of(c, spacing);
+    const contact::Vector2 widest = widest_half(c, cells, aside);
     for (double margin = first_margin;; margin *= enlargement) {
         // A path measured by the model's own radius is known when the model has been pressed.
         const bool own_radius =
@@ -169,8 +115,8 @@ std::unique_ptr<GridCompliance> fitting(const contact::Case& c, double spacing,
         const double half_y = margin * growth * hertz.half_widths[1] + extent[1];
         const auto made = [&](double x, double y) {
             return make(c.is_cylindrical()
-                            ? make_long_grid(x, spacing, c.indenter.length, c.is_line_contact())
-                            : make_grid(x, y, spacing, mirrored));
+                            ? make_long_grid(x, cells, c.indenter.length, c.is_line_contact())
+                            : make_grid(x, y, cells, mirrored));
         };
         auto compliance = made(std::min(half_x, widest[0]), std::min(half_y, widest[1]));
         if (covers(*compliance, c, indenter, extent, margin < widest_by_friction))
@@ -185,7 +131,7 @@ std::unique_ptr<GridCompliance> under_map(const contact::Case& c, double spacing
     const auto side = c.indenter.height_map->period();
     const auto extent = path_extent(c, half_space_scales(c).contact_radius, aside);
     return make(make_grid(side[0] / 2 + extent[0] + spacing, side[1] / 2 + extent[1] + spacing,
-                          spacing, false));
+                          cells_of(c, spacing), false));
 }
 
 MakeCompliance single_cells(const contact::Case& c, int n_threads, Body body) {
@@ -258,7 +204,7 @@ bool is_mirrored(const contact::Case& c) {
     const Shape shape = c.indenter.shape;
     const bool is_smooth_ball = shape != Shape::flat && shape != Shape::height_map &&
                                 !c.is_cylindrical() && !c.indenter.roughness;
-    return is_smooth_ball && !c.bem.period && !c.tractive_rolling &&
+    return is_smooth_ball && !c.bem.period && !c.tractive_rolling && !c.bem.cell_shift_y &&
            contact::is_mirror_symmetric(c);
 }
 
@@ -294,6 +240,9 @@ InfluenceTable case_influence(const contact::Case& c, int n_threads, Body body) 
     if (c.bem.period)
         throw contact::InputError(
             "bem.period: a periodic case has no influence coefficients of single cells; omit it");
+    if (c.bem.cell_ratio)
+        throw contact::InputError(
+            "bem.cell_ratio: files of influence coefficients hold those of square cells; omit it");
     const double spacing = spacing_of(c, half_space_scales(c).contact_radius);
     const MakeCompliance cells = single_cells(c, n_threads, body);
     return (contact::is_nominally_flat(c) ? under_map(c, spacing, cells, 0)

@@ -185,6 +185,10 @@ struct Case {
         double tolerance = 1e-7;                 ///< see TangentialSolver, NormalSolver
         std::optional<std::string> influence;    ///< file of influence coefficients to be used
         std::optional<double> period;            ///< of substrate and tractions, x and y [m]
+        std::optional<double> cell_ratio;        ///< side of a cell along y over that along x
+        /// Where the centre of a cell lies from the body's lowest point at the origin, over the
+        /// cell's sides, -1/2 to 1/2.
+        std::optional<double> cell_shift_x, cell_shift_y;
     };
 
     struct Mdr {

@@ -33,7 +33,14 @@ double StaggeredSolver::local_ratio() const {
     unit[highest] = along.x[highest] = 1;
     substrate_.compliance().normal(unit, down);
     substrate_.compliance().tangential(along, displaced);
-    return displaced.x[highest] / down[highest];
+    const double ratio = displaced.x[highest] / down[highest];
+    // A rectangle resists along one side otherwise than along the other: the mean is E*/G* for any.
+    // Strips of a line contact have their edges along x alone.
+    if (points().spacing[0] == points().spacing[1] || points().line_length > 0) return ratio;
+    along.x[highest] = 0;
+    along.y[highest] = 1;
+    substrate_.compliance().tangential(along, displaced);
+    return (ratio + displaced.y[highest] / down[highest]) / 2;
 }
 
 /// Tangential traction over pressure where points have been met, as a translation and a rotation

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "contact/load_path.h"
 #include "io/case/case_checks.h"
@@ -110,6 +111,29 @@ void check_room(const Case& c, const Document& document) {
            "reduce it, or enlarge bem.period");
 }
 
+/// Cells that are no squares about the lowest point, or lie otherwise, under smooth round bodies.
+void check_shape_of_cells(const Case& c, const Document& document) {
+    const auto demand = [&](bool holds, const std::string& key, const char* rule,
+                            const char* remedy) {
+        if (!holds) refuse(document, key, rule, remedy);
+    };
+    for (const auto& [given, key, along_y] :
+         {std::tuple{c.bem.cell_ratio, "bem.cell_ratio", true},
+          std::tuple{c.bem.cell_shift_x, "bem.cell_shift_x", false},
+          std::tuple{c.bem.cell_shift_y, "bem.cell_shift_y", true}}) {
+        if (!given) continue;
+        demand(!contact::is_nominally_flat(c) && !c.indenter.roughness, key,
+               "the cells of rough bodies and height maps are squares, one about the origin",
+               "omit it");
+        demand(!c.bem.period, key, "a period is divided into squares", "omit it");
+        demand(!along_y || !c.is_cylindrical(), key,
+               "the cells of a cylinder or roller divide its length", "omit it");
+        demand(!along_y || !c.bem.influence || key != std::string("bem.cell_ratio"), key,
+               "files of influence coefficients hold those of square cells",
+               "omit it, or bem.influence");
+    }
+}
+
 void check_inside(const Case& c, const Document& document) {
     if (c.output.volume == Case::VolumeOutput::none) return;
     const char* why = c.bem.influence ? "coefficients of the surface do not describe the interior"
@@ -124,6 +148,7 @@ void check_bem_options(const Case& c, const Document& document) {
     const bool layer = computes(c, "bem-layer");
     if (!layer && !computes(c, "bem")) return;
     check_inside(c, document);
+    check_shape_of_cells(c, document);
     if (c.bem.influence) check_influence(c, document);
     if (!c.bem.period) return;
     check_mean(c, document);

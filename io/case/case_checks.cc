@@ -133,8 +133,14 @@ double check_steps(const Case& c, const HalfSpaceScales& s, const Document& docu
 void check_bem(const Case& c, const HalfSpaceScales& s, double steps, const Document& document) {
     const std::string key = used(document, "bem.cells_per_radius", "bem.spacing");
     const double h = c.bem.spacing ? *c.bem.spacing : s.contact_radius / *c.bem.cells_per_radius;
+    const double h_y = c.is_cylindrical() ? h : h * c.bem.cell_ratio.value_or(1);
     const double radius = std::min(s.half_widths[0], s.half_widths[1]);
-    if (radius < fewest_cells * h)
+    if (c.bem.cell_ratio && std::min(s.half_widths[0] / h, s.half_widths[1] / h_y) < fewest_cells)
+        refuse(document, "bem.cell_ratio",
+               "fewer than " + rounded(fewest_cells) + " cells of " + rounded(h) + " m x " +
+                   rounded(h_y) + " m in the half axes of the contact: too coarse",
+               "use smaller cells, or omit it");
+    if (!c.bem.cell_ratio && radius < fewest_cells * h)
         refuse(document, key,
                "fewer than " + rounded(fewest_cells) + " cells in the contact radius of " +
                    rounded(radius) + " m: too coarse",
@@ -148,7 +154,7 @@ void check_bem(const Case& c, const HalfSpaceScales& s, double steps, const Docu
     const double n_y = whole_period          ? n_x
                        : c.is_line_contact() ? 1
                        : c.is_cylindrical()  ? c.indenter.length / h
-                                             : 2 * (grown * s.half_widths[1] + reach[1]) / h;
+                                             : 2 * (grown * s.half_widths[1] + reach[1]) / h_y;
     if (std::max(n_x, n_y) > most_cells)
         refuse(document, key,
                "contact and rolling path need a grid of " + rounded(std::ceil(n_x)) + " x " +

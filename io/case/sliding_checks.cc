@@ -68,8 +68,9 @@ double coarsest_cell(const Case& c, const HalfSpaceScales& s) {
         if (model == "mdr-layer") coarsest = std::max(coarsest, 1 / layer_elements);
         if (model == "mdr") coarsest = std::max(coarsest, 2 * (1 + path) / c.mdr.springs);
         if (model.starts_with("bem"))
-            coarsest = std::max(coarsest, c.bem.spacing ? *c.bem.spacing / s.contact_radius
-                                                        : 1 / *c.bem.cells_per_radius);
+            coarsest = std::max(coarsest, std::max(1., c.bem.cell_ratio.value_or(1)) *
+                                              (c.bem.spacing ? *c.bem.spacing / s.contact_radius
+                                                             : 1 / *c.bem.cells_per_radius));
     }
     return coarsest;
 }

@@ -102,6 +102,11 @@ contact::Vector2 origin_of_case(const ProgramCase& one) {
     return origin;
 }
 
+bool has_rectangles(const ProgramCase& one) {
+    return !is_line_contact(one) && !one.distance.heights &&
+           !is_close(one.spacing[0], one.spacing[1]);
+}
+
 bool is_beside_origin(const ProgramCase& one) {
     constexpr double beside = 4e-4;  // in cells: sizes of five digits, over ten cells
     if (one.distance.heights) return false;
@@ -136,9 +141,16 @@ std::string normal_text(const ProgramCase& one) {
                        program_load(one) * (force ? 1 : 1e3), force ? "N" : "mm");
 }
 
-std::string cells_text(const ProgramCase& one) {
-    return fmt::format("[bem]\nspacing = \"{} mm\"\ntolerance = {}\n", 1e3 * one.spacing[0],
-                       toml_number(std::min(one.tolerance, coarsest_tolerance)));
+std::string cells_text(const ProgramCase& one, const contact::Vector2& shift) {
+    std::string text = fmt::format("[bem]\nspacing = \"{} mm\"\n", 1e3 * one.spacing[0]);
+    if (has_rectangles(one))
+        text += fmt::format("cell_ratio = {}\n", toml_number(one.spacing[1] / one.spacing[0]));
+    for (const std::size_t axis : {0, 1})
+        if (shift[axis] != 0)
+            text += fmt::format("cell_shift_{} = {}\n", axis == 0 ? 'x' : 'y',
+                                toml_number(std::clamp(shift[axis], -.5, .5)));
+    return text + fmt::format("tolerance = {}\n",
+                              toml_number(std::min(one.tolerance, coarsest_tolerance)));
 }
 
 void check_alike(ProgramSequence steps, const std::string& name) {

@@ -35,8 +35,11 @@ double program_load(const ProgramCase& one);
 std::string bodies_text(const ProgramCase& one, const std::string& name);
 /// "normal_force = ..." or "indentation = ...".
 std::string normal_text(const ProgramCase& one);
-/// Section [bem], the last one: cells are squares with the edge DX.
-std::string cells_text(const ProgramCase& one);
+/// Cells under a quadratic body that are no squares.
+bool has_rectangles(const ProgramCase& one);
+/// Section [bem], the last one: cells of DX x DY, of which one has its centre at `shift` from the
+/// origin, over its sides.
+std::string cells_text(const ProgramCase& one, const contact::Vector2& shift = {});
 
 /// Throws contact::InputError, naming file and line, for what changes within a sequence besides
 /// loads and places.

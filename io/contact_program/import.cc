@@ -111,12 +111,6 @@ class SequenceImport {
     std::vector<std::string> remarks(const std::string& text) const {
         const ProgramCase& last = steps_.back();
         std::vector<std::string> found;
-        if (!is_line_contact(last) && !is_close(last.spacing[0], last.spacing[1]))
-            found.push_back(fmt::format("cells of {:.6g} x {:.6g} mm became squares of {:.6g} mm",
-                                        1e3 * last.spacing[0], 1e3 * last.spacing[1],
-                                        1e3 * last.spacing[0]));
-        if (last.is_rolling() && is_beside_origin(last))
-            found.emplace_back("the lowest point lies at a cell's centre here, not beside it");
         constexpr double same_step = 1e-3;  // of DX
         if (last.digits.tangential == 3 && std::abs(last.step / last.spacing[0] - 1) > same_step)
             found.push_back(fmt::format("the step DQ = {:.6g} mm became one cell, DX = {:.6g} mm",

@@ -36,7 +36,7 @@ class RollingReading {
     std::string text(const std::string& heading) const {
         const std::string sections =
             bodies_text(rolling_, name_) + load_text() + "[tractive_rolling]\n" + drive_text();
-        const std::string cells = cells_text(rolling_);
+        const std::string cells = cells_text(rolling_, cell_shift());
         const auto c = parse_case(heading + sections + cells, name_ + ", as a case");
         const double a = contact::half_space_scales(c).contact_radius;
         return heading + sections +
@@ -113,6 +113,15 @@ class RollingReading {
             refuse(one.rolling_line, fmt::format("DQ = {}", 1e3 * one.step),
                    fmt::format("is not DX = {}: a step is one cell", 1e3 * one.spacing[0]),
                    "give the same length");
+    }
+
+    /// The file's own cells, about the body's lowest point.
+    Vector2 cell_shift() const {
+        if (!is_beside_origin(rolling_)) return {};
+        const Vector2 shift = origin_of_case(rolling_) - rolling_.distance.offset;
+        const bool line = is_line_contact(rolling_);
+        return {sign_ * shift[0] / rolling_.spacing[0],
+                line ? 0 : sign_ * shift[1] / rolling_.spacing[1]};
     }
 
     std::string load_text() const {

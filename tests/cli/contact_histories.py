@@ -25,6 +25,7 @@ coefficient = {friction}
 [bem]
 cells_per_radius = {cells}
 tolerance = 1e-11
+{shape}
 [output]
 vtk = "none"
 [path]
@@ -57,6 +58,7 @@ def case(draw):
     return CASE.format(
         indenter='young = "20 MPa"\npoisson = 0.4' if elastic else "", poisson=.3 if coupled else .5,
         friction=friction, cells=draw.choice([6, 7.3, 8]), frame=draw.choice(["indenter", "substrate"]),
+        shape=f"cell_ratio = {draw.choice([.5, 1.7])}" if draw.random() < .3 else "",
         centre_x=round(draw.uniform(-9, 9), 3), centre_y=round(draw.uniform(-9, 9), 3),
         table="\n".join([", ".join(names), *rows]) + "\n"), friction
 

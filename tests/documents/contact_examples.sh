@@ -16,7 +16,7 @@ imports cattaneo 2 2
 imports conformal 1 5
 grep -q "^case 4 .*E = 9" told.txt || complain "what is left out is not named: $(cat told.txt)"
 imports ertz_temperature 4 4
-grep -q "cells of 0.2 x 0.5 mm became squares of 0.2 mm" told.txt || complain "what is otherwise is not named"
+grep -q "^cell_ratio = 2.5$" ertz_temperature/*.toml || complain "the cells are not those of the file"
 imports fastsim 1 8
 imports spence35 1 1
 imports tractcurv 30 31

@@ -6,12 +6,17 @@
 
 #include <array>
 #include <cmath>
+#include <fstream>
+#include <iterator>
 
+#include "bem/grid_compliance.h"
 #include "bem/model.h"
 #include "bem/steady_compliance.h"
 #include "contact/bodies/cylinder.h"
+#include "contact/load_path.h"
 #include "contact/substrates/substrate.h"
 #include "io/case/case_reader.h"
+#include "io/contact_program/import.h"
 #include "rolling/run.h"
 #include "tests/unit/rolling/problems.h"
 #include "tests/verification/contact_program_prints.h"
@@ -117,6 +122,37 @@ TEST(RollingContactProgram, RelaxingCylinders) {
         EXPECT_EQ(std::lround(state.contact_area / (cell * length)), prints.n_contact);
         EXPECT_EQ(std::lround(state.stick_area / (cell * length)), prints.n_adhesion);
     }
+}
+
+/// The first case of an example of CONTACT, rolling on in its steady state on the file's own cells.
+rolling::RollingState imported_state(const std::string& example) {
+    const std::string name =
+        std::string(TRICONTACT_SOURCE_DIR) + "/tests/contact_program/" + example + ".inp";
+    std::ifstream file(name);
+    const std::string text(std::istreambuf_iterator<char>(file), {});
+    const auto found = io::import_cases(text, name, bem::is_coupled);
+    const contact::Case c = io::parse_case(found.cases.at(0).text, example);
+    rolling::RollingProblem problem;
+    problem.indenter = c.make_indenter();
+    problem.friction_coefficient = c.friction_coefficient;
+    problem.normal = contact::press_step(c).normal;
+    problem.drive.creepage = {c.tractive_rolling->longitudinal_creepage,
+                              c.tractive_rolling->lateral_creepage};
+    problem.drive.spin = c.tractive_rolling->spin;
+    const auto substrate = bem::make_substrate(c, 1, bem::Body::half_space, .3);
+    return rolling::steady_rolling(*substrate, problem).state;
+}
+
+// fastsim, case 1: cells of 0.4 x 0.2 mm. As many as there are in contact; those that stick but for
+// the spin, which is taken at another part of a cell ahead.
+TEST(RollingContactProgram, RectanglesOfTheFile) {
+    const auto state = imported_state("fastsim");
+    const double cell = .4e-3 * .2e-3;
+    EXPECT_EQ(std::lround(state.contact_area / cell), 1276);
+    EXPECT_NEAR(state.stick_area / cell, 356, 7);  // half a percent of the contact
+    EXPECT_NEAR(state.indentation * 1e3 / 9.266e-2, 1, 1e-4);
+    EXPECT_NEAR(state.peak_pressure * 1e-6 / 1223, 1, 5e-4);
+    EXPECT_NEAR(state.dissipation * 30 / 540.4, 1, 2e-3);
 }
 
 }  // namespace

@@ -169,6 +169,34 @@ TEST(ProgramToday, SpinIsAboutTheLowestPoint) {
     }
 }
 
+// The cells of what rolls on are those of the file about the body's lowest point: DX x DY, wherever
+// 0 lies between them; a contact that rolls towards -x is turned round with them.
+TEST(ProgramToday, RollingKeepsTheCells) {
+    for (const bool back : {false, true}) {
+        Ball ball{.pressing = "203100",
+                  .loads = "1000 -0.002 0 0",
+                  .rolling = back ? "180d .2 1000" : "0 .2 1000",
+                  .body = ".001 0 .001 -.00026 .0003 0"};
+        std::string text = ball.text();
+        text.replace(text.find("5 5 -.5 -.5 .2 .2"), 17, "5 9 -.5 -2.25 .2 .5");
+        const Case c = only_case(text);
+        // Centres at -0.4 + 0.2 i and -2 + 0.5 j mm, the lowest point at (0.13, -0.15) mm.
+        const double sign = back ? -1 : 1;
+        EXPECT_NEAR(*c.bem.spacing, 2e-4, 1e-15);
+        EXPECT_NEAR(*c.bem.cell_ratio, 2.5, 1e-12);
+        EXPECT_NEAR(*c.bem.cell_shift_x, sign * .07 / .2, 1e-9);
+        EXPECT_NEAR(*c.bem.cell_shift_y, sign * .15 / .5, 1e-9);
+        const auto compliance = bem::case_compliance(c, 1, bem::Body::half_space);
+        const auto& grid = compliance->points();
+        for (const int axis : {0, 1}) {
+            const double h = axis == 0 ? 2e-4 : 5e-4;
+            EXPECT_NEAR(grid.spacing[axis] / h, 1, 1e-12);
+            const double cells = (grid.first[axis] - sign * (axis == 0 ? 7e-5 : 1.5e-4)) / h;
+            EXPECT_NEAR(cells, std::round(cells), 1e-6);
+        }
+    }
+}
+
 TEST(ProgramToday, TitlesNameTheFileAlone) {
     const auto found =
         import_cases(Ball{}.text() + " 0 MODULE\n", "/home/me/secret/file.inp", bem::is_coupled);
@@ -182,10 +210,13 @@ TEST(ProgramToday, RollingOnComesBack) {
         "[substrate]\nyoung = \"210 GPa\"\npoisson = 0.28\n[friction]\ncoefficient = 0.3\n"
         "[load]\nnormal_force = \"100 N\"\n[bem]\ncells_per_radius = 5\n[tractive_rolling]\n"
         "distance = 2\n";
-    for (const std::string drive :
-         {"longitudinal_creepage = 0.0002\n",
-          "longitudinal_creepage = 0.0002\nlateral_creepage = 0.0001\nspin = \"0.3 rad/m\"\n"}) {
-        const Case c = parse_case(text + drive, "roll.toml");
+    for (const auto& [drive, cells] : std::vector<std::pair<std::string, std::vector<std::string>>>{
+             {"longitudinal_creepage = 0.0002\n", {}},
+             {"longitudinal_creepage = 0.0002\nlateral_creepage = 0.0001\nspin = \"0.3 rad/m\"\n",
+              {}},
+             {"longitudinal_creepage = 0.0002\n",
+              {"bem.cell_ratio=2", "bem.cell_shift_x=0.5", "bem.cell_shift_y=-0.3"}}}) {
+        const Case c = parse_case(text + drive, "roll.toml", cells);
         const auto compliance = bem::case_compliance(c, 1, bem::Body::half_space);
         const Import found =
             imported(sequence_text(c, compliance->points(), compliance->is_coupled(), {}));
@@ -200,6 +231,10 @@ TEST(ProgramToday, RollingOnComesBack) {
                         1e-15);
             EXPECT_NEAR(read.spin, given.spin, 1e-12);
             EXPECT_NEAR(*back.bem.spacing / compliance->points().spacing[0], 1, 1e-12);
+            EXPECT_NEAR(back.bem.cell_ratio.value_or(1), c.bem.cell_ratio.value_or(1), 1e-12);
+            EXPECT_NEAR(std::abs(back.bem.cell_shift_x.value_or(0)),
+                        std::abs(c.bem.cell_shift_x.value_or(0)), 1e-9);
+            EXPECT_NEAR(back.bem.cell_shift_y.value_or(0), c.bem.cell_shift_y.value_or(0), 1e-9);
         }
     }
 }
