@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "app/case_run.h"
+#include "comparisons/quantities/map_border.h"
 #include "contact/special_values.h"
 #include "experiments/assumptions/check_rig.h"
 #include "experiments/records/experiment_evaluation.h"
@@ -26,7 +27,8 @@ BodyContact contact_by(const std::string& model, const Case& c) {
             contact::has_conical_tip(c)
                 ? statistics::Estimate{contact::undefined}
                 : with_error(fine.scales.peak_pressure, coarse.scales.peak_pressure),
-            with_error(fine.static_shift, coarse.static_shift)};
+            with_error(fine.static_shift, coarse.static_shift),
+            comparisons::border_force_share(c, fine).value_or(0)};
 }
 
 }  // namespace

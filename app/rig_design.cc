@@ -40,9 +40,10 @@ atlas::Value predicted(const Case& c, const std::string& model, const std::strin
     const atlas::Prediction p = atlas::predict(c, model);
     for (const auto& entry : p.entries)
         if (entry.quantity->key == quantity + "_m") return entry.value;
-    throw contact::InputError(
-        fmt::format("{}: the maps do not give the {}{}", model, quantity,
-                    p.gaps.empty() ? "" : fmt::format(": {}", fmt::join(p.gaps, "; "))));
+    throw contact::InputError(fmt::format("{}: the maps do not give the {}{}", model, quantity,
+                                          p.gaps.empty()
+                                              ? (c.rolling ? "" : ", the case has no [rolling]")
+                                              : fmt::format(": {}", fmt::join(p.gaps, "; "))));
 }
 
 /// The comparison of a rig that has yet to be measured, by the maps of a model.

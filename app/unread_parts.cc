@@ -24,18 +24,31 @@ const std::map<std::string, std::string>& readers() {
     return readers;
 }
 
+void say_unread(const CommandOptions& options, const std::vector<std::string>& parts,
+                const std::string& command) {
+    std::vector<std::string> words;
+    for (const std::string& part : parts)
+        words.push_back(fmt::format("{} (read by {})",
+                                    part == io::uncertainty_mark ? "± of the numbers" : part,
+                                    readers().at(part)));
+    if (!words.empty())
+        options.say(fmt::format("not read by {}: {}", command, fmt::join(words, "; ")));
+}
+
 }  // namespace
 
 void say_unread_parts(const CommandOptions& options, const std::string& command) {
     if (!options.reads || options.quiet) return;
-    std::vector<std::string> words;
-    for (const std::string& part : io::rig_parts(options.file, options.overrides))
-        if (std::ranges::find(*options.reads, part) == options.reads->end())
-            words.push_back(fmt::format("{} (read by {})",
-                                        part == io::uncertainty_mark ? "± of the numbers" : part,
-                                        readers().at(part)));
-    if (!words.empty())
-        options.say(fmt::format("not read by {}: {}", command, fmt::join(words, "; ")));
+    std::vector<std::string> parts = io::rig_parts(options.file, options.overrides);
+    std::erase_if(parts, [&](const std::string& part) {
+        return std::ranges::find(*options.reads, part) != options.reads->end();
+    });
+    say_unread(options, parts, command);
+}
+
+void say_unread_parts(const CommandOptions& options, const io::Study& study,
+                      const std::string& command) {
+    say_unread(options, io::rig_parts(study), command);
 }
 
 }  // namespace tricontact::app

@@ -102,8 +102,11 @@ class Draws {
     explicit Draws(const FittedRows& rows) : rows_(rows) {
         const auto n = static_cast<std::size_t>(rows.n());
         const std::size_t n_draws = std::clamp(most_numbers / n, least_draws, most_draws);
-        const Eigen::SelfAdjointEigenSolver<DenseMatrix> solver(rows.rest());
-        root_ = solver.eigenvectors() * solver.eigenvalues().cwiseMax(0).cwiseSqrt().asDiagonal();
+        if (rows.rest().size() > 0) {  // else nothing was fitted that moves a residual
+            const Eigen::SelfAdjointEigenSolver<DenseMatrix> solver(rows.rest());
+            root_ =
+                solver.eigenvectors() * solver.eigenvalues().cwiseMax(0).cwiseSqrt().asDiagonal();
+        }
         SplitMix64 random(draws_seed);
         errors_.resize(rows.n(), static_cast<Eigen::Index>(n_draws));
         of_others_.resize(root_.cols(), errors_.cols());

@@ -98,6 +98,11 @@ class AtlasBuild {
         return passed;
     }
 
+    /// What the model computes without, at the first points as at all: the ranges change values.
+    void say_left_out() const {
+        for (const std::string& line : left_out_of(runs_of(plan_.design(1)))) options_.say(line);
+    }
+
   private:
     std::size_t most_points() const { return static_cast<std::size_t>(study_.atlas->points); }
 
@@ -234,6 +239,8 @@ bool make_atlas(AtlasOptions options) {
             options.finished.empty() ? build.build() : atlas::read_atlas(options.finished);
         if (options.n_checks > 0) passed = build.check(atlas);
     });
+    build.say_left_out();
+    say_unread_parts(options, study, "atlas");
     if (!passed) throw std::runtime_error(options.file + ": error bars cover too few points");
     return passed;
 }

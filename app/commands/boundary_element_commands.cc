@@ -6,6 +6,7 @@
 #include "bem/grid_compliance.h"
 #include "bem/model.h"
 #include "comparisons/quantities/left_out.h"
+#include "comparisons/run/input_reading.h"
 #include "io/contact_program/sequence.h"
 #include "io/contact_program/written_case.h"
 
@@ -105,6 +106,8 @@ void export_to_contact_program(BoundaryElementOptions options) {
                              read.model, found, options.output, name,
                              influence ? ", " + influence_name : "")
               << comparisons::left_out_lines(c, {read.model});
+    for (const std::string& sentence : comparisons::input_sentences(c))
+        std::cout << sentence << '\n';
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include "app/commands/command.h"
 #include "app/rig_design.h"
+#include "comparisons/quantities/left_out.h"
 #include "io/case/rig_file.h"
 
 namespace tricontact::app {
@@ -21,6 +22,10 @@ void design_rig(DesignOptions options) {
         options.write("design.json", experiments::design_json(study));
         options.write_report(experiments::design_document(study), "tricontact design " + name);
     });
+    for (const std::string& one : comparisons::left_out(input.rig.c, "bem-layer"))
+        options.out() << "design leaves out " << one << '\n';
+    if (input.rig.c.load.hold > 0)
+        options.out() << "design leaves out load.hold: assumptions are checked without it\n";
     for (const report::Verdict& verdict : experiments::design_verdicts(study))
         options.out() << verdict.sentence << '\n';
     options.out() << "look closer: tricontact rig " << options.file

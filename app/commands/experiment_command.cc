@@ -1,5 +1,6 @@
 #include "app/commands/command.h"
 #include "app/record_predictions.h"
+#include "comparisons/quantities/left_out.h"
 #include "experiments/records/experiment.h"
 #include "experiments/records/experiment_report.h"
 #include "io/case/rig_file.h"
@@ -8,6 +9,24 @@ namespace tricontact::app {
 
 namespace {
 
+/// What of the case the models compute without, or from the record instead.
+std::vector<std::string> left_out_of(const Case& c,
+                                     const experiments::ExperimentEvaluation& evaluation) {
+    std::vector<std::string> lines;
+    for (const std::string& model : c.models)
+        for (const std::string& one : comparisons::left_out(c, model))
+            lines.push_back(model + " leaves out " + one);
+    if (c.rolling && evaluation.amplitude > 0)
+        lines.emplace_back(
+            "experiment leaves out rolling.amplitude and rolling.periods of the case: models roll "
+            "as the record says");
+    if (c.load.hold > 0 && evaluation.rolled_as.hold && *evaluation.rolled_as.hold != c.load.hold)
+        lines.emplace_back(
+            "experiment leaves out load.hold of the case: the rest before rolling is that of the "
+            "record");
+    return lines;
+}
+
 void evaluate_records(CommandOptions options) {
     options.choose_folder();
     const experiments::ExperimentInput input =
@@ -15,15 +34,21 @@ void evaluate_records(CommandOptions options) {
     experiments::ExperimentEvaluation evaluation =
         experiments::evaluate_experiment(input.experiment);
     report::Document document;
+    std::vector<std::string> left_out;
     options.fill({{"experiment.json", "report.html"}}, [&] {
         if (input.case_file) add_predictions(evaluation, input, options);
         document = experiments::experiment_document(evaluation);
         document.files = {{"all numbers", "experiment.json"}};
+        if (input.case_file)
+            left_out = left_out_of(io::read_case(*input.case_file, options.overrides), evaluation);
+        for (const std::string& line : left_out)
+            document.settings.emplace_back("not computed", line);
         options.write("experiment.json", experiments::experiment_json(files::version, evaluation));
         options.write_report(document, "tricontact experiment " + options.file);
     });
     options.out() << document.answer->sentence << '\n';
     for (const auto& verdict : document.verdicts) options.out() << verdict.sentence << '\n';
+    for (const std::string& line : left_out) options.out() << line << '\n';
     options.say(options.where());
 }
 

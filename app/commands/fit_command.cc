@@ -170,6 +170,8 @@ void fit_study(FitOptions options) {
         write(fit, line_factor, options);
     });
     if (relaxes) options.say(fit.caveat);
+    for (const std::string& line : left_out_of(points)) options.say(line);
+    say_unread_parts(options, study, "fit");
     options.say(fmt::format("{} points of {} runs; report: {}/fit.html", fit.points.size(),
                             points.size(), options.output));
 }

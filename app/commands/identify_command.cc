@@ -5,6 +5,7 @@
 
 #include "app/commands/command.h"
 #include "app/identification_models.h"
+#include "experiments/identification/identification_checks.h"
 #include "io/case/rig_file.h"
 #include "report/format.h"
 
@@ -159,6 +160,8 @@ struct Identifier {
 std::vector<std::pair<std::string, std::string>> settings_of(const IdentificationInput& input) {
     const Case& rig = input.rig;
     std::vector<std::pair<std::string, std::string>> settings;
+    for (const std::string& line : experiments::left_out_lines(input))
+        settings.emplace_back("left out", line);
     for (const auto& table : input.tables)
         settings.emplace_back(
             std::string(experiments::name_of(table.measurement)),
@@ -204,6 +207,7 @@ IdentificationStudy study_of(const IdentificationInput& input, const IdentifyOpt
 }
 
 void print(const IdentificationStudy& study, std::ostream& out) {
+    for (const std::string& line : experiments::left_out_lines(study.input)) out << line << '\n';
     for (const auto& table : study.input.tables)
         if (!table.reading.empty())
             out << std::filesystem::path(table.data_file).filename().string() << ": "

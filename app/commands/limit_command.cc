@@ -1,8 +1,12 @@
+#include <algorithm>
+#include <iterator>
+
 #include "app/commands/command.h"
 #include "app/models.h"
 #include "app/roll_models.h"
 #include "bem/model.h"
 #include "comparisons/quantities/left_out.h"
+#include "comparisons/quantities/quantities.h"
 #include "comparisons/quantities/reference.h"
 #include "comparisons/run/input_reading.h"
 #include "comparisons/shakedown/limit_search.h"
@@ -60,6 +64,18 @@ LimitStudy start_of(const LimitOptions& options, const Case& c) {
     return study;
 }
 
+/// What the limit's runs say of the border of a height map.
+std::vector<comparisons::Results> borders_of(const LimitStudy& study) {
+    std::vector<comparisons::Results> all;
+    for (const auto& m : study.models) {
+        if (!m.border_force_share) continue;
+        comparisons::Results& one = all.emplace_back();
+        one.model = m.model;
+        one.set(comparisons::quantities::border_force_share, *m.border_force_share);
+    }
+    return all;
+}
+
 void find_limits(const Case& c, const LimitOptions& options) {
     const Say say = options.sayer();
     for (const std::string& sentence : comparisons::input_sentences(c)) say(sentence);
@@ -75,11 +91,17 @@ void find_limits(const Case& c, const LimitOptions& options) {
     options.write("limit.json", comparisons::limit_json(files::version, study).dump(2) + "\n");
     options.write("limit.csv", comparisons::limit_csv(study));
     report::Document document = comparisons::limit_document(study);
+    const std::vector<comparisons::Results> borders = borders_of(study);
+    std::ranges::copy(comparisons::border_verdicts(c, borders),
+                      std::back_inserter(document.verdicts));
     document.files = {{"all numbers", "limit.json"},
                       {"a row per model", "limit.csv"},
                       {"the case, resolved", resolved_case_name}};
     options.write_report(document, command);
     options.out() << comparisons::limit_text(study) << comparisons::left_out_lines(c, c.models);
+    for (const auto& results : borders)
+        if (const auto warning = comparisons::border_warning(results); !warning.empty())
+            options.out() << "warning: " << warning << '\n';
     options.say(options.where());
 }
 

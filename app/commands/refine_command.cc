@@ -8,6 +8,7 @@
 #include "app/studies/refinement_levels.h"
 #include "comparisons/quantities/left_out.h"
 #include "comparisons/resolution/refined_values.h"
+#include "comparisons/run/input_reading.h"
 #include "files/digest.h"
 #include "files/regular_file.h"
 #include "io/keys/json_text.h"
@@ -124,10 +125,10 @@ void add(const Level& level, const Finished& done, comparisons::RefinedLevels& r
     refined.cpu_s.push_back(done.cpu_s);
 }
 
-/// The finest level comes last; it counts as finished when the report, which needs its surfaces, is
-/// written.
+/// Adds the finest level, which comes last; it counts as finished when the report, which needs its
+/// surfaces, is written.
 comparisons::Refinement finish_last(const Level& finest, const FinishedLevels& levels,
-                                    comparisons::RefinedLevels refined,
+                                    comparisons::RefinedLevels& refined,
                                     const RefineOptions& options) {
     const std::string& output = options.output;
     const std::string report = output + "/report.html", numbers = output + "/refinement.json";
@@ -136,8 +137,10 @@ comparisons::Refinement finish_last(const Level& finest, const FinishedLevels& l
         add(finest, *found, all);
         const comparisons::Refinement result = make_refinement(all);
         if (std::filesystem::exists(report) &&
-            read_text(numbers) == refinement_json(files::version, result))
+            read_text(numbers) == refinement_json(files::version, result)) {
+            refined = all;
             return result;
+        }
         options.say(finest.name + ": once more, for the report");
     }
     comparisons::ReportExtras extras;
@@ -165,6 +168,8 @@ void refine_case(RefineOptions options) {
     options.choose_folder("_refined");
     const FinishedLevels levels{options};
     const RefinementPlan plan = plan_refinement(options, options.sayer());
+    for (const std::string& sentence : comparisons::input_sentences(plan.levels.front().c))
+        options.say(sentence);
     comparisons::RefinedLevels refined = start_of(plan, options);
     comparisons::Refinement result;
     options.fill(names_of(plan), [&] {
@@ -178,6 +183,8 @@ void refine_case(RefineOptions options) {
     for (const std::string& sentence : refinement_sentences(result))
         options.out() << sentence << '\n';
     options.out() << comparisons::left_out_lines(plan.levels.back().c, {options.model});
+    if (const auto warning = comparisons::border_warning(refined.values.back()); !warning.empty())
+        options.out() << "warning: " << warning << '\n';
     options.say(options.where());
 }
 

@@ -4,6 +4,9 @@
 #include "app/commands/command.h"
 #include "app/rig_body.h"
 #include "app/rig_growth.h"
+#include "comparisons/quantities/left_out.h"
+#include "comparisons/quantities/quantities.h"
+#include "comparisons/run/input_reading.h"
 #include "experiments/assumptions/rig.h"
 #include "experiments/assumptions/rig_report.h"
 #include "io/case/rig_file.h"
@@ -67,11 +70,29 @@ void print(const experiments::RigReport& report, std::ostream& out) {
 experiments::Rig read_rig(const CommandOptions& options) {
     const std::string text = io::read_input_file(options.file);
     io::Document document = io::parse_document(text, options.file);
-    if (!io::is_walk_case(document))
-        return rig_with_body(io::parse_rig_file(text, options.file, options.overrides));
+    if (!io::is_walk_case(document)) {
+        const io::RigFile file = io::parse_rig_file(text, options.file, options.overrides);
+        for (const std::string& sentence : comparisons::input_sentences(file.c))
+            options.say(sentence);
+        // By the model of its checks that leaves out least; the width is an assumption of its own.
+        for (const std::string& one : comparisons::left_out(file.c, "bem-layer"))
+            if (!one.starts_with("substrate.width")) options.say("rig leaves out " + one);
+        if (file.c.load.hold > 0)
+            options.say("rig leaves out load.hold: assumptions are checked without it");
+        return rig_with_body(file);
+    }
     walking::parse_walk_case(text, options.file, options.overrides);  // checked
     io::apply_overrides(document, options.overrides, walking::walk_file_keys());
     return experiments::walking_rig(document, walking::walk_file_keys());
+}
+
+/// Where the body is a height map that contact reaches the border of.
+std::string border_warning(const experiments::Rig& rig) {
+    if (!rig.body) return {};
+    comparisons::Results results;
+    results.model = "bem-layer";
+    results.set(comparisons::quantities::border_force_share, rig.body->layer.border_force_share);
+    return comparisons::border_warning(results);
 }
 
 /// Assumptions that are violated are a finding, no error.
@@ -92,6 +113,8 @@ void check_assumptions(RigOptions options) {
                              "tricontact rig " + stem + ".toml");
     });
     print(report, options.out());
+    if (const std::string warning = border_warning(given); !warning.empty())
+        options.out() << "warning: " << warning << '\n';
 }
 
 }  // namespace

@@ -176,6 +176,8 @@ class ContactKind : public StudyKind {
                                  .points = {}};
         if (study.levels > 1) sweep.settings.emplace_back("levels", std::to_string(study.levels));
         describe(study, sweep);
+        for (const std::string& line : left_out_of(points))
+            sweep.settings.emplace_back("not computed", line);
         for (const StudyPoint& point : points)
             sweep.points.push_back(reported(point, store, folder));
         return comparisons::sweep_document(sweep);

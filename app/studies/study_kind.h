@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <functional>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <string>
 #include <variant>
 #include <vector>
@@ -123,6 +124,9 @@ io::ResultStore open_results(const std::string& folder);
 /// processes has one thread each. Throws contact::InputError if the store cannot be written.
 void compute_missing(const StudyKind& kind, const StudyPoints& points, io::ResultStore& store,
                      const PointRuns& runs);
+
+/// What models compute without at some of the points, each once.
+std::set<std::string> left_out_of(const StudyPoints& points);
 
 // For reports.
 

@@ -7,7 +7,9 @@
 
 #include "app/studies/shard.h"
 #include "app/studies/study_kind.h"
+#include "app/unread_parts.h"
 #include "comparisons/quantities/left_out.h"
+#include "comparisons/run/input_reading.h"
 #include "report/csv.h"
 #include "walking/input/walk_keys.h"
 
@@ -19,13 +21,23 @@ using report::csv_field;
 
 constexpr const char* table_name = "results.csv";
 
-/// What models compute without at some of the points, each once.
-std::set<std::string> left_out_of(const StudyPoints& points) {
-    std::set<std::string> lines;
-    for (const StudyPoint& point : points)
-        if (const auto* c = std::get_if<contact::Case>(&point.c))
-            for (const std::string& one : comparisons::left_out(*c, point.model))
-                lines.insert(point.model + " leaves out " + one);
+/// What files of the points were taken for, and what became of the borders of height maps.
+std::vector<std::string> input_lines(const StudyPoints& points, const io::ResultStore& store) {
+    constexpr std::size_t most_lines = 8;  // each key that changes a map has its own
+    std::vector<std::string> lines;
+    std::vector<comparisons::Results> results;
+    for (const StudyPoint& point : points) {
+        const auto* c = std::get_if<contact::Case>(&point.c);
+        if (!c) continue;
+        for (const std::string& line : comparisons::input_sentences(*c))
+            if (lines.size() < most_lines && !std::ranges::count(lines, line))
+                lines.push_back(line);
+        if (auto found = results_of(store.find(point.key))) results.push_back(std::move(*found));
+    }
+    std::vector<const comparisons::Results*> runs;
+    for (const comparisons::Results& one : results) runs.push_back(&one);
+    if (const auto warning = comparisons::border_warning(runs); !warning.empty())
+        lines.push_back("warning: " + warning);
     return lines;
 }
 
@@ -76,6 +88,7 @@ void sweep(SweepOptions options) {
     io::OutputNames names{{table_name, "report.html", map_page_name}, io::result_store_files()};
     names.kept.push_back("points/");
     std::ptrdiff_t n_failed = 0;
+    std::vector<std::string> input;
     options.fill(names, [&] {
         io::ResultStore store = open_results(options.output);
         compute_missing(kind, points, store,
@@ -93,10 +106,13 @@ void sweep(SweepOptions options) {
             options.write_report(document, "tricontact sweep " + study.name +
                                                (is_part ? " --shard " + options.shard : ""));
         }
+        input = input_lines(points, store);
         n_failed = std::ranges::count_if(
             points, [&](const auto& point) { return !failure_of(store.find(point.key)).empty(); });
     });
+    for (const std::string& line : input) options.say(line);
     for (const std::string& line : left_out_of(points)) options.say(line);
+    say_unread_parts(options, study, "sweep");
     const std::string table = options.output + '/' + table_name;
     options.say(fmt::format("{} points in {}", points.size(), table) +
                 (options.report ? "; " + options.where() : ""));
@@ -105,6 +121,15 @@ void sweep(SweepOptions options) {
             fmt::format("{} of {} points failed: their errors stand in {}; --retry-failed computes "
                         "them again",
                         n_failed, points.size(), table));
+}
+
+std::set<std::string> left_out_of(const StudyPoints& points) {
+    std::set<std::string> lines;
+    for (const StudyPoint& point : points)
+        if (const auto* c = std::get_if<contact::Case>(&point.c))
+            for (const std::string& one : comparisons::left_out(*c, point.model))
+                lines.insert(point.model + " leaves out " + one);
+    return lines;
 }
 
 report::Cell cell_of(const std::string& text) {

@@ -48,8 +48,9 @@ void check(const Case& c) {
             "one, without this section");
     if (!constant_loads(c))
         throw contact::InputError(
-            "load: deviations are those under constant loads; set normal_amplitude_ratio and "
-            "tangential_amplitude_ratio to 0");
+            "load.normal_amplitude_ratio, load.tangential_amplitude_ratio: deviations are those "
+            "under constant loads; leave them out, or run the case with the models bem and "
+            "bem-layer");
     if (c.load.is_by_limit())
         throw contact::InputError(
             std::string(c.load.limit_key()) +

@@ -27,7 +27,10 @@ MapSide side_of(int n, double spacing) {
     return {first, first + (n - 1) * spacing};
 }
 
-double share_of(const HeightMap& map, const Surface& s) {
+}  // namespace
+
+double border_force_share(const HeightMap& map, const Surface& s) {
+    if (s.layout != Surface::Layout::grid) return 0;
     const std::array<MapSide, 2> sides{side_of(map.n_x, map.spacing[0]),
                                        side_of(map.n_y, map.spacing[1])};
     double border = 0, all = 0;
@@ -42,15 +45,12 @@ double share_of(const HeightMap& map, const Surface& s) {
     return all > 0 ? border / all : 0;
 }
 
-}  // namespace
-
 std::optional<double> border_force_share(const contact::Case& c, const contact::History& history) {
     const auto& map = c.indenter.height_map;
     if (!map || c.bem.period || history.snapshots.empty()) return {};
     double largest = 0;
     for (const contact::Snapshot& one : history.snapshots)
-        if (one.surface.layout == Surface::Layout::grid)
-            largest = std::max(largest, share_of(*map, one.surface));
+        largest = std::max(largest, border_force_share(*map, one.surface));
     return largest;
 }
 

@@ -12,4 +12,7 @@ namespace tricontact::comparisons {
 /// reaches the border; empty for other bodies and without kept states.
 std::optional<double> border_force_share(const contact::Case& c, const contact::History& history);
 
+/// Of one of these states.
+double border_force_share(const contact::HeightMap& map, const contact::Surface& surface);
+
 }  // namespace tricontact::comparisons

@@ -22,7 +22,9 @@ Refinement make_refinement(const RefinedLevels& levels) {
     Refinement result{levels, {}};
     if (!levels.wide) result.wide_factor = 0;
     for (const Quantity* q : all_quantities()) {
-        const bool unrolled = levels.values.front().periods() == 0;
+        // Without rolling the final shift is the static one, which a path does not have.
+        const bool unrolled = levels.values.front().periods() == 0 &&
+                              levels.values.front().told(quantities::static_shift);
         if (!q->is_refined || (unrolled && q->part == Part::rolled)) continue;
         if (levels.infinite_pressure && q == &quantities::peak_pressure) continue;
         RefinedQuantity refined{.quantity = q};

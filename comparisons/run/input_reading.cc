@@ -135,4 +135,15 @@ std::string border_warning(const Results& results) {
     return fmt::format("{}: {}: {}", results.model, border_sentence(*share), border_remedy);
 }
 
+std::string border_warning(const std::vector<const Results*>& runs) {
+    const auto share = [](const Results* one) {
+        return one->number(quantities::border_force_share).value_or(0);
+    };
+    const auto n = std::ranges::count_if(runs, [&](const Results* one) { return share(one) > 0; });
+    if (n == 0) return {};
+    return fmt::format(
+        "in {} of {} runs contact reaches the border of the height map; the worst: {}", n,
+        runs.size(), border_warning(**std::ranges::max_element(runs, {}, share)));
+}
+
 }  // namespace tricontact::comparisons

@@ -22,5 +22,7 @@ std::vector<report::Verdict> border_verdicts(const contact::Case& c,
                                              const std::vector<Results>& results);
 /// The same for terminals: only where it does not.
 std::string border_warning(const Results& results);
+/// Of many runs, how many of them reach it and the one that presses there most; none: empty.
+std::string border_warning(const std::vector<const Results*>& runs);
 
 }  // namespace tricontact::comparisons

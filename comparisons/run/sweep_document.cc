@@ -6,6 +6,8 @@
 #include <cmath>
 #include <map>
 
+#include "comparisons/run/input_reading.h"
+
 namespace tricontact::comparisons {
 
 namespace {
@@ -118,6 +120,12 @@ std::vector<report::Verdict> verdicts_of(const Sweep& sweep) {
                             of_model[undecided]);
         verdicts.push_back({report::Verdict::Standing::finding, text});
     }
+    std::vector<const Results*> results;
+    for (const Sweep::Point& point : sweep.points)
+        if (!point.error) results.push_back(&point.results);
+    if (const std::string warning = border_warning(results); !warning.empty())
+        verdicts.push_back({report::Verdict::Standing::violated,
+                            "The height map is larger than the contact: " + warning + "."});
     return verdicts;
 }
 

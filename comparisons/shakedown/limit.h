@@ -40,6 +40,9 @@ struct ModelLimit {
     /// of uncoupled contact.
     double by_pressures = 0;
     int periods_at_most = 0;  ///< of a run
+    /// Of a height map without a period: the largest share of F_N on cells at its border in any
+    /// run; empty for other bodies.
+    std::optional<double> border_force_share = {};
 
     /// That limit of the continuous bodies: Hertz' (1 - 3/2 w + 1/2 w^3) or, of models of the
     /// layer, that of the exact layer. Empty where no theory covers the case.

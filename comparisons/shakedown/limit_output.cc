@@ -36,6 +36,7 @@ json to_json(const ModelLimit& m) {
                    : json()},
             {"coupled", m.coupled},
             {"periods_at_most", m.periods_at_most},
+            {quantities::border_force_share.key, m.border_force_share},
             {"runs", report::list_of(m.runs, run_json)}};
 }
 

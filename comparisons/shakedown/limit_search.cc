@@ -2,11 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <boost/math/tools/roots.hpp>
 #include <cmath>
 #include <limits>
 #include <numeric>
 
+#include "comparisons/quantities/map_border.h"
 #include "comparisons/quantities/reference.h"
 #include "contact/error.h"
 #include "contact/load_path.h"
@@ -126,8 +128,19 @@ class LimitSearch {
         return run.state;
     }
 
-    LimitRun roll(const Case& c, contact::Model& model, double value) const {
-        const contact::History history = contact::run(c, model, {}, negligible_part * tolerance_);
+    /// At upright positions and turning points.
+    void watch_border(const contact::Model& model) {
+        if (!case_.indenter.height_map || case_.bem.period) return;
+        const double here = border_force_share(*case_.indenter.height_map, model.surface());
+        found_.border_force_share = std::max(found_.border_force_share.value_or(0), here);
+    }
+
+    LimitRun roll(const Case& c, contact::Model& model, double value) {
+        const auto watch = [this](const auto&, const contact::Model& at, const auto& progress) {
+            if (progress.quarter) watch_border(at);
+        };
+        const contact::History history =
+            contact::run(c, model, watch, negligible_part * tolerance_);
         LimitRun result{.value = value,
                         .state = history.verdict.state,
                         .periods = static_cast<int>(history.shift_per_period.size())};

@@ -33,6 +33,8 @@ struct BodyContact {
     Estimate indentation, contact_radius;  ///< d; of a circle of the contact's area [m]
     Estimate peak_pressure;                ///< [Pa]; NaN under a conical tip
     Estimate static_shift;                 ///< [m]
+    /// Of a height map: share of F_N on cells at its border [-].
+    double border_force_share = 0;
 };
 struct BodyContacts {
     BodyContact half_space, layer;  ///< normal and tangential contact uncoupled

@@ -35,9 +35,12 @@ Requirement requirement_of(const Assumption& assumption, const Criterion& criter
         assumptions.push_back(one.name);
         for (const Criterion& criterion : one.criteria) all.push_back(criterion.calculation.name);
     }
+    // Which criteria there are depends on the body.
+    const io::Entry* shape = input.rig.document.find("indenter.shape");
     io::refuse(
         input.rig.document, "design.assumptions",
-        "the check of this rig has no assumption or criterion \"" + name + '"',
+        "the check of this rig" + (shape ? " of " + shape->subject() : "") +
+            " has no assumption or criterion \"" + name + '"',
         io::did_you_mean(io::nearest(name, all), "assumptions are " + io::joined(assumptions) +
                                                      "; criteria stand in rig.json"));
 }

@@ -5,6 +5,7 @@
 #include <functional>
 #include <variant>
 
+#include "comparisons/quantities/left_out.h"
 #include "io/case/rig_keys.h"
 #include "io/keys/field_reader.h"
 #include "io/keys/key_checks.h"
@@ -157,6 +158,30 @@ void check_find(const Input& input, const std::vector<std::string>& find,
         std::ranges::count(input.models, "half-space") != std::ssize(input.models))
         refuse("lengths of a layer under a sphere are not in proportion to each other",
                "take shape = \"paraboloid\", which the sphere is near its tip");
+}
+
+std::vector<std::string> left_out_lines(const Input& input) {
+    std::vector<std::string> lines;
+    for (const std::string& model : input.models) {
+        const std::string in_cases = model == "half-space" ? "bem"
+                                     : model == "layer"    ? "mdr-layer"
+                                                           : model;
+        for (const std::string& one : comparisons::left_out(input.rig, in_cases))
+            lines.push_back(model + " leaves out " + one);
+    }
+    if (input.rig.relaxation && !std::ranges::all_of(input.tables, &Table::is_history))
+        lines.emplace_back(
+            "identify leaves out substrate.relaxation in tables without times: their rows are "
+            "taken as those of the relaxed substrate");
+    std::vector<std::string> done, of_rig;
+    for (const std::string& key : input.unread)
+        (key.starts_with("rig.") ? of_rig : done).push_back(key);
+    if (!done.empty())
+        lines.push_back("identify leaves out " + io::joined(done) +
+                        ": what was done stands in the tables of [measurement]");
+    if (!of_rig.empty())
+        lines.push_back("identify leaves out " + io::joined(of_rig) + ": no part of its models");
+    return lines;
 }
 
 void check_friction(const Input& input, const io::Document& document) {

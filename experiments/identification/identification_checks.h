@@ -31,4 +31,7 @@ void check_find(const IdentificationInput& input, const std::vector<std::string>
 /// Sliding contacts have no static shift.
 void check_friction(const IdentificationInput& input, const io::Document& document);
 
+/// What of the case does not enter, a line each: "bem-layer leaves out substrate.width: ...".
+std::vector<std::string> left_out_lines(const IdentificationInput& input);
+
 }  // namespace tricontact::experiments

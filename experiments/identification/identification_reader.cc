@@ -127,6 +127,11 @@ contact::Case rig_of(const Input& input, const std::vector<std::string>& find,
     guess("load.tangential_ratio", 0.);
     double normal_force = 0;
     if (sheared) {
+        if (document.find("load.indentation"))
+            io::refuse(document, "load.indentation",
+                       "shifts were measured under a normal force, which follows from no depth "
+                       "before the modulus is known",
+                       "give load.normal_force");
         if (!document.find("load.normal_force"))
             io::fail(
                 document.place_of("load.normal_force"), "", "missing key load.normal_force",
@@ -160,6 +165,21 @@ contact::Case rig_of(const Input& input, const std::vector<std::string>& find,
         throw contact::InputError(
             boost::replace_all_copy(std::string(error.what()), "mdr-layer", "layer"));
     }
+}
+
+std::vector<std::string> unread_keys(const io::Document& document) {
+    constexpr std::array<std::string_view, 4> sections{"load", "rolling", "tractive_rolling",
+                                                       "rig"};
+    constexpr std::array<std::string_view, 3> read{pivot_key, "rig.work_of_adhesion",
+                                                   "rig.interatomic_distance"};
+    std::vector<std::string> keys;
+    for (const io::Entry& entry : document.entries) {
+        const std::string top = entry.path.substr(0, entry.path.find('.'));
+        if (std::ranges::count(sections, top) && !describes_rig(entry.path) &&
+            !std::ranges::count(read, entry.path) && !std::ranges::count(keys, entry.path))
+            keys.push_back(entry.path);
+    }
+    return keys;
 }
 
 /// Of what is taken as known.
@@ -229,6 +249,7 @@ Input read_identification(const std::string& path, const std::vector<std::string
                     [&] { read_measured_table(table, least_rows + table.has_free_origin()); });
     input.rig = rig_of(input, find, document);
     input.rig.title = input.title;
+    input.unread = unread_keys(document);
     input.parameters =
         io::told_at(document, "measurement.find", [&] { return free_parameters(input, find); });
     check_friction(input, document);

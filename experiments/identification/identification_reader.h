@@ -58,6 +58,8 @@ struct IdentificationInput {
     /// The rig; free parameters at their guesses. A free E is a guess by Hertz' theory, whatever
     /// the file says. The normal force is that of the file, or the largest of the measurement.
     contact::Case rig;
+    /// Keys of loads and rolling, in place of which the tables say what was done.
+    std::vector<std::string> unread;
     std::vector<RigError> rig_errors;
     statistics::Correlations correlations;  ///< of what is uncertain, by keys
     /// Of the rig, which no model of an identification has [J/m^2], and its distance [m].

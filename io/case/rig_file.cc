@@ -6,6 +6,7 @@
 
 #include "io/case/case_reader.h"
 #include "io/case/rig_keys.h"
+#include "io/case/study_reader.h"
 #include "io/keys/field_reader.h"
 #include "io/keys/input_file.h"
 #include "io/keys/key_checks.h"
@@ -139,11 +140,9 @@ std::vector<UncertainKey> RigFile::uncertain_of_case() const {
     return result;
 }
 
-std::vector<std::string> rig_parts(const std::string& path,
-                                   const std::vector<std::string>& overrides) {
-    const std::string text = read_input_file(path);
-    if (parse_document(text, path).find_section("machine")) return {};  // reads all
-    const Document document = case_document(text, path, overrides);
+namespace {
+
+std::vector<std::string> parts_of(const Document& document) {
     std::vector<std::string> parts;
     for (const char* section : {"rig", "record", "measurement", "design", "printed"})
         if (document.find_section(section)) parts.push_back("[" + std::string(section) + "]");
@@ -151,6 +150,26 @@ std::vector<std::string> rig_parts(const std::string& path,
     if (std::ranges::any_of(uncertain_keys(document, case_file_keys()), of_case))
         parts.emplace_back(uncertainty_mark);
     return parts;
+}
+
+}  // namespace
+
+std::vector<std::string> rig_parts(const std::string& path,
+                                   const std::vector<std::string>& overrides) {
+    const std::string text = read_input_file(path);
+    if (parse_document(text, path).find_section("machine")) return {};  // reads all
+    return parts_of(case_document(text, path, overrides));
+}
+
+std::vector<std::string> rig_parts(const Study& study) {
+    if (study.walks) return {};
+    Document document = study.base;
+    const auto& settings = study.settings;
+    document.entries.insert(document.entries.end(), settings.begin(), settings.end());
+    for (const Study::Axis& axis : study.axes)
+        if (const auto* values = std::get_if<std::vector<Entry>>(&axis.values))
+            document.entries.insert(document.entries.end(), values->begin(), values->end());
+    return parts_of(document);
 }
 
 RigFile parse_rig_file(std::string_view text, const std::string& name,

@@ -11,6 +11,8 @@
 
 namespace tricontact::io {
 
+struct Study;
+
 /// A number of a file that states how uncertain it is.
 struct UncertainKey {
     const Key* key = nullptr;
@@ -58,6 +60,8 @@ struct RigFile {
 inline constexpr const char* uncertainty_mark = "±";
 std::vector<std::string> rig_parts(const std::string& path,
                                    const std::vector<std::string>& overrides = {});
+/// The same of the case of a study, with what the study sets and varies in it.
+std::vector<std::string> rig_parts(const Study& study);
 
 /// Throws contact::InputError as read_case().
 RigFile read_rig_file(const std::string& path, const std::vector<std::string>& overrides = {});

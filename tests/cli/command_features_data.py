@@ -21,6 +21,7 @@ keys_of_every_case = ["title", "models", "output.*", "bem.cells_per_radius", "be
                       "indenter.radius", "indenter.shape", "substrate.young", "substrate.poisson",
                       "friction.coefficient", "load.normal_force", "load.tangential_ratio", "load.tangential_force"]
 
+correlation = 'correlation."substrate.young and friction.coefficient"'
 layer = {"substrate.thickness": '"8 mm"'}
 height_map = "".join(" ".join(f"{((x / 10) ** 2 + (y / 10) ** 2) * 6.25:.4f}" for x in range(-30, 31, 2)) + "\n"
                      for y in range(-30, 31, 2))  # um, of a ball of 80 mm on 6 mm
@@ -36,9 +37,10 @@ def path(*columns, **values):
     return '"' + "\\n".join([", ".join(names), *(", ".join(row) for row in rows)]) + '"'
 
 
-def feature(name, keys, words, one, other, base=None, over_for=None):
+def feature(name, keys, words, one, other, base=None, over_for=None, other_for=None):
+    """`over_for`, `other_for`: further keys by commands, of both cases and of the other one."""
     return {"name": name, "keys": keys.split(), "words": [name, *words.split("|")], "one": one, "other": other,
-            "base": base or {}, "over_for": over_for or {}}
+            "base": base or {}, "over_for": over_for or {}, "other_for": other_for or {}}
 
 
 no_load = {"load.*": None, "rolling.*": None, "tractive_rolling.*": None, "path.steps": "2"}
@@ -60,15 +62,22 @@ features = [
     feature("path with a twist", "", "path|twist|rotation|[tractive_rolling]",
             {**no_load, "path.table": path("rotation [mrad]", rotation=["0", "0", "0"])},
             {**no_load, "path.table": path("rotation [mrad]", rotation=["0", "0", "8"])}),
+    feature("centre of rotation", "path.centre_*", "path|centre_|rotation|[tractive_rolling]",
+            {**no_load, "path.table": path("rotation [mrad]", rotation=["0", "0", "8"])},
+            {**no_load, "path.table": path("rotation [mrad]", rotation=["0", "0", "8"]), "path.centre_x": '"1 mm"'}),
     feature("path with rolling", "", "path|offset|[tractive_rolling]",
             {**no_load, "path.table": path("offset_x [mm]", offset_x=["0", "0", "0"])},
             {**no_load, "path.table": path("offset_x [mm]", offset_x=["0", "0", "0.5"])}),
-    feature("static load", "", "[rolling]|rolling", {"load.tangential_ratio": "0.4", "rolling.*": None},
+    feature("static load", "", "[rolling]|rolling|load.tangential_ratio", {"load.tangential_ratio": "0.4", "rolling.*": None},
             {"load.tangential_ratio": "0.5", "rolling.*": None}),
-    feature("rolling angle", "rolling.angle", "rolling.angle|angle", {}, {"rolling.angle": '"90 deg"'}),
+    feature("rolling angle", "rolling.angle", "rolling.angle|angle|rolling direction|[rolling]", {},
+            {"rolling.angle": '"90 deg"'}, other_for={"roll": {"rolling.amplitude_ratio": "0.24"}}),
+    feature("rolling amplitude", "rolling.amplitude rolling.amplitude_ratio rolling.amplitude_reference",
+            "rolling.amplitude|[rolling]", {}, {"rolling.amplitude_ratio": "0.3"}),
     feature("rolling steps", "rolling.steps rolling.steps_per_quarter rolling.increment rolling.periods rolling.until "
-            "rolling.run_all rolling.amplitude rolling.amplitude_ratio rolling.amplitude_reference", "rolling.steps",
-            {"rolling.steps_per_quarter": "1"}, {"rolling.steps_per_quarter": "3"}),
+            "rolling.run_all", "rolling.steps|[rolling]",
+            {"rolling.steps_per_quarter": "1"}, {"rolling.steps_per_quarter": "3"},
+            other_for={"roll": {"rolling.amplitude_ratio": "0.24"}}),
     feature("rolling on", "tractive_rolling.*", "tractive_rolling|rolling on|rolls on",
             {"rolling.*": None, "tractive_rolling.distance": "1.0"},
             {"rolling.*": None, "tractive_rolling.distance": "1.0", "tractive_rolling.lateral_creepage": "0.01"}),
@@ -85,7 +94,7 @@ features = [
     feature("pressing", "load.press load.press_steps", "load.press|pressed with friction", {},
             {"load.press": '"frictionless"'}, layer),
     feature("layer", "substrate.thickness substrate.thickness_ratio", "substrate.thickness|layer",
-            {"substrate.thickness": '"8 mm"'}, {"substrate.thickness": '"6 mm"'}),
+            {"substrate.thickness": '"8 mm"'}, {"substrate.thickness": '"7 mm"'}),
     feature("base that glides", "substrate.base", "substrate.base|base|substrate.thickness: ", layer,
             {**layer, "substrate.base": '"frictionless"'}),
     feature("ground", "ground.*", "[ground]|ground|rigid base|substrate.thickness: ", layer,
@@ -98,18 +107,26 @@ features = [
     feature("elastic indenter", "indenter.young indenter.poisson", "indenter.young|elastic indenter|rigid", {},
             {"indenter.young": '"20 MPa"', "indenter.poisson": "0.5"}),
     feature("coupled contact", "contact.coupling", "contact.coupling|coupl", {"contact.coupling": "false"},
-            {"contact.coupling": "true"}, {**layer, "substrate.poisson": "0.3"}),
-    feature("relaxation", "substrate.relaxation.* load.press_time load.hold rolling.speed",
+            {"contact.coupling": "true"}, {**layer, "substrate.poisson": "0.3"},
+            over_for={"design": {"substrate.poisson": "0.5"}}),
+    feature("relaxation", "substrate.relaxation.* load.press_time rolling.speed",
             "substrate.relaxation|relax", {}, {**relaxing, "rolling.speed": '"5 mm/s"'},
-            over_for={"roll": {"tractive_rolling.speed": '"20 mm/s"'}}),
+            other_for={"roll": {"tractive_rolling.speed": '"20 mm/s"', "rolling.*": None}}),
+    feature("hold", "load.hold", "load.hold|relax", {}, {"load.hold": '"2 s"'},
+            {**relaxing, "rolling.speed": '"5 mm/s"'}, over_for={"roll": {"tractive_rolling.speed": '"20 mm/s"'}}),
     feature("finite strain", "substrate.material substrate.c01_ratio", "substrate.material|finite strain", layer,
             {**layer, "substrate.material": '"neo-hookean"'}),
     feature("roughness", "indenter.roughness.*", "[indenter.roughness]|rough|smooth|indenter.shape", {},
-            {"indenter.roughness.rms_slope": "0.05", "indenter.roughness.long_wavelength": '"2 mm"',
-             "indenter.roughness.roll_off": '"2 mm"', "indenter.roughness.short_wavelength": '"1 mm"'}),
-    feature("height map", "indenter.file indenter.spacing indenter.unit indenter.heights", "height map|rough surfaces|bodies other than|height-map|indenter.shape",
-            {**mapped, "indenter.unit": '"1 um"'}, {**mapped, "indenter.unit": '"1.5 um"'}),
-    feature("period", "bem.period", "bem.period|period", {}, {"bem.period": '"14 mm"'}, layer),
+            {"indenter.roughness.rms_slope": "0.05", "indenter.roughness.long_wavelength": '"4 mm"',
+             "indenter.roughness.roll_off": '"4 mm"', "indenter.roughness.short_wavelength": '"2 mm"'}),
+    feature("map turned over", "indenter.heights", "height map|map|rough surfaces|bodies other than|indenter.shape",
+            {**mapped, "indenter.unit": '"1 um"'},
+            {**mapped, "indenter.unit": '"1 um"', "indenter.heights": '"outward"'},
+            over_for={"roll": {"rolling.*": None}}),
+    feature("height map", "indenter.file indenter.spacing indenter.unit", "height map|rough surfaces|bodies other than|height-map|indenter.shape",
+            {**mapped, "indenter.unit": '"1 um"'}, {**mapped, "indenter.unit": '"1.5 um"'}, over_for={"roll": {"rolling.*": None}}),
+    feature("period", "bem.period", "bem.period|period", {}, {"bem.period": '"14 mm"'}, layer,
+            over_for={"identify": {"bem.cells_per_radius": "9"}}),
     feature("influence file", "bem.influence", "bem.influence|influence", {}, {"bem.influence": '"influence.txt"'}),
     feature("sides that are held", "fem.sides", "fem.sides|sides|finite width|substrate.thickness: ",
             {**layer, "substrate.width": '"20 mm"', "substrate.depth": '"20 mm"'},
@@ -123,7 +140,10 @@ features = [
             {"indenter.shape": '"roller"', "indenter.length": '"10 mm"'},
             {"indenter.shape": '"roller"', "indenter.length": '"12 mm"'}),
     feature("sphere", "", "sphere|indenter.shape", {"indenter.radius": '"10 mm"'},
-            {"indenter.radius": '"10 mm"', "indenter.shape": '"sphere"'}),
+            {"indenter.radius": '"10 mm"', "indenter.shape": '"sphere"'},
+            over_for={"design": {"indenter.radius": '"40 mm"'}, "mesh": {"indenter.radius": '"30 mm"'},
+                      "condense": {"indenter.radius": '"30 mm"'}, "run fem": {"indenter.radius": '"30 mm"'},
+                      "refine fem": {"indenter.radius": '"30 mm"'}}),
     feature("cone", "indenter.angle", "cone|bodies other than|indenter.shape",
             {**body, "indenter.shape": '"cone"', "indenter.angle": '"5 deg"'},
             {**body, "indenter.shape": '"cone"', "indenter.angle": '"6 deg"'}),
@@ -139,17 +159,25 @@ features = [
     feature("profile", "", "profile|bodies other than|indenter.shape",
             {**body, "indenter.shape": '"profile"', "indenter.file": '"profile.csv"'},
             {**body, "indenter.shape": '"profile"', "indenter.file": '"profile_2.csv"'}),
-    feature("uncertain numbers", "", "uncertain|±", {"substrate.young": '"5.2 MPa"'},
-            {"substrate.young": '"5.2 ± 0.4 MPa"'}),
+    *[feature(f"uncertain {name}", "", f"uncertain|±|[rolling]|{key}", {}, {key: text.replace("±", f"± {error}")})
+      for name, key, text, error in [("modulus", "substrate.young", '"5.2 ± MPa"', "0.4"),
+                                     ("radius", "indenter.radius", '"40 ± mm"', "1"),
+                                     ("friction", "friction.coefficient", '"0.57 ±"', "0.02"),
+                                     ("load", "load.normal_force", '"21.1 ± N"', "0.5"),
+                                     ("amplitude", "rolling.amplitude_ratio", '"0.24 ±"', "0.02")]],
+    feature("correlated numbers", "correlation.*", "uncertain|±|correlat", {}, {correlation: "0.9"},
+            {"substrate.young": '"5.2 ± 0.4 MPa"', "friction.coefficient": '"0.57 ± 0.02"'}),
     feature("[rig]", "rig.*", "[rig]|rig.", {}, {"rig.density": '"1300 kg/m3"'}),
+    feature("[printed]", "printed.*", "[printed]", {}, {"printed.indentation": '{value = "0.26 mm", source = "table 1"}'}),
     feature("[record]", "record.*", "[record]|record.", {},
-            {"record.kind": '"shakedown"', "record.runs": '["record.csv"]'}),
+            {"record.kind": '"shakedown"', "record.runs": '["record.csv", "record_2.csv"]'},
+            other_for={"design": {"record.resolution": '"1 um"'}}),
     feature("[measurement]", "measurement.*", "[measurement]|measurement.", {},
             {"measurement.static_shift": '"shift.csv"', "measurement.find": '["substrate.young"]',
              "measurement.models": '["half-space"]'}),
     feature("[design]", "design.*", "[design]|design.", {},
             {"design.assumptions": '["small_strains"]',
-             "design.vary.substrate.thickness": '{from = "4 mm", to = "30 mm"}'}, layer),
+             "design.vary.substrate.thickness": '{from = "5 mm", to = "30 mm"}'}, layer),
 ]
 
 
@@ -160,104 +188,3 @@ def files():
 
     shift = "tangential_force [N], shift [um]\n" + "".join(f"{f}, {f * 6 * (1 + f / 60):.4g}\n" for f in range(1, 8))
     return {"map.txt": height_map, "profile.csv": profile(40), "profile_2.csv": profile(60), "shift.csv": shift}
-
-
-def model_run(model, over=None):
-    return {"calls": [["run", "case.toml", "--models", model, "--output", "out", "--no-studies"]],
-            "answer": "out/summary.json", "part": ["models", model], "telling": "out/report.html", "over": over or {}}
-
-
-def call(*arguments, answer, telling=None, over=None, always=None, part=(), files=None, before=()):
-    """One column: its calls, where the answer stands, what is put over the case before the feature, and after it."""
-    return {"calls": [*before, list(arguments)], "answer": answer, "telling": telling, "over": over or {},
-            "always": always or {}, "part": part, "files": files or {}}
-
-
-def study(model, vary, more=""):
-    return {"study.toml": f'case = "case.toml"\nmodels = ["{model}"]\n{more}[vary]\n{vary}\n'}
-
-
-elements = {**layer, "models": '["fem"]', "fem.size": '"1.5 mm"', "fem.cache": '"none"'}
-two_frictions = "friction.coefficient = [0.5, 0.6]"
-commands = {
-    "run mdr": model_run("mdr"),
-    "run mdr-layer": model_run("mdr-layer", layer),
-    "run bem": model_run("bem"),
-    "run bem-layer": model_run("bem-layer", layer),
-    "run fem": model_run("fem", elements),
-    "check": call("check", "case.toml", answer="output"),
-    "mesh": call("mesh", "case.toml", "--output", "out", answer="out/*.msh", over=elements),
-    "condense": call("condense", "case.toml", answer="output", over={**elements, "fem.cache": '"kept"'}),
-    "refine bem": call("refine", "case.toml", "--model", "bem", "--output", "out",
-                       answer="out/refinement.json", telling="out/report.html"),
-    "refine fem": call("refine", "case.toml", "--model", "fem", "--output", "out",
-                       answer="out/refinement.json", telling="out/report.html",
-                       over={**elements, "fem.size": '"2 mm"'}),
-    "influence": call("influence", "case.toml", "--model", "bem-layer", "--output", "out.txt", answer="out.txt",
-                      over=layer),
-    "export bem": call("export", "case.toml", "--model", "bem", "--output", "out", answer="out/*.inp"),
-    "export bem-layer": call("export", "case.toml", "--model", "bem-layer", "--output", "out",
-                             answer="out/*.inp out/*.influence", over=layer),
-    "limit": call("limit", "case.toml", "--models", "bem", "--tolerance", "1e-2", "--output", "out",
-                  answer="out/limit.json", telling="out/report.html"),
-    "roll": call("roll", "case.toml", "--points", "0", "--output", "out", answer="out/summary.json",
-                 telling="out/report.html", over={"tractive_rolling.distance": "1.0"}, always={"rolling.*": None, "load.press_time": None}),
-    "sweep": call("sweep", "study.toml", "--output", "out", "--jobs", "1", answer="out/results.csv",
-                  telling="out/report.html", files=study("bem", two_frictions)),
-    "fit": call("fit", "study.toml", "--output", "out", answer="out/fit*.csv out/fit.json",
-                before=[["sweep", "study.toml", "--output", "out", "--jobs", "1", "--no-report"]],
-                over={"rolling.steps_per_quarter": None, "rolling.steps": '"turning-points"',
-                      "rolling.periods": "30", "load.tangential_ratio": "0.2"},
-                files=study("bem", "load.tangential_ratio = [0.1, 0.2, 0.3]")),
-    "atlas": call("atlas", "study.toml", "--output", "out", "--jobs", "1", answer="out/*.json",
-                  files=study("bem", "load.tangential_ratio = {from = 0.1, to = 0.2}",
-                              '[atlas]\npoints = 3\nerror = 0.5\nquantities = ["static_shift_ratio"]\n')),
-    "predict": call("predict", "case.toml", "--json", answer="output"),
-    "predict on a layer": call("predict", "case.toml", "--json", answer="output", over=layer),
-    "experiment": call("experiment", "case.toml", "--output", "out", answer="out/experiment.json",
-                       telling="out/report.html",
-                       over={"record.kind": '"shakedown"', "record.runs": '["record.csv"]',
-                             "load.tangential_ratio": "0.4"}),
-    "deviation": call("deviation", "case.toml", "--no-runs", "--output", "out",
-                      answer="out/deviation.json", telling="out/report.html", over=layer),
-    "deviation --finite-strain": call("deviation", "case.toml", "--finite-strain", "--output", "out",
-                                      answer="out/deviation.json", over=elements),
-    "identify": call("identify", "case.toml", "--output", "out", answer="out/identify.json",
-                     telling="out/report.html",
-                     over={"measurement.static_shift": '"shift.csv"', "measurement.find": '["substrate.young"]',
-                           "measurement.models": '["bem-layer"]', **layer}),
-    "rig": call("rig", "case.toml", "--output", "out", answer="out/rig.json", telling="out/report.html", over=layer),
-    "design": call("design", "case.toml", "--output", "out", answer="out/design.json", telling="out/report.html",
-                   over={**layer, "design.assumptions": '["small_strains"]',
-                         "design.vary.substrate.thickness": '{from = "4 mm", to = "30 mm"}'}),
-}
-# Not in the table. With finite elements or many runs a cell takes a minute: tried by their names. sweep does not say yet
-# which parts of a rig's file it leaves unread.
-slow_commands = {name: commands.pop(name) for name in (
-    "sweep", "run fem", "mesh", "condense", "refine bem", "refine fem", "fit", "atlas", "experiment", "deviation",
-    "deviation --finite-strain", "identify", "design")}
-# Where the same answer is right, and why: (commands, features, reason).
-rigs = "[rig]|[record]|[measurement]|[design]|uncertain numbers"
-unaffected = [
-    ("run bem|run mdr|run mdr-layer|limit|sweep|refine bem|roll|export bem|fit", "pressing",
-     "normal and tangential contact are uncoupled: there is one way of pressing"),
-    ("predict|predict on a layer|limit|fit", "rolling steps", "the answer is that of rolling without steps"),
-    ("roll", "rolling angle|rolling steps|oscillating normal force|oscillating tangential force|load by its limit",
-     "[rolling] is not there"),
-    ("mesh|condense|influence", "*", "what makes the layer alone; loads, friction and the rest do not enter"),
-    ("limit", "load by its limit", "the limit is what is looked for"),
-    ("fit", "load by its limit", "the study varies the load"),
-    ("deviation", "rolling angle|rolling steps|pressing|coupled contact",
-     "exact theories of the pressed contact, stuck or without coupling"),
-    ("rig|design", "static load|load by its limit|rolling steps|pressing|coupled contact|finite strain|sphere",
-     "assumptions are about the pressed contact and the drive; coupling and strains are criteria themselves"),
-    ("identify", "static load|rolling angle|rolling steps|rolling on|oscillating normal force|"
-     "oscillating tangential force|load by its limit", "what was done stands in the tables of [measurement]"),
-    ("run bem|run mdr|run mdr-layer|run bem-layer|limit|roll|sweep|fit|refine bem|export bem|export bem-layer|rig|"
-     "design|deviation|experiment|identify", "mesh file|sides that are held|influence file",
-     "settings of models that do not take part"),
-]
-commands_with_no_report = ["run", "roll", "sweep"]
-# They take no case: files of others, archives, folders of results.
-commands_without_a_case = ["cache", "verify", "walk", "merge", "convert", "keys", "list", "manual", "import",
-                           "reproduce", "animate"]

@@ -121,6 +121,29 @@ grep -q 'The height map is larger than the contact: cells at the border' out_cor
     complain "the report says nothing"
 grep -q '"border_force_share": 0' out_plain/summary.json || complain "$(grep border out_plain/summary.json)"
 
+# So do commands that run it many times; of a map on which contact stays inside they do not.
+for name in plain corners; do
+    printf 'case = "%s.toml"\nmodels = ["bem"]\n[vary]\nload.normal_force = ["1 N", "2 N"]\n' $name >study_$name.toml
+    "$program" sweep study_$name.toml --output sweep_$name >sweep_$name.out 2>&1 || complain "$(cat sweep_$name.out)"
+    sed 's/tangential_ratio = 0/tangential_ratio = 0.4/' $name.toml >rolled_$name.toml
+    printf '[rolling]\namplitude = "0.01 mm"\n' >>rolled_$name.toml
+    "$program" limit rolled_$name.toml --tolerance 0.05 --output limit_$name >limit_$name.out 2>&1 ||
+        complain "$(cat limit_$name.out)"
+    "$program" refine $name.toml --model bem --output refine_$name >refine_$name.out 2>&1 ||
+        complain "$(cat refine_$name.out)"
+    grep -q '25 x 25 nodes (x by y), 100.0 um apart' sweep_$name.out || complain "sweep: $(cat sweep_$name.out)"
+    grep -q '25 x 25 nodes (x by y), 100.0 um apart' refine_$name.out || complain "refine: $(cat refine_$name.out)"
+done
+said='warning: .*cells at the border of the height map carry [0-9.]* % of F_N'
+for command in sweep limit refine; do
+    grep -q "$said" ${command}_corners.out || complain "$command: no warning: $(cat ${command}_corners.out)"
+    grep -q 'The height map is larger than the contact: .*cells at the border' ${command}_corners/report.html ||
+        complain "$command: the report says nothing"
+    ! grep -q "$said" ${command}_plain.out || complain "$command: a warning: $(cat ${command}_plain.out)"
+done
+grep -q '"border_force_share": 0.[0-9]' limit_corners/limit.json || complain "$(grep border limit_corners/limit.json)"
+grep -q 'in 2 of 2 runs contact reaches the border' sweep_corners.out || complain "$(cat sweep_corners.out)"
+
 # What is neither is refused.
 head -n 24 xyz.txt >cut_xyz.txt
 head -n 600 xyz.txt >>cut_xyz.txt

@@ -27,7 +27,18 @@ import json
 models = json.load(open("file/summary.json"))["models"]
 assert all(m["static_shift_m"] is None and m["final_shift_m"] > 0 for m in models.values())
 END
-# 3. Commands that need rolling say so.
+# 3. refine follows the shift at its end: Cattaneo's 1 - (1 - f)^(2/3) over U_max, to the cells that cut the edge of the
+# contact (1 % at this size).
+cp from_file.toml pulled.toml
+printf 'normal_force [N], tangential_force_x [N]\n20, 0\n20, 4\n' >loads.csv
+"$program" refine pulled.toml --model bem --quiet --output refined >out 2>&1 || complain "refine: $(cat out)"
+"$python" - <<'END' || complain "refine does not follow the end of a path: $(cat out)"
+import json, re
+mu = float(re.search(r"coefficient = ([0-9.]+)", open("pulled.toml").read())[1])
+found = json.load(open("refined/refinement.json"))["quantities"]["final_shift_ratio"]
+assert abs(found["values"][-1] / (1 - (1 - 4 / 20 / mu) ** (2 / 3)) - 1) < .01, found
+END
+# 4. Commands that need rolling say so.
 for command in limit predict; do
     code=0
     "$program" "$command" from_file.toml >out 2>err || code=$?

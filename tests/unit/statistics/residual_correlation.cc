@@ -97,6 +97,23 @@ TEST(ResidualCorrelation, OfAutoregressiveErrorsIsTheirs) {
     }
 }
 
+// A parameter at its bound moves no value: residuals are the errors themselves, of which the
+// lag-one product has the mean 0 and the variance 1/n (Bartlett).
+TEST(ResidualCorrelation, OfNothingFittedIsThatOfTheErrors) {
+    constexpr std::size_t n = 300;
+    const ResidualProjection projection({std::vector<double>(n, 0.)});
+    ASSERT_TRUE(projection.basis().empty());
+    std::mt19937_64 generator(4);
+    const auto correlated = autoregressive(.7, n, generator);
+    const auto found = residual_correlation(correlated, rows_up_to(n), projection);
+    EXPECT_NEAR(found.of_errors, .7, 3 * std::sqrt((1 - .7 * .7) / n));
+    EXPECT_LT(found.chance, .01);
+    const auto independent =
+        residual_correlation(autoregressive(0, n, generator), rows_up_to(n), projection);
+    EXPECT_NEAR(independent.lag_one, 0, 3 / std::sqrt(n));
+    EXPECT_GT(independent.chance, .001);
+}
+
 // A few rows that others are joined with: nothing is told of these.
 TEST(ResidualCorrelation, SeesTheRowsOfOneTableAlone) {
     constexpr std::size_t n = 200;
