@@ -33,6 +33,7 @@ class RecordedDrive {
         for (const double w : offset_) largest_ = std::max(largest_, std::abs(w));
         if (largest_ == 0)
             refuse_record(record, "the drive does not move", "check the column drive");
+        refuse_rest_aside(record);
         // Rest is where the drive is nearer to upright than a tenth of its largest amplitude.
         const auto first = std::ranges::find_if(
             offset_, [this](double w) { return std::abs(w) > threshold() * largest_; });
@@ -67,6 +68,22 @@ class RecordedDrive {
 
   private:
     static constexpr double threshold() { return 0.1; }
+
+    // What stands aside before it rolls counts from elsewhere than upright.
+    void refuse_rest_aside(const Record& record) const {
+        constexpr std::size_t n_first = 8;
+        constexpr double still = .02, not_upright = .05;
+        if (offset_.size() < n_first) return;
+        const auto [low, high] = std::minmax_element(at(0), at(n_first));
+        const double aside = std::min(std::abs(*low), std::abs(*high));
+        if (*high - *low > still * largest_ || aside < not_upright * largest_) return;
+        refuse_record(
+            record,
+            fmt::format("the drive stands at {:.4g} mm before it rolls: its offsets count "
+                        "from the roller upright, at which periods begin and end",
+                        1e3 * *low),
+            "subtract that from the column drive, or record from upright");
+    }
 
     std::vector<double>::const_iterator at(std::size_t i) const {
         return offset_.begin() + static_cast<std::ptrdiff_t>(i);

@@ -43,6 +43,20 @@ TEST(DriveTimeline, FindsPeriodsAndAmplitudesOfARecordedDrive) {
     }
 }
 
+// Its first period were half as long again on one side, as of another amplitude.
+TEST(DriveTimeline, OffsetsCountFromUpright) {
+    std::mt19937_64 random(1);
+    auto record = SyntheticRecord().make(random);
+    for (double& w : record.drive) w += 2e-4;
+    EXPECT_EQ(
+        refusal(record),
+        "run.csv: the drive stands at 0.2 mm before it rolls: its offsets count from the roller "
+        "upright, at which periods begin and end; subtract that from the column drive, or record "
+        "from upright");
+    for (double& w : record.drive) w -= 1.9e-4;
+    EXPECT_EQ(refusal(record), "accepted");
+}
+
 TEST(DriveTimeline, OfAKnownDrive) {
     std::mt19937_64 random(1);
     SyntheticRecord synthetic;
