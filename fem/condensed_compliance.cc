@@ -3,15 +3,25 @@
 #include <Eigen/Sparse>
 #include <algorithm>
 
+#include "contact/substrates/material.h"
+
 namespace tricontact::fem {
 
 using contact::TangentialField;
 
 namespace {
 
+/// E*/G* of the layer under the rigid indenter; in a plane the two are one.
+double local_ratio(const LayerProblem& problem) {
+    if (problem.line_length > 0) return 1;
+    const contact::MaterialPair pair({}, problem.materials.front());
+    return pair.effective_modulus() / pair.effective_shear_modulus();
+}
+
 contact::ContactPoints points_of(const CondensedLayer& layer, const LayerProblem& problem) {
     contact::ContactPoints points = layer.points;
     points.line_length = problem.line_length;
+    points.local_ratio = local_ratio(problem);
     return points;
 }
 

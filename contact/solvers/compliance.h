@@ -54,6 +54,10 @@ struct ContactPoints {
     /// Length L along y [m] of a contact that the outermost points in y bound, since the indenter
     /// or the substrate ends there; 0: it may go on beyond them.
     double line_length = 0;
+    /// Displacement along over displacement into the surface by equal tractions on a place alone,
+    /// E*/G*, where the response of one point does not tell it, as of a node of elements; 0: it
+    /// does.
+    double local_ratio = 0;
     /// Nine-node quadrilaterals between the points where the surface is one of elements (corners,
     /// edges, centre; VTK's order of a biquadratic quadrilateral); else empty.
     std::vector<std::array<int, 9>> quads;

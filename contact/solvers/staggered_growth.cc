@@ -26,6 +26,7 @@ void StaggeredSolver::keep_gap(const LoadStep& step, const StepStart& before) {
 /// Displacement along over displacement into the surface by equal tractions on a point alone:
 /// E*/G*.
 double StaggeredSolver::local_ratio() const {
+    if (points().local_ratio > 0) return points().local_ratio;
     const auto& pressure = now_.normal->pressure;
     const auto highest = std::ranges::max_element(pressure) - pressure.begin();
     std::vector<double> down(pressure.size()), unit(pressure.size());
