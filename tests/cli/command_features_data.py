@@ -132,7 +132,7 @@ features = [
             {**layer, "substrate.width": '"20 mm"', "substrate.depth": '"20 mm"'},
             {**layer, "substrate.width": '"20 mm"', "substrate.depth": '"20 mm"', "fem.sides": '"fixed"'}),
     feature("mesh file", "fem.mesh fem.mesh_unit", "fem.mesh|mesh", layer,
-            {**layer, "fem.size": None, "fem.mesh": '"layer.msh"', "fem.mesh_unit": '"1 mm"'}),
+            {**layer, "fem.size": None, "fem.mesh": '"layer.msh"', "fem.mesh_unit": '"1 m"'}),
     feature("cylinder", "indenter.length", "cylinder|line contact|indenter.shape",
             {"indenter.shape": '"cylinder"', "indenter.length": '"40 mm"'},
             {"indenter.shape": '"cylinder"', "indenter.length": '"50 mm"'}),
