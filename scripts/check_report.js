@@ -130,7 +130,7 @@ async function measure_player() {
 async function check_player(expect, settle) {
     const part = id => document.getElementById("player_" + id);
     if (!document.getElementById("player")) return;
-    const canvases = [...document.querySelectorAll("#player canvas:not(.section)")];
+    const canvases = [...document.querySelectorAll("#player canvas:not(.section)")].filter(canvas => !canvas.closest("[hidden]"));
     const seen = () => canvases.map(canvas => canvas.toDataURL());
     const copy = document.createElement("canvas");  // one that is made to be read
     const painted = canvas => {
@@ -173,8 +173,12 @@ async function check_player(expect, settle) {
     if (part("section")) {
         part("section").click();
         const sections = [...document.querySelectorAll("#player canvas.section")];
-        expect(sections.some(canvas => !canvas.hidden && painted(canvas)), "no section is painted");
+        // They are unpacked first.
+        const is_painted = () => sections.some(canvas => !canvas.hidden && painted(canvas));
+        for (let i = 0; i < 50 && !is_painted(); ++i) await settle();
+        expect(is_painted(), "no section is painted");
         part("section").click();
+        for (let i = 0; i < 50 && !sections.every(canvas => canvas.hidden); ++i) await settle();
         expect(sections.every(canvas => canvas.hidden), "sections cannot be closed");
     }
     await check_scene(expect, settle);
@@ -322,6 +326,8 @@ addEventListener("load", async () => {
     }
     for (const element of all("a[href], button, summary, input, select, [tabindex]")) {
         if (element.closest("[hidden]")) continue;
+        // On a phone headings stand in each cell of a stacked table.
+        if (element.closest(".stacks thead") && !element.getClientRects().length) continue;
         const name = element.getAttribute("aria-label") ?? (element.labels?.[0] ?? element).textContent.trim();
         expect(name, `${element.outerHTML.slice(0, 80)} has no name`);
         element.focus();
