@@ -28,11 +28,18 @@ constexpr double of_tolerance = 10;
 // what is counted in cells (a period's increment in those that slip), and on springs, which bring
 // an error that depends on where between two of them the contact ends, of either sign.
 constexpr double first_order = .5, no_order = 1;
+constexpr double of_work = 1.7;
+
+/// What differences count for. Frictional work of a path falls with the power 2/3 of its steps'
+/// length, as the slip of a contact that grows does: half the steps change 1/1.7 of the error.
+struct Factors {
+    double coarsest = first_order, steps = 1;
+};
 
 /// `value`: of a run, empty if it has none. Without what is less than rounding and tolerances.
 template <class Value>
 std::optional<double> half_width(const NumericalError& error, const Value& value,
-                                 double of_coarse = first_order) {
+                                 const Factors& factors = {}) {
     if (!error.run || !error.coarser) return {};
     const std::optional<double> fine = value(*error.run), coarse = value(*error.coarser);
     if (!fine || !coarse) return {};
@@ -41,11 +48,11 @@ std::optional<double> half_width(const NumericalError& error, const Value& value
     if (error.coarsest) {
         const std::optional<double> coarsest = value(*error.coarsest);
         if (!coarsest) return {};
-        mesh = safety_factor * std::max(change, of_coarse * std::abs(*coarse - *coarsest));
+        mesh = safety_factor * std::max(change, factors.coarsest * std::abs(*coarse - *coarsest));
     }
     double rest = 0;
-    const std::array others{std::pair(&error.long_steps, 1.),
-                            std::pair(&error.short_steps, of_quarter_steps),
+    const std::array others{std::pair(&error.long_steps, factors.steps),
+                            std::pair(&error.short_steps, factors.steps * of_quarter_steps),
                             std::pair(&error.wide_block, of_wider_block)};
     for (const auto& [other, factor] : others) {
         if (!*other) continue;
@@ -56,11 +63,12 @@ std::optional<double> half_width(const NumericalError& error, const Value& value
     return mesh + safety_factor * rest;
 }
 
-double of_coarsest(const NumericalError& error, const Quantity& q) {
+Factors factors_of(const NumericalError& error, const Quantity& q) {
     using namespace quantities;
     const bool is_counted =
         &q == &contact_radius || &q == &shift_increment || &q == &shift_increment_ratio;
-    return is_counted || error.model.starts_with("mdr") ? no_order : first_order;
+    return {.coarsest = is_counted || error.model.starts_with("mdr") ? no_order : first_order,
+            .steps = &q == &path_work ? of_work : 1};
 }
 
 /// What errors of a quantity are compared with: U_max of shifts, F_N, F_N U_max, else its own
@@ -105,7 +113,7 @@ double ResolvedRun::shift_at(double phase) const {
 std::optional<double> NumericalError::of(const Quantity& q) const {
     if (is_exact(q)) return run && run->results.number(q) ? std::optional(0.) : std::nullopt;
     const auto width = half_width(
-        *this, [&q](const ResolvedRun& r) { return r.results.number(q); }, of_coarsest(*this, q));
+        *this, [&q](const ResolvedRun& r) { return r.results.number(q); }, factors_of(*this, q));
     if (!width) return {};
     return std::max(*width, of_tolerance * tolerance * scale_of(q, run->results));
 }
@@ -152,7 +160,7 @@ report::Band NumericalError::shift_band(double unit) const {
             return std::optional(r.shift_at(phase));
         };
         const double width =
-            half_width(*this, at_phase, of_coarsest(*this, quantities::final_shift)).value_or(0);
+            half_width(*this, at_phase, factors_of(*this, quantities::final_shift)).value_or(0);
         band.x.push_back(phase);
         band.low.push_back((shift - width) / unit);
         band.high.push_back((shift + width) / unit);
