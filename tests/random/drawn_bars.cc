@@ -203,4 +203,17 @@ DrawnRun drawn_fem_run(std::uint64_t seed) {
     return Drawing(seed).run("fem");
 }
 
+void quarter_steps(Case& f) {
+    if (f.rolling) {
+        if (f.rolling->steps == Case::Steps::turning_points) {
+            f.rolling->steps = Case::Steps::per_quarter;
+            f.rolling->steps_per_quarter = 4;
+        }
+        f.rolling->steps_per_quarter *= 4;
+    }
+    if (f.prescribed_path)
+        for (auto& row : f.prescribed_path->rows) row.steps *= 4;
+    f.load.press_steps *= 4;
+}
+
 }  // namespace tricontact::random_cases

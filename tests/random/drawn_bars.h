@@ -22,4 +22,8 @@ DrawnRun drawn_run(std::uint64_t seed);
 /// The same of fem: coarse elements, or those of its own choice.
 DrawnRun drawn_fem_run(std::uint64_t seed);
 
+/// Four steps for each of a case's: of rolling, of a path, of pressing. Turning points become 16
+/// steps per quarter.
+void quarter_steps(contact::Case& f);
+
 }  // namespace tricontact::random_cases

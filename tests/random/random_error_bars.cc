@@ -47,18 +47,8 @@ struct Truth {
 
 Results much_finer(const Case& c) {
     app::CoarserModel fine = app::make_coarser_model(c.models.front(), c, .25, 1, app::silent);
-    Case& f = fine.c;
-    if (f.rolling) {
-        if (f.rolling->steps == Case::Steps::turning_points) {
-            f.rolling->steps = Case::Steps::per_quarter;
-            f.rolling->steps_per_quarter = 4;
-        }
-        f.rolling->steps_per_quarter *= 4;
-    }
-    if (f.prescribed_path)
-        for (auto& row : f.prescribed_path->rows) row.steps *= 4;
-    f.load.press_steps *= 4;
-    return {f, contact::run(f, *fine.model)};
+    random_cases::quarter_steps(fine.c);
+    return {fine.c, contact::run(fine.c, *fine.model)};
 }
 
 int check(std::uint64_t seed, int n) {
