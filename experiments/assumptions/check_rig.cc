@@ -1,9 +1,13 @@
 #include "experiments/assumptions/check_rig.h"
 
+#include <fmt/format.h>
+
 #include <cmath>
+#include <functional>
 
 #include "experiments/assumptions/rolling_parts.h"
 #include "experiments/assumptions/walking_parts.h"
+#include "io/keys/messages.h"
 
 namespace tricontact::experiments {
 
@@ -66,6 +70,16 @@ PrintedCheck check(const PrintedValue& printed, const Calculation* calculation) 
     return check;
 }
 
+/// An assumption whose numbers models compute: a run takes the numbers of the file at their values.
+Assumption at_values_of(const Rig& rig, Assumption a) {
+    if (a.criteria.empty() || rig.uncertain.empty()) return a;
+    if (!a.consequence.empty()) a.consequence += ' ';
+    a.consequence += fmt::format(
+        "Models compute this at the values of the file: the ± of {} {} not in it.",
+        io::joined(rig.uncertain, std::identity()), rig.uncertain.size() == 1 ? "is" : "are");
+    return a;
+}
+
 }  // namespace
 
 RigReport check_rig(const Rig& rig, const StaticShift& static_shift, const RolledGrowth& growth) {
@@ -78,8 +92,8 @@ RigReport check_rig(const Rig& rig, const StaticShift& static_shift, const Rolle
                                   half_space(rig),
                                   far_edges(rig),
                                   elastic_substrate(rig),
-                                  uncoupled(rig, static_shift),
-                                  growth_by_rolling(rig, growth),
+                                  at_values_of(rig, uncoupled(rig, static_shift)),
+                                  at_values_of(rig, growth_by_rolling(rig, growth)),
                                   small_strains(rig),
                                   no_adhesion(rig),
                                   smooth_surfaces(rig),
@@ -95,12 +109,13 @@ RigReport check_rig(const Rig& rig, const StaticShift& static_shift, const Rolle
                                   unsaturated_contact(rig)};
             break;
         case Rig::Kind::body:
-            report.assumptions = {quasi_static_drive(rig), half_space_of_body(rig),
-                                  elastic_substrate(rig),
-                                  uncoupled(rig, [](const Rig& body, bool coupled) {
-                                      return coupled ? body.body->coupled_static_shift.value
-                                                     : body.body->layer.static_shift.value;
-                                  })};
+            report.assumptions = {
+                quasi_static_drive(rig), at_values_of(rig, half_space_of_body(rig)),
+                elastic_substrate(rig),
+                at_values_of(rig, uncoupled(rig, [](const Rig& body, bool coupled) {
+                                 return coupled ? body.body->coupled_static_shift.value
+                                                : body.body->layer.static_shift.value;
+                             }))};
             break;
         case Rig::Kind::micro_walking:
             report.assumptions = {contact_diameter(rig),  known_stiffness(rig),

@@ -59,6 +59,7 @@ struct Rig {
     std::optional<BodyContacts> body = {};  ///< of Kind::body, by models that the caller has
     std::vector<Measured> measured;         ///< what the file has records of; empty: anything
     statistics::Correlations correlations;  ///< of the data, by symbol
+    std::vector<std::string> uncertain;     ///< keys whose numbers have a standard error
 
     bool has(const std::string& symbol) const { return data.contains(symbol); }
     /// Throws std::out_of_range.

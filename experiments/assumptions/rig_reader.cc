@@ -188,7 +188,8 @@ void complete(Rig& rig, const io::RigFile& file) {
                             relative_error_of_key(file, "rolling.amplitude_ratio");  // one of both
     for (int i : {0, 1}) rig.reach[i] = {reach[i], reach[i] * relative};
     if (!rig.has("w") && !rig.has("a'") && c.rolling)
-        rig.data["w"] = {contact::path_amplitude(c, radius) / radius};
+        rig.data["w"] = {contact::path_amplitude(c, radius) / radius,
+                         contact::path_amplitude(c, radius) / radius * relative};
     if (const auto& roughness = c.indenter.roughness) {
         if (!rig.has("h_rms")) rig.data["h_rms"] = {contact::rms_height(*roughness)};
         if (!rig.has("s_rms")) rig.data["s_rms"] = {roughness->rms_slope};
@@ -226,6 +227,7 @@ Rig rolling_rig(const io::RigFile& file) {
     rig.measured = measured_by(file.document);
     complete(rig, file);
     rig.correlations = by_symbols(file.correlations, rig.kind);
+    for (const io::UncertainKey& one : file.uncertain) rig.uncertain.emplace_back(one.key->path);
     read_printed(rig, file.document);
     return rig;
 }

@@ -109,12 +109,13 @@ def kept():
 
 @functools.cache
 def made(program):
-    """Files that the program makes: a mesh and influence coefficients of the layer, a record that is shipped."""
+    """Files that the program makes: a mesh of the layer, influence coefficients of another one; a shipped record."""
     with tempfile.TemporaryDirectory() as folder:
         case = Path(folder) / "case.toml"
         case.write_text(toml_of({**data.base, **columns.elements, "fem.size": '"1.5 mm"', "fem.cache": '"none"'}))
         subprocess.run([program, "mesh", "case.toml", "--output", "out"], cwd=folder, check=True, capture_output=True)
-        case.write_text(toml_of({**data.base, **data.layer, "models": '["bem-layer"]'}))
+        other = {"substrate.thickness": '"9 mm"', "models": '["bem-layer"]'}
+        case.write_text(toml_of({**data.base, **other}))
         subprocess.run([program, "influence", "case.toml", "--output", "out.txt"], cwd=folder, check=True,
                        capture_output=True)
         records = Path(__file__).parent.parent.parent / "examples/records/synthetic"
@@ -218,7 +219,7 @@ def cell(program, name, command, feature):
 
 
 def is_unaffected(name, feature):
-    return any(name in commands.split("|") and (features == "*" or feature["name"] in features.split("|"))
+    return any(name in commands.split("|") and (feature["name"] in features.split("|"))
                for commands, features, reason in columns.unaffected)
 
 
@@ -247,13 +248,11 @@ def marks_of(table):
 
 
 def check_reasons(marks):
-    """Each reason for the same answer is needed, by a cell that has it, for each of its commands."""
-    faults = []
-    for commands, features, _ in columns.unaffected:
-        for name in commands.split("|"):
-            if not any(marks.get((name, feature)) == MARKS["unaffected"] for feature in features.split("|")):
-                faults.append(f"{name}: a reason for the same answer that the table does not need: {features}")
-    return faults
+    """Each reason for the same answer is needed, by a cell that has it: each of its commands with each feature."""
+    return [f"{name} x {feature}: a reason for the same answer that the table does not need"
+            for commands, features, _ in columns.unaffected
+            for name, feature in itertools.product(commands.split("|"), features.split("|"))
+            if marks.get((name, feature)) != MARKS["unaffected"]]
 
 
 def check_keys(program):
@@ -280,7 +279,7 @@ def check_commands(program):
 
 
 def main():
-    program, table = sys.argv[1:3]
+    program, table = os.path.abspath(sys.argv[1]), sys.argv[2]
     writes = "--write" in sys.argv
     only = [one for one in sys.argv[3:] if not one.startswith("--")]
     tried = [name for group, names in columns.groups.items() for name in names if not only or group in only or name in only

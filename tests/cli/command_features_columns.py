@@ -90,28 +90,31 @@ unaffected = [
      "rolling steps|oscillating tangential force|load by its limit|pressing|coupled contact|relaxation|hold|"
      "finite strain|period|influence file|sphere",
      "the layer alone, cut to the contact: of the loads what changes its patch by an element; friction does not enter"),
-    ("mesh", "base that glides|oscillating normal force|prescribed depth|sides that are held|cone",
+    ("mesh", "oscillating normal force|prescribed depth|sides that are held|cone",
      "as above; how the block is held is no part of its mesh"),
     ("influence", "path|path with a force along y|path with a shift|path with a twist|centre of rotation|static load|"
      "rolling steps|rolling on|oscillating tangential force|load by its limit|pressing|coupled contact|relaxation|hold|"
-     "map turned over|height map|influence file|sides that are held|mesh file|sphere",
+     "map turned over|height map|sides that are held|sphere",
      "coefficients of the relaxed layer for cells of one size, whatever presses on how many of them"),
     ("limit", "load by its limit", "the limit is what is looked for"),
     ("fit|atlas", "load by its limit", "the study varies the load"),
     ("atlas", "static load|elastic indenter|cone",
      "the study varies the load; maps are of ratios, which modulus and angle do not change"),
-    ("rig|design", "static load|load by its limit|rolling steps|pressing|coupled contact|sphere",
+    ("rig|design", "rolling steps", "assumptions are about the pressed contact and the drive"),
+    ("rig", "static load|load by its limit|pressing|coupled contact|sphere",
      "assumptions are about the pressed contact and the drive; coupling is a criterion itself"),
     ("identify", "uncertain modulus|correlated numbers",
      "the modulus is what is looked for: the case's value is a guess"),
     ("design", "layer", "the thickness is what is varied"),
     ("design", "[rig]", "no requirement that is asked for needs the density"),
-    ("run bem|run mdr|run mdr-layer|run bem-layer|limit|roll|sweep|fit|refine bem|export bem|export bem-layer|rig|"
-     "design|experiment|identify|atlas", "mesh file|sides that are held|influence file",
-     "settings of models that do not take part"),
+    ("run bem|run mdr|run mdr-layer|run bem-layer|influence|limit|roll|sweep|fit|refine bem|export bem|export bem-layer|"
+     "rig|design|experiment|identify|atlas", "mesh file", "a mesh is fem's, which does not take part"),
+    ("run mdr-layer|run bem-layer|export bem-layer|rig|identify", "sides that are held",
+     "the block of fem, which does not take part"),
+    ("run mdr|run mdr-layer|rig|design", "influence file", "coefficients of bem-layer, which does not take part"),
 ]
-# Known fault: rig reads ± of [rolling] only where a criterion has the amplitude, and does not say so.
-open_cells = {("rig", "uncertain amplitude")}
+# Known faults: (command, feature).
+open_cells = set()
 commands_with_no_report = ["run", "roll", "sweep"]
 # They take no case: files of others, archives, folders of results.
 commands_without_a_case = ["cache", "verify", "walk", "merge", "convert", "keys", "list", "manual", "import",

@@ -55,5 +55,25 @@ TEST(RigGrowth, NothingIsSaidWhereNobodyKnows) {
     EXPECT_EQ(open.standing(), Standing::not_testable);
 }
 
+// What models compute at the values of a file says which ± it leaves out; what formulas compute has
+// them.
+TEST(RigGrowth, NamesTheErrorsThatItLeavesOut) {
+    const experiments::RolledGrowth growth = [](const Rig&) {
+        return std::optional(Growth{1e-3, .3, {1.2}, {1.2}});
+    };
+    const experiments::StaticShift shift = [](const Rig&, bool) { return 1e-6; };
+    Rig rig = thesis_sphere();
+    rig.uncertain = {"substrate.thickness", "rolling.amplitude"};
+    const auto report = experiments::check_rig(rig, shift, growth);
+    const std::string left_out = "the ± of substrate.thickness, rolling.amplitude are not in it";
+    for (const auto& one : report.assumptions)
+        EXPECT_EQ(one.consequence.find(left_out) != std::string::npos,
+                  one.name == "uncoupled" || one.name == "growth_by_rolling")
+            << one.name;
+    rig.uncertain.clear();
+    for (const auto& one : experiments::check_rig(rig, shift, growth).assumptions)
+        EXPECT_EQ(one.consequence.find("not in it"), std::string::npos) << one.name;
+}
+
 }  // namespace
 }  // namespace tricontact::rig_growth_test

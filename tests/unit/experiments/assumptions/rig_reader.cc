@@ -166,6 +166,10 @@ TEST(RigReader, TakesFromTheCaseWhatTheRigDoesNotSay) {
     const double plane = 5.2e6 / (1 - .49 * .49);
     EXPECT_NEAR(rig["b"].value, 1.8 * std::cbrt(3 * 21.1 * 40e-3 / (4 * plane)), 1e-9);
     EXPECT_NEAR(rig["b"].standard_error, rig["b"].value / 10, 1e-9);
+    const auto uncertain =
+        rig_of(replaced(bare, "amplitude_ratio = 0.3", "amplitude_ratio = \"0.3 ± 0.02\""));
+    EXPECT_DOUBLE_EQ(uncertain["w"].value, 0.3);
+    EXPECT_DOUBLE_EQ(uncertain["w"].standard_error, .02);
     const auto report = experiments::check_rig(rig);
     EXPECT_NE(experiments::given_text(calculation_of(report, "contact_radius")).find("infinite"),
               std::string::npos);
