@@ -95,7 +95,9 @@ std::vector<Verdict> residual_verdicts(const IdentificationStudy& study,
                  pattern_sentence(model, one,
                                   std::string(name_of(study.input.tables[t].measurement)))});
     }
-    if (!model.found.outlying.empty())
+    // Rows far off a rejected model are its misfit where another one explains them.
+    const bool is_misfit = is_rejected(model) && !std::ranges::all_of(study.models, &is_rejected);
+    if (!model.found.outlying.empty() && !is_misfit)
         verdicts.push_back(outlying_verdict(study, model, model.found.outlying));
     return verdicts;
 }

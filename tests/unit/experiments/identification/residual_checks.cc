@@ -193,6 +193,23 @@ TEST(ResidualChecks, AnOutlierIsNamedWithWhatIsFoundWithoutIt) {
     EXPECT_NEAR(linear / without, 1, .2 * std::abs(with / without - 1) + 1e-3);
 }
 
+// Rows far off a model that chi^2 rejects are no outliers where another model explains them.
+TEST(ResidualChecks, RowsThatARejectedModelMissesAreNoOutliers) {
+    std::mt19937_64 generator(14);
+    IdentificationTask task = shift_task(14);
+    add_noise(task, 0, generator);
+    IdentificationStudy study = study_of(task, "layer");
+    task.tables[0].observed[5] += 8 * noise_of(task);
+    IdentifiedModel missing = study_of(task, "half-space").models[0];
+    missing.found.goodness = 1e-9;
+    ASSERT_EQ(missing.found.outlying.size(), 1u);
+    study.models.push_back(missing);
+    EXPECT_FALSE(has(sentences_of(study), "an outlier")) << sentences_of(study);
+    study.models.erase(study.models.begin());  // nothing explains it
+    EXPECT_TRUE(has(sentences_of(study), "half-space: one row is an outlier"))
+        << sentences_of(study);
+}
+
 // Readings repeated three times scatter by 1 %, the curve is another law's.
 TEST(ResidualChecks, RepeatedReadingsShowALackOfFit) {
     std::mt19937_64 generator(15);
