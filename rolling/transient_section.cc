@@ -17,7 +17,7 @@ namespace {
 
 constexpr int theory_points = 400;
 
-const std::string way_label = "rolled way over the half length a of the contact [-]";
+const std::string way_label = "rolled way over a [-]";  // fits a phone
 
 /// What the contact is before it rolls; elastic, uncoupled ones have a closed form.
 std::string at_rest(const RollingReport& report) {
@@ -38,9 +38,10 @@ report::Figure way_figure(const RollingReport& report) {
         .id = "way",
         .title =
             forces ? "Force while the contact rolls on" : "Creepage while the contact rolls on",
-        .caption =
-            fmt::format("From rest{}. Lines: step by step. Points at the end: the steady state.",
-                        at_rest(report)),
+        .caption = fmt::format(
+            "From rest{}. Lines: step by step. Points at the end: the steady state. a: half the "
+            "length of the contact.",
+            at_rest(report)),
         .x = {way_label},
         .y = {forces ? "F_x/(μ F_N) [-]"
                      : fmt::format("creepage ξ over {} [-]", report::significant(unit, 4))}};
