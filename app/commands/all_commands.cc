@@ -22,12 +22,12 @@ std::vector<Command> all_commands() {
 #endif
     commands.insert(
         commands.end(),
-        {refine_command(),     influence_command(), export_command(), import_command(),
-         limit_command(),      verify_command(),    walk_command(),   roll_command(),
-         animate_command(),    sweep_command(),     atlas_command(),  predict_command(),
-         experiment_command(), deviation_command(), fit_command(),    merge_command(),
-         identify_command(),   rig_command(),       design_command(), reproduce_command(),
-         convert_command(),    keys_command(),      list_command(),   manual_command()});
+        {refine_command(),    influence_command(), export_command(),    import_command(),
+         limit_command(),     verify_command(),    walk_command(),      roll_command(),
+         sweep_command(),     atlas_command(),     predict_command(),   experiment_command(),
+         deviation_command(), fit_command(),       merge_command(),     identify_command(),
+         rig_command(),       design_command(),    reproduce_command(), keys_command(),
+         list_command(),      manual_command()});
     return commands;
 }
 

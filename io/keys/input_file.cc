@@ -70,32 +70,23 @@ struct Mark {
     bool section;
 };
 
-// A measurement has an indenter too, an experiment names a case as a study does: the first mark
-// that is found decides.
-constexpr std::array<Mark, 12> marks{{{FileKind::rig, "rig", false},
-                                      {FileKind::measurement, "measurement", false},
-                                      {FileKind::measurement, "data", false},
-                                      {FileKind::experiment, "runs", false},
-                                      {FileKind::experiment, "kind", false},
-                                      {FileKind::walking, "machine", true},
-                                      {FileKind::study, "set", true},
-                                      {FileKind::study, "vary", true},
-                                      {FileKind::study, "latin_hypercube", true},
-                                      {FileKind::study, "case", false},
-                                      {FileKind::contact, "tractive_rolling", true},
-                                      {FileKind::contact, "indenter", true}}};
+// The first mark that is found decides.
+constexpr std::array<Mark, 7> marks{{{FileKind::walking, "machine", true},
+                                     {FileKind::study, "set", true},
+                                     {FileKind::study, "vary", true},
+                                     {FileKind::study, "latin_hypercube", true},
+                                     {FileKind::study, "case", false},
+                                     {FileKind::contact, "tractive_rolling", true},
+                                     {FileKind::contact, "indenter", true}}};
 
 // Name and command of a kind, in the order of FileKind.
 struct KindText {
     std::string_view name, command;
 };
-constexpr std::array<KindText, 6> kind_texts{
+constexpr std::array<KindText, 3> kind_texts{
     {{"a contact case", "tricontact run computes it"},
      {"a case of the micro-walking machine", "tricontact walk computes it"},
-     {"a study", "tricontact sweep computes it"},
-     {"a rig file of the old format", "tricontact convert makes a case of it"},
-     {"an experiment file of the old format", "tricontact convert makes a case of it"},
-     {"a measurement of the old format", "tricontact convert makes a case of it"}}};
+     {"a study", "tricontact sweep computes it"}}};
 
 }  // namespace
 

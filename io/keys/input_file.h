@@ -52,7 +52,7 @@ class InputLog {
 };
 
 /// What an input file is about; each is read by commands of its own.
-enum class FileKind { contact, walking, study, rig, experiment, measurement };
+enum class FileKind { contact, walking, study };
 
 /// Whether the file is about the micro-walking machine: it has a section [machine].
 bool is_walk_case(const Document& document);

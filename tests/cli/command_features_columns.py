@@ -120,5 +120,5 @@ unaffected = [
 open_cells = set()
 commands_with_no_report = ["run", "roll", "sweep"]
 # They take no case: files of others, archives, folders of results.
-commands_without_a_case = ["cache", "verify", "walk", "merge", "convert", "keys", "list", "manual", "import",
-                           "reproduce", "animate"]
+commands_without_a_case = ["cache", "verify", "walk", "merge", "keys", "list", "manual", "import",
+                           "reproduce"]

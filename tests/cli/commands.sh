@@ -15,9 +15,6 @@ refused "unknown option --threads where a command is due" --threads 2 run "$case
 
 # Each kind of file with every command that reads files of another kind.
 study=$source_dir/examples/studies/rig_layer.toml
-printf 'rig = "rolling"\n[roller]\nradius = "40 mm"\n' >old_rig.toml
-printf 'kind = "shakedown"\nruns = ["run.csv"]\n' >old_experiment.toml
-printf 'measurement = "static-shift"\ndata = "shift.csv"\n' >old_measurement.toml
 walking=$cases/walking_set_b.toml
 rolling=$cases/rolling_sphere.toml
 contact=$cases/rig_sphere_parallel.toml
@@ -46,9 +43,6 @@ contact run $contact
 walking walk $walking
 rolling roll $rolling
 study sweep $study
-rig convert $PWD/old_rig.toml
-experiment convert $PWD/old_experiment.toml
-measurement convert $PWD/old_measurement.toml
 input import $(realpath "$input")
 FILES
 done

@@ -12,7 +12,7 @@ complain() {
     printf 'FAILED: %s\n' "$*"
 }
 
-rooms=(app bem comparisons contact experiments fem files io mdr meshes python report rolling statistics theory walking atlas animation)
+rooms=(app bem comparisons contact experiments fem files io mdr meshes python report rolling statistics theory walking atlas)
 
 # may_include FOLDER OTHERS...: files of a folder and its subfolders include their own and these.
 may_include() {
@@ -42,7 +42,6 @@ may_include atlas contact theory statistics io report comparisons files
 may_include rolling contact theory statistics io report comparisons files
 may_include walking contact theory statistics io report comparisons files
 may_include experiments contact theory statistics io report comparisons files
-may_include animation contact files io report comparisons
 # All.
 may_include app "${rooms[@]}"
 may_include python "${rooms[@]}"
@@ -62,7 +61,7 @@ only_in() {
 only_in fem '#include <(deal\.II|petsc|cholmod|metis)'
 only_in meshes '#include <gmsh'
 only_in python '#include <pybind11'
-only_in '(io|walking|animation)' '#include <(vtk|sqlite3)'
+only_in '(io|walking)' '#include <(vtk|sqlite3)'
 only_in '(contact|comparisons|statistics)' '#include <gsl/gsl_multifit'
 only_in 'no_folder' '#include <regex>'  # calls itself once per character: no input may reach it
 

@@ -85,9 +85,6 @@ TEST(FileKind, EveryFileGivenToAnotherCommandNamesItsOwn) {
 TEST(FileKind, SaysWhatItIsAndWhatIsDue) {
     EXPECT_EQ(message([] { parse_case("[set]\nload.tangential_ratio = 0.3\n", "a.toml"); }),
               "a.toml:1:1: this is a study, not a contact case; tricontact sweep computes it");
-    EXPECT_EQ(message([] { parse_case("title = \"x\"\nrig = \"rolling\"\n", "a.toml"); }),
-              "a.toml:2:1: this is a rig file of the old format, not a contact case; tricontact "
-              "convert makes a case of it");
     EXPECT_EQ(message([] { parse_rig_file("[machine]\n", "a.toml"); }),
               "a.toml:1:1: this is a case of the micro-walking machine, not a contact case; "
               "tricontact walk computes it");
