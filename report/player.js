@@ -402,10 +402,27 @@ part("open_scene")?.addEventListener("click", async () => {
     part("open_scene").setAttribute("aria-expanded", !part("scene").hidden);
 });
 
+// All instants once, as a file.
+async function record() {
+    pause();
+    part("record").disabled = true;
+    try {
+        const {blob, ending} = await player_movie.record({root, label: part("label"), bar: part("bar"),
+                                                          n: instants.length, show, rate: Number(part("speed").value)});
+        const link = element("a", {href: URL.createObjectURL(blob), download: `contact.${ending}`});
+        link.click();
+        setTimeout(() => URL.revokeObjectURL(link.href), 60000);
+    } catch (error) {
+        part("label").textContent = `This browser records no movie: ${error.message}`;
+    }
+    part("record").disabled = false;
+}
+
 if (matchMedia("(prefers-reduced-motion: reduce)").matches) part("speed").value = part("speed").options[0].value;
 part("scrub").max = instants.length - 1;
 part("scrub").addEventListener("input", event => { pause(); show(Number(event.target.value)); });
 part("play").addEventListener("click", play);
+part("record").addEventListener("click", record);
 part("speed").addEventListener("change", () => { if (timer) { pause(); play(); } });
 for (const id of ["field", "arrows", "own"]) part(id).addEventListener("change", () => show(now));
 root.addEventListener("keydown", event => {

@@ -8,6 +8,7 @@ import os
 import re
 import shutil
 import sys
+from pathlib import Path
 
 from paraview.simple import *
 from vtkmodules.util.numpy_support import vtk_to_numpy
@@ -77,12 +78,12 @@ def check_picture(path):
     print(f"{os.path.basename(path)}: {100 * drawn:.1f} % drawn in {colours} colours")
 
 
-def run_macro(folder, pictures):
+def run_macro(folder, *arguments):
     """open_run.py as the window runs it: no __file__, no file name, elsewhere; what it says."""
     with open(os.path.join(folder, "open_run.py"), encoding="utf-8") as file:
         text = file.read()
     said = io.StringIO()
-    sys.argv = ["", pictures]
+    sys.argv = ["", *arguments]
     with contextlib.redirect_stdout(said):
         exec(compile(text, "<string>", "exec"), {"__name__": "__main__", "__file__": None})
     return said.getvalue()
@@ -123,6 +124,24 @@ def check_macro(folder, work):
         print("without results:", error)
 
 
+def check_movie(folder, n_steps, work):
+    """Of each view but charts a picture of each instant, the first unlike the last."""
+    pictures = os.path.join(work, "movie")
+    shutil.rmtree(pictures, ignore_errors=True)
+    run_macro(folder, "--movie", pictures)
+    views = {os.path.basename(path).split(".")[0] for path in glob.glob(os.path.join(pictures, "*.png"))}
+    if not views:
+        complain(f"{folder}: no movie")
+    for view in sorted(views):
+        frames = sorted(glob.glob(os.path.join(pictures, view + ".*.png")))
+        first, last = (Path(frames[i]).read_bytes() for i in (0, -1))
+        if len(frames) != n_steps or first == last:
+            complain(f"{view}: {len(frames)} pictures of {n_steps} instants, or they do not move")
+        check_picture(frames[-1])
+    print(f"{folder}: movies of {', '.join(sorted(views))}, {n_steps} instants")
+    ResetSession()
+
+
 def check_animation(path, work):
     """The walking machine, coloured by its parts, at its last step."""
     source = OpenDataFile(path)
@@ -146,10 +165,13 @@ def main():
         series = sorted(glob.glob(os.path.join(glob.escape(folder), "**", "*.pvd"), recursive=True))
         if not series:
             complain(f"{folder}: no .pvd")
-        for path in series:
-            print(f"{path}: {check_series(path)} steps")
+        n_steps = [check_series(path) for path in series]
+        for path, n in zip(series, n_steps):
+            print(f"{path}: {n} steps")
         if os.path.exists(os.path.join(folder, "open_run.py")):
             check_macro(folder, work)
+            if len(series) == 1:  # of several it takes minutes
+                check_movie(folder, n_steps[0], work)
         for path in series:
             if os.path.basename(path) == "machine.pvd":
                 check_animation(path, work)

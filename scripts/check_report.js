@@ -122,7 +122,26 @@ async function measure_player() {
     console.log(`player: ready after ${ready.toFixed(0)} ms, ${each.toFixed(2)} ms per instant of ` +
                 `${document.querySelectorAll("#player canvas[data-film]").length} models; ` +
                 `page: painted after ${painted.toFixed(0)} ms, first figure after ${drawn.toFixed(0)} ms` +
-                (drawn < painted ? "; DRAWN BEFORE THE PAGE IS PAINTED" : ""));
+                (drawn < painted ? "; DRAWN BEFORE THE PAGE IS PAINTED" : "") + "; " + await recorded(n));
+}
+
+// The movie that the player's button saves: as long as its instants, and none of them empty.
+async function recorded(n) {
+    const part = id => document.getElementById("player_" + id), open = HTMLAnchorElement.prototype.click;
+    part("speed").value = "30";
+    const link = await new Promise(resolve => {
+        HTMLAnchorElement.prototype.click = function () { resolve(this); };
+        part("record").click();
+    });
+    HTMLAnchorElement.prototype.click = open;
+    const movie = Object.assign(document.createElement("video"), {src: link.href, muted: true});
+    await new Promise(resolve => { movie.onloadeddata = movie.onerror = resolve; });
+    if (movie.error) return `NO MOVIE: ${movie.error.message}`;
+    movie.currentTime = 1e9;  // to its end, which the browser's recorder does not write into the file
+    await new Promise(resolve => { movie.onseeked = resolve; });
+    const seconds = movie.currentTime, least = n / 30;
+    return `${seconds < least || seconds > 5 * least + 1 || movie.videoWidth < 300 ? "NO MOVIE" : "movie"}: ` +
+           `${link.download}, ${movie.videoWidth} x ${movie.videoHeight}, ${seconds.toFixed(1)} s of ${n} instants`;
 }
 
 // A page that plays a contact: each instant is painted, the slider, the space bar and the button move

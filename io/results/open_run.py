@@ -1,6 +1,7 @@
 # Opens the results beside this script in ParaView, at the last state: one layout per model with stick and slip,
 # the tractions, a section through substrate and indenter, and the shift; of a walking machine its motion.
-#   paraview --script=open_run.py        (or pvpython open_run.py IMAGE_FOLDER to save pictures)
+#   paraview --script=open_run.py        (or, to save pictures, pvbatch open_run.py [--movie] FOLDER: with --movie one of
+#   each instant)
 import csv
 import glob
 import os

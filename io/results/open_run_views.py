@@ -241,9 +241,24 @@ def show_machine(folder):
     return views
 
 
+def save(view, path, is_movie):
+    """The view as a picture; of a movie one of each instant, path.0000.png and so on, but for charts of all of them."""
+    view.ViewSize = [1000, 800]  # charts are laid out for it
+    Render(view)
+    if not is_movie:
+        SaveScreenshot(path + ".png", view, ImageResolution=[1000, 800], FontScaling="Do not scale fonts")
+    elif view.GetXMLName() == "RenderView":
+        SaveAnimation(path + ".png", view, ImageResolution=[1000, 800], FontScaling="Do not scale fonts")
+
+
 def main():
     series = all_series()
-    pictures = sys.argv[1] if len(sys.argv) > 1 else None
+    is_movie = "--movie" in sys.argv[1:]
+    pictures = next((word for word in sys.argv[1:] if word != "--movie"), None)
+    if is_movie and not pictures:
+        sys.exit("usage: open_run.py [[--movie] FOLDER_OF_PICTURES]")
+    if pictures:
+        os.makedirs(pictures, exist_ok=True)
     empty = [] if GetSources() else list(GetLayouts().values())  # of a window that has just opened
     first = None
     for model in sorted(set(os.path.dirname(path) for path in series)):
@@ -253,11 +268,9 @@ def main():
         first = first or next(iter(views.values()))
         for name, view in views.items():
             if pictures:
-                view.ViewSize = [1000, 800]  # charts are laid out for it
-            Render(view)
-            if pictures:
-                SaveScreenshot(os.path.join(pictures, os.path.basename(model) + "_" + name + ".png"), view,
-                               ImageResolution=[1000, 800], FontScaling="Do not scale fonts")
+                save(view, os.path.join(pictures, os.path.basename(model) + "_" + name), is_movie)
+            else:
+                Render(view)
     for layout in empty:
         RemoveLayout(layout)
     SetActiveView(first)

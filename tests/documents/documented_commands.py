@@ -13,7 +13,7 @@ import tempfile
 import time
 
 PROGRAMS = ("tricontact", "scripts/", "build/release/", ".ci/", "cmake", "ctest", "mpirun", "paraview", "sqlite3",
-            "gnuplot", "python3", "pvpython")
+            "gnuplot", "python3", "pvpython", "pvbatch")
 LONGEST = 300  # [s] of a command; a loaded machine takes several times the usual
 
 
