@@ -20,9 +20,14 @@ using FftwReal = std::unique_ptr<double[], FftwFree>;
 using FftwComplex = std::unique_ptr<fftw_complex[], FftwFree>;
 using FftwPlan = std::unique_ptr<std::remove_pointer_t<fftw_plan>, FftwFree>;
 
+/// FFTW's planner is one for the whole process: from now on several threads may plan and destroy
+/// plans at once. Before the first plan; fftw_memory() calls it.
+void let_threads_plan();
+
 /// Aligned, not initialised; `Owned`: FftwReal or FftwComplex. Throws std::bad_alloc.
 template <class Owned>
 Owned fftw_memory(std::size_t n) {
+    let_threads_plan();
     const std::size_t bytes = n * sizeof(typename Owned::element_type);
     Owned memory(static_cast<typename Owned::pointer>(fftw_malloc(bytes)));
     if (!memory) throw std::bad_alloc();

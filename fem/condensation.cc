@@ -4,10 +4,12 @@
 #include <omp.h>
 
 #include <algorithm>
+#include <mutex>
 #include <new>
 #include <numeric>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include "contact/error.h"
 #include "fem/dissection_order.h"
@@ -25,12 +27,32 @@ namespace {
 using Index = SuiteSparse_long;
 static_assert(sizeof(Index) == sizeof(std::int64_t));
 
+// CHOLMOD allocates in large pages, in all of the process while one of these lives.
+class LargePages {
+  public:
+    LargePages() {
+        const std::scoped_lock lock(mutex);
+        if (n_living++ == 0)
+            before = std::exchange(SuiteSparse_config.malloc_func, allocate_in_large_pages);
+    }
+    ~LargePages() {
+        const std::scoped_lock lock(mutex);
+        if (--n_living == 0) SuiteSparse_config.malloc_func = before;
+    }
+    LargePages(const LargePages&) = delete;
+    LargePages& operator=(const LargePages&) = delete;
+
+  private:
+    static inline std::mutex mutex;
+    static inline int n_living = 0;
+    static inline void* (*before)(std::size_t) = nullptr;
+};
+
 // CHOLMOD's state; its status becomes exceptions.
 class Cholmod {
   public:
     Cholmod() {
         cholmod_l_start(&common_);
-        SuiteSparse_config.malloc_func = allocate_in_large_pages;
         common_.print = 0;
         common_.supernodal = CHOLMOD_SUPERNODAL;
         common_.nmethods = 1;
@@ -55,6 +77,7 @@ class Cholmod {
     }
 
   private:
+    LargePages pages_;
     cholmod_common common_{};
 };
 

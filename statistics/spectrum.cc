@@ -1,16 +1,14 @@
 #include "statistics/spectrum.h"
 
-#include <fftw3.h>
-
 #include <algorithm>
 #include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <complex>
-#include <mutex>
 #include <numbers>
 #include <numeric>
 #include <stdexcept>
 
+#include "contact/fftw.h"
 #include "contact/special_values.h"
 
 namespace tricontact::statistics {
@@ -21,17 +19,12 @@ using std::numbers::pi;
 
 /// Transform of real values, which are overwritten.
 std::vector<std::complex<double>> transform(std::vector<double>& values) {
-    static std::mutex planning;  // FFTW executes in any thread, but plans in one
     std::vector<std::complex<double>> result(values.size() / 2 + 1);
-    auto* const out = reinterpret_cast<fftw_complex*>(result.data());
-    const auto plan = [&] {
-        const std::lock_guard lock(planning);
-        return fftw_plan_dft_r2c_1d(static_cast<int>(values.size()), values.data(), out,
-                                    FFTW_ESTIMATE);
-    }();
-    fftw_execute(plan);
-    const std::lock_guard lock(planning);
-    fftw_destroy_plan(plan);
+    contact::let_threads_plan();
+    const contact::FftwPlan plan(
+        fftw_plan_dft_r2c_1d(static_cast<int>(values.size()), values.data(),
+                             reinterpret_cast<fftw_complex*>(result.data()), FFTW_ESTIMATE));
+    fftw_execute(plan.get());
     return result;
 }
 

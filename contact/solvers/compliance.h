@@ -74,7 +74,9 @@ class NormalGrid;
 
 /// The linear elasticity of both bodies as seen from the contact surface: tractions [Pa] on the
 /// contact points give displacements [m] of the substrate relative to the indenter. Self-adjoint
-/// and positive definite in the inner product weighted by the points' areas.
+/// and positive definite in the inner product weighted by the points' areas. One caller at a time:
+/// products of a const object share its scratch, which on large grids is most of a run's memory.
+/// Several threads take a model each.
 class Compliance {
   public:
     virtual ~Compliance() = default;

@@ -1,6 +1,10 @@
 #include "fem/condensation.h"
 
 #include <gtest/gtest.h>
+#include <omp.h>
+#include <suitesparse/SuiteSparse_config.h>
+
+#include <memory>
 
 #include "contact/error.h"
 #include "fem/condensed_layer.h"
@@ -41,6 +45,25 @@ TEST(FemCondensation, IsTheInversesLastBlock) {
     const MatrixXd expected = inverse.bottomRightCorner(n_contact, n_contact);
     EXPECT_LT((compliance - expected).norm(), rounding * expected.norm());
     EXPECT_EQ(compliance, compliance.transpose());
+}
+
+// What it sets in the process is as before afterwards, also where two condensations overlap.
+TEST(FemCondensation, LeavesTheProcessAsItWas) {
+    const auto allocate = SuiteSparse_config.malloc_func;
+    const int levels = omp_get_max_active_levels();
+    const Discretisation layer(distorted_layer(true));
+    const auto sparse = layer.assemble().matrix;
+    {
+        Condensation first(sparse, layer.unknowns.node_of_unknown, layer.unknowns.n_interior);
+        auto second = std::make_unique<Condensation>(sparse, layer.unknowns.node_of_unknown,
+                                                     layer.unknowns.n_interior);
+        first.factorise();
+        EXPECT_NE(SuiteSparse_config.malloc_func, allocate);
+        second.reset();
+        EXPECT_NE(SuiteSparse_config.malloc_func, allocate);
+    }
+    EXPECT_EQ(SuiteSparse_config.malloc_func, allocate);
+    EXPECT_EQ(omp_get_max_active_levels(), levels);
 }
 
 // Some forces come on the contact later. Single precision alone: 6e-8; the sums and K/G = 1e6 make
