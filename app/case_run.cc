@@ -12,6 +12,7 @@
 #include "comparisons/quantities/left_out.h"
 #include "comparisons/quantities/undefined.h"
 #include "comparisons/run/relaxation_report.h"
+#include "contact/models/model_kind.h"
 #include "io/case/case_reader.h"
 #include "io/results/history_csv.h"
 #include "io/results/journal.h"
@@ -99,7 +100,7 @@ contact::History run_model(const std::string& name, const Case& c, const std::st
     const Say say = options.sayer();
     auto made = make_model(name, c, options.threads, say);
     io::JournalledModel* journal = nullptr;
-    if (name == "fem") {
+    if (contact::model_kind(name).keeps_journal) {
         auto journalled = std::make_unique<io::JournalledModel>(
             std::move(made), folder + '/' + io::journal_name,
             program_identity() + '\n' + name + '\n' + resolved + file_digests(c), say);

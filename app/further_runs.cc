@@ -6,6 +6,7 @@
 
 #include "app/case_run.h"
 #include "comparisons/run/relaxation_report.h"
+#include "contact/models/model_kind.h"
 #include "contact/own_limit.h"
 #include "contact/stopped.h"
 
@@ -221,8 +222,8 @@ void study_relaxation(const Case& c, const contact::History& history, const RunO
         comparison.why_none = "skipped (--no-studies)";
     else if (!comparisons::is_loaded(comparisons::tangential_ratio(history)))
         comparison.why_none = "without F_T there is no shift to be compared";
-    else if (history.model == "fem")
-        comparison.why_none = "too costly with fem; add bem-layer to get one";
+    else if (contact::model_kind(history.model).is_costly)
+        comparison.why_none = "too costly with " + history.model + "; add bem-layer to get one";
     else
         run_twin(c, options.threads, say, comparison);
     study.twins.push_back(comparison);
@@ -236,7 +237,9 @@ void study_relaxation(const Case& c, const contact::History& history, const RunO
 
 void study_small_strains(const Case& c, const History& history, const RunOptions& options,
                          const Say& say, std::vector<comparisons::SmallStrains>& studies) {
-    if (c.law == Case::Law::linear || history.model != "fem" || c.prescribed_path) return;
+    if (c.law == Case::Law::linear || !contact::model_kind(history.model).sees_finite_strains ||
+        c.prescribed_path)
+        return;
     comparisons::SmallStrains study{
         .model = history.model,
         .finite = comparisons::Results(c, history),

@@ -7,6 +7,7 @@
 #include <variant>
 
 #include "app/identification_tables.h"
+#include "io/case/measurement_models.h"
 
 namespace tricontact::app {
 
@@ -49,11 +50,12 @@ TableModel rolling_model(const std::string& model, const experiments::Identifica
 TableModel table_model(const std::string& model, const experiments::IdentificationInput& input,
                        const experiments::IdentificationInput::Table& table,
                        const std::shared_ptr<PressTable>& presses_of, int threads) {
-    const bool is_mapped = model == "atlas" && input.is_free("substrate.poisson");
+    const bool is_mapped =
+        io::measurement_model(model).kind().is_read() && input.is_free("substrate.poisson");
     const bool is_sheared = table.measurement == Measurement::static_shift;
     if (table.measurement == Measurement::rolling_shift)
         return rolling_model(model, input, table, threads);
-    if (model == "half-space" || (is_sheared ? is_mapped : !presses_of))
+    if (!io::measurement_model(model).is_layer || (is_sheared ? is_mapped : !presses_of))
         return [=, &table](const IdentifiedRig& rig) {
             return measured_values(model, table, rig, table.given, threads);
         };
@@ -127,7 +129,7 @@ double* number_of(const io::CaseKey& key, Case& c) {
 void check_lengths_scale(const experiments::IdentificationInput& input) {
     if (!input.is_free("indenter.radius") && !input.is_free("substrate.thickness")) return;
     for (const std::string& model : input.models)
-        if (model != "half-space" && !is_scaled(input.rig))
+        if (io::measurement_model(model).is_layer && !is_scaled(input.rig))
             throw contact::InputError(
                 "measurement.find: " + model +
                 " finds radius and thickness only of a rigid paraboloid on one layer on a rigid "
@@ -137,7 +139,7 @@ void check_lengths_scale(const experiments::IdentificationInput& input) {
 experiments::Prediction prediction_of(const std::string& model,
                                       const experiments::IdentificationInput& input, int threads) {
     std::shared_ptr<PressTable> presses_of;
-    if (is_scaled(input.rig) && model != "half-space")
+    if (is_scaled(input.rig) && io::measurement_model(model).is_layer)
         presses_of = std::make_shared<PressTable>(model, relaxed(input.rig),
                                                   input.is_free("substrate.poisson"), threads);
     std::vector<TableModel> tables;

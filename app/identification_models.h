@@ -47,7 +47,7 @@ std::vector<double> rolled_shifts(const IdentifiedRig& rig, double own_wobble,
 struct Pressed {
     double normal_force = 0, contact_radius = 0, indentation = 0;
 };
-/// By one of the models of an identification; "atlas" and "bem-layer" stand for the exact theory of
+/// By one of the models of an identification; atlas and bem-layer stand for the exact theory of
 /// the layer. Throws InputError, NotConverged.
 std::vector<Pressed> presses(const std::string& model, const contact::Case& rig,
                              const std::vector<contact::NormalControl>& controls, int threads);
@@ -71,7 +71,7 @@ std::vector<double> from_zero_depth(
     const std::vector<double>& given,
     const std::function<std::vector<double>(const std::vector<double>&)>& values);
 
-/// What one of the models of an identification ("half-space", "layer", "atlas", "bem-layer", "fem")
+/// What one of the models of an identification (see io::measurement_models)
 /// says about a table's measurement on the rig, one value [SI] for each of those `given`. A
 /// substrate of the rig that relaxes is relaxed but in histories. Throws InputError, NotConverged.
 std::vector<double> measured_values(const std::string& model,

@@ -7,6 +7,7 @@
 
 #include "atlas/atlas.h"
 #include "atlas/shipped.h"
+#include "contact/models/model_kind.h"
 
 namespace tricontact::app {
 
@@ -49,7 +50,7 @@ double largest_ratio(const Case& rig, const std::vector<double>& forces) {
 
 /// The maps' is bounded; what is found beyond it is refused when it is run itself.
 LoadAndFriction::Reach reach_of(const std::string& model) {
-    if (model != "atlas") return {};
+    if (!contact::model_kind(model).is_read()) return {};
     const auto* friction = atlas::shipped("sphere_layer_static").axis("friction.coefficient");
     return {friction->from, friction->to};
 }

@@ -10,6 +10,7 @@
 #include "contact/larger_grids.h"
 #include "contact/load_path.h"
 #include "experiments/records/experiment_evaluation.h"
+#include "io/case/measurement_models.h"
 #include "theory/cattaneo_mindlin.h"
 
 namespace tricontact::app {
@@ -85,7 +86,7 @@ std::vector<atlas::Value> mapped_shifts(Case c, const std::vector<double>& force
         const double f = force / (c.friction_coefficient * *c.load.normal_force);
         const double read = std::max(f, least_load);
         c.load.set_tangential_ratio(read);
-        const atlas::Prediction p = atlas::predict(c, "bem-layer");
+        const atlas::Prediction p = atlas::predict(c, contact::models::bem_layer);
         const auto* shift = p.find(comparisons::quantities::static_shift);
         if (!shift)
             throw contact::InputError(
@@ -102,10 +103,12 @@ std::vector<atlas::Value> mapped_shifts(Case c, const std::vector<double>& force
 std::vector<Pressed> presses(const std::string& model, const Case& rig,
                              const std::vector<NormalControl>& controls, int threads) {
     // Without friction the layer's exact theory is what its maps and elements approximate.
-    if (model == "atlas" || model == "bem-layer") return presses("layer", rig, controls, threads);
+    const io::MeasurementModel& kind = io::measurement_model(model);
+    if (kind.approximates_theory) return presses(io::layer_theory().name, rig, controls, threads);
     // Springs coupled by any layers make the normal contact exact but for their spacing.
-    const bool exact = model == "layer" && comparisons::why_no_exact_theory(rig).empty();
-    if (model != "half-space" && !exact)
+    const bool exact =
+        kind.is_layer && kind.is_theory && comparisons::why_no_exact_theory(rig).empty();
+    if (kind.is_layer && !exact)
         return presses_of_model(shift_model(model), rig, controls, threads);
     std::vector<Pressed> all;
     for (const auto& control : controls)
@@ -121,8 +124,9 @@ std::vector<Pressed> presses(const std::string& model, const Case& rig,
 }
 
 bool is_coupled(const std::string& model, const Case& rig, int threads) {
-    if (model == "half-space") return false;
-    return model == "atlas" || make_model(model, rig, threads, silent)->is_coupled();
+    const contact::ModelKind* kind = contact::find_model_kind(model);
+    if (!kind) return false;  // closed forms
+    return kind->is_read() || make_model(model, rig, threads, silent)->is_coupled();
 }
 
 double largest_offset(const std::vector<double>& offsets) {
@@ -148,12 +152,13 @@ std::vector<double> rolled_shifts(const IdentifiedRig& rig, double own,
 }
 
 std::string shift_model(const std::string& model) {
-    return model == "layer" ? "mdr-layer" : model;
+    const io::MeasurementModel& kind = io::measurement_model(model);
+    return kind.is_layer ? kind.model : model;
 }
 
 std::vector<double> static_shift_errors(const std::string& name, const Case& rig,
                                         const std::vector<double>& forces) {
-    if (name != "atlas") return {};
+    if (!contact::model_kind(name).is_read()) return {};
     std::vector<double> errors;
     for (const atlas::Value& value : mapped_shifts(rig, forces))
         errors.push_back(value.standard_error());
@@ -162,7 +167,7 @@ std::vector<double> static_shift_errors(const std::string& name, const Case& rig
 
 std::vector<double> static_shifts(const std::string& name, const Case& rig,
                                   const std::vector<double>& forces, int threads) {
-    if (name == "atlas") {
+    if (contact::model_kind(name).is_read()) {
         std::vector<double> shifts;
         for (const atlas::Value& value : mapped_shifts(rig, forces)) shifts.push_back(value.value);
         return shifts;
@@ -277,8 +282,9 @@ std::vector<double> measured_values(const std::string& model,
             identified, own_wobble(shift_model(model), slow, largest_offset(table.given), threads),
             given);
     if (table.measurement == Measurement::static_shift)
-        return model == "half-space" ? half_space_shifts(slow, given)
-                                     : static_shifts(shift_model(model), slow, given, threads);
+        return !io::measurement_model(model).is_layer
+                   ? half_space_shifts(slow, given)
+                   : static_shifts(shift_model(model), slow, given, threads);
     return from_zero_depth(table, identified, given, [&](const std::vector<double>& pressed_to) {
         return values_of_presses(
             table, rig, pressed_to,

@@ -1,5 +1,8 @@
 #include "app/models.h"
 
+#include <algorithm>
+#include <iterator>
+
 #include "bem/model.h"
 #include "contact/error.h"
 #include "mdr/layer_model.h"
@@ -10,42 +13,30 @@
 
 namespace tricontact::app {
 
-const std::vector<ModelDescription>& known_models() {
-    static const std::string of_grids =
-        "Boussinesq (1885), Cerruti (1882), Love (1929), Ju and Farris (1996), Liu, Wang and Liu "
-        "(2000), Polonsky and Keer (1999), Frigo and Johnson (2005)";
-    static const std::string of_coupling = "Panagiotopoulos (1975), Anderson (1965)";
-    static const std::vector<ModelDescription> models = {
-        {"mdr", "method of dimensionality reduction: a bed of independent springs, stepped exactly",
-         "Popov and Hess (2015), Wetter and Popov (2014)"},
-        {"mdr-layer",
-         "method of dimensionality reduction of the elastic layer: springs coupled by the layer",
-         "Popov and Hess (2015), Lebedev and Ufliand (1958)"},
-        {"bem", "boundary elements on the elastic half-space, FFT convolution", of_grids},
-        {"bem-layer", "boundary elements on the elastic layer, FFT convolution",
-         of_grids + ", Sneddon (1951), " + of_coupling},
-#ifdef TRICONTACT_WITH_FEM
-        {"fem", "finite elements of the elastic layer, condensed to the contact patch",
-         "Brezzi and Fortin (1991), " + of_coupling +
-             ", Arndt et al. (2022), Chen, Davis, Hager and Rajamanickam (2008), Karypis and Kumar "
-             "(1998), Geuzaine and Remacle (2009)"},
+bool has_model([[maybe_unused]] std::string_view name) {
+#ifndef TRICONTACT_WITH_FEM
+    if (name == contact::models::fem) return false;
 #endif
-        {"atlas", "maps of earlier runs, in sweeps; tricontact predict reads them elsewhere",
-         "Blatman and Sudret (2011)"},
-    };
+    return contact::find_model_kind(name) != nullptr;
+}
+
+std::vector<contact::ModelKind> known_models() {
+    std::vector<contact::ModelKind> models;
+    std::ranges::copy_if(contact::model_kinds(), std::back_inserter(models),
+                         [](const contact::ModelKind& model) { return has_model(model.name); });
     return models;
 }
 
 std::unique_ptr<contact::Model> make_model(const std::string& name, const Case& c, int n_threads,
                                            [[maybe_unused]] const Say& say) {
-    if (name == "mdr") return mdr::make_model(c);
-    if (name == "mdr-layer") return mdr::make_layer_model(c);
-    if (name == "bem") return bem::make_model(c, n_threads);
-    if (name == "bem-layer") return bem::make_model(c, n_threads, bem::Body::layer);
+    if (name == contact::models::mdr) return mdr::make_model(c);
+    if (name == contact::models::mdr_layer) return mdr::make_layer_model(c);
+    if (name == contact::models::bem) return bem::make_model(c, n_threads);
+    if (name == contact::models::bem_layer) return bem::make_model(c, n_threads, bem::Body::layer);
 #ifdef TRICONTACT_WITH_FEM
-    if (name == "fem") return fem_entries().make_model(c, say);
+    if (name == contact::models::fem) return fem_entries().make_model(c, say);
 #endif
-    if (name == "atlas")
+    if (name == contact::models::atlas)
         throw contact::InputError(
             "models: atlas runs nothing: it holds what runs came to; take tricontact predict, or "
             "name another model");
@@ -65,11 +56,11 @@ CoarserModel make_coarser_model(const std::string& name, const Case& c, double f
                                 int n_threads, const Say& say) {
     CoarserModel coarser{.c = c, .model = {}};
     Case& to = coarser.c;
-    if (name == "mdr-layer") {
+    if (name == contact::models::mdr_layer) {
         coarser.model = mdr::make_layer_model(c, mdr::usual_elements_per_radius, factor);
         return coarser;
     }
-    if (name == "fem") {
+    if (name == contact::models::fem) {
         if (c.fem.mesh)
             throw contact::InputError("the mesh is a file's; run another one beside it");
         to.fem.size = factor * (c.fem.size ? *c.fem.size : block_of(c, silent).size);
@@ -95,7 +86,7 @@ std::optional<Case> with_wider_block(const Case& c, double factor, const Say& sa
 
 void load_model([[maybe_unused]] const std::string& name) {
 #ifdef TRICONTACT_WITH_FEM
-    if (name == "fem") fem_entries();
+    if (name == contact::models::fem) fem_entries();
 #endif
 }
 

@@ -3,20 +3,18 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "app/options.h"
 #include "contact/model.h"
+#include "contact/models/model_kind.h"
 
 namespace tricontact::app {
 
-struct ModelDescription {
-    std::string name;
-    std::string text;
-    std::string sources;  ///< publications, cited by authors and year
-};
-/// The models a case file may name.
-const std::vector<ModelDescription>& known_models();
+/// Of the models that a case file may name, those that this program was built with.
+std::vector<contact::ModelKind> known_models();
+bool has_model(std::string_view name);
 
 /// Case -> model, the only place that knows all of them. `name` is one of known_models().
 std::unique_ptr<contact::Model> make_model(const std::string& name, const Case& c, int n_threads,

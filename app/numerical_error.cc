@@ -4,6 +4,7 @@
 
 #include "app/case_run.h"
 #include "contact/load_path.h"
+#include "contact/models/model_kind.h"
 #include "contact/own_limit.h"
 #include "contact/stopped.h"
 
@@ -15,7 +16,7 @@ using comparisons::NumericalError;
 using comparisons::ResolvedRun;
 
 constexpr int steps_for_one = 4;
-constexpr double wider = 1.5, springs_tolerance = 1e-9;  // see mdr-layer; mdr is more exact
+constexpr double wider = 1.5;
 
 /// The case with other numbers of steps: `changed` of each that it has, `amplitude` [m] being that
 /// of its run. Empty where they stay.
@@ -40,11 +41,6 @@ std::optional<Case> with_steps(Case c, double amplitude, const Changed& changed)
         }
     }
     return differs ? std::optional(c) : std::nullopt;
-}
-
-double tolerance_of(const std::string& model, const Case& c) {
-    if (model == "fem") return c.fem.tolerance;
-    return model.starts_with("bem") ? c.bem.tolerance : springs_tolerance;
 }
 
 ResolvedRun resolved(const Case& c, contact::Model& model) {
@@ -86,7 +82,7 @@ std::optional<NumericalError> numerical_error(const Case& c, const contact::Hist
                          .run = ResolvedRun(c, history),
                          .coarser = {},
                          .coarsest = {},
-                         .tolerance = tolerance_of(name, c),
+                         .tolerance = contact::model_kind(name).tolerance(c),
                          .prescribed = comparisons::prescribed_quantities(c)};
     const Case loaded = contact::loaded_as(c, history);
     say(fmt::format("{}: once more on coarser meshes and with other steps", name));
@@ -107,7 +103,7 @@ std::optional<NumericalError> numerical_error(const Case& c, const contact::Hist
         const CoarserModel coarsest = make_coarser_model(name, loaded, 4, n_threads, silent);
         error.coarsest = resolved(coarsest.c, *coarsest.model);
     });
-    if (name != "fem") return error;
+    if (!contact::model_kind(name).sees_sides) return error;
     try {
         if (const auto wide = with_wider_block(coarser.c, wider, silent))
             error.wide_block = resolved(*wide, *make_model(name, *wide, n_threads, silent));

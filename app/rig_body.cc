@@ -4,6 +4,7 @@
 
 #include "app/case_run.h"
 #include "comparisons/quantities/map_border.h"
+#include "contact/models/model_kind.h"
 #include "contact/special_values.h"
 #include "experiments/assumptions/check_rig.h"
 #include "experiments/records/experiment_evaluation.h"
@@ -44,8 +45,9 @@ experiments::BodyContacts body_contacts(const Case& c) {
     Case uncoupled = still;
     uncoupled.contact.coupling = false;
     still.contact.coupling = true;
-    return {contact_by("bem", uncoupled), contact_by("bem-layer", uncoupled),
-            contact_by("bem-layer", still).static_shift};
+    return {contact_by(contact::models::bem, uncoupled),
+            contact_by(contact::models::bem_layer, uncoupled),
+            contact_by(contact::models::bem_layer, still).static_shift};
 }
 
 experiments::Rig rig_with_body(const io::RigFile& file) {

@@ -4,6 +4,7 @@
 
 #include "atlas/prediction.h"
 #include "comparisons/quantities/quantities.h"
+#include "contact/models/model_kind.h"
 
 namespace tricontact::app {
 
@@ -45,13 +46,14 @@ std::optional<experiments::Growth> rolled_growth(const experiments::Rig& rig) {
     if (rig.has("alpha")) c.rolling->angle = rig["alpha"].value;
     c.load.tangential_ratio.reset();
     c.load.limit_fraction = .5;
-    const atlas::Prediction layer = atlas::predict(c, "bem-layer");
+    const atlas::Prediction layer = atlas::predict(c, contact::models::bem_layer);
     const auto* load = layer.find(quantities::tangential_ratio);
     if (!load) return {};
     c.load.set_tangential_ratio(load->value.value);
     c.layer = {};
     c.contact.coupling = false;
-    const auto on_layer = growth_of(layer), on_half_space = growth_of(atlas::predict(c, "bem"));
+    const auto on_layer = growth_of(layer),
+               on_half_space = growth_of(atlas::predict(c, contact::models::bem));
     if (!on_layer || !on_half_space) return {};
     return experiments::Growth{amplitude, load->value.value, *on_half_space, *on_layer};
 }

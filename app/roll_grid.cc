@@ -5,6 +5,7 @@
 #include "app/case_run.h"
 #include "app/roll_models.h"
 #include "bem/steady_model.h"
+#include "contact/models/model_kind.h"
 #include "io/keys/toml_document.h"
 #include "rolling/creep_theory.h"
 #include "rolling/rolling_document.h"
@@ -84,7 +85,8 @@ double sliding_creepage(const Case& c) {
 /// `aside`: see bem::case_compliance.
 RollingRun roll_on_grid(const std::string& model, const Case& c, const RollRuns& runs,
                         double aside) {
-    const bem::Body body = model == "bem" ? bem::Body::half_space : bem::Body::layer;
+    const bem::Body body =
+        contact::model_kind(model).is_half_space() ? bem::Body::half_space : bem::Body::layer;
     const auto substrate = bem::make_substrate(c, runs.threads, body, aside);
     RollingProblem problem = problem_of(c, *substrate);
     RollRecorder recorder{{model, {}, {}, {}}, runs, c.friction_coefficient};
@@ -119,7 +121,7 @@ RollingRun roll_on_grid(const std::string& model, const Case& c, const RollRuns&
 }  // namespace
 
 RollingRun roll(const std::string& model, const Case& c, const RollRuns& runs) {
-    if (model == "mdr") return roll_springs(c, runs);
+    if (contact::model_kind(model).is_on_line()) return roll_springs(c, runs);
     // Friction moves a coupled contact aside. How far, its solution tells.
     for (double aside = 0;;) {
         try {

@@ -55,7 +55,7 @@ struct RollRecorder {
 /// steady state is where rolling on ends; the creep curve is rolled point by point.
 rolling::RollingRun roll_springs(const Case& c, const RollRuns& runs);
 
-/// A model by its name: those springs, or boundary elements, "bem" or "bem-layer": transient,
+/// A model by its name: those springs, or boundary elements, bem or bem-layer: transient,
 /// steady state solved directly, or over a relaxing substrate rolled to, creep curve of steady
 /// states. A grid whose edge the contact reaches is enlarged. Throws contact::InputError,
 /// contact::NotConverged.

@@ -5,6 +5,7 @@
 
 #include "app/case_run.h"
 #include "app/roll_models.h"
+#include "contact/models/model_kind.h"
 #include "mdr/model.h"
 #include "rolling/creep_theory.h"
 
@@ -157,7 +158,7 @@ RollingRun roll_springs(const Case& c, const RollRuns& runs) {
     const Case::TractiveRolling& given = *c.tractive_rolling;
     const double a = contact::half_space_scales(c).contact_radius;
     RollingBed bed(c, given.distance * a);
-    RollRecorder recorder{{"mdr", {}, {}, {}}, runs, c.friction_coefficient};
+    RollRecorder recorder{{contact::models::mdr, {}, {}, {}}, runs, c.friction_coefficient};
     const auto note = [&](const RollingState& state, int step) {
         recorder.note(state, step / static_cast<double>(bed.steps_per_radius()),
                       [&] { return bed.model().surface(); });
@@ -175,7 +176,7 @@ RollingRun roll_springs(const Case& c, const RollRuns& runs) {
     const double unit = rolling::creepage_unit(c);
     RollingState steady = steady_state(bed, given.longitudinal_creepage, unit);
     steady.distance = contact::infinity;
-    require_sound(bed.model().audit(), "mdr");
+    require_sound(bed.model().audit(), contact::models::mdr);
     recorder.note_steady(steady, bed.model().surface());
     const contact::MaterialPair materials = c.materials();
     const double sliding =
@@ -184,7 +185,7 @@ RollingRun roll_springs(const Case& c, const RollRuns& runs) {
         RollingBed at_creepage(c, 4 * a);  // two contact lengths
         at_creepage.press(0);
         const RollingState point = steady_state(at_creepage, creepage, unit);
-        require_sound(at_creepage.model().audit(), "mdr");
+        require_sound(at_creepage.model().audit(), contact::models::mdr);
         return point;
     });
     return std::move(recorder.run);

@@ -6,6 +6,7 @@
 #include "atlas/map_coordinates.h"
 #include "comparisons/quantities/quantities.h"
 #include "contact/bodies/half_space_scales.h"
+#include "contact/models/model_kind.h"
 #include "contact/special_values.h"
 #include "theory/cattaneo_mindlin.h"
 #include "theory/layer/layer_forms.h"
@@ -90,14 +91,15 @@ Baseline::Baseline(const Case& base, const std::string& model,
     const double radius = half_space_scales(base).contact_radius;
     poisson_ = source("substrate.poisson", base.substrate.poisson);
     friction_ = source("friction.coefficient", base.friction_coefficient);
-    const bool has_layer = model != "mdr" && model != "bem" && base.layer.thickness;
+    const contact::ModelKind& kind = contact::model_kind(model);
+    const bool has_layer = !kind.is_half_space() && base.layer.thickness;
     if (has_layer)
         thickness_ = source("substrate.thickness_ratio", *base.layer.thickness / (2 * radius));
     if (is_line) {
         body_ = has_layer ? Body::line_layer : Body::line;
         lambda_ = contact::line_shift_factor(base);
     } else {
-        body_ = has_layer ? Body::round_layer : model == "mdr" ? Body::springs : Body::round;
+        body_ = has_layer ? Body::round_layer : kind.is_on_line() ? Body::springs : Body::round;
     }
 }
 

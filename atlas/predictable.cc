@@ -3,6 +3,7 @@
 #include "atlas/prediction.h"
 #include "comparisons/quantities/reference.h"
 #include "contact/error.h"
+#include "contact/models/model_kind.h"
 
 namespace tricontact::atlas {
 
@@ -45,28 +46,30 @@ std::string what_layer_is_not_mapped(const Case& c) {
 
 std::string what_is_not_mapped(const Case& c, const std::string& model) {
     if (const std::string what = what_is_not_mapped(c); !what.empty()) return what;
-    if (model == "bem-layer") return what_layer_is_not_mapped(c);
-    if (model == "bem" && comparisons::couples(c, model))
+    const contact::ModelKind& kind = contact::model_kind(model);
+    if (!kind.has_maps()) return "what " + model + " computes";
+    if (kind.is_layer()) return what_layer_is_not_mapped(c);
+    if (comparisons::couples(c, model))
         return "half-spaces that couple normal and tangential contact (set contact.coupling = "
                "false, or give a layer)";
-    if (model == "mdr" && c.is_line_contact()) return "line contacts by MDR";
-    if (model == "bem" || model == "mdr") return "";
-    return "what " + model + " computes";
+    if (kind.is_on_line() && c.is_line_contact()) return "line contacts by MDR";
+    return "";
 }
 
 std::vector<std::string> predictable_models(const Case& c) {
     std::vector<std::string> models;
     // A half-space in the place of a layer has to be asked for.
-    std::string what = c.layer.thickness ? what_is_not_mapped(c, "bem-layer") : "";
+    std::string what = c.layer.thickness ? what_is_not_mapped(c, contact::models::bem_layer) : "";
     if (!what.empty())
         throw contact::InputError("no atlas is about " + what + "; tricontact run computes it" +
-                                  (what_is_not_mapped(c, "mdr").empty()
+                                  (what_is_not_mapped(c, contact::models::mdr).empty()
                                        ? " (the model mdr would leave the layer out)"
                                        : ""));
-    for (const char* model : {"mdr", "bem", "bem-layer"}) {
-        const std::string here = what_is_not_mapped(c, model);
+    for (const contact::ModelKind& model : contact::model_kinds()) {
+        if (!model.has_maps()) continue;
+        const std::string here = what_is_not_mapped(c, model.name);
         if (here.empty())
-            models.emplace_back(model);
+            models.emplace_back(model.name);
         else if (what.empty())
             what = here;
     }

@@ -19,6 +19,7 @@
 #include "contact/bodies/half_space_scales.h"
 #include "contact/error.h"
 #include "contact/load_path.h"
+#include "contact/models/model_kind.h"
 #include "theory/rolling/oscillating_rolling.h"
 
 namespace tricontact::atlas {
@@ -289,8 +290,9 @@ Prediction predict(const Case& c, const std::string& model) {
     if (const std::string what = what_is_not_mapped(c, model); !what.empty())
         throw contact::InputError("no atlas is about " + what + "; tricontact run computes it");
     Predictor predictor(c, model);
-    if (model == "mdr") return predictor.of_springs();
-    return model == "bem" ? predictor.of_half_space() : predictor.of_layer();
+    const contact::ModelKind& kind = contact::model_kind(model);
+    if (kind.is_on_line()) return predictor.of_springs();
+    return kind.is_half_space() ? predictor.of_half_space() : predictor.of_layer();
 }
 
 comparisons::Results results_of(const Prediction& prediction) {

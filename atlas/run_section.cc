@@ -8,6 +8,7 @@
 #include "atlas/prediction.h"
 #include "comparisons/quantities/quantities.h"
 #include "contact/error.h"
+#include "contact/models/model_kind.h"
 #include "contact/special_values.h"
 #include "report/format.h"
 
@@ -28,7 +29,8 @@ constexpr int n_amplitudes = 36, n_loads = 40;
 
 /// Whose maps stand beside a model.
 std::string mapped(const std::string& model) {
-    return model == "fem" ? "bem-layer" : model;
+    const std::string maps = contact::model_kind(model).maps;
+    return maps.empty() ? model : maps;
 }
 
 std::vector<std::string> models_of_maps(const Case& c) {

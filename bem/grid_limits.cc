@@ -12,6 +12,7 @@
 #include "contact/error.h"
 #include "contact/load_path.h"
 #include "contact/memory.h"
+#include "contact/models/model_kind.h"
 #include "contact/solvers/contact_region.h"
 #include "contact/solvers/normal_solver.h"
 #include "contact/surface_model.h"
@@ -51,8 +52,8 @@ bool friction_moves_it(const contact::Compliance& compliance, const contact::Cas
 bool holds(const contact::Compliance& compliance, const contact::Case& c,
            const std::shared_ptr<const contact::Indenter>& indenter,
            const contact::LoadStep& step) {
-    contact::SurfaceModel model("bem", {std::shared_ptr<const void>(), &compliance}, indenter,
-                                c.friction_coefficient, probe_tolerance, c.contact);
+    contact::SurfaceModel model(contact::models::bem, {std::shared_ptr<const void>(), &compliance},
+                                indenter, c.friction_coefficient, probe_tolerance, c.contact);
     try {
         model.advance(step);
     } catch (const contact::ContactAtEdge&) {

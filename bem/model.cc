@@ -13,6 +13,7 @@
 #include "bem/summed_compliance.h"
 #include "contact/bodies/half_space_scales.h"
 #include "contact/load_path.h"
+#include "contact/models/model_kind.h"
 #include "contact/substrates/relaxing_case.h"
 #include "contact/surface_model.h"
 #include "theory/layer/layer_stack.h"
@@ -57,9 +58,10 @@ contact::Vector2 path_extent(const contact::Case& c, double radius, double aside
 
 InteriorView view_of(const contact::Case& c, Body body, double spacing, int n_threads) {
     const double radius = half_space_scales(c).contact_radius;
-    InteriorBody inside = body == Body::half_space ? InteriorBody(c.substrate)
-                                                   : InteriorBody(theory::layers_of("bem-layer", c),
-                                                                  c.is_line_contact());
+    InteriorBody inside =
+        body == Body::half_space
+            ? InteriorBody(c.substrate)
+            : InteriorBody(theory::layers_of(contact::models::bem_layer, c), c.is_line_contact());
     double depth = c.output.volume_depth.value_or(default_depth * radius);
     if (inside.layers) depth = std::min(depth, inside.layers->thickness());
     return {std::move(inside), interior_depths(spacing, radius, depth), n_threads};
@@ -152,7 +154,8 @@ MakeCompliance periodic_cells(const contact::Case& c, const contact::ContactPoin
     const double h = whole.spacing[0], period = *c.bem.period;
     require_memory(whole, influence_bytes(whole));
     const auto table = std::make_shared<const InfluenceTable>(
-        PeriodicCompliance(theory::layers_of("bem-layer", c), whole, n_threads).influence());
+        PeriodicCompliance(theory::layers_of(contact::models::bem_layer, c), whole, n_threads)
+            .influence());
     return [=](contact::ContactPoints grid) {
         if (std::max(grid.n_x, grid.n_y) >= n)
             throw contact::InputError(fmt::format(
@@ -177,8 +180,8 @@ std::unique_ptr<contact::Compliance> nominally_flat(const contact::Case& c, doub
     require_memory(grid, predicted_bytes(c, body, Surroundings::periodic, grid));
     if (body == Body::half_space)
         return std::make_unique<PeriodicCompliance>(c.materials(), std::move(grid), n_threads);
-    return std::make_unique<PeriodicCompliance>(theory::layers_of("bem-layer", c), std::move(grid),
-                                                n_threads);
+    return std::make_unique<PeriodicCompliance>(theory::layers_of(contact::models::bem_layer, c),
+                                                std::move(grid), n_threads);
 }
 
 /// The compliance of another material on the same grid.
@@ -270,7 +273,7 @@ std::unique_ptr<contact::Substrate> make_substrate(const contact::Case& c, int n
 
 std::unique_ptr<contact::Model> make_model(const contact::Case& c, int n_threads, Body body) {
     auto model = std::make_unique<contact::SurfaceModel>(
-        body == Body::layer ? "bem-layer" : "bem",
+        body == Body::layer ? contact::models::bem_layer : contact::models::bem,
         *make_substrate(c, n_threads, body, 0, is_mirrored(c)), c.make_indenter(),
         c.friction_coefficient, c.bem.tolerance, c.contact);
     model->set_larger_grid([=, aside = 0.](const contact::ContactAtEdge& reached) mutable {

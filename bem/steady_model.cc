@@ -6,6 +6,7 @@
 #include "bem/grid_compliance.h"
 #include "bem/plane_layer_influence.h"
 #include "bem/steady_compliance.h"
+#include "contact/models/model_kind.h"
 #include "contact/substrates/creep_modes.h"
 #include "contact/substrates/relaxing_case.h"
 #include "theory/layer/layer_stack.h"
@@ -40,7 +41,7 @@ CellInfluence bodies_beyond(const theory::LayerStack& layers,
 }
 
 CellInfluence layer_influence(const contact::Case& c, const contact::ContactPoints& grid) {
-    const theory::LayerStack layers = theory::layers_of("bem-layer", c);
+    const theory::LayerStack layers = theory::layers_of(contact::models::bem_layer, c);
     const auto& indenter = c.indenter.material;
     const auto [width_x, width_y] = grid.spacing;
     const double side_x = 2 * (grid.n_x + 1) * width_x, side_y = 2 * (grid.n_y + 1) * width_y;

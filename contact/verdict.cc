@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "contact/models/model_kind.h"
 #include "contact/number_text.h"
 #include "contact/special_values.h"
 
@@ -16,7 +17,6 @@ namespace {
 
 constexpr double settled_shift = 1e-7;  // per period, over U_max
 constexpr double settled_work = 1e-6;   // per period, over mu F_N U_max
-constexpr double exact_steps = 1e-11;   // of MDR: slips below it are rounding (SpringBed)
 constexpr double stick_threshold = 10;  // accuracies of a step, see SurfaceModel::update_slip
 constexpr std::size_t fewest_repeated = 4;
 constexpr double constant_work = 0.01;     // relative change over the periods looked at
@@ -25,14 +25,6 @@ constexpr double known_increment = 0.01;   // relative
 // Longest relaxation, and the slower retardation that belongs to it, decay to 5 %.
 constexpr double time_constants = 3;
 constexpr double least_error = 0.1;  // of what is continued, relative
-
-/// Accuracy of a model's steps [-], which bounds how well its periods repeat each other: that of
-/// the solver, but of rounding for `mdr`, whose steps are exact.
-double step_accuracy(const Case& c, const std::string& model) {
-    if (model == "mdr") return exact_steps;
-    if (model == "mdr-layer") return layer_springs_accuracy;
-    return model.starts_with("fem") ? c.fem.tolerance : c.bem.tolerance;
-}
 
 /// Periods in which the slowest branch is forgotten.
 double memory_of(const Case& c, double amplitude) {
@@ -94,7 +86,7 @@ bool has_constant_loads(const Case& c) {
 
 Judged judged(const Case& c, const std::string& model, bool coupled, double amplitude,
               double tangential_ratio) {
-    const double accuracy = step_accuracy(c, model);
+    const double accuracy = model_kind(model).step_accuracy(c);
     Judged result;
     result.negligible_shift = std::max(settled_shift, accuracy);
     result.negligible_work = std::max(settled_work, stick_threshold * accuracy);

@@ -42,9 +42,6 @@ struct Judged {
     double limit_accuracy = 0;
 };
 
-/// Accuracy of the steps of mdr-layer [-].
-inline constexpr double layer_springs_accuracy = 1e-9;
-
 /// Neither F_N or d nor F_T oscillates with the rolling.
 bool has_constant_loads(const Case& c);
 

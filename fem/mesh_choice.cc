@@ -7,6 +7,7 @@
 #include <cmath>
 #include <new>
 
+#include "contact/models/model_kind.h"
 #include "contact/solvers/contact_region.h"
 #include "contact/solvers/normal_solver.h"
 #include "contact/surface_model.h"
@@ -83,7 +84,7 @@ std::array<double, 4> pressed_values(const Case& c, double size, double radius,
     still.rolling.reset();
     still.prescribed_path.reset();
     contact::SurfaceModel model(
-        "fem", condenser.make(make_layer_mesh(spec_for(still, size, radius))),
+        contact::models::fem, condenser.make(make_layer_mesh(spec_for(still, size, radius))),
         still.make_indenter(), c.friction_coefficient, c.fem.tolerance, c.contact);
     contact::LoadStep press = contact::press_step(c);
     press.friction = false;

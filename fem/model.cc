@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "contact/error.h"
+#include "contact/models/model_kind.h"
 #include "contact/substrates/relaxing_case.h"
 #include "contact/surface_model.h"
 #include "fem/finite_strain/strained_model.h"
@@ -157,8 +158,8 @@ std::unique_ptr<contact::Model> make_model(const Case& c, const Say& say) {
     };
     auto relaxed = contact::relaxes_as_one(c) ? of_elastic(c) : nullptr;
     return std::make_unique<contact::SurfaceModel>(
-        "fem", *contact::make_substrate(c, std::move(relaxed), of_elastic), c.make_indenter(),
-        c.friction_coefficient, c.fem.tolerance, c.contact);
+        contact::models::fem, *contact::make_substrate(c, std::move(relaxed), of_elastic),
+        c.make_indenter(), c.friction_coefficient, c.fem.tolerance, c.contact);
 }
 
 }  // namespace tricontact::fem

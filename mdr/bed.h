@@ -8,6 +8,7 @@
 
 #include "contact/load_path.h"
 #include "contact/model.h"
+#include "contact/models/model_kind.h"
 #include "contact/substrates/relaxation.h"
 #include "contact/vector2.h"
 #include "mdr/plane_profile.h"
@@ -37,7 +38,7 @@ double position_on_line(const std::string& model, const contact::LoadStep& step,
 /// What elastic and relaxing beds of independent springs have in common.
 class Bed : public contact::Model {
   public:
-    std::string name() const final { return "mdr"; }
+    std::string name() const final { return contact::models::mdr; }
     const contact::Audit& audit() const final { return audit_; }
 
   protected:

@@ -10,10 +10,10 @@
 #include "contact/error.h"
 #include "contact/load_path.h"
 #include "contact/memory.h"
+#include "contact/models/model_kind.h"
 #include "contact/solvers/normal_solver.h"
 #include "contact/special_values.h"
 #include "contact/substrates/relaxing_case.h"
-#include "contact/verdict.h"
 #include "mdr/bed.h"
 #include "mdr/line_surface.h"
 #include "theory/layer/layer_stack.h"
@@ -55,7 +55,7 @@ constexpr double final_margin = 1.05;
 constexpr int most_elements_beside = 1000;
 
 theory::LayerStack held_layers_of(const contact::Case& c) {
-    theory::LayerStack stack = theory::layers_of("mdr-layer", c);
+    theory::LayerStack stack = theory::layers_of(contact::models::mdr_layer, c);
     if (stack.base == theory::LayerBase::frictionless)
         throw contact::InputError(
             "mdr-layer: nothing holds a layer on a frictionless base against a tangential force; "
@@ -208,7 +208,7 @@ std::unique_ptr<contact::Model> make_layer_model(const contact::Case& c, int ele
             "mdr-layer: coarser elements would not resolve the layer's thickness");
     return std::make_unique<LayerModel>(springs_of(c, final_margin * a.largest + path, spacing),
                                         profile, c.friction_coefficient, contact::path_direction(c),
-                                        contact::common_relaxation("mdr-layer", c));
+                                        contact::common_relaxation(contact::models::mdr_layer, c));
 }
 
 }  // namespace tricontact::mdr

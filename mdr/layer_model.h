@@ -6,6 +6,7 @@
 
 #include "contact/case.h"
 #include "contact/model.h"
+#include "contact/models/model_kind.h"
 #include "contact/substrates/relaxation.h"
 #include "contact/surface_model.h"
 #include "mdr/layer_springs.h"
@@ -28,7 +29,7 @@ class LayerModel final : public contact::Model {
                std::shared_ptr<const PlaneProfile> profile, double friction_coefficient,
                double rolling_angle, const std::optional<contact::Relaxation>& relaxation);
 
-    std::string name() const override { return "mdr-layer"; }
+    std::string name() const override { return contact::models::mdr_layer; }
     /// Throws contact::InputError if the step is none of a line's or the contact reaches the
     /// indenter's rim, contact::ContactAtEdge if it reaches the last element, NotConverged.
     contact::StepRecord advance(const contact::LoadStep& step) override;

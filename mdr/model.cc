@@ -6,6 +6,7 @@
 
 #include "contact/load_path.h"
 #include "contact/memory.h"
+#include "contact/models/model_kind.h"
 #include "contact/substrates/relaxing_case.h"
 #include "mdr/relaxing_bed.h"
 #include "mdr/spring_bed.h"
@@ -50,7 +51,7 @@ std::unique_ptr<contact::Model> make_model(const contact::Case& c) {
     data.half_length =
         1.01 * (half_width(c, *data.profile, peak_factor) +
                 contact::norm(contact::path_reach(c, half_width(c, *data.profile, 1))));
-    data.relaxation = contact::common_relaxation("mdr", contact::without_layer(c));
+    data.relaxation = contact::common_relaxation(contact::models::mdr, contact::without_layer(c));
     if (data.relaxation) return std::make_unique<RelaxingBed>(std::move(data));
     return std::make_unique<SpringBed>(std::move(data));
 }

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <iterator>
 
+#include "contact/models/model_kind.h"
+
 namespace tricontact::report {
 
 static constexpr double least_p = 1e-3;
@@ -75,6 +77,7 @@ std::string given_quantity(double value, const std::string& base) {
 }
 
 std::string display_name(const std::string& model) {
+    if (const auto* kind = contact::find_model_kind(model)) return kind->title;
     std::string name = model;
     for (std::size_t i = 0; i < std::min(model.find('-'), model.size()); ++i)
         name[i] = capital(name[i]);
@@ -83,9 +86,8 @@ std::string display_name(const std::string& model) {
 }
 
 std::optional<int> model_style(const std::string& model) {
-    constexpr const char* models[] = {"mdr", "bem", "bem-layer", "fem", "mdr-layer"};
-    for (int i = 0; i < static_cast<int>(std::size(models)); ++i)
-        if (model == models[i] || model == display_name(models[i])) return i;
+    for (const contact::ModelKind& kind : contact::model_kinds())
+        if (model == kind.name || model == kind.title) return kind.style;
     return {};
 }
 

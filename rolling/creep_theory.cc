@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "comparisons/quantities/reference.h"
+#include "contact/models/model_kind.h"
 #include "contact/substrates/relaxing_case.h"
 #include "rolling/rolling_report.h"
 #include "theory/rolling/creep_law.h"
@@ -115,7 +116,7 @@ std::vector<CreepTheory> creep_theories(const Case& c) {
 
 bool has_thesis_creep_ratio(const Case& c) {
     return contact::is_hertz_round(c) && straight(c) && !c.relaxation &&
-           !comparisons::couples(c, "bem");
+           !comparisons::couples(c, contact::models::bem);
 }
 
 double thesis_creep_ratio(const Case& c) {
@@ -125,7 +126,8 @@ double thesis_creep_ratio(const Case& c) {
 
 std::vector<ClosedForm> free_creepages(const Case& c) {
     const double beta = c.materials().dundurs_beta();
-    if (!c.is_line_contact() || !rolls_freely(c) || !comparisons::couples(c, "bem") || c.relaxation)
+    if (!c.is_line_contact() || !rolls_freely(c) ||
+        !comparisons::couples(c, contact::models::bem) || c.relaxation)
         return {};
     const double slope = contact::half_space_scales(c).contact_radius / c.indenter.radius;
     return {{"Bentall and Johnson, all sticks", "bentall_johnson_rough",

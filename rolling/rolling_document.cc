@@ -54,8 +54,8 @@ std::string energy_sentence(const RollingReport& report) {
 
 /// MDR's creep over that of three dimensions beside what closed forms have for it.
 std::string ratio_sentence(const RollingReport& report) {
-    const RollingRun* mdr = run_of(report, "mdr");
-    const RollingRun* bem = run_of(report, "bem");
+    const RollingRun* mdr = run_of_springs(report);
+    const RollingRun* bem = run_of_half_space(report);
     if (!mdr || !bem || by_creepage(report.c) || !has_thesis_creep_ratio(report.c)) return {};
     if (!(force_ratio(bem->history.steady, report.c.friction_coefficient) > 0)) return {};
     const double measured =

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstddef>
 
+#include "contact/models/model_kind.h"
+
 namespace tricontact::rolling {
 
 namespace {
@@ -96,9 +98,25 @@ double drive_sign(const contact::Case& c) {
     return drive < 0 ? -1 : 1;
 }
 
-const RollingRun* run_of(const RollingReport& report, const std::string& model) {
-    const auto run = std::ranges::find(report.runs, model, &RollingRun::model);
+namespace {
+
+template <class IsOne>
+const RollingRun* run_of(const RollingReport& report, const IsOne& is_one) {
+    const auto run = std::ranges::find_if(
+        report.runs, [&](const RollingRun& one) { return is_one(contact::model_kind(one.model)); });
     return run == report.runs.end() ? nullptr : &*run;
+}
+
+}  // namespace
+
+const RollingRun* run_of_springs(const RollingReport& report) {
+    return run_of(report, [](const contact::ModelKind& kind) { return kind.is_on_line(); });
+}
+
+const RollingRun* run_of_half_space(const RollingReport& report) {
+    return run_of(report, [](const contact::ModelKind& kind) {
+        return kind.is_on_cells_of(contact::ModelKind::Body::half_space);
+    });
 }
 
 }  // namespace tricontact::rolling

@@ -70,7 +70,8 @@ inline bool straight(const contact::Case& c) {
     return c.tractive_rolling->spin == 0 && c.tractive_rolling->lateral_creepage.value_or(0) == 0;
 }
 
-/// That of a model; null if the case has none.
-const RollingRun* run_of(const RollingReport& report, const std::string& model);
+/// By springs, and by boundary elements on the half-space; null if the case has no such model.
+const RollingRun* run_of_springs(const RollingReport& report);
+const RollingRun* run_of_half_space(const RollingReport& report);
 
 }  // namespace tricontact::rolling

@@ -164,7 +164,7 @@ report::DocumentTable ratio_table(const RollingReport& report) {
                                report::significant(thesis_creep_ratio(report.c), 4))
                  : ""),
         .columns = {{"F_x/(μ F_N)", 2}}};
-    const RollingRun* mdr = run_of(report, "mdr");
+    const RollingRun* mdr = run_of_springs(report);
     if (!mdr || mdr->creep_curve.empty() || report.runs.size() < 2) return table;
     for (const RollingRun& run : report.runs)
         if (&run != mdr) table.columns.push_back({"over " + report::display_name(run.model)});

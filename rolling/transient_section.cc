@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "comparisons/quantities/reference.h"
+#include "contact/models/model_kind.h"
 #include "contact/special_values.h"
 #include "report/format.h"
 #include "rolling/creep_theory.h"
@@ -81,7 +82,7 @@ void add_theories(const RollingReport& report, const RollingRun& run, report::Fi
     };
     if (report.c.is_line_contact())
         add("Carter", [f](double x) { return theory::carter_traction(x, f); });
-    else if (run.model != "mdr")
+    else if (!contact::model_kind(run.model).is_on_line())
         add("Cattaneo and Mindlin",
             [f](double x) { return theory::cattaneo_mindlin_traction(std::abs(x), f); });
 }

@@ -7,6 +7,7 @@
 #include "bem/model.h"
 #include "comparisons/quantities/left_out.h"
 #include "comparisons/run/input_reading.h"
+#include "contact/models/model_kind.h"
 #include "io/contact_program/sequence.h"
 #include "io/contact_program/written_case.h"
 
@@ -15,7 +16,7 @@ namespace tricontact::app {
 namespace {
 
 struct BoundaryElementOptions : CommandOptions {
-    std::string model;  ///< "bem" or "bem-layer"; empty: the only one of these of the case
+    std::string model;  ///< bem or bem-layer; empty: the only one of these of the case
 };
 
 /// A case and which of its boundary element models is meant.
@@ -24,14 +25,14 @@ struct BoundaryElementCase {
     std::string model;
 
     bem::Body body() const {
-        return model == "bem-layer" ? bem::Body::layer : bem::Body::half_space;
+        return contact::model_kind(model).is_layer() ? bem::Body::layer : bem::Body::half_space;
     }
 };
 
 std::string only_model_of(const Case& c) {
     std::string found;
     for (const auto& model : c.models) {
-        if (model != "bem" && model != "bem-layer") continue;
+        if (!contact::model_kind(model).is_on_cells()) continue;
         if (!found.empty())
             throw contact::InputError(
                 "the case names both bem and bem-layer; choose one by --model");
@@ -118,7 +119,7 @@ Command influence_command() {
         .on_case()
         .required("--output", &CommandOptions::output, "The file", "FILE")
         .word("--model", &BoundaryElementOptions::model, "Model (the one of the case)",
-              {"bem", "bem-layer"})
+              {contact::models::bem, contact::models::bem_layer})
         .threads();
 }
 
@@ -128,7 +129,7 @@ Command export_command() {
         .on_case()
         .output("Folder (results/<case>_contact)")
         .word("--model", &BoundaryElementOptions::model, "Model (the one of the case)",
-              {"bem", "bem-layer"})
+              {contact::models::bem, contact::models::bem_layer})
         .threads();
 }
 

@@ -3,6 +3,7 @@
 #include "app/commands/command.h"
 #include "app/rig_design.h"
 #include "comparisons/quantities/left_out.h"
+#include "contact/models/model_kind.h"
 #include "io/case/rig_file.h"
 
 namespace tricontact::app {
@@ -22,7 +23,7 @@ void design_rig(DesignOptions options) {
         options.write("design.json", experiments::design_json(study));
         options.write_report(experiments::design_document(study), "tricontact design " + name);
     });
-    for (const std::string& one : comparisons::left_out(input.rig.c, "bem-layer"))
+    for (const std::string& one : comparisons::left_out(input.rig.c, contact::models::bem_layer))
         options.out() << "design leaves out " << one << '\n';
     if (input.rig.c.load.hold > 0)
         options.out() << "design leaves out load.hold: assumptions are checked without it\n";

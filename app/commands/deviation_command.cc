@@ -5,6 +5,7 @@
 #include "comparisons/finite_strain/strain_runs.h"
 #include "comparisons/half_space/deviation_output.h"
 #include "comparisons/quantities/left_out.h"
+#include "contact/models/model_kind.h"
 
 namespace tricontact::app {
 
@@ -66,7 +67,8 @@ void compare_with_half_space(DeviationOptions options) {
                      if (options.runs) add_runs(options, deviation);
                      write(options, c, deviation);
                  });
-    options.out() << deviation_text(deviation) << comparisons::left_out_lines(c, {"bem-layer"});
+    options.out() << deviation_text(deviation)
+                  << comparisons::left_out_lines(c, {contact::models::bem_layer});
     for (const auto& verdict : deviation_verdicts(deviation))
         options.out() << verdict.sentence << '\n';
     options.say(options.where());

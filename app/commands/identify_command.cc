@@ -6,6 +6,7 @@
 #include "app/commands/command.h"
 #include "app/identification_models.h"
 #include "experiments/identification/identification_checks.h"
+#include "io/case/measurement_models.h"
 #include "io/case/rig_file.h"
 #include "report/format.h"
 
@@ -131,7 +132,7 @@ struct Identifier {
     }
 
     void check_interpolation(IdentifiedModel& model, const IdentifiedRig& rig) const {
-        if (model.name == "half-space") return;
+        if (!io::measurement_model(model.name).is_layer) return;
         double error = 0;
         for (std::size_t t = 0; t < input_.tables.size(); ++t) {
             const auto& [origin, fitted] =

@@ -9,6 +9,7 @@
 #include "comparisons/quantities/left_out.h"
 #include "comparisons/resolution/refined_values.h"
 #include "comparisons/run/input_reading.h"
+#include "contact/models/model_kind.h"
 #include "files/digest.h"
 #include "files/regular_file.h"
 #include "io/keys/json_text.h"
@@ -106,7 +107,8 @@ std::optional<comparisons::PressedValues> theory_of(const Case& c, bool layer) {
 }
 
 comparisons::RefinedLevels start_of(const RefinementPlan& plan, const RefineOptions& options) {
-    const bool layer = options.model != "bem";
+    const contact::ModelKind& kind = contact::model_kind(options.model);
+    const bool layer = kind.is_layer();
     const Case& c = plan.levels.front().c;
     comparisons::RefinedLevels result;
     result.model = options.model;
@@ -114,7 +116,7 @@ comparisons::RefinedLevels start_of(const RefinementPlan& plan, const RefineOpti
     result.wide_factor = plan.wide_factor;
     result.exact = theory_of(c, layer);
     result.exact_name = layer ? "exact layer" : contact::is_hertz_round(c) ? "Hertz" : "half-space";
-    result.tolerance = options.model == "fem" ? c.fem.tolerance : c.bem.tolerance;
+    result.tolerance = kind.tolerance(c);
     result.infinite_pressure = contact::has_conical_tip(c);
     return result;
 }
@@ -196,7 +198,7 @@ Command refine_command() {
         .on_case()
         .number("--levels", &RefineOptions::levels, "Number of levels (3)", 3, 8)
         .word("--model", &RefineOptions::model, "Model to be refined (fem)",
-              {"fem", "bem-layer", "bem"})
+              {contact::models::fem, contact::models::bem_layer, contact::models::bem})
         .output("Folder (results/<case>_refined)")
         .exports()
         .threads()

@@ -7,6 +7,7 @@
 #include "comparisons/quantities/left_out.h"
 #include "comparisons/quantities/quantities.h"
 #include "comparisons/run/input_reading.h"
+#include "contact/models/model_kind.h"
 #include "experiments/assumptions/rig.h"
 #include "experiments/assumptions/rig_report.h"
 #include "io/case/rig_file.h"
@@ -25,7 +26,7 @@ struct RigOptions : CommandOptions {
 
 /// Shift [m] of a rig's sphere, see sphere_on_layer(), with 22 cells in the contact radius.
 double static_shift(const experiments::Rig& rig, bool coupled) {
-    constexpr const char* model_name = "bem-layer";
+    constexpr const char* model_name = contact::models::bem_layer;
     Case c = sphere_on_layer(rig);
     c.models = {model_name};
     c.contact.coupling = coupled;
@@ -75,7 +76,7 @@ experiments::Rig read_rig(const CommandOptions& options) {
         for (const std::string& sentence : comparisons::input_sentences(file.c))
             options.say(sentence);
         // By the model of its checks that leaves out least; the width is an assumption of its own.
-        for (const std::string& one : comparisons::left_out(file.c, "bem-layer"))
+        for (const std::string& one : comparisons::left_out(file.c, contact::models::bem_layer))
             if (!one.starts_with("substrate.width")) options.say("rig leaves out " + one);
         if (file.c.load.hold > 0)
             options.say("rig leaves out load.hold: assumptions are checked without it");
@@ -90,7 +91,7 @@ experiments::Rig read_rig(const CommandOptions& options) {
 std::string border_warning(const experiments::Rig& rig) {
     if (!rig.body) return {};
     comparisons::Results results;
-    results.model = "bem-layer";
+    results.model = contact::models::bem_layer;
     results.set(comparisons::quantities::border_force_share, rig.body->layer.border_force_share);
     return comparisons::border_warning(results);
 }

@@ -9,6 +9,7 @@
 #include "bem/model.h"
 #include "comparisons/quantities/left_out.h"
 #include "comparisons/run/input_reading.h"
+#include "contact/models/model_kind.h"
 #include "io/results/progress.h"
 #include "io/results/vtk_files.h"
 #include "report/format.h"
@@ -39,7 +40,8 @@ io::OutputNames roll_outputs(const std::vector<std::string>& models) {
 /// States in each half length a of the way; of springs, which are many, the default.
 double frames_of(const Case::Output& output, const std::string& model) {
     if (output.vtk == Case::VtkOutput::all)
-        return model == "mdr" ? Case::Output{}.frames_per_period : RollRuns::every_step;
+        return contact::model_kind(model).has_many_states ? Case::Output{}.frames_per_period
+                                                          : RollRuns::every_step;
     return output.vtk == Case::VtkOutput::frames ? output.frames_per_period : 0;
 }
 

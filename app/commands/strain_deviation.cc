@@ -8,6 +8,7 @@
 #include "app/studies/study_kind.h"
 #include "comparisons/finite_strain/strain_output.h"
 #include "comparisons/quantities/left_out.h"
+#include "contact/models/model_kind.h"
 
 namespace tricontact::app {
 
@@ -55,7 +56,7 @@ void compare_with_finite_strains(CommandOptions options, double elements) {
     options.choose_folder("_finite_strain");
     const Case c = io::read_case(options.file, options.overrides);
     refuse_rolling_on(c, options.file);
-    if (!std::ranges::count(known_models(), "fem", &ModelDescription::name))
+    if (!has_model(contact::models::fem))
         options.refuse("--finite-strain: this program was built without the model fem");
     // Before anything is removed.
     const StrainContact contact =
@@ -68,7 +69,8 @@ void compare_with_finite_strains(CommandOptions options, double elements) {
             deviation = computed(options, contact, points);
             write(options, deviation, elements);
         });
-    options.out() << strain_text(deviation) << comparisons::left_out_lines(c, {"fem"});
+    options.out() << strain_text(deviation)
+                  << comparisons::left_out_lines(c, {contact::models::fem});
     if (c.fem.mesh)
         options.out() << "fem leaves out fem.mesh: at each force and thickness it has a mesh of "
                          "its own\n";

@@ -73,8 +73,8 @@ std::string citing_words(const std::vector<report::Document>& documents,
     }
     for (const comparisons::Quantity* q : comparisons::all_quantities())
         if (names.contains(q->key)) words += std::string(q->source) + '\n';
-    for (const ModelDescription& model : known_models())
-        if (names.contains(model.name)) words += model.sources + '\n';
+    for (const contact::ModelKind& model : known_models())
+        if (names.contains(model.name)) words += std::string(model.sources) + '\n';
     for (const auto& [name, cited] : further_sources)
         if (names.contains(name)) words += std::string(cited) + '\n';
     return words;

@@ -8,6 +8,7 @@
 #include "app/studies/study_kind.h"
 #include "atlas/prediction.h"
 #include "atlas/shipped.h"
+#include "contact/models/model_kind.h"
 #include "io/case/case_reader.h"
 #include "report/format.h"
 
@@ -24,27 +25,27 @@ std::string metres_text(double value) {
 /// The resolution of a model on level k, as overrides; see RefinementPlan, which does the same.
 std::vector<std::string> finer(const std::string& model, const Case& c, int k) {
     const double factor = std::pow(2., k / 2.);
-    if (model == "mdr-layer")
-        throw contact::InputError(
-            "levels: mdr-layer chooses its elements by itself; omit levels, or leave it out");
-    if (model == "atlas")
-        throw contact::InputError("levels: atlas has no resolution; omit levels, or leave it out");
-    if (model == "mdr") return {fmt::format("mdr.springs={}", std::lround(c.mdr.springs * factor))};
-    if (model.starts_with("bem"))
+    const contact::ModelKind& kind = contact::model_kind(model);
+    const std::string key = kind.resolution;
+    if (key.empty())
+        throw contact::InputError("levels: " + model + ' ' + kind.why_no_levels +
+                                  "; omit levels, or leave it out");
+    if (kind.is_on_line()) return {fmt::format("{}={}", key, std::lround(c.mdr.springs * factor))};
+    if (kind.is_on_cells())
         return {c.bem.spacing
-                    ? "bem.spacing=" + metres_text(*c.bem.spacing / factor)
+                    ? key + '=' + metres_text(*c.bem.spacing / factor)
                     : fmt::format("bem.cells_per_radius={}", *c.bem.cells_per_radius * factor)};
     if (!c.fem.size)
         throw contact::InputError(
             "levels: fem is refined from fem.size, which is not given; give it, or omit levels");
     constexpr double least_growth = 1.05;  // that a case file may ask for
     const double growth = std::max(std::pow(c.fem.growth, 1 / factor), least_growth);
-    return {"fem.size=" + metres_text(*c.fem.size / factor), fmt::format("fem.growth={}", growth)};
+    return {key + '=' + metres_text(*c.fem.size / factor), fmt::format("fem.growth={}", growth)};
 }
 
 void check_models(const Study& study) {
     for (const std::string& name : study.models)
-        if (!std::ranges::count(known_models(), name, &ModelDescription::name))
+        if (!has_model(name))
             throw contact::InputError(
                 fmt::format("{}: models: this program was built without the model {}; name others",
                             study.name, name));
@@ -109,7 +110,8 @@ std::string read_in_atlas(const Case& c) {
 
 /// What a result depends on beside case and program.
 std::string other_digests(const Case& c, const std::string& model) {
-    return file_digests(c) + (model == "atlas" ? std::string(atlas::shipped_digest()) : "");
+    return file_digests(c) +
+           (contact::model_kind(model).is_read() ? std::string(atlas::shipped_digest()) : "");
 }
 
 /// Every point by every model.
@@ -144,7 +146,7 @@ class ContactKind : public StudyKind {
     std::string compute(const StudyPoints& points, const Places& lot,
                         const std::string& folder) const override {
         const StudyPoint& point = points[lot.front()];
-        if (point.model == "atlas") return read_in_atlas(point.contact());
+        if (contact::model_kind(point.model).is_read()) return read_in_atlas(point.contact());
         const contact::History history = folder.empty()
                                              ? history_of(point.model, point.contact(), 1, silent)
                                              : history_with_files(point, folder);

@@ -8,6 +8,7 @@
 
 #include "app/models.h"
 #include "app/roll_models.h"
+#include "contact/models/model_kind.h"
 #include "io/case/case_reader.h"
 
 namespace tricontact::app {
@@ -23,7 +24,7 @@ std::string length(double metres) {
 }
 
 double start_size(const Case& c, const RefineOptions& options, const Say& say) {
-    if (options.model != "fem")
+    if (!contact::model_kind(options.model).is_meshed())
         return c.bem.spacing
                    ? *c.bem.spacing
                    : contact::half_space_scales(c).contact_radius / *c.bem.cells_per_radius;
@@ -61,9 +62,9 @@ Level make_level(const Case& c, const std::string& name, const std::string& what
     }
 }
 
-Overrides resolution(const Case& c, const std::string& key, double size, int k) {
-    Overrides result{key + "=" + length(size)};
-    if (key == "fem.size") {
+Overrides resolution(const Case& c, const contact::ModelKind& kind, double size, int k) {
+    Overrides result{std::string(kind.resolution) + "=" + length(size)};
+    if (kind.is_meshed()) {
         const double growth = std::pow(c.fem.growth, std::pow(2., -k / 2.));
         result.push_back(fmt::format("fem.growth={}", std::max(growth, least_growth)));
     }
@@ -87,14 +88,15 @@ RefinementPlan plan_refinement(const RefineOptions& options, const Say& say) {
     const Case c = case_of(options);
     const double coarsest = start_size(c, options, say);
     RefinementPlan plan;
-    plan.key = options.model == "fem" ? "fem.size" : "bem.spacing";
+    const contact::ModelKind& kind = contact::model_kind(options.model);
+    plan.key = kind.resolution;
     for (int k = 0; k < options.levels; ++k) {
         const double size = coarsest * std::pow(2., -k / 2.);
         plan.levels.push_back(make_level(c, fmt::format("level_{}", k),
                                          fmt::format("{} = {:.4g} mm", plan.key, 1e3 * size), size,
-                                         resolution(c, plan.key, size, k), options.file));
+                                         resolution(c, kind, size, k), options.file));
     }
-    if (options.model == "fem")
+    if (kind.sees_sides)
         plan.wide = wider(plan.levels[plan.levels.size() - 2], plan.wide_factor, options.file, say);
     return plan;
 }

@@ -5,12 +5,13 @@
 #include <vector>
 
 #include "app/models.h"
+#include "contact/models/model_kind.h"
 
 namespace tricontact::app {
 
 struct RefineOptions : CommandOptions {
-    std::string model = "fem";  ///< or "bem-layer", "bem"
-    int levels = 3;             ///< 3 to 8
+    std::string model = contact::models::fem;  ///< or bem-layer, bem
+    int levels = 3;                            ///< 3 to 8
 };
 
 /// One level of a refinement: a case of its own.

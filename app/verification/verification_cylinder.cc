@@ -1,5 +1,6 @@
 #include "app/verification/verification_rows.h"
 #include "contact/bodies/half_space_scales.h"
+#include "contact/models/model_kind.h"
 #include "theory/line_contact.h"
 #include "theory/oscillating_cylinder.h"
 
@@ -83,7 +84,7 @@ void verify_fem_line(const Say& say, Verification& all) {
     const Resolution sizes{[](Case& level, int factor) { level.fem.size = 4e-4 / factor; },
                            [&](const Case& level) { return *level.fem.size / hertz_width; }};
     // Edges fall between nodes, a tenth of a tributary length of which is seen.
-    add_layer(run_levels("fem", c, sizes, say), c, {{3e-3}, {1e-3}}, all);
+    add_layer(run_levels(contact::models::fem, c, sizes, say), c, {{3e-3}, {1e-3}}, all);
 }
 
 void verify_cylinder(bool brief, const Say& say, Verification& all) {
@@ -92,8 +93,8 @@ void verify_cylinder(bool brief, const Say& say, Verification& all) {
     // Second order but for edges between cells.
     const LineTolerances allowed{{5e-4 * coarser}, {2e-4 * coarser}};
     const Case c = line_layer_case();
-    add_half_space(run_levels("bem", cylinder_case(), cells, say), allowed, all);
-    add_layer(run_levels("bem-layer", c, cells, say), c, allowed, all);
+    add_half_space(run_levels(contact::models::bem, cylinder_case(), cells, say), allowed, all);
+    add_layer(run_levels(contact::models::bem_layer, c, cells, say), c, allowed, all);
 }
 
 }  // namespace tricontact::app

@@ -1,6 +1,7 @@
 #include <utility>
 
 #include "app/verification/verification_rows.h"
+#include "contact/models/model_kind.h"
 #include "theory/cattaneo_mindlin.h"
 #include "theory/rolling/oscillating_rolling.h"
 
@@ -99,13 +100,13 @@ void verify_mdr(bool brief, const Say& say, Verification& all) {
         // Of the bed: the contact and the path on both sides.
         [](const Case& c) { return 2 * (1 + *c.rolling->amplitude_ratio) / c.mdr.springs; }};
     const auto run = [&](double w, double f) {
-        return run_levels("mdr", rolling_case(w, f), resolution, say);
+        return run_levels(contact::models::mdr, rolling_case(w, f), resolution, say);
     };
     const Levels levels = run(amplitude, force);
     const double tolerance = brief ? 2.5e-5 : 1e-6;  // of the second order
     const Allowed allowed{tolerance};
     add_closed_forms(levels, {allowed, allowed, {brief ? 5e-3 : 1e-3}}, all);
-    add_cycle("mdr", resolution, {10 * tolerance}, say, all);
+    add_cycle(contact::models::mdr, resolution, {10 * tolerance}, say, all);
     add_settled_mdr(levels, amplitude, force, tolerance, all);
     if (brief) return;
     // Kinks of the line load cost the more the less the shift is.
@@ -121,9 +122,10 @@ void verify_half_space(bool brief, const Say& say, Verification& all) {
     const Resolution cells = cells_in_radius(brief ? 5 : 8);
     // Second order but for edges between cells.
     const Allowed allowed{2e-4 * coarser, brief ? 0 : 1.2};
-    const Levels levels = run_levels("bem", rolling_case(amplitude, force), cells, say);
+    const Levels levels =
+        run_levels(contact::models::bem, rolling_case(amplitude, force), cells, say);
     add_closed_forms(levels, {allowed, {5e-4 * coarser, allowed.order}, {.02 * coarser}}, all);
-    add_cycle("bem", cells, {2e-3 * coarser, allowed.order}, say, all);
+    add_cycle(contact::models::bem, cells, {2e-3 * coarser, allowed.order}, say, all);
 }
 
 }  // namespace tricontact::app

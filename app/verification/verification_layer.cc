@@ -3,6 +3,7 @@
 #include "app/verification/verification_rows.h"
 #include "comparisons/half_space/layer.h"
 #include "comparisons/run/peer_shifts.h"
+#include "contact/models/model_kind.h"
 #include "contact/run.h"
 #include "mdr/layer_model.h"
 
@@ -50,7 +51,7 @@ void add_layer(const Levels& levels, const LayerTolerances& allowed, Verificatio
 }
 
 void verify_mdr_layer(const Say& say, Verification& all) {
-    Levels levels{"mdr-layer", {}, {}};
+    Levels levels{contact::models::mdr_layer, {}, {}};
     const Case c = layer_case();
     for (const int elements : {20, 40, 80}) {
         say(fmt::format("mdr-layer, level {}", levels.sizes.size() + 1));
@@ -70,7 +71,7 @@ void verify_fem_layer(const Say& say, Verification& all) {
     const double hertz_radius = contact::half_space_scales(base).contact_radius;
     const Resolution sizes{[](Case& c, int factor) { c.fem.size = 2.8e-3 / factor; },
                            [&](const Case& c) { return *c.fem.size / hertz_radius; }};
-    const Levels levels = run_levels("fem", base, sizes, say);
+    const Levels levels = run_levels(contact::models::fem, base, sizes, say);
     // Pressures of nodes come from row sums.
     add_pressed(levels, {{5e-3}, {8e-3}, {2e-3}, {}}, all);
     Rows(levels, "Layer b = 1.8 a, f_T = 0.56", all)
@@ -112,7 +113,7 @@ void verify_half_space_shifts(const Say& say, Verification& all) {
             c.rolling->angle = angle;
             c.rolling->steps = Case::Steps::turning_points;
             c.rolling->periods = 60;
-            const Levels level = run_level("bem", c, cell_size(c), say);
+            const Levels level = run_level(contact::models::bem, c, cell_size(c), say);
             // Those programs place their grids differently under the contact.
             add_settled(level, "Settled shift", angle, row, 2e-3, settled_ratio.of, all);
         }
@@ -132,7 +133,7 @@ void verify_layer_static(const Say& say, Verification& all) {
     };
     const auto add = [&](const std::string& how, double shift, const Case& c) {
         // Both programs to 1e-5 mm.
-        add_row(run_level("bem-layer", c, cell_size(c), say), how, shift, 2e-4);
+        add_row(run_level(contact::models::bem_layer, c, cell_size(c), say), how, shift, 2e-4);
     };
     Case c = layer_case(.56);
     for (const auto& pressing : comparisons::layer_peer_pressings) {
@@ -144,8 +145,8 @@ void verify_layer_static(const Say& say, Verification& all) {
     c.contact.coupling = false;
     add(", uncoupled", comparisons::layer_peer_uncoupled, c);
     // Without the traction across, which is its approximation; 100 elements in the radius.
-    add_row(run_level("mdr-layer", c, .01, say), ", uncoupled", comparisons::layer_peer_uncoupled,
-            3e-3);
+    add_row(run_level(contact::models::mdr_layer, c, .01, say), ", uncoupled",
+            comparisons::layer_peer_uncoupled, 3e-3);
 }
 
 void verify_layer_shifts(const Say& say, Verification& all) {
@@ -159,7 +160,7 @@ void verify_layer_shifts(const Say& say, Verification& all) {
             c.rolling->steps = Case::Steps::increment;
             c.rolling->increment = 4e-4;
             c.rolling->periods = 60;
-            const Levels level = run_level("bem-layer", c, cell_size(c), say);
+            const Levels level = run_level(contact::models::bem_layer, c, cell_size(c), say);
             // The references have four digits and steps of their own.
             add_settled(
                 level, "Layer b = 1.8 a, settled shift", angle, row, 3e-3,
@@ -173,7 +174,7 @@ void verify_layer_shifts(const Say& say, Verification& all) {
 }  // namespace
 
 void verify_fem(const Say& say, Verification& all) {
-    if (!std::ranges::count(known_models(), "fem", &ModelDescription::name)) return;
+    if (!has_model(contact::models::fem)) return;
     verify_fem_layer(say, all);
     verify_fem_line(say, all);
 }
@@ -186,7 +187,7 @@ void verify_layer(bool brief, const Say& say, Verification& all) {
         [&](Case& c, int factor) { c.bem.spacing = hertz_radius / (cells * factor); },
         [&](const Case& c) { return *c.bem.spacing / hertz_radius; }};
     const Allowed allowed{2e-4 * coarser, order};
-    add_layer(run_levels("bem-layer", layer_case(), spacings, say),
+    add_layer(run_levels(contact::models::bem_layer, layer_case(), spacings, say),
               {{5e-4 * coarser, order}, allowed, allowed, allowed}, all);
 }
 

@@ -2,6 +2,7 @@
 #include <boost/math/tools/minima.hpp>
 
 #include "app/verification/verification_rows.h"
+#include "contact/models/model_kind.h"
 #include "contact/run.h"
 #include "contact/solvers/interior.h"
 #include "theory/friction_pressing.h"
@@ -25,7 +26,7 @@ Case pressing_case(double nu, double friction) {
 
 /// F_N rises with friction in equal steps.
 std::vector<StepRecord> press(const Case& c, int n_steps, const Say& say) {
-    const auto model = make_model("bem", c, 1, say);
+    const auto model = make_model(contact::models::bem, c, 1, say);
     contact::LoadStep step = contact::press_step(c);
     std::vector<StepRecord> records;
     for (int k = 1; k <= n_steps; ++k) {
@@ -97,13 +98,13 @@ double on_axis(const Case& c, const contact::HalfSpaceScales& hertz, double z) {
 
 void verify_friction_pressing(const Say& say, Verification& all) {
     const double nu = .45, beta = (1 - 2 * nu) / (2 - 2 * nu), beta_over_mu = 1.4;
-    add_pressing({"Pressed with friction", "c/a, nu = 0.45, beta/mu = 1.4", "bem",
+    add_pressing({"Pressed with friction", "c/a, nu = 0.45, beta/mu = 1.4", contact::models::bem,
                   "Goodman (1962), Spence (1968); Johnson, Contact Mechanics "
                   "(1985), section 5.4, weak coupling",
                   theory::spence_stick_ratio(beta_over_mu), .02, .8},
                  pressing_case(nu, beta / beta_over_mu), 12, 10, say, all, stuck_ratio);
     add_pressing(
-        {"Pressed without slip", "dF/dd over 4 G a, nu = 0", "bem",
+        {"Pressed without slip", "dF/dd over 4 G a, nu = 0", contact::models::bem,
          "Mossakovskii (1954), Spence (1968)", theory::stuck_normal_stiffness_ratio(0), 8e-3},
         pressing_case(0, 5), 12, 8, say, all, stiffness_ratio);
 }
@@ -115,7 +116,7 @@ void verify_creep(bool brief, const Say& say, Verification& all) {
     const double exact =
         contact::half_space_scales(base).indentation * std::pow(crept, 2. / 3) * 1e3;
     const int steps = brief ? 3 : 8, coarser = brief ? 8 : 1;
-    for (const char* const model : {"mdr", "bem"}) {
+    for (const char* const model : {contact::models::mdr, contact::models::bem}) {
         add_row({"Creep under F_N", "d, mm, after 3 tau", model,
                  "Lee and Radok (1960), J. Appl. Mech. 27, 438", exact, 5e-4 * coarser, 1.6},
                 all, [&](int factor) -> LevelValue {
@@ -135,18 +136,19 @@ void verify_subsurface(bool brief, const Say& say, Verification& all) {
     const auto lowest = boost::math::tools::brent_find_minima(
         [&](double z) { return -on_axis(base, hertz, z); }, .2 * a, a, 40);
     // No order: points lie a/25 apart, wherever the peak is.
-    add_row({"Below Hertz' contact", "largest von Mises stress over p0, nu = 0.3", "bem",
-             "Huber (1904); Johnson, Contact Mechanics (1985), eq. 3.45; at 0.48 a", -lowest.second,
-             brief ? 4e-3 : 1e-3},
-            all, [&](int factor) -> LevelValue {
-                Case c = base;
-                c.bem.cells_per_radius = (brief ? 4 : 8) * factor;
-                say("bem, inside");
-                const auto model = make_model("bem", c, 1, say);
-                contact::run(c, *model);
-                const auto inside = contact::subsurface_of(*model->interior(), 0, {0, 0});
-                return {cell_in_radius(c), inside.peak_von_mises / model->scales().peak_pressure};
-            });
+    add_row(
+        {"Below Hertz' contact", "largest von Mises stress over p0, nu = 0.3", contact::models::bem,
+         "Huber (1904); Johnson, Contact Mechanics (1985), eq. 3.45; at 0.48 a", -lowest.second,
+         brief ? 4e-3 : 1e-3},
+        all, [&](int factor) -> LevelValue {
+            Case c = base;
+            c.bem.cells_per_radius = (brief ? 4 : 8) * factor;
+            say("bem, inside");
+            const auto model = make_model(contact::models::bem, c, 1, say);
+            contact::run(c, *model);
+            const auto inside = contact::subsurface_of(*model->interior(), 0, {0, 0});
+            return {cell_in_radius(c), inside.peak_von_mises / model->scales().peak_pressure};
+        });
 }
 
 }  // namespace tricontact::app

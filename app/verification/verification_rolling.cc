@@ -3,6 +3,7 @@
 #include "app/roll_models.h"
 #include "app/verification/verification_rows.h"
 #include "bem/model.h"
+#include "contact/models/model_kind.h"
 #include "contact/solvers/contact_region.h"
 #include "contact/solvers/normal_solver.h"
 #include "rolling/creep_theory.h"
@@ -34,7 +35,7 @@ Case cylinder() {
 rolling::RollingState steady_state(Case& c, double cells, const char* what, const Say& say) {
     c.bem.cells_per_radius = cells;
     say(fmt::format("bem, {}, {} cells", what, cells));
-    return roll("bem", c, {.points = 0}).history.steady;
+    return roll(contact::models::bem, c, {.points = 0}).history.steady;
 }
 
 /// Errors of cells are of the first order: adds rows of what two grids, one half as fine as the
@@ -58,7 +59,7 @@ void verify_springs(bool brief, const Say& say, Verification& all) {
     for (const auto& theory : rolling::creep_theories(rolling_on(.5)))
         if (theory.key == "mdr_closed_form") exact = theory.creepage(rolling_force);
     add_row(
-        {"Springs of MDR rolled on", "xi, f_T = 0.56, nu = 1/2", "mdr",
+        {"Springs of MDR rolled on", "xi, f_T = 0.56, nu = 1/2", contact::models::mdr,
          "Wetter, thesis (TU Berlin 2016), eqs. 2.2.24 and 2.2.27", exact, brief ? 2e-2 : 2e-3, .9},
         all, [&](int factor) -> LevelValue {
             Case c = rolling_on(.5);
@@ -71,11 +72,11 @@ void verify_springs(bool brief, const Say& say, Verification& all) {
 }
 
 void verify_carter(bool brief, const Say& say, Verification& all) {
-    add_extrapolated({{"Carter", "xi R/(mu a), f_T = 0.56", "bem",
+    add_extrapolated({{"Carter", "xi R/(mu a), f_T = 0.56", contact::models::bem,
                        "Carter (1926); Johnson, Contact Mechanics (1985), eq. 8.48; extrapolated "
                        "from this and twice the size of cells",
                        theory::carter_creepage_ratio(rolling_force), brief ? 2e-2 : 3e-3},
-                      {"Carter", "c/a, f_T = 0.56", "bem",
+                      {"Carter", "c/a, f_T = 0.56", contact::models::bem,
                        "Johnson, Contact Mechanics (1985), eq. 8.46; likewise; whole cells stick",
                        theory::carter_stick_ratio(rolling_force), brief ? .05 : 3e-3}},
                      all, [&](int factor) {
@@ -111,7 +112,8 @@ void verify_kalker(const Say& say, Verification& all) {
         const double expected[] = {table.longitudinal, table.lateral, table.spin, table.moment};
         std::vector<VerificationRow> rows;
         for (std::size_t i = 0; i < 4; ++i)
-            rows.push_back({"Linear creep", fmt::format("{}, nu = {}", names[i], nu), "bem",
+            rows.push_back({"Linear creep", fmt::format("{}, nu = {}", names[i], nu),
+                            contact::models::bem,
                             "Kalker (1990), Three-Dimensional Elastic Bodies in Rolling "
                             "Contact, table E.3, three digits; extrapolated from this and "
                             "twice the size of cells",
@@ -135,12 +137,13 @@ void verify_hunter(bool brief, const Say& say, Verification& all) {
     double exact = 0;
     for (const auto& theory : rolling::resistance_theories(c))
         if (theory.key == "hunter") exact = 1e3 * theory.value;
-    add_row({"Cylinder over a standard solid, v tau = a/2, G2 = 2 G1", "1000 W/F_N", "bem",
-             "Hunter (1961), J. Appl. Mech. 28, 611", exact, brief ? 1e-2 : 2e-3},
-            all, [&](int factor) -> LevelValue {
-                const auto steady = steady_state(c, (brief ? 6 : 10) * factor, "relaxing", say);
-                return {cell_in_radius(c), 1e3 * steady.resistance / *c.load.normal_force};
-            });
+    add_row(
+        {"Cylinder over a standard solid, v tau = a/2, G2 = 2 G1", "1000 W/F_N",
+         contact::models::bem, "Hunter (1961), J. Appl. Mech. 28, 611", exact, brief ? 1e-2 : 2e-3},
+        all, [&](int factor) -> LevelValue {
+            const auto steady = steady_state(c, (brief ? 6 : 10) * factor, "relaxing", say);
+            return {cell_in_radius(c), 1e3 * steady.resistance / *c.load.normal_force};
+        });
 }
 
 /// A rigid cylinder on a half-space of nu = 0, the most dissimilar that there is, without F_T; so
@@ -151,7 +154,7 @@ void verify_free_rolling(bool brief, const Say& say, Verification& all) {
     c.contact.coupling = true;
     c.friction_coefficient = .002;
     c.load.tangential_ratio = 0;
-    add_row({"Free rolling, Dundurs' beta = 0.5", "xi R/a, mu = 0.002", "bem",
+    add_row({"Free rolling, Dundurs' beta = 0.5", "xi R/a, mu = 0.002", contact::models::bem,
              "Bentall and Johnson (1967), Int. J. Mech. Sci. 9, 389, without friction "
              "(theory/rolling/creep_law.h): the difference is of the order of mu/beta",
              theory::smooth_free_creepage(.5), brief ? 2e-2 : 5e-3},

@@ -15,6 +15,7 @@
 #include "atlas/shipped.h"
 #include "comparisons/quantities/quantities.h"
 #include "contact/bodies/half_space_scales.h"
+#include "contact/models/model_kind.h"
 #include "report/chart_json.h"
 #include "report/format.h"
 #include "report/page_templates.h"
@@ -48,7 +49,7 @@ void add_layer(const Case& c, MarkedPlace& place) {
     place.is_layer = true;
     Case forced = c;
     try {
-        const Prediction layer = predict(c, "bem-layer");
+        const Prediction layer = predict(c, contact::models::bem_layer);
         forced.load.indentation.reset();
         forced.load.normal_force = value_of(layer, quantities::normal_force);
         if (!has_own_amplitude(c))
@@ -62,10 +63,10 @@ void add_layer(const Case& c, MarkedPlace& place) {
 }
 
 Json place_json(const Case& c) {
-    const Prediction springs = predict(c, "mdr");
+    const Prediction springs = predict(c, contact::models::mdr);
     MarkedPlace place{.w = value_of(springs, quantities::amplitude_ratio),
                       .f = value_of(springs, quantities::tangential_ratio)};
-    if (what_is_not_mapped(c, "bem-layer").empty()) add_layer(c, place);
+    if (what_is_not_mapped(c, contact::models::bem_layer).empty()) add_layer(c, place);
     const auto on_map = [](double x) { return x >= 0 && x <= 1; };
     if (!on_map(place.w) || !on_map(place.f)) return nullptr;
     return {{"w", place.w},

@@ -5,6 +5,7 @@
 
 #include "comparisons/half_space/half_space_deviation.h"
 #include "contact/error.h"
+#include "contact/models/model_kind.h"
 
 namespace tricontact::comparisons {
 
@@ -98,7 +99,7 @@ std::vector<StrainPoint> strain_points(const StrainContact& contact) {
 Case strain_case(const StrainContact& contact, const StrainPoint& point, bool finite) {
     const double radius = contact.contact_radius(point.normal_force, point.thickness);
     Case c = contact.c;
-    c.models = {"fem"};
+    c.models = {contact::models::fem};
     c.law = finite ? contact.law() : Case::Law::linear;
     if (!finite) c.c01_ratio.reset();
     c.layer.thickness = point.thickness;

@@ -49,8 +49,8 @@ void check(const Case& c) {
     if (!constant_loads(c))
         throw contact::InputError(
             "load.normal_amplitude_ratio, load.tangential_amplitude_ratio: deviations are those "
-            "under constant loads; leave them out, or run the case with the models bem and "
-            "bem-layer");
+            "under constant loads; leave them out, or run the case with the models "
+            "bem and bem-layer");
     if (c.load.is_by_limit())
         throw contact::InputError(
             std::string(c.load.limit_key()) +

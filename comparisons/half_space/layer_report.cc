@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "contact/case.h"
+#include "contact/models/model_kind.h"
 #include "report/format.h"
 
 namespace tricontact::comparisons {
@@ -89,7 +90,10 @@ std::string side_text(const char* name, std::optional<double> half, std::optiona
 }
 
 std::string width_sentence(const Case& c, const LayerComparison& layer) {
-    if (std::ranges::none_of(layer.models, [](const auto& model) { return model.name == "fem"; }))
+    const auto sees_sides = [](const auto& model) {
+        return contact::model_kind(model.name).sees_sides;
+    };
+    if (std::ranges::none_of(layer.models, sees_sides))
         return {};  // the others' layer is infinitely wide
     if (c.fem.mesh)
         return fmt::format(

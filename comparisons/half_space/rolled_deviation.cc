@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "contact/models/model_kind.h"
 #include "theory/rolling/oscillating_rolling.h"
 
 namespace tricontact::comparisons {
@@ -136,7 +137,7 @@ contact::Case rolled_case(const contact::Case& base, const DeviationContact& con
                           const RolledAmplitudes& amplitudes, const RolledRun& run) {
     const RolledBody& body = run.body;
     contact::Case c = base;
-    c.models = {body.half_space() ? "bem" : "bem-layer"};
+    c.models = {body.half_space() ? contact::models::bem : contact::models::bem_layer};
     c.substrate = contact.layer(1, body.poisson, theory::LayerBase::bonded).material;
     c.layer = {};
     if (!body.half_space()) c.layer.thickness = body.thickness_ratio * contact.hertz_diameter;

@@ -4,19 +4,17 @@
 
 #include "comparisons/quantities/reference.h"
 #include "contact/load_path.h"
+#include "contact/models/model_kind.h"
 
 namespace tricontact::comparisons {
 
 namespace {
 
 using contact::Case;
+using contact::ModelKind;
 
 // Below it an indenter counts as rigid: its part of all that gives way.
 constexpr double rigid_indenter = 1e-4;
-
-bool is_on_line(const std::string& model) {
-    return model.starts_with("mdr");
-}
 
 /// An amplitude of 0 has no direction.
 bool rolls_askew(const Case& c) {
@@ -32,15 +30,16 @@ bool has_elastic_indenter(const Case& c) {
 
 void add_layer(const Case& c, const std::string& model, std::vector<std::string>& all) {
     if (!c.layer.thickness || is_tabulated(c, model)) return;
-    if (is_half_space(model)) {
+    const ModelKind& kind = contact::model_kind(model);
+    if (kind.is_half_space()) {
         all.emplace_back("substrate.thickness: the substrate is a half-space");
         return;
     }
-    if (model != "fem" && c.layer.width)
+    if (!kind.sees_sides && c.layer.width)
         all.emplace_back("substrate.width: the layer is infinitely wide");
-    if (model != "fem" && c.layer.depth)
+    if (!kind.sees_sides && c.layer.depth)
         all.emplace_back("substrate.depth: the layer is infinitely deep along y");
-    if (is_on_line(model) && c.contact.coupling)
+    if (!kind.couples && c.contact.coupling)
         all.emplace_back("contact.coupling: normal and tangential contact are uncoupled");
 }
 
@@ -48,16 +47,16 @@ void add_layer(const Case& c, const std::string& model, std::vector<std::string>
 
 std::vector<std::string> left_out(const Case& c, const std::string& model) {
     std::vector<std::string> all;
-    if (model == "atlas") return all;  // it refuses what it does not know
+    const ModelKind& kind = contact::model_kind(model);
+    if (kind.is_read()) return all;  // it refuses what it does not know
     add_layer(c, model, all);
-    if (is_on_line(model) && rolls_askew(c))
+    if (kind.is_on_line() && rolls_askew(c))
         all.emplace_back("rolling direction: springs on a line are the same in every direction");
-    if (model != "fem" && c.law != Case::Law::linear)
+    if (!kind.sees_finite_strains && c.law != Case::Law::linear)
         all.emplace_back("substrate.material: linear, at small strains");
-    if (model == "fem" && has_elastic_indenter(c))
+    if (!kind.sees_elastic_indenter && has_elastic_indenter(c))
         all.emplace_back("indenter.young: the indenter is rigid");
-    if (!model.starts_with("bem") && c.bem.period)
-        all.emplace_back("bem.period: one contact alone");
+    if (!kind.sees_period && c.bem.period) all.emplace_back("bem.period: one contact alone");
     return all;
 }
 

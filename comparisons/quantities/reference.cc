@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "contact/bodies/half_space_scales.h"
+#include "contact/models/model_kind.h"
 #include "contact/substrates/normal_tangential.h"
 #include "theory/oscillating_cylinder.h"
 #include "theory/rolling/body_rolling.h"
@@ -106,7 +107,7 @@ const char* pressure_name(const contact::Case& c) {
 using contact::Case;
 
 bool is_half_space(const std::string& model) {
-    return model == "mdr" || model == "bem";
+    return contact::model_kind(model).is_half_space();
 }
 
 bool half_spaces_couple(const Case& c) {
@@ -114,12 +115,13 @@ bool half_spaces_couple(const Case& c) {
 }
 
 bool is_tabulated(const Case& c, const std::string& model) {
-    return c.bem.influence && model.starts_with("bem");
+    return c.bem.influence && contact::model_kind(model).reads_influence;
 }
 
 bool couples(const Case& c, const std::string& model) {
-    if (!c.contact.coupling || model.starts_with("mdr")) return false;
-    return model != "bem" || is_tabulated(c, model) || half_spaces_couple(c);
+    const contact::ModelKind& kind = contact::model_kind(model);
+    if (!c.contact.coupling || !kind.couples) return false;
+    return !kind.is_half_space() || is_tabulated(c, model) || half_spaces_couple(c);
 }
 
 bool is_uncoupled_half_space(const Case& c, const std::string& model) {

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "comparisons/resolution/refinement.h"
+#include "contact/models/model_kind.h"
 
 namespace tricontact::comparisons {
 
@@ -67,7 +68,9 @@ Factors factors_of(const NumericalError& error, const Quantity& q) {
     using namespace quantities;
     const bool is_counted =
         &q == &contact_radius || &q == &shift_increment || &q == &shift_increment_ratio;
-    return {.coarsest = is_counted || error.model.starts_with("mdr") ? no_order : first_order,
+    return {.coarsest = is_counted || !contact::model_kind(error.model).converges_in_order
+                            ? no_order
+                            : first_order,
             .steps = &q == &path_work ? of_work : 1};
 }
 

@@ -11,6 +11,7 @@
 #include "comparisons/quantities/reference.h"
 #include "comparisons/resolution/error_note.h"
 #include "comparisons/run/input_reading.h"
+#include "contact/models/model_kind.h"
 #include "report/format.h"
 
 namespace tricontact::comparisons {
@@ -34,11 +35,12 @@ constexpr struct {
               {small_strains, "small strains"}};
 
 unsigned traits_of(const Case& c, const std::string& model) {
+    const contact::ModelKind& kind = contact::model_kind(model);
     unsigned set = 0;
-    if (model.starts_with("mdr")) set |= springs;
-    if (c.layer.thickness && is_half_space(model) && !is_tabulated(c, model)) set |= half_space;
+    if (kind.is_on_line()) set |= springs;
+    if (c.layer.thickness && kind.is_half_space() && !is_tabulated(c, model)) set |= half_space;
     if (!couples(c, model)) set |= uncoupled;
-    if (c.law != Case::Law::linear && model != "fem") set |= small_strains;
+    if (c.law != Case::Law::linear && !kind.sees_finite_strains) set |= small_strains;
     return set;
 }
 
@@ -66,7 +68,8 @@ const Results* next_of(const Case& c, const Results& s, const std::vector<Result
     for (const Results& other : results) {
         const unsigned set = traits_of(c, other.model);
         // Of equals one on cells, whose error is told best.
-        const int size = 2 * std::popcount(set) + (other.model.starts_with("bem") ? 1 : 0);
+        const int size =
+            2 * std::popcount(set) + (contact::model_kind(other.model).is_on_cells() ? 1 : 0);
         if (set == own || (set & own) != set || size <= most) continue;
         next = &other;
         most = size;

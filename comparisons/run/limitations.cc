@@ -7,6 +7,7 @@
 #include "comparisons/quantities/reference.h"
 #include "comparisons/quantities/undefined.h"
 #include "comparisons/run/reading.h"
+#include "contact/models/model_kind.h"
 #include "report/format.h"
 #include "theory/rolling/body_rolling.h"
 
@@ -14,10 +15,15 @@ namespace tricontact::comparisons {
 
 namespace {
 
+using contact::ModelKind;
 using Summaries = std::vector<Results>;
 
-bool has_model(const Summaries& summaries, const std::string& name) {
-    return std::ranges::find(summaries, name, &Results::model) != summaries.end();
+/// Whether one of the models has this property of ModelKind.
+template <class Property>
+bool has_model(const Summaries& summaries, const Property& property) {
+    return std::ranges::any_of(summaries, property, [](const Results& s) -> const ModelKind& {
+        return contact::model_kind(s.model);
+    });
 }
 
 /// "All models take", "MDR and BEM take", "MDR takes".
@@ -51,7 +57,12 @@ std::string uncoupled_sentence(const contact::Case& c, const Summaries& summarie
                        report::significant(c.materials().dundurs_beta(), 2));
 }
 std::string coupled_sentence(const contact::Case& c, const Summaries& summaries) {
-    if (!has_model(summaries, "bem") || is_tabulated(c, "bem") || !couples(c, "bem")) return {};
+    const auto couples_half_spaces = [&](const Results& s) {
+        const ModelKind& kind = contact::model_kind(s.model);
+        return kind.is_on_cells_of(ModelKind::Body::half_space) && !is_tabulated(c, s.model) &&
+               couples(c, s.model);
+    };
+    if (std::ranges::none_of(summaries, couples_half_spaces)) return {};
     return fmt::format("BEM couples normal and tangential contact (Dundurs' β = {}).",
                        report::significant(c.materials().dundurs_beta(), 2));
 }
@@ -64,7 +75,7 @@ std::string pressure_sentence(const contact::Case& c, const Summaries& summaries
         contact::pressure_falls(c))
         return {};
     std::string text = "The pressure on a half-space is largest in a ring, not at the centre.";
-    if (c.rolling && has_model(summaries, "mdr"))
+    if (c.rolling && has_model(summaries, &ModelKind::is_independent))
         text +=
             " The shakedown limit of MDR, whose springs depend on line loads only, is then above "
             "the exact one.";
@@ -108,7 +119,8 @@ std::string far_shift_sentence(const contact::Case& c, const Summaries&) {
 /// Whether a sentence of its own says that a model leaves it out.
 bool is_told_above(const contact::Case& c, const std::string& model, const std::string& left_out) {
     return left_out.starts_with("substrate.thickness") ||
-           (model == "mdr" && c.rolling && left_out.starts_with("rolling direction"));
+           (contact::model_kind(model).is_independent() && c.rolling &&
+            left_out.starts_with("rolling direction"));
 }
 
 }  // namespace
@@ -122,7 +134,7 @@ std::vector<std::string> uncoupled_half_spaces(const contact::Case& c, const Sum
 
 std::vector<std::string> limitations(const contact::Case& c, const Summaries& summaries) {
     std::vector<std::string> findings;
-    if (c.rolling && has_model(summaries, "mdr"))
+    if (c.rolling && has_model(summaries, &ModelKind::is_independent))
         findings.push_back(
             "MDR's springs lie on one line, so it cannot distinguish rolling along the load "
             "from rolling across it: its result is the same for every angle. Transformed back to "

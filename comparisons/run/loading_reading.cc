@@ -6,6 +6,7 @@
 
 #include "comparisons/quantities/reference.h"
 #include "comparisons/run/loading_study.h"
+#include "contact/models/model_kind.h"
 #include "contact/special_values.h"
 #include "contact/substrates/normal_tangential.h"
 #include "report/format.h"
@@ -63,7 +64,10 @@ std::string coupling_sentence(const Case& c, const std::vector<std::string>& cou
 }
 
 std::string uncoupled_layer_sentence(const std::vector<std::string>& models) {
-    if (std::ranges::find(models, "mdr-layer") == models.end()) return {};
+    if (std::ranges::find(models, contact::ModelKind::Method::coupled_springs,
+                          [](const auto& model) { return contact::model_kind(model).method; }) ==
+        models.end())
+        return {};
     return "MDR layer leaves out the coupling of normal and tangential contact: its springs along "
            "the line of contact move in one direction at a time.";
 }

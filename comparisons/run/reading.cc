@@ -6,6 +6,7 @@
 
 #include "comparisons/quantities/reference.h"
 #include "comparisons/run/input_reading.h"
+#include "contact/models/model_kind.h"
 #include "report/format.h"
 
 namespace tricontact::comparisons {
@@ -58,7 +59,7 @@ std::string limit_sentence(const contact::Case& c, const Summaries& summaries, c
 /// MDR's springs have the exact limit where the pressure falls from the centre on.
 bool has_exact_limit(const contact::Case& c, const Results& s, const Reference& r) {
     return r.limit_tangential_ratio && !c.relaxation && is_uncoupled_half_space(c, s.model) &&
-           (s.model != "mdr" || contact::pressure_falls(c));
+           (!contact::model_kind(s.model).is_on_line() || contact::pressure_falls(c));
 }
 
 std::string undecided_sentence(const contact::Case& c, const Results& s, const Reference& r) {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "comparisons/shakedown/fit_document.h"
+#include "contact/models/model_kind.h"
 #include "report/format.h"
 #include "theory/rolling/oscillating_rolling.h"
 
@@ -145,7 +146,7 @@ void add_root(std::vector<report::Verdict>& verdicts, const RatchetingGroup& gro
     std::vector<double> ratios;
     for (const RatchetingPoint& p : group.points)
         if (!std::isnan(p.thesis_ratio)) ratios.push_back(p.thesis_ratio);
-    if (ratios.empty() || group.model == "mdr" || !elastic) return;
+    if (ratios.empty() || contact::model_kind(group.model).is_on_line() || !elastic) return;
     const auto [least, most] = std::ranges::minmax_element(ratios);
     report::Verdict& verdict = verdicts.emplace_back(report::Verdict{
         *least > 0.9 && *most < 1.1 ? Standing::pass : Standing::fail,

@@ -12,6 +12,7 @@
 #include "comparisons/quantities/reference.h"
 #include "contact/error.h"
 #include "contact/load_path.h"
+#include "contact/models/model_kind.h"
 #include "contact/own_limit.h"
 #include "contact/run.h"
 
@@ -47,7 +48,7 @@ class LimitSearch {
         : case_(c.load.is_by_limit() ? with_value(c, LimitVariable::load, 0) : c),
           make_(make),
           variable_(question.variable),
-          tolerance_(question.tolerance.value_or(name == "mdr" ? 1e-6 : 1e-3)),
+          tolerance_(question.tolerance.value_or(contact::model_kind(name).limit_tolerance)),
           say_(say) {
         found_.model = name;
         case_.rolling->periods = static_cast<int>(std::ceil(30 / std::sqrt(tolerance_)));

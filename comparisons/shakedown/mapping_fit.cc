@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "comparisons/quantities/reference.h"
+#include "contact/models/model_kind.h"
 #include "contact/special_values.h"
 #include "theory/rolling/oscillating_rolling.h"
 
@@ -96,7 +97,7 @@ void add_uses(MappingGroup& group) {
         group.uses.push_back(use_of(group, "thesis", theory::thesis_mapping_parallel));
     if (is_perpendicular(group.angle))
         group.uses.push_back(use_of(group, "thesis", theory::thesis_mapping_perpendicular));
-    group.uses.push_back(use_of(group, "mdr", theory::mdr_mapping));
+    group.uses.push_back(use_of(group, contact::models::mdr, theory::mdr_mapping));
 }
 
 OneMapping one_of(const MappingGroup& group) {

@@ -4,6 +4,7 @@
 #include <numbers>
 #include <utility>
 
+#include "contact/models/model_kind.h"
 #include "report/format.h"
 
 namespace tricontact::comparisons {
@@ -59,7 +60,8 @@ void add_error_of_stopping(const Results& results, RollingPoint& p) {
     for (const auto& [q, size] : {std::pair(&quantities::settled_shift_ratio, 1.),
                                   std::pair(&quantities::settled_shift, unit)})
         if (const auto u = p.values.find(q); u != p.values.end())
-            u->second.error = (p.model == "atlas" ? 0 : u->second.error) + error * size;
+            u->second.error =
+                (contact::model_kind(p.model).is_read() ? 0 : u->second.error) + error * size;
 }
 
 RollingPoint point_of(const Runs& runs) {

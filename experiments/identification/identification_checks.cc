@@ -6,6 +6,7 @@
 #include <variant>
 
 #include "comparisons/quantities/left_out.h"
+#include "io/case/measurement_models.h"
 #include "io/case/rig_keys.h"
 #include "io/keys/field_reader.h"
 #include "io/keys/key_checks.h"
@@ -18,6 +19,7 @@ namespace {
 using Input = IdentificationInput;
 using Table = Input::Table;
 using Measurement = Input::Measurement;
+using Model = io::MeasurementModel;
 
 /// What a key says; empty without it, or if it is no text.
 std::string word_of(const io::Document& document, std::string_view path) {
@@ -60,17 +62,18 @@ double quantity_of(const io::Document& document, std::string_view path) {
 
 void check_models(const Input& input, const io::Document& document) {
     for (const std::string& model : input.models) {
-        if (model != "half-space" && !document.find("substrate.thickness"))
+        const io::MeasurementModel& kind = io::measurement_model(model);
+        if (kind.is_layer && !document.find("substrate.thickness"))
             io::refuse(
                 document, "measurement.models",
                 model + " is a model of a layer, but substrate.thickness is missing",
                 "add thickness = \"8 mm\" or the like to [substrate], or leave out " + model);
-        if ((model == "bem-layer" || model == "atlas") && !is_sheared(input))
+        if (kind.approximates_theory && !is_sheared(input))
             io::refuse(
                 document, "measurement.models",
                 "without tangential force " + model + " approximates what layer computes exactly",
                 "write \"layer\" instead");
-        if (model == "atlas" && input.find(Measurement::rolling_shift))
+        if (!kind.has_rolling_shift && input.find(Measurement::rolling_shift))
             io::refuse(document, "measurement.models",
                        "the maps do not say how far free rolling shifts a contact",
                        "take bem-layer, or leave out rolling_shift");
@@ -137,25 +140,29 @@ void check_find(const Input& input, const std::vector<std::string>& find,
     if (is_timed && !document.find_section("substrate.relaxation"))
         refuse("the tables hold a history, but the case has no [substrate.relaxation]",
                "add relative_moduli and times, whose values are where the search starts");
-    const auto has = [&](const char* model) { return std::ranges::count(input.models, model) > 0; };
-    if (is_free("substrate.thickness") && has("half-space") && find.size() == 1)
+    const auto has = [&](const auto& property) {
+        return std::ranges::any_of(input.models, property, io::measurement_model);
+    };
+    const auto is_half_space = [](const Model& model) { return !model.is_layer; };
+    if (is_free("substrate.thickness") && has(is_half_space) && find.size() == 1)
         refuse("a half-space has no thickness", "leave out half-space of models");
     if (is_free("substrate.poisson") && is_sheared(input))
-        for (const char* model : {"bem-layer", "fem", "layer"})
-            if (has(model))
-                refuse(std::string("with shifts, nu is found by half-space and atlas, not by ") +
-                           model,
+        for (const std::string& model : input.models)
+            if (!io::measurement_model(model).shifts_find_poisson)
+                refuse("with shifts, nu is found by half-space and atlas, not by " + model,
                        "take the model atlas, or leave out substrate.poisson");
-    if (is_free("substrate.poisson") && has("fem"))
-        refuse("fem does not find nu", "take the model layer");
+    if (is_free("substrate.poisson"))
+        for (const std::string& model : input.models)
+            if (!io::measurement_model(model).finds_poisson)
+                refuse(model + " does not find nu", "take the model layer");
+    const auto is_strained = [](const Model& model) { return model.kind().sees_finite_strains; };
     const bool is_scaled = is_free("indenter.radius") || is_free("substrate.thickness");
-    if (is_timed && has("fem") && is_finite_strain(document))
+    if (is_timed && has(is_strained) && is_finite_strain(document))
         refuse("histories are closed forms of linear materials", "leave out fem");
-    if (is_scaled && has("fem") && is_finite_strain(document))
+    if (is_scaled && has(is_strained) && is_finite_strain(document))
         refuse("at finite strains lengths of fem are not in proportion to thickness and radius",
                "leave fem out, or the thickness and the radius");
-    if (is_scaled && word_of(document, "indenter.shape") == "sphere" &&
-        std::ranges::count(input.models, "half-space") != std::ssize(input.models))
+    if (is_scaled && word_of(document, "indenter.shape") == "sphere" && has(&Model::is_layer))
         refuse("lengths of a layer under a sphere are not in proportion to each other",
                "take shape = \"paraboloid\", which the sphere is near its tip");
 }
@@ -163,9 +170,7 @@ void check_find(const Input& input, const std::vector<std::string>& find,
 std::vector<std::string> left_out_lines(const Input& input) {
     std::vector<std::string> lines;
     for (const std::string& model : input.models) {
-        const std::string in_cases = model == "half-space" ? "bem"
-                                     : model == "layer"    ? "mdr-layer"
-                                                           : model;
+        const std::string in_cases = io::measurement_model(model).model;
         for (const std::string& one : comparisons::left_out(input.rig, in_cases))
             lines.push_back(model + " leaves out " + one);
     }

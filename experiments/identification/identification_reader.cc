@@ -9,6 +9,7 @@
 #include "contact/error.h"
 #include "experiments/identification/identification_checks.h"
 #include "io/case/case_reader.h"
+#include "io/case/measurement_models.h"
 #include "io/case/rig_file.h"
 #include "io/case/rig_keys.h"
 #include "io/keys/field_reader.h"
@@ -26,15 +27,22 @@ constexpr double guessed_poisson = .45;
 
 using Table = Input::Table;
 
+bool is_section_of_models(std::string_view section) {
+    return std::ranges::any_of(io::measurement_models(), [&](const io::MeasurementModel& model) {
+        return model.kind().section == section;
+    });
+}
+
 /// Keys of a case that describe a rig; loads along the surface and rolling are not in what was
 /// measured.
 bool describes_rig(std::string_view path) {
-    constexpr std::array<std::string_view, 8> sections{
-        "indenter", "substrate", "lower_layer", "ground", "friction", "contact", "bem", "fem"};
+    constexpr std::array<std::string_view, 6> sections{"indenter", "substrate", "lower_layer",
+                                                       "ground",   "friction",  "contact"};
     constexpr std::array<std::string_view, 4> others{"title", "load.normal_force", "load.press",
                                                      "load.press_steps"};
     const auto top = path.substr(0, path.find('.'));
-    return std::ranges::count(sections, top) || std::ranges::count(others, path);
+    return std::ranges::count(sections, top) || std::ranges::count(others, path) ||
+           is_section_of_models(top);
 }
 
 /// What the models of the case have to be so that its checks are those of the identification's. The
@@ -42,13 +50,12 @@ bool describes_rig(std::string_view path) {
 std::vector<std::string> case_models(const Input& input) {
     const bool sheared = is_sheared(input);
     std::set<std::string> models;
-    for (const std::string& model : input.models)
-        if (model != "half-space")
-            models.insert(model == "atlas"   ? "bem-layer"
-                          : model != "layer" ? model
-                          : sheared          ? "mdr-layer"
-                                             : "mdr");
-    if (models.empty()) models.insert("mdr");
+    for (const std::string& name : input.models) {
+        const io::MeasurementModel& model = io::measurement_model(name);
+        const std::string rules = sheared ? model.rules : model.pressed_rules;
+        if (!rules.empty()) models.insert(rules);
+    }
+    if (models.empty()) models.insert(contact::models::mdr);
     return {models.begin(), models.end()};
 }
 
@@ -143,9 +150,10 @@ contact::Case rig_of(const Input& input, const std::vector<std::string>& find,
         guess("load.normal_force", io::shortest(normal_force) + " N");
     }
     // Frictionless contact knows no coupling, and the half-space's closed forms have none.
-    const auto n_half_spaces = std::ranges::count(input.models, "half-space");
     // At finite strains fem always couples, whatever the others do.
-    const bool is_uncoupled = !sheared || n_half_spaces == std::ssize(input.models);
+    const bool is_uncoupled =
+        !sheared ||
+        std::ranges::none_of(input.models, &io::MeasurementModel::is_layer, io::measurement_model);
     if (is_uncoupled && !is_finite_strain(document)) guess("contact.coupling", false);
     if (is_free("substrate.young"))
         guess("substrate.young",
@@ -162,8 +170,8 @@ contact::Case rig_of(const Input& input, const std::vector<std::string>& find,
         return io::resolve_case(rig, guesses);
     } catch (const contact::InputError& error) {
         // It names the case's models; the file calls them otherwise.
-        throw contact::InputError(
-            boost::replace_all_copy(std::string(error.what()), "mdr-layer", "layer"));
+        throw contact::InputError(boost::replace_all_copy(
+            std::string(error.what()), io::layer_theory().rules, io::layer_theory().name));
     }
 }
 

@@ -53,7 +53,7 @@ struct IdentificationInput {
     std::string name;  ///< of the file
     std::vector<Table> tables;
     std::vector<FreeParameter> parameters;
-    std::vector<std::string> models;  ///< "half-space", "layer", "atlas", "bem-layer", "fem"
+    std::vector<std::string> models;  ///< see io::measurement_models
     double confidence = 0.95;
     /// The rig; free parameters at their guesses. A free E is a guess by Hertz' theory, whatever
     /// the file says. The normal force is that of the file, or the largest of the measurement.

@@ -29,7 +29,7 @@ struct SquaresMap {
 
 /// One model of an identification: what it finds, and what is drawn of it.
 struct IdentifiedModel {
-    std::string name;  ///< "half-space", "layer", "atlas", "bem-layer", "fem"
+    std::string name;  ///< see io::measurement_models
     Identification found;
     std::vector<Profile> profiles;  ///< one per parameter
     std::vector<SquaresMap> maps;   ///< of each two parameters
@@ -70,6 +70,8 @@ struct IdentificationStudy {
 /// The most complete model: finite elements before boundary elements of the layer, its maps, the
 /// layer's theory, the half-space.
 const IdentifiedModel& reference_model(const IdentificationStudy& study);
+/// That of the half-space; the end of study.models if it is not there.
+std::vector<IdentifiedModel>::const_iterator half_space_of(const IdentificationStudy& study);
 
 /// "4.22 MPa (4.15 to 4.31)", the full interval; "above 0.12" where it is open.
 std::string shown(const IdentifiedModel& model, std::size_t k);

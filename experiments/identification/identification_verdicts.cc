@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <ranges>
 
 #include "experiments/identification/identification_report.h"
+#include "io/case/measurement_models.h"
 #include "report/format.h"
 #include "statistics/regression.h"
 
@@ -11,6 +14,7 @@ namespace tricontact::experiments {
 
 namespace {
 
+using io::MeasurementModel;
 using report::Verdict;
 using enum Verdict::Standing;
 
@@ -61,10 +65,21 @@ std::string off(double ratio) {
                        ratio > 1 ? "high" : "low");
 }
 
+/// Null if none has this property of MeasurementModel.
+template <class Property>
+const IdentifiedModel* most_complete(const IdentificationStudy& study, const Property& property) {
+    for (const MeasurementModel& model : io::measurement_models() | std::views::reverse) {
+        if (!std::invoke(property, model)) continue;
+        const auto found = std::ranges::find(study.models, model.name, &IdentifiedModel::name);
+        if (found != study.models.end()) return &*found;
+    }
+    return nullptr;
+}
+
 /// What the model that knows less makes of E.
 std::optional<Verdict> bias(const IdentificationStudy& study) {
     const IdentifiedModel& reference = reference_model(study);
-    const auto half_space = std::ranges::find(study.models, "half-space", &IdentifiedModel::name);
+    const auto half_space = half_space_of(study);
     const auto k = reference.found.find(young_key);
     if (half_space == study.models.end() || &*half_space == &reference || !k) return {};
     const std::size_t i = *half_space->found.find(young_key);
@@ -105,21 +120,19 @@ std::optional<Verdict> bias(const IdentificationStudy& study) {
 /// What linear elasticity of the layer makes of E, beside fem at finite strains.
 std::optional<Verdict> bias_of_small_strains(const IdentificationStudy& study) {
     if (study.input.rig.law == contact::Case::Law::linear) return {};
-    const auto model_of = [&](const char* name) {
-        return std::ranges::find(study.models, name, &IdentifiedModel::name);
-    };
-    const auto fem = model_of("fem");
-    auto linear = model_of("bem-layer");
-    for (const char* name : {"atlas", "layer"})
-        if (linear == study.models.end()) linear = model_of(name);
-    if (fem == study.models.end() || linear == study.models.end()) return {};
+    const IdentifiedModel* fem = most_complete(
+        study, [](const MeasurementModel& model) { return model.kind().sees_finite_strains; });
+    const IdentifiedModel* linear = most_complete(study, [](const MeasurementModel& model) {
+        return model.is_layer && !model.kind().sees_finite_strains;
+    });
+    if (!fem || !linear) return {};
     const auto k = fem->found.find(young_key), i = linear->found.find(young_key);
     if (!k || !i) return {};
     const double finite = fem->found.parameters[*k].value,
                  small = linear->found.parameters[*i].value;
     const std::string sentence =
-        fmt::format("At small strains {} finds E = {}, fem at finite ones {}: ", linear->name,
-                    report::quantity(small, "Pa", 3), report::quantity(finite, "Pa", 3));
+        fmt::format("At small strains {} finds E = {}, {} at finite ones {}: ", linear->name,
+                    report::quantity(small, "Pa", 3), fem->name, report::quantity(finite, "Pa", 3));
     if (overlap(*linear, *fem, young_key))
         return Verdict{holds, sentence + "no more apart than these data resolve."};
     return Verdict{violated, sentence + off(small / finite) + '.'};
@@ -159,12 +172,16 @@ std::optional<Verdict> fit_tells_nothing(const IdentificationStudy& study) {
 
 }  // namespace
 
+std::vector<IdentifiedModel>::const_iterator half_space_of(const IdentificationStudy& study) {
+    return std::ranges::find_if(study.models, [](const IdentifiedModel& model) {
+        const MeasurementModel* kind = io::find_measurement_model(model.name);
+        return kind && !kind->is_layer;
+    });
+}
+
 const IdentifiedModel& reference_model(const IdentificationStudy& study) {
-    for (const char* name : {"fem", "bem-layer", "atlas", "layer"}) {
-        const auto found = std::ranges::find(study.models, name, &IdentifiedModel::name);
-        if (found != study.models.end()) return *found;
-    }
-    return study.models.front();  // the half-space alone
+    const auto* model = most_complete(study, &MeasurementModel::is_layer);
+    return model ? *model : study.models.front();  // the half-space alone
 }
 
 std::string shown(const IdentifiedModel& model, std::size_t k) {

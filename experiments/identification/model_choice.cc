@@ -128,7 +128,7 @@ std::optional<Verdict> model_to_use(const IdentificationStudy& study) {
                        "None of the values is to be used before the reason is known: the "
                        "residuals of " +
                            reference.name + ", the most complete model, show a pattern."};
-    const auto half_space = std::ranges::find(study.models, "half-space", &IdentifiedModel::name);
+    const auto half_space = half_space_of(study);
     if (half_space == study.models.end() || &*half_space == &reference)
         return Verdict{finding, "Use the values of " + reference.name + with_what_test(reference)};
     if (is_misfit(*half_space))

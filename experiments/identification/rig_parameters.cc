@@ -3,6 +3,7 @@
 
 #include "contact/error.h"
 #include "experiments/identification/identification_reader.h"
+#include "io/case/measurement_models.h"
 
 namespace tricontact::experiments {
 
@@ -173,7 +174,7 @@ std::vector<FreeParameter> free_parameters(const IdentificationInput& input,
 std::vector<FreeParameter> parameters_of(const IdentificationInput& input,
                                          const std::string& model) {
     std::vector<FreeParameter> parameters = input.parameters;
-    if (model == "half-space")
+    if (!io::measurement_model(model).is_layer)
         std::erase_if(parameters,
                       [](const FreeParameter& p) { return p.key == "substrate.thickness"; });
     return parameters;

@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "contact/model.h"
+#include "contact/models/model_kind.h"
 #include "fem/condensed_compliance.h"
 #include "fem/finite_strain/deferred_correction.h"
 
@@ -35,7 +36,7 @@ class StrainedModel final : public contact::Model {
     explicit StrainedModel(Setup setup);
     ~StrainedModel() override;
 
-    std::string name() const override { return "fem"; }
+    std::string name() const override { return contact::models::fem; }
     bool is_coupled() const override { return true; }
     contact::StepRecord advance(const contact::LoadStep& step) override;
     void release() override;

@@ -10,17 +10,22 @@ namespace tricontact::io {
 namespace {
 
 using contact::Case;
+using contact::ModelKind;
 using Base = Case::Base;
 
 constexpr double whole_cells = 1e-6;  // how far the period may be from them, in cells
 constexpr int samples = 200;          // of the indenter's height, along a side
+
+bool has_cells_on(const Case& c, ModelKind::Body body) {
+    return computes(c, [&](const ModelKind& model) { return model.is_on_cells_of(body); });
+}
 
 void check_influence(const Case& c, const Document& document) {
     if (c.bem.period)
         refuse(document, "bem.influence",
                "coefficients of single cells do not describe periodic contacts",
                "omit it or bem.period");
-    if (computes(c, "bem") && computes(c, "bem-layer"))
+    if (has_cells_on(c, ModelKind::Body::half_space) && has_cells_on(c, ModelKind::Body::layer))
         refuse(document, "bem.influence",
                "the same coefficients cannot be those of bem and bem-layer",
                "name one of the two in models");
@@ -30,8 +35,9 @@ void check_influence(const Case& c, const Document& document) {
 
 // Why the mean displacement under a periodic load, the compliance at k = 0, has to be finite.
 void check_mean(const Case& c, const Document& document) {
-    const bool layer = computes(c, "bem-layer");
-    const bool single = computes(c, "bem") && !contact::is_nominally_flat(c);
+    const bool layer = has_cells_on(c, ModelKind::Body::layer);
+    const bool single =
+        has_cells_on(c, ModelKind::Body::half_space) && !contact::is_nominally_flat(c);
     if (single || (layer && c.layer.base == Base::half_space))
         refuse(
             document, "bem.period",
@@ -92,7 +98,7 @@ double mean_height(const Case& c) {
 // layer would fill the whole period, and resist any further indentation with infinite stiffness.
 void check_room(const Case& c, const Document& document) {
     if (!c.load.indentation) return;
-    const bool half_space = computes(c, "bem");
+    const bool half_space = has_cells_on(c, ModelKind::Body::half_space);
     const bool compressible =
         c.substrate.poisson < 0.5 ||
         std::any_of(c.layer.lower.begin(), c.layer.lower.end(),
@@ -145,8 +151,7 @@ void check_inside(const Case& c, const Document& document) {
 }  // namespace
 
 void check_bem_options(const Case& c, const Document& document) {
-    const bool layer = computes(c, "bem-layer");
-    if (!layer && !computes(c, "bem")) return;
+    if (!computes(c, &ModelKind::is_on_cells)) return;
     check_inside(c, document);
     check_shape_of_cells(c, document);
     if (c.bem.influence) check_influence(c, document);

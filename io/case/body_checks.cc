@@ -8,6 +8,7 @@ namespace tricontact::io {
 namespace {
 
 using contact::Case;
+using contact::ModelKind;
 using Shape = Case::Shape;
 using Base = Case::Base;
 
@@ -96,18 +97,22 @@ constexpr double widest_ratio = 0.1;   // a/L: what the uniform state leaves out
 constexpr double largest_slope = 0.5;  // a/R, as of a sphere
 
 void check_line_models(const Case& c, const Document& document) {
-    for (const char* model : {"mdr", "mdr-layer"})
-        if (computes(c, model))
+    for (const ModelKind& model : contact::model_kinds())
+        if (model.is_on_line() && std::ranges::count(c.models, model.name))
             refuse(document, "models",
-                   std::string(model) +
+                   std::string(model.name) +
                        " maps bodies of revolution to a line of springs; there is no such map of "
                        "cylinders and rollers",
                    "take bem, bem-layer or fem");
-    if (c.is_line_contact() && computes(c, "fem") && c.layer.depth)
+    if (c.is_line_contact() && computes(c, &ModelKind::is_meshed) && c.layer.depth)
         refuse(document, "substrate.depth",
                "fem takes a cylinder's substrate in plane strain: it has no ends along y",
                "omit it, or take indenter.shape = \"roller\"");
-    if (c.is_line_contact() && computes(c, "bem-layer") && c.layer.base == Case::Base::half_space)
+    const auto has_cells_on_layer = [](const ModelKind& model) {
+        return model.is_on_cells_of(ModelKind::Body::layer);
+    };
+    if (c.is_line_contact() && computes(c, has_cells_on_layer) &&
+        c.layer.base == Case::Base::half_space)
         refuse(document, "substrate.base",
                "a line load displaces an elastic half-space below the layers without bound",
                "take \"bonded\", or the model bem");
@@ -170,7 +175,7 @@ void resolve_height_map(Case& c, const Document& document) {
 void check_rough_bodies(const Case& c, const Document& document) {
     if (!contact::is_nominally_flat(c) && !c.indenter.roughness) return;
     for (const std::string& model : c.models)
-        if (model != "bem" && model != "bem-layer")
+        if (!contact::model_kind(model).sees_roughness)
             refuse(document, "models", model + " does not model rough surfaces",
                    "take bem or bem-layer alone");
     if (c.indenter.roughness && c.is_cylindrical())
@@ -249,13 +254,15 @@ void check_layer(const std::string& model, const Case& c, const Document& docume
         refuse(document, "models",
                model + " models a layer, but the case has no substrate.thickness",
                "add thickness = \"8 mm\" or the like to [substrate], or leave out " + model);
-    if (model == "mdr-layer" && c.layer.base == Base::frictionless)
+    const ModelKind& kind = contact::model_kind(model);
+    if (kind.is_on_line() && c.layer.base == Base::frictionless)
         refuse(document, "substrate.base",
-               "mdr-layer: nothing holds a layer that glides on its ground against a tangential "
-               "force",
-               "take base = \"bonded\" or \"half-space\", or leave out mdr-layer");
-    if (model == "bem-layer") check_gliding(c, document);
-    if (model == "fem") check_fem_layers(c, document);
+               model +
+                   ": nothing holds a layer that glides on its ground against a tangential "
+                   "force",
+               "take base = \"bonded\" or \"half-space\", or leave out " + model);
+    if (kind.is_on_cells()) check_gliding(c, document);
+    if (kind.is_meshed()) check_fem_layers(c, document);
 }
 
 void check_line_contact(const Case& c, const Document& document) {

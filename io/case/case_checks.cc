@@ -11,6 +11,7 @@ namespace {
 
 using contact::Case;
 using contact::HalfSpaceScales;
+using contact::ModelKind;
 
 constexpr double largest_sphere_ratio = 0.5;  // a/R: the contact is far from the equator
 constexpr double fewest_cells = 2;            // per Hertz radius
@@ -32,7 +33,7 @@ void check_sphere(const Case& c, const HalfSpaceScales& s, const Document& docum
     if (c.indenter.shape != Case::Shape::sphere) return;
     const std::string load = load_key(document);
     // A force presses less deep into a layer than into a half-space.
-    const bool layer_only = c.models == std::vector<std::string>{"fem"} && c.layer.thickness;
+    const bool layer_only = all_have(c, &ModelKind::is_meshed) && c.layer.thickness;
     const double a = layer_only ? contact_radius_bounds(c).low : s.contact_radius;
     if (s.indentation >= c.indenter.radius && !(layer_only && c.load.normal_force))
         refuse(document, load,
@@ -48,8 +49,7 @@ void check_sphere(const Case& c, const HalfSpaceScales& s, const Document& docum
 }
 
 auto find_mdr(const Case& c) {
-    return std::ranges::find_if(
-        c.models, [](const auto& model) { return model == "mdr" || model == "mdr-layer"; });
+    return std::ranges::find_if(c.models, &ModelKind::is_on_line, contact::model_kind);
 }
 
 void check_revolution(const Case& c, const Document& document) {
@@ -202,10 +202,11 @@ void check_case(const Case& c, const Document& document) {
     const double steps = check_steps(c, scales, document);
     check_bem_options(c, document);
     for (const std::string& model : c.models) {
-        if (model == "bem-layer" || model == "mdr-layer") check_layer(model, c, document);
-        if (model == "bem" || model == "bem-layer") check_bem(c, scales, steps, document);
-        if (model == "mdr") check_mdr(c, scales, steps, document);
-        if (model == "fem") check_fem(c, steps, document);
+        const ModelKind& kind = contact::model_kind(model);
+        if (kind.is_layer()) check_layer(model, c, document);
+        if (kind.is_on_cells()) check_bem(c, scales, steps, document);
+        if (kind.is_independent()) check_mdr(c, scales, steps, document);
+        if (kind.is_meshed()) check_fem(c, steps, document);
     }
 }
 

@@ -6,6 +6,7 @@
 
 #include "contact/bodies/half_space_scales.h"
 #include "contact/case.h"
+#include "contact/models/model_kind.h"
 #include "io/keys/key_checks.h"
 
 // Rules that join several keys, one file of them each; case_checks.cc calls the others. All throw
@@ -15,9 +16,16 @@ namespace tricontact::io {
 /// Of an indenter over the substrate, up to which layers count it as rigid.
 inline constexpr double largest_compliance_ratio = 1e-3;
 
-/// Whether the model is one of the case's.
-inline bool computes(const contact::Case& c, std::string_view model) {
-    return std::ranges::count(c.models, model) > 0;
+/// Whether a model of the case has this property of ModelKind.
+template <class Property>
+bool computes(const contact::Case& c, const Property& property) {
+    return std::ranges::any_of(c.models, property, contact::model_kind);
+}
+
+/// Whether all have, and there are some.
+template <class Property>
+bool all_have(const contact::Case& c, const Property& property) {
+    return !c.models.empty() && std::ranges::all_of(c.models, property, contact::model_kind);
 }
 
 /// The key that says where the rows of [path] come from.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <iterator>
 
+#include "contact/models/model_kind.h"
 #include "io/case/rig_keys.h"
 #include "io/keys/toml_document.h"
 
@@ -16,13 +17,18 @@ using Output = Case::Output;
 using Vtk = Case::VtkOutput;
 using Volume = Case::VolumeOutput;
 
+std::vector<Choice> model_choices() {
+    std::vector<Choice> choices;
+    for (const auto& model : contact::model_kinds()) choices.push_back({model.name});
+    return choices;
+}
+
 std::vector<CaseKey> top_keys() {
     return {
         {text_key("title", R"("Sphere on rubber")", "what the case is", {.default_value = "\"\""}),
          at<&Case::title>},
-        {list_of(choice_key(
-             "models", {{"mdr"}, {"mdr-layer"}, {"bem"}, {"bem-layer"}, {"fem"}, {"atlas"}},
-             R"(["mdr", "bem"])", "models that compute the case", {.required = true})),
+        {list_of(choice_key("models", model_choices(), R"(["mdr", "bem"])",
+                            "models that compute the case", {.required = true})),
          at<&Case::models>}};
 }
 

@@ -207,7 +207,6 @@ RadiusBounds contact_radius_bounds(const Case& c) {
 }
 
 void check_fem(const Case& c, double steps, const Document& document) {
-    check_layer("fem", c, document);
     check_indenter(c, document);
     check_law(c, document);
     const RadiusBounds a = contact_radius_bounds(c);

@@ -68,7 +68,7 @@ void check_motions(const Case& c, const Document& document) {
                    "omit these columns, or " + remedy);
     };
     for (const std::string& model : c.models) {
-        if (!model.starts_with("mdr")) continue;
+        if (!contact::model_kind(model).is_on_line()) continue;
         refuse_motions(model + ", a line of springs,", "leave out " + model);
         if (!lies_on_a_line(path))
             refuse(document, key,
@@ -95,7 +95,7 @@ void check_motions(const Case& c, const Document& document) {
 
 /// Forces that friction carries, in all rows; between two rows the ratio is below that of one.
 void check_carried(const Case& c, const Document& document) {
-    const bool springs_alone = c.models == std::vector<std::string>{"mdr"};
+    const bool springs_alone = all_have(c, &contact::ModelKind::steps_are_exact);
     const auto& rows = c.prescribed_path->rows;
     for (std::size_t r = 0; r < rows.size(); ++r) {
         const double force = contact::prescribed_force(rows[r].tangential);

@@ -219,11 +219,11 @@ void check_relaxation(const Case& c, const Document& document) {
                "the forces of a relaxing substrate depend on the path between the turning points",
                "give rolling.steps_per_quarter or rolling.increment instead of rolling.steps");
     for (const std::string& model : c.models) {
-        const bool layer = model != "mdr" && model != "bem";
-        const auto stays = contact::what_stays(layer ? c : contact::without_layer(c));
+        const contact::ModelKind& kind = contact::model_kind(model);
+        const auto stays =
+            contact::what_stays(kind.is_half_space() ? contact::without_layer(c) : c);
         if (stays == contact::Unrelaxed::nothing) continue;
-        if (model == "mdr" || model == "mdr-layer")
-            refuse_for_mdr(model, stays, c.layer.ground.has_value(), document);
+        if (kind.is_on_line()) refuse_for_mdr(model, stays, c.layer.ground.has_value(), document);
         if (c.output.volume != Case::VolumeOutput::none)
             refuse(document, "output.volume",
                    "fields inside are not known where a part of the stiffness relaxes",

@@ -1,9 +1,9 @@
 #include "io/case/rig_file.h"
 
 #include <algorithm>
-#include <array>
 #include <stdexcept>
 
+#include "contact/models/model_kind.h"
 #include "io/case/case_reader.h"
 #include "io/case/rig_keys.h"
 #include "io/case/study_reader.h"
@@ -17,8 +17,9 @@ namespace tricontact::io {
 namespace {
 
 bool is_setting(const Key& key) {
-    constexpr std::array<std::string_view, 5> sections{"bem", "mdr", "fem", "output", "time"};
-    return std::ranges::count(sections, key.section()) > 0 || key.path == "rolling.increment";
+    const std::string_view section = key.section();
+    return contact::is_model_section(section) || section == "output" || section == "time" ||
+           key.path == "rolling.increment";
 }
 
 bool has_uncertainty(const Entry& entry) {

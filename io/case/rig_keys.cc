@@ -5,6 +5,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "io/case/measurement_models.h"
+
 namespace tricontact::io {
 
 namespace {
@@ -44,6 +46,12 @@ std::vector<Key> record_keys() {
         quantity_key("record.drive.speed", velocity, above_zero(1e9), R"("1 mm/s")",
                      "speed of the drive"),
         integer_key("record.drive.periods", {1, 100'000}, "12", "rolling periods")};
+}
+
+std::vector<Choice> measurement_model_choices() {
+    std::vector<Choice> choices;
+    for (const MeasurementModel& model : measurement_models()) choices.push_back({model.name});
+    return choices;
 }
 
 std::vector<Key> measurement_keys() {
@@ -87,8 +95,7 @@ std::vector<Key> measurement_keys() {
                            "values that are used, of others they are where the search starts; "
                            "zero_depth: the depth at which force_indentation begins to touch",
                            {.required = true})),
-        list_of(choice_key("measurement.models",
-                           {{"half-space"}, {"layer"}, {"atlas"}, {"bem-layer"}, {"fem"}},
+        list_of(choice_key("measurement.models", measurement_model_choices(),
                            R"(["half-space", "layer"])",
                            "models that explain the tables: closed forms of the half-space, the "
                            "theory of the layer, the shipped maps, or a model that computes",

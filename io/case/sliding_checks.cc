@@ -14,6 +14,7 @@ namespace {
 
 using contact::Case;
 using contact::HalfSpaceScales;
+using contact::ModelKind;
 using contact::triangle_wave;
 
 // As a contact rolls, cells enter and leave it. A sum of pressures over them varies by up to this
@@ -53,7 +54,7 @@ void check_oscillating_ratio(const std::string& key, double worst, const Documen
 void check_tells_sliding(const Case& c, const std::string& key, double ratio,
                          const Document& document) {
     if (ratio <= 1 - closest_to_sliding || c.tractive_rolling) return;
-    if (c.models == std::vector<std::string>{"mdr"}) return;
+    if (all_have(c, &ModelKind::steps_are_exact)) return;
     refuse(document, key,
            "F_T/(mu F_N) reaches " + shortest(ratio) +
                ": so close to 1 only mdr tells stick from sliding as a whole",
@@ -65,9 +66,11 @@ double coarsest_cell(const Case& c, const HalfSpaceScales& s) {
     double coarsest = 0;
     const double path = contact::rolling_amplitude(*c.rolling, s.contact_radius) / s.contact_radius;
     for (const std::string& model : c.models) {
-        if (model == "mdr-layer") coarsest = std::max(coarsest, 1 / layer_elements);
-        if (model == "mdr") coarsest = std::max(coarsest, 2 * (1 + path) / c.mdr.springs);
-        if (model.starts_with("bem"))
+        const ModelKind& kind = contact::model_kind(model);
+        if (kind.is_on_line())
+            coarsest = std::max(coarsest, kind.is_independent() ? 2 * (1 + path) / c.mdr.springs
+                                                                : 1 / layer_elements);
+        if (kind.is_on_cells())
             coarsest = std::max(coarsest, std::max(1., c.bem.cell_ratio.value_or(1)) *
                                               (c.bem.spacing ? *c.bem.spacing / s.contact_radius
                                                              : 1 / *c.bem.cells_per_radius));
@@ -141,11 +144,12 @@ void check_cylinder(const Case& c, const Document& document) {
 }
 
 void check_model(const std::string& model, const Case& c, const Document& document) {
-    if (model != "mdr" && model != "bem" && model != "bem-layer")
+    const ModelKind& kind = contact::model_kind(model);
+    if (!kind.rolls_on)
         refuse(document, "models",
                model + " has no grid along which the contact could move by whole cells",
                "take mdr, bem or bem-layer for [tractive_rolling]");
-    if (model != "mdr") return;
+    if (!kind.is_on_line()) return;
     for (const auto& [key, value] : across(*c.tractive_rolling))
         if (value != 0)
             refuse(document, key, "mdr is a line of springs along x: it has nothing across",

@@ -102,6 +102,13 @@ found=$(grep -rnE --include='*_json.cc' --include='*_output.cc' --include='*_csv
     --include='*_command.cc' '[{[]"(state|kappa|eta|periods|steps)"[],]' comparisons app || true)
 [ -z "$found" ] || complain "a key of a result stands as a string: $found"
 
+# What follows from a model is asked of its row: names stand in the table of models, and its makers compare them.
+found=$(grep -rnE --include='*.cc' --include='*.h' '"|models::' "${rooms[@]}" | sed 's|//.*||' |
+    grep -vE '^(contact/models/|io/case/measurement_models.cc:|app/models.cc:)' |
+    grep -E '"(mdr|bem|fem|mdr-layer|bem-layer)"|[!=]= *("(atlas|half-space|layer)"|(contact::)?models::)|_with\("(mdr|bem|fem|-?layer)"|(find|count)\([^()]*models::(mdr|bem|fem|atlas)' |
+    grep -vE 'R"\(\[' || true)
+[ -z "$found" ] || complain "the name of a model: $found: ask contact::model_kind()"
+
 # What a merge leaves where two changed the same lines.
 found=$(grep -rnE '^(<{7}|>{7}) ' "${rooms[@]}" docs tests scripts benchmarks examples ./*.md CMakeLists.txt cmake || true)
 [ -z "$found" ] || complain "marks of a merge: $found"
