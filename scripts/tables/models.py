@@ -94,9 +94,9 @@ def loading_variants(program):
     return rows
 
 
-# --- README.md ---------------------------------------------------------------------------------------------------------
+# --- docs/accuracy.md ---------------------------------------------------------------------------------------------------------
 
-@table("README.md", "| w, f_T | `mdr` | `bem` along | `bem` across the load |", cheap=True)
+@table("docs/accuracy.md", "| w, f_T | `mdr` | `bem` along | `bem` across the load |", cheap=True)
 def settled_shifts(program):
     rows = []
     for w, f in ((.24, .24), (.24, .56), (.51, .09), (.51, .24)):
