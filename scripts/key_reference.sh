@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Writes the tables of keys in docs/reference/case-file.md, docs/explanation/walking.md and docs/reference/quantities.md again, from
+# Writes the tables of keys in docs/reference/case-file.md, docs/reference/walking.md and docs/reference/quantities.md again, from
 # the declarations of keys and results; whoever adds one runs it.
 # usage: key_reference.sh [PROGRAM]   (build/release/app/tricontact)
 set -euo pipefail
@@ -22,7 +22,7 @@ renew() {
     mv "$2.new" "$2"
 }
 renew case "$root/docs/reference/case-file.md"
-renew walking "$root/docs/explanation/walking.md"
+renew walking "$root/docs/reference/walking.md"
 renew results "$root/docs/reference/quantities.md"
 
 # between DOCUMENT BEGIN END: the lines between those that begin so.
