@@ -12,8 +12,8 @@
 namespace tricontact::atlas {
 
 /// What maps are multiples of: formulas of the contact at the same amplitude over its own radius,
-/// and the same load beside its own limit (docs/atlas-formulas.md). What is left is smooth and of
-/// the order of 1, and has the limits of small amplitudes and loads built in.
+/// and the same load beside its own limit (docs/explanation/atlas-formulas.md). What is left is
+/// smooth and of the order of 1, and has the limits of small amplitudes and loads built in.
 class Baseline {
   public:
     /// NaN where the keys say nothing of it.

@@ -108,7 +108,7 @@ std::string_view after(std::string_view key, Lines& lines) {
     const std::string_view word = first_word(line);
     if (word != key)
         lines.refuse(fmt::format("\"{}\" where \"{}\" is due", word.substr(0, 40), key),
-                     "keep the order of docs/influence-format.md");
+                     "keep the order of docs/reference/influence-format.md");
     return line;
 }
 

@@ -24,7 +24,7 @@ struct InfluenceTable {
 /// matters; that of a half-space does from |Dundurs' beta| of about 0.002 on.
 bool couples(const InfluenceTable& table);
 
-/// As docs/influence-format.md describes it; numbers read back to the same bits.
+/// As docs/reference/influence-format.md describes it; numbers read back to the same bits.
 std::string influence_text(const InfluenceTable& table);
 
 /// Reads such a text. Throws contact::InputError with file and line if it is none, of another
@@ -35,7 +35,7 @@ InfluenceTable read_influence(const std::string& path);
 /// Throws contact::InputError, naming the file, unless the table is of cells of this size [m].
 void check_spacing(const InfluenceTable& table, const std::string& path, double spacing);
 
-/// How a file of influence coefficients begins (docs/influence-format.md).
+/// How a file of influence coefficients begins (docs/reference/influence-format.md).
 inline constexpr std::string_view influence_file_title =
     "tricontact influence coefficients, version ";
 

@@ -1,5 +1,5 @@
 // Conjugate gradients with algebraic multigrid on the layer's stiffness with K/G cut at these
-// ratios: what docs/scaling.md says about iterative solvers.
+// ratios: what docs/how-to/scaling.md says about iterative solvers.
 // usage: [mpirun -n N] distributed_solvers CASE.toml SIZE_IN_MM RATIO...
 
 #include <petscksp.h>

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# What docs/scaling.md says was measured: the layer of a case condensed by one and more processes.
+# What docs/how-to/scaling.md says was measured: the layer of a case condensed by one and more processes.
 # usage: scaling.sh PROGRAM CASE.toml "SIZES in mm" "RANKS"
 #   e.g. benchmarks/scaling.sh build/release/app/tricontact examples/cases/rig_layer_parallel.toml "1 0.7 0.5" "1 2"
 # For each size and number of ranks: the stages' time, processor seconds of all ranks together

@@ -5,8 +5,8 @@
 namespace tricontact::contact {
 
 /// The point P of the surface about whose normal the indenter twists or spins: one rule for paths,
-/// rolling on, and files of the program CONTACT (docs/path.md). Rigid shifts U are those of the
-/// indenter at P and the torque M is about P, so that F . dU + M d(rotation) is the work.
+/// rolling on, and files of the program CONTACT (docs/how-to/path.md). Rigid shifts U are those of
+/// the indenter at P and the torque M is about P, so that F . dU + M d(rotation) is the work.
 struct CentreOfRotation {
     enum class Frame { indenter, substrate };
     /// P moves with the indenter, `place` from its lowest point; or is at rest at `place`.

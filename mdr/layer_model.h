@@ -17,8 +17,8 @@ namespace tricontact::mdr {
 /// MDR of the layer: a plane profile pressed into springs that the layer couples. The normal
 /// contact of a body of revolution is exact but for the elements' length
 /// (theory/layer/layer_equation.h). The tangential contact is an APPROXIMATION, as is all of MDR
-/// once the contact rolls: see layer_kernel.h for what it leaves out, docs/models/mdr-layer.md for
-/// what that makes.
+/// once the contact rolls: see layer_kernel.h for what it leaves out,
+/// docs/explanation/models/mdr-layer.md for what that makes.
 ///
 /// One direction, as for a SpringBed: offsets count along the line of rolling, F_T acts along the
 /// elements, areas are those of discs as long as the elements in question together.

@@ -11,7 +11,7 @@ namespace tricontact::rolling {
 /// The report of `tricontact roll`.
 report::Document rolling_document(const RollingReport& report);
 
-/// "models", "theories" and "creep_ratio" of summary.json (docs/rolling.md); SI units.
+/// "models", "theories" and "creep_ratio" of summary.json (docs/how-to/rolling.md); SI units.
 nlohmann::ordered_json rolling_json(const RollingReport& report);
 
 /// The transient of one model, a row per step, SI units; the last row, of infinite distance left

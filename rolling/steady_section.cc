@@ -51,7 +51,8 @@ report::DocumentTable theory_table(const RollingReport& report) {
     report::DocumentTable table{
         .id = "theories",
         .title = forces ? "Force at this creepage" : "Creepage under this force",
-        .note = "On the half-space, whatever the case's layer. Sources: docs/rolling.md.",
+        .note =
+            "On the half-space, whatever the case's layer. Sources: docs/explanation/rolling.md.",
         .columns = {{"theory"}, {forces ? "F_x/(μ F_N)" : "ξ [unit]"}}};
     if (!straight(report.c)) return table;
     add_model_columns(report, table);
@@ -96,7 +97,7 @@ report::DocumentTable resistance_theory_table(const RollingReport& report) {
         .note =
             "Without friction. Slow rolling is the first order in the speed, the same for "
             "every substrate that relaxes as one; the others are on the half-space. Sources: "
-            "docs/rolling.md.",
+            "docs/explanation/rolling.md.",
         .columns = {{"theory"}, {"W/F_N"}}};
     add_model_columns(report, table);
     for (const ClosedForm& theory : resistance_theories(report.c)) {

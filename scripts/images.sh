@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Makes the pictures of docs/images from a run of the demo, one of stresses inside and a map of
-# walking machines, and those of docs/gallery.md from its commands; needs chromium besides.
+# walking machines, and those of docs/tutorials/gallery.md from its commands; needs chromium besides.
 # usage: images.sh
 set -euo pipefail
 root=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." >/dev/null && pwd)

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Writes the tables of keys in docs/case-file.md, docs/walking.md and docs/quantities.md again, from
+# Writes the tables of keys in docs/reference/case-file.md, docs/reference/walking.md and docs/reference/quantities.md again, from
 # the declarations of keys and results; whoever adds one runs it.
 # usage: key_reference.sh [PROGRAM]   (build/release/app/tricontact)
 set -euo pipefail
@@ -21,9 +21,9 @@ renew() {
         }' "$2" >"$2.new"
     mv "$2.new" "$2"
 }
-renew case "$root/docs/case-file.md"
-renew walking "$root/docs/walking.md"
-renew results "$root/docs/quantities.md"
+renew case "$root/docs/reference/case-file.md"
+renew walking "$root/docs/reference/walking.md"
+renew results "$root/docs/reference/quantities.md"
 
 # between DOCUMENT BEGIN END: the lines between those that begin so.
 between() {
@@ -37,6 +37,6 @@ between() {
     mv "$1.new" "$1"
 }
 "$program" keys summary >"$tables"
-between "$root/docs/quantities.md" '<!-- results:' '<!-- end of results'
+between "$root/docs/reference/quantities.md" '<!-- results:' '<!-- end of results'
 "$program" keys results | sed -n '/^### Of comparisons/q; s/^| `\([^`]*\)`.*/    @property\n    def \1(self) -> _Quantity: .../p' >"$tables"
 between "$root/python/tricontact/_core.pyi" 'class Results:' '# end of Results'

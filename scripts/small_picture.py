@@ -1,4 +1,4 @@
-"""A small copy of a picture for docs/gallery.md: 640 points wide, 96 colours, at most 40 kB.
+"""A small copy of a picture for docs/tutorials/gallery.md: 640 points wide, 96 colours, at most 40 kB.
 usage: small_picture.py FROM.png TO.png [HEIGHT]    HEIGHT: of the upper part that is kept, before it is made smaller"""
 
 import os

@@ -44,9 +44,10 @@ std::vector<const Quantity*> mapped_quantities(const io::Study& study) {
     for (const std::string& key : study.atlas->quantities) {
         const auto found = std::ranges::find(known, key);
         if (found == known.end())
-            throw contact::InputError(fmt::format(
-                "{}: atlas.quantities: unknown quantity {}; {}", study.name, key,
-                io::did_you_mean(io::nearest(key, known), "docs/quantities.md lists them")));
+            throw contact::InputError(
+                fmt::format("{}: atlas.quantities: unknown quantity {}; {}", study.name, key,
+                            io::did_you_mean(io::nearest(key, known),
+                                             "docs/reference/quantities.md lists them")));
         list.push_back(
             comparisons::column_quantities()[static_cast<std::size_t>(found - known.begin())]);
     }

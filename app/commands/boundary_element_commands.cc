@@ -52,7 +52,7 @@ BoundaryElementCase read_boundary_elements(const BoundaryElementOptions& options
     return {c, models.empty() ? only_model_of(c) : options.model};
 }
 
-/// Writes the influence coefficients (docs/influence-format.md).
+/// Writes the influence coefficients (docs/reference/influence-format.md).
 void write_influence(const BoundaryElementOptions& options) {
     const auto read = read_boundary_elements(options);
     io::check_output_file(options.output, bem::influence_file_title);
@@ -76,7 +76,7 @@ std::optional<std::string> influence_of(const BoundaryElementCase& read,
                                           compliance.is_coupled());
 }
 
-/// Writes the steps of a case as input of the program CONTACT (docs/contact-program.md).
+/// Writes the steps of a case as input of the program CONTACT (docs/how-to/contact-program.md).
 void export_to_contact_program(BoundaryElementOptions options) {
     const auto read = read_boundary_elements(options);
     const Case& c = read.c;

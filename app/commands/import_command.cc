@@ -161,7 +161,7 @@ double pressed_depth(const Case& c) {
         .indentation;
 }
 
-/// Writes the cases of an input file of CONTACT (docs/contact-program.md).
+/// Writes the cases of an input file of CONTACT (docs/how-to/contact-program.md).
 void import_from_contact_program(CommandOptions options) {
     io::refuse_toml(options.file);
     const std::string input =

@@ -26,7 +26,7 @@ struct VerifyOptions : CommandOptions {
 };
 
 /// Runs the models on problems whose solution is known and prints the table of their errors
-/// (docs/verification.md). False if a row fails.
+/// (docs/reference/verification.md). False if a row fails.
 bool verify_models(const VerifyOptions& options) {
     Verification result;
     const auto print = [&] {

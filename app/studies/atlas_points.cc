@@ -17,8 +17,8 @@ using io::Study;
 
 constexpr const char* steps_key = "rolling.steps_per_quarter";
 
-/// Results converge with the square of the cells' size (docs/models/bem.md), and levels differ by
-/// the square root of two.
+/// Results converge with the square of the cells' size (docs/explanation/models/bem.md), and levels
+/// differ by the square root of two.
 constexpr double factor_of_level = 1;
 
 /// Shifts of ratcheting converge with the length of the steps.

@@ -51,7 +51,7 @@ void add_closed_forms(const Levels& levels, const HalfSpaceTolerances& allowed, 
     Rows(levels, "Limit of shakedown", all)
         .add(limit + ", w = 0.24",
              "1 - 3/2 w + 1/2 w^3, the least pressures of Hertz' contact integrated "
-             "(docs/limits.md)",
+             "(docs/how-to/limits.md)",
              theory::shakedown_limit(amplitude), allowed.others);
 }
 

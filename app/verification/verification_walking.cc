@@ -19,7 +19,7 @@ using walking::Motion;
 constexpr Kappas set_a{2, 1.2, 0.5, 1e-4, 0.5, 1e-4, 0.42, 0.5};
 constexpr Kappas set_b{2, 1.2, 0.5, 1e-4, 0.68, 1e-4, 0.42, 1.18};
 constexpr const char* reference_integrator =
-    "event-driven Runge-Kutta-Fehlberg 7(8) (docs/walking.md)";
+    "event-driven Runge-Kutta-Fehlberg 7(8) (docs/explanation/walking.md)";
 
 constexpr double usual_step = 1e-3;
 
@@ -73,7 +73,7 @@ void add_sliding(Verification& all) {
     // Over half turns the distance of two runs grows by the rate alone.
     const double half_turn = std::numbers::pi / leading.imag();
     add_steps({"Walking machine, spots at -0.7 b and 1.3 b", "rate of flutter", "walk",
-               "eigenvalue of steady sliding (docs/walking.md)", leading.real(), 1e-3},
+               "eigenvalue of steady sliding (docs/explanation/walking.md)", leading.real(), 1e-3},
               all, [&](double step) {
                   const double steps = std::round(half_turn / step);
                   return lyapunov_exponent(machine, steady,

@@ -33,7 +33,7 @@ struct Subject {
 enum class Part { nowhere, pressed, rolled, ends, inside, cost };
 
 /// A result of a run, declared once: files, tables, plots, studies, the module for Python and the
-/// glossary docs/quantities.md follow from the declaration.
+/// glossary docs/reference/quantities.md follow from the declaration.
 struct Quantity {
     const char* key;                                ///< in files, with unit: "static_shift_m"
     const char* symbol = "";                        ///< plain text: "U_stat"
@@ -79,9 +79,10 @@ std::string ratio_key(const Quantity& q);
 /// Symbol and unit: "u_stat [U_max]", "kappa [1]".
 std::string heading_of(const Quantity& q);
 
-/// docs/quantities.md's tables, Markdown: a section per file of declarations, a row per quantity.
+/// docs/reference/quantities.md's tables, Markdown: a section per file of declarations, a row per
+/// quantity.
 std::string glossary();
-/// docs/quantities.md's table of summary.json, Markdown: keys and their meaning.
+/// docs/reference/quantities.md's table of summary.json, Markdown: keys and their meaning.
 std::string summary_keys();
 
 }  // namespace tricontact::comparisons

@@ -40,7 +40,7 @@ struct Verification {
     bool passed() const { return std::ranges::all_of(rows, &VerificationRow::passed); }
 };
 
-/// The same in docs/verification.md and verification.json: no times, no machine.
+/// The same in docs/reference/verification.md and verification.json: no times, no machine.
 std::string verification_markdown(const Verification& verification);
 nlohmann::ordered_json verification_json(const std::string& version,
                                          const Verification& verification);

@@ -27,7 +27,8 @@ std::string results_note(const contact::Case& c, bool several_models) {
         text +=
             "The theory column is the line contact of the half-space, without coupling: Hertz "
             "(pressed), Cattaneo (static shift) and, after rolling, the exact solution of "
-            "docs/cylinder.md with the limit f_T,lim = (2/π) [arccos w − w (1 − w^2)^(1/2)].";
+            "docs/explanation/cylinder.md with the limit f_T,lim = (2/π) [arccos w − w (1 − "
+            "w^2)^(1/2)].";
     else
         text +=
             "The theory column is frictionless contact on the half-space (pressed), the "

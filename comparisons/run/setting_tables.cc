@@ -197,7 +197,8 @@ void add_load(const Case& c, Settings& settings) {
 std::string derived_note(const Case& c) {
     if (c.is_cylindrical())
         return "Hertz' line contact of the half width a on the half-space; indentation and shift "
-               "are those of a strip of the length L, at half length (docs/cylinder.md).";
+               "are those of a strip of the length L, at half length "
+               "(docs/explanation/cylinder.md).";
     const std::string body =
         contact::is_hertz_round(c)
             ? "Hertz' solution of the case's paraboloid; a sphere counts as the paraboloid that "

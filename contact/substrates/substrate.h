@@ -121,7 +121,7 @@ class ElasticSubstrate final : public Substrate {
 /// a spin is then that of slip prescribed by 1/4 - delta of a cell ahead, to the second order in h:
 ///   delta = 1/pi int_0^pi -ln rho(q)/(4 sin^2(q/2)) dq,
 ///   rho(q) = 4 sin^2(q/2) sum_m (-1)^m sgn(m + 0) (q + 2 pi m)^-2,
-/// rho the symbol of the cells over that of line loads (docs/rolling.md derives it).
+/// rho the symbol of the cells over that of line loads (docs/explanation/rolling.md derives it).
 inline constexpr double spin_point = 0.174653;
 
 /// Throws InputError, `model` its subject, unless the points form a grid on both sides of the path

@@ -84,9 +84,9 @@ struct PrintedKey {
 };
 const std::vector<PrintedKey>& printed_keys(Rig::Kind kind);
 
-/// A rolling rig as a case file describes it, with [rig] and [printed] (docs/rig.md). What the case
-/// resolves - a thickness by its ratio, the amplitude of its rolling, a standard solid - is taken
-/// from there. Bodies other than spheres and cylinders still need their contacts. Throws
+/// A rolling rig as a case file describes it, with [rig] and [printed] (docs/how-to/rig.md). What
+/// the case resolves - a thickness by its ratio, the amplitude of its rolling, a standard solid -
+/// is taken from there. Bodies other than spheres and cylinders still need their contacts. Throws
 /// contact::InputError in one line, `file:line:column: key = value: rule; remedy`, for what
 /// formulas do not cover: layers on anything but a rigid base to
 /// which they are bonded, a prescribed indentation.

@@ -29,7 +29,7 @@ std::string text_of(const MeasuredEffect& effect);
 /// is known.
 std::string effects_text(const RigReport& report, const std::string& assumption);
 
-/// The text of rig.json: SI units, undefined numbers as null (docs/rig.md).
+/// The text of rig.json: SI units, undefined numbers as null (docs/how-to/rig.md).
 std::string rig_json(const RigReport& report);
 
 /// What report.html says of a rig, without version and command.

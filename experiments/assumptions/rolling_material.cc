@@ -70,7 +70,7 @@ constexpr Formula dundurs_beta(
 
 constexpr Formula layer_coupling("layer_coupling", "|C_13|/sqrt(C_11 C_33)",
                                  "surface compliances of the bonded layer at the wave number 1/a",
-                                 "docs/models/bem-layer.md", "1", "b a E_2 nu_2",
+                                 "docs/explanation/models/bem-layer.md", "1", "b a E_2 nu_2",
                                  [](const Values& x) {
                                      const auto c = theory::layer_compliance(
                                          {{x[2], x[3]}, x[0], theory::LayerBase::bonded}, 1 / x[1]);

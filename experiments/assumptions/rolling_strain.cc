@@ -12,7 +12,7 @@ namespace {
 
 // Fitted to finite elements by the linear and the neo-Hookean law on bonded incompressible layers
 // (scripts/finite_strain_fit.sh, which also tells what the fit leaves).
-constexpr const char* strain_source = "fit to finite elements, docs/rig.md";
+constexpr const char* strain_source = "fit to finite elements, docs/explanation/rig.md";
 constexpr double thickest = 0.14, thinnest = 0.7;  // a/b
 constexpr double least_friction = 0.3, most_friction = 0.9;
 constexpr double largest_slope = 0.22;  // a/R

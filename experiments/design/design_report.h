@@ -35,7 +35,7 @@ std::vector<report::Verdict> design_verdicts(const DesignStudy& study);
 /// `--set` options that put the best values into the rig file, four digits.
 std::string best_overrides(const DesignStudy& study);
 
-/// The text of design.json: SI units, what is not known as null (docs/design.md).
+/// The text of design.json: SI units, what is not known as null (docs/how-to/design.md).
 std::string design_json(const DesignStudy& study);
 
 report::Document design_document(const DesignStudy& study);

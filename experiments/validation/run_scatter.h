@@ -18,8 +18,8 @@ namespace tricontact::experiments {
 ///   value's own rest, whichever is larger: so a few values that scatter more than the others, as
 ///   those of a transient, are not told too well.
 /// Two runs do not show whether they differ in several of these ways at once; see
-/// docs/experiment.md for how often statements then hold. Throws std::invalid_argument for fewer
-/// than two runs.
+/// docs/explanation/experiment.md for how often statements then hold. Throws std::invalid_argument
+/// for fewer than two runs.
 std::vector<SeriesSource> scatter_of_mean(const std::string& name,
                                           const std::vector<std::vector<double>>& runs);
 

@@ -139,7 +139,7 @@ const std::vector<CaseKey>& case_keys() {
 }
 
 const KeyList& case_key_list() {
-    static const KeyList list(case_keys(), "docs/case-file.md");
+    static const KeyList list(case_keys(), "docs/reference/case-file.md");
     return list;
 }
 

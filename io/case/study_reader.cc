@@ -40,7 +40,7 @@ const std::vector<PlacedKey<Study>>& own_keys() {
 }
 
 const KeyList& own_key_list() {
-    static const KeyList list(own_keys(), "docs/sweeps.md");
+    static const KeyList list(own_keys(), "docs/how-to/sweeps.md");
     return list;
 }
 

@@ -46,11 +46,11 @@ struct Import {
     std::vector<LeftOutCases> left_out;
 };
 
-/// What an input file of CONTACT's module 3 becomes (docs/contact-program.md): a case for each
-/// sequence that begins anew, P = 2, and each steady state. `name` stands for the file in messages.
-/// `pressed_depth` tells a depth PEN from that of a force on the case's own cells.
-/// Throws contact::InputError with line and column for what is no such file, and with the first
-/// reason where nothing of it is a case.
+/// What an input file of CONTACT's module 3 becomes (docs/how-to/contact-program.md): a case for
+/// each sequence that begins anew, P = 2, and each steady state. `name` stands for the file in
+/// messages. `pressed_depth` tells a depth PEN from that of a force on the case's own cells. Throws
+/// contact::InputError with line and column for what is no such file, and with the first reason
+/// where nothing of it is a case.
 Import import_cases(std::string text, const std::string& name, const CouplesBodies& is_coupled,
                     const PressedDepth& pressed_depth = hertzian_depth);
 

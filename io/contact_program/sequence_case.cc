@@ -135,7 +135,8 @@ class SequenceReading {
         const auto demand = [&](bool holds, int line, const std::string& what,
                                 const std::string& rule) {
             if (!holds)
-                refuse(line, what, rule, "give the steps of a case (docs/contact-program.md)");
+                refuse(line, what, rule,
+                       "give the steps of a case (docs/how-to/contact-program.md)");
         };
         demand(given.digits.tangential == expected.tangential, given.digits.line,
                fmt::format("T = {}", given.digits.tangential), "is another kind of step than due");

@@ -1,4 +1,4 @@
-"""docs/cylinder.md."""
+"""docs/explanation/cylinder.md."""
 
 import math
 
@@ -16,7 +16,7 @@ def digits(value, places):
     return f"{value['value']:.{places}f} ± {value['numerical_error']:.{places}f}"
 
 
-@table("docs/cylinder.md", "| w = W/a_Hertz | f_T,lim, half-space | f_T,lim, layer | difference |")
+@table("docs/explanation/cylinder.md", "| w = W/a_Hertz | f_T,lim, half-space | f_T,lim, layer | difference |")
 def cylinder_limits(program):
     rows = []
     for w in (.1, .26, .52, .77):
@@ -27,7 +27,7 @@ def cylinder_limits(program):
     return rows
 
 
-@table("docs/cylinder.md", "| w | f_T | u_sd of `bem` | (3.5.26) | difference |")
+@table("docs/explanation/cylinder.md", "| w | f_T | u_sd of `bem` | (3.5.26) | difference |")
 def cylinder_settled(program):
     points = program.fit("cylinder_shakedown.toml")["points"]
     rows = []
@@ -38,7 +38,7 @@ def cylinder_settled(program):
     return rows
 
 
-@table("docs/cylinder.md", "| w | f_T | Du of `bem` | over f_T (w - w_lim) | (3.5.30) | Du of `bem-layer` |")
+@table("docs/explanation/cylinder.md", "| w | f_T | Du of `bem` | over f_T (w - w_lim) | (3.5.30) | Du of `bem-layer` |")
 def cylinder_ratcheting(program):
     points = program.fit("cylinder_ratcheting.toml")["points"]
     rows = []
@@ -56,7 +56,7 @@ def cylinder_ratcheting(program):
     return rows
 
 
-@table("docs/cylinder.md", "| Substrate | Ends | d | f_T,lim | U_stat | U_sd | largest half width | wider up to | differs up to |")
+@table("docs/explanation/cylinder.md", "| Substrate | Ends | d | f_T,lim | U_stat | U_sd | largest half width | wider up to | differs up to |")
 def roller_ends(program):
     plane = program.run(RIG, "rolling.steps_per_quarter=1", models="bem-layer")["bem-layer"]
     rows = []

@@ -1,4 +1,4 @@
-"""docs/identify.md."""
+"""docs/explanation/identify.md."""
 
 import re
 
@@ -19,7 +19,7 @@ FORMS = {"young": lambda x: f"{1e-6 * x:.2f} MPa" if x > 1e6 else f"{1e-3 * x:.0
          "relative": lambda x: f"{x:.3f}", "relaxation": lambda x: f"{figures(x)} s"}
 
 
-@table("docs/identify.md", "| Table | Half-space | `layer` | `bem-layer` | `fem` |")
+@table("docs/explanation/identify.md", "| Table | Half-space | `layer` | `bem-layer` | `fem` |")
 def identified(program):
     rows = []
     for name, text in WHAT.items():
@@ -35,7 +35,7 @@ def identified(program):
     return rows
 
 
-@table("docs/identify.md", "| Intervals of | statements | hold |")
+@table("docs/explanation/identify.md", "| Intervals of | statements | hold |")
 def identified_coverage(program):
     text = program.random("random_identification", "7", "340")
     found = re.findall(r"^(\S.*?)  +(\d+) statements, (\S+) % held$", text, re.M)

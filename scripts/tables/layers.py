@@ -1,4 +1,4 @@
-"""docs/models/mdr-layer.md."""
+"""docs/explanation/models/mdr-layer.md."""
 
 from .common import CASES, power, short, table
 
@@ -6,17 +6,17 @@ LAYER = CASES / "rig_layer_parallel.toml"
 EXACT = ("contact_radius_m", "indentation_m", "peak_pressure_Pa", "unit_shift_m")
 
 
-@table("docs/models/mdr-layer.md", "| chi | .1 | .2 | .5 | 1 | 2 |", cheap=True)
+@table("docs/explanation/models/mdr-layer.md", "| chi | .1 | .2 | .5 | 1 | 2 |", cheap=True)
 def layer_series(program):
     return program.tests("unit_tests", "TheoryLayerSeries.ErrorsAgainstTheExactSolution")
 
 
-@table("docs/models/mdr-layer.md", "| a/b | nu = .5 | radial only | coupling | nu = .3 | radial only | coupling |", cheap=True)
+@table("docs/explanation/models/mdr-layer.md", "| a/b | nu = .5 | radial only | coupling | nu = .3 | radial only | coupling |", cheap=True)
 def sticking_contact(program):
     return program.tests("unit_tests", "TheoryStickingContact.PrintsTheTable")
 
 
-@table("docs/models/mdr-layer.md", "| b, w, f_T | U_stat: `mdr-layer` | uncoupled | coupled | u_sd: `mdr-layer` | `bem-layer` "
+@table("docs/explanation/models/mdr-layer.md", "| b, w, f_T | U_stat: `mdr-layer` | uncoupled | coupled | u_sd: `mdr-layer` | `bem-layer` "
        "parallel, uncoupled | excess parallel | perpendicular |")
 def springs_beside_layer(program):
     rows = []

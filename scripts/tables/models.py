@@ -1,4 +1,4 @@
-"""docs/models/bem.md, mdr.md and common.md."""
+"""docs/explanation/models/bem.md, mdr.md and common.md."""
 
 import math
 import tempfile
@@ -18,7 +18,7 @@ def hertz(radius=.04, young=5.2e6, poisson=.5, force=21.1, mu=.57, ratio=.56):
     return a, a * a / radius, 1.5 * force / (math.pi * a * a), shift
 
 
-@table("docs/models/bem.md", "| Cells in a | a | d | p0 | static shift |", cheap=True)
+@table("docs/explanation/models/bem.md", "| Cells in a | a | d | p0 | static shift |", cheap=True)
 def bem_static(program):
     names = ["contact_radius_m", "indentation_m", "peak_pressure_Pa", "static_shift_m"]
     rows = []
@@ -49,7 +49,7 @@ tangential_ratio = 0.56
     return Path(static_case.folder.name) / "static.toml"
 
 
-@table("docs/models/bem.md", "| `bem.spacing` | u_sd | | `mdr.springs` | u_sd | kappa - 3/2 |", cheap=True)
+@table("docs/explanation/models/bem.md", "| `bem.spacing` | u_sd | | `mdr.springs` | u_sd | kappa - 3/2 |", cheap=True)
 def bem_settled(program):
     until = ["rolling.steps=turning-points", "rolling.periods=200"]
     rows = []
@@ -61,7 +61,7 @@ def bem_settled(program):
     return rows
 
 
-@table("docs/models/bem.md", "| `rolling.increment` | `bem` | `mdr` |")
+@table("docs/explanation/models/bem.md", "| `rolling.increment` | `bem` | `mdr` |")
 def bem_ratcheting(program):
     rows = []
     for step in ("0.4 mm", "0.2 mm", "0.1 mm", "0.05 mm"):
@@ -71,17 +71,17 @@ def bem_ratcheting(program):
     return rows
 
 
-# --- docs/models/mdr.md ------------------------------------------------------------------------------------------------
+# --- docs/explanation/models/mdr.md -----------------------------------------------------------------------------------
 
-@table("docs/models/mdr.md", "| Test | | | |", cheap=True)
+@table("docs/explanation/models/mdr.md", "| Test | | | |", cheap=True)
 def relaxing_springs(program):
     return [[row[0], *(f"{row[k]}: {power(float(row[k + 1]))}" for k in (1, 3, 5))]
             for row in program.tests("verification_tests", "MdrViscoelastic.*")]
 
 
-# --- docs/models/common.md ---------------------------------------------------------------------------------------------
+# --- docs/explanation/models/common.md --------------------------------------------------------------------------------
 
-@table("docs/models/common.md", "| Changed | static shift | settled shift | static shift, ratcheting | Du |")
+@table("docs/explanation/models/common.md", "| Changed | static shift | settled shift | static shift, ratcheting | Du |")
 def loading_variants(program):
     found = [program.call("run", CASES / "rig_layer_parallel.toml", ["output.vtk=none", *settings], "--models", "bem-layer",
                           "--no-report")["loading_variants"] for settings in ([], ["load.tangential_ratio=0.8"])]
@@ -94,9 +94,9 @@ def loading_variants(program):
     return rows
 
 
-# --- README.md ---------------------------------------------------------------------------------------------------------
+# --- docs/explanation/accuracy.md -------------------------------------------------------------------------------------
 
-@table("README.md", "| w, f_T | `mdr` | `bem` along | `bem` across the load |", cheap=True)
+@table("docs/explanation/accuracy.md", "| w, f_T | `mdr` | `bem` along | `bem` across the load |", cheap=True)
 def settled_shifts(program):
     rows = []
     for w, f in ((.24, .24), (.24, .56), (.51, .09), (.51, .24)):

@@ -1,4 +1,4 @@
-"""docs/performance.md: counts, and ratios of CPU times within one run of a benchmark."""
+"""docs/reference/performance.md: counts, and ratios of CPU times within one run of a benchmark."""
 
 from .common import table
 
@@ -9,7 +9,7 @@ def times(one):
     return one["cpu_time"] * {"ns": 1e-9, "us": 1e-6, "ms": 1e-3, "s": 1}[one["time_unit"]]
 
 
-@table("docs/performance.md", "| | Value | Benchmark |")
+@table("docs/reference/performance.md", "| | Value | Benchmark |")
 def performance(program):
     rows = []
 

@@ -1,4 +1,4 @@
-"""docs/rolling.md, docs/contact-program.md."""
+"""docs/explanation/rolling.md, docs/how-to/contact-program.md."""
 
 import subprocess
 import sys
@@ -6,7 +6,7 @@ import sys
 from .common import CASES, ROOT, table
 
 
-@table("docs/rolling.md", "| cells in a | `bem` | CONTACT |", cheap=True)
+@table("docs/explanation/rolling.md", "| cells in a | `bem` | CONTACT |", cheap=True)
 def rolling_spin(program):
     # What CONTACT prints for these grids.
     published = {10: "4.628", 40: "4.654"}
@@ -18,7 +18,7 @@ def rolling_spin(program):
     return rows
 
 
-@table("docs/rolling.md", "| v | v tau/a | W/F_N of `bem` | Hunter |", cheap=True)
+@table("docs/explanation/rolling.md", "| v | v tau/a | W/F_N of `bem` | Hunter |", cheap=True)
 def rolling_resistance(program):
     half_width = program.check(CASES / "rolling_relaxing.toml")["a"]  # [mm]
     rows = []
@@ -32,7 +32,7 @@ def rolling_resistance(program):
     return rows
 
 
-@table("docs/rolling.md", "| nu | f_T = 0.1 | 0.3 | 0.56 | 0.8 | thesis (2.2.31) |")
+@table("docs/explanation/rolling.md", "| nu | f_T = 0.1 | 0.3 | 0.56 | 0.8 | thesis (2.2.31) |")
 def creep_ratio(program):
     text = subprocess.run([ROOT / "scripts/creep_ratio.sh", program.path], check=True, capture_output=True, text=True).stdout
     found = [line.split() for line in text.splitlines()[1:]]
@@ -40,9 +40,9 @@ def creep_ratio(program):
              f"{next(float(one[7]) for one in found if one[0] == nu):.3f}"] for nu in ("0", "0.25", "0.3", "0.5")]
 
 
-# --- docs/contact-program.md -------------------------------------------------------------------------------------------
+# --- docs/how-to/contact-program.md -----------------------------------------------------------------------------------
 
-@table("docs/contact-program.md", "| Example | Quantity | Case | Tricontact | CONTACT | Difference | Reason |")
+@table("docs/how-to/contact-program.md", "| Example | Quantity | Case | Tricontact | CONTACT | Difference | Reason |")
 def contact_examples(program):
     text = subprocess.run([sys.executable, ROOT / "scripts/contact_examples.py", program.path], check=True, capture_output=True,
                           text=True).stdout

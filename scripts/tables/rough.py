@@ -1,9 +1,9 @@
-"""docs/rough.md."""
+"""docs/explanation/rough.md."""
 
 from .common import table
 
 
-@table("docs/rough.md", "| L over shortest wave | cells in it | p = 0.01 E* h' | 0.02 | 0.05 | 0.10 |", cheap=True)
+@table("docs/explanation/rough.md", "| L over shortest wave | cells in it | p = 0.01 E* h' | 0.02 | 0.05 | 0.10 |", cheap=True)
 def challenge_area(program):
     found = program.benchmarks("benchmark_rough", "challenge_area/512")
     rows = []

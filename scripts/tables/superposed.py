@@ -1,4 +1,4 @@
-"""docs/superposed.md, docs/limits.md."""
+"""docs/explanation/superposed.md, docs/how-to/limits.md."""
 
 import math
 
@@ -27,7 +27,7 @@ def oscillating(program, study, amplitude, phase, ratios):
     return rows
 
 
-@table("docs/superposed.md", "| Amplitude over F_N | Phase | f_T,lim (`bem`) | u at f_T = .30: `mdr` | `bem` "
+@table("docs/explanation/superposed.md", "| Amplitude over F_N | Phase | f_T,lim (`bem`) | u at f_T = .30: `mdr` | `bem` "
        "| u at f_T = .56: `mdr` | `bem` |")
 def oscillating_normal(program):
     rows = oscillating(program, "oscillating_normal_force.toml", "load.normal_amplitude_ratio", "load.normal_phase",
@@ -35,13 +35,13 @@ def oscillating_normal(program):
     return [[*row[:2], short(float(limit)), *row[2:]] for row, limit in rows]
 
 
-@table("docs/superposed.md", "| Amplitude r | Phase | u at f_T = .30: `mdr` | `bem` | u at f_T = .50: `mdr` | `bem` |")
+@table("docs/explanation/superposed.md", "| Amplitude r | Phase | u at f_T = .30: `mdr` | `bem` | u at f_T = .50: `mdr` | `bem` |")
 def oscillating_tangential(program):
     return [row for row, _ in oscillating(program, "oscillating_tangential_force.toml",
                                           "load.tangential_amplitude_ratio", "load.tangential_phase", (.3, .5))]
 
 
-@table("docs/limits.md", "| Model | w | last shakedown | first ratcheting | by pressures | closed form |")
+@table("docs/how-to/limits.md", "| Model | w | last shakedown | first ratcheting | by pressures | closed form |")
 def limits(program):
     rows = []
     for model, w, angle in (("mdr", .24, 0), ("mdr", .51, 0), ("bem", .51, 0), ("bem", .24, 90)):
@@ -55,7 +55,7 @@ def limits(program):
     return rows
 
 
-@table("docs/superposed.md", "| Angle | w = .24 | w = .51 |", cheap=True)
+@table("docs/explanation/superposed.md", "| Angle | w = .24 | w = .51 |", cheap=True)
 def rolling_angle(program):
     found = program.sweep("rolling_angle.toml")
     return [[f"{angle} deg",

@@ -1,4 +1,4 @@
-"""docs/walking.md, docs/walking-studies.md."""
+"""docs/explanation/walking.md, docs/explanation/walking-studies.md."""
 
 import html
 import re
@@ -15,7 +15,7 @@ def interval(value, error):
     return f"{value:.{digits}f} ± {error:.{digits}f}"
 
 
-@table("docs/walking.md", "| kappa8, mu | all | no vertical motion | no rotation | friction does not follow the load |")
+@table("docs/explanation/walking.md", "| kappa8, mu | all | no vertical motion | no rotation | friction does not follow the load |")
 def walking_mechanisms(program):
     found = program.sweep("walking_mechanisms.toml")
     rows = []
@@ -30,7 +30,7 @@ def walking_mechanisms(program):
     return rows
 
 
-@table("docs/walking.md", "| f | shakedown | ratcheting | walking | falls over |")
+@table("docs/explanation/walking.md", "| f | shakedown | ratcheting | walking | falls over |")
 def walking_rocking(program):
     found = program.sweep("walking_rocking.toml")
     amplitudes = sorted({float(one["excitation.moment"]) for one in found})
@@ -46,14 +46,14 @@ def walking_rocking(program):
     return rows
 
 
-# --- docs/walking-studies.md -------------------------------------------------------------------------------------------
+# --- docs/explanation/walking-studies.md ------------------------------------------------------------------------------
 
 REGIONS = {"critical": ("critical: tilts", "46.7"), "no effect": ("no effect: mu_e > 0.99", "26.5"),
            "reduction": ("reduction: mu_e < 0.95", "25.6"), "strong reduction": ("mu_e < 0.5", "10.0"),
            "constant z": ("z constant to 1 % of z_stat", "13.6"), "jumps": ("jumps: z_min < 0", "31.2")}  # and the other program's
 
 
-@table("docs/walking-studies.md", "| Region | as judged | second half | other program |")
+@table("docs/explanation/walking-studies.md", "| Region | as judged | second half | other program |")
 def walking_map(program):
     page = program.call("sweep", STUDIES / "walking_map.toml", outputs=["report.html"])
     rows = [[html.unescape(re.sub("<.*?>", "", cell)).strip() for cell in re.findall(r"<t[dh].*?</t[dh]>", row, re.S)]

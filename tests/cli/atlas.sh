@@ -82,7 +82,7 @@ done
     complain "a check of a finished atlas: $(cat again)"
 [ -e elsewhere/atlas.json ] && complain "a check builds an atlas"
 
-# 3. Predictions of the shipped atlases: README's table of the settled shift, and the exact limit.
+# 3. Predictions of the shipped atlases: the table of the settled shift (docs/explanation/accuracy.md), and the exact limit.
 "$program" predict "$rig" --set load.tangential_ratio=0.24 --set rolling.amplitude_ratio=0.51 --json >p.json ||
     complain "predict"
 "$program" predict "$rig" --set load.tangential_ratio=0.24 --set rolling.amplitude_ratio=0.51 \

@@ -3,7 +3,7 @@
 usage: command_features.py PROGRAM TABLE [--write] [GROUP|COMMAND|FEATURE]...
 
 A feature stands as two cases that differ in it alone. A command that gives the same answer to both has ignored it: that
-is right only where `unaffected` says why. TABLE (docs/command-features.md) holds what is expected of each cell, a table
+is right only where `unaffected` says why. TABLE (docs/reference/command-features.md) holds what is expected of each cell, a table
 per group of columns; --write writes all of them. A key of the case file without a feature, a command without a column,
 or a reason in `unaffected` that no cell needs, is a failure.
 """

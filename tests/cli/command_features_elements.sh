@@ -4,5 +4,5 @@
 source "$(dirname -- "${BASH_SOURCE[0]}")/prepare.bash"
 [ $# -gt 2 ] || set -- "$@" elements
 PYTHONDONTWRITEBYTECODE=1 "$python" "$source_dir/tests/cli/command_features.py" "$program" \
-    "$source_dir/docs/command-features.md" "${@:3}" || complain "commands and features"
+    "$source_dir/docs/reference/command-features.md" "${@:3}" || complain "commands and features"
 finish

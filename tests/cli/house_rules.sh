@@ -129,7 +129,7 @@ n=0
 while IFS=: read -r document target; do
     n=$((n + 1))
     [ -e "${document%/*}/$target" ] || complain "$document: no $target"
-done < <(grep -oHE '\]\([^)]+\)' ./*.md docs/*.md docs/*/*.md benchmarks/*.md | sed 's/:](/:/; s/)$//; s/#.*//' |
+done < <(grep -roHE '\]\([^)]+\)' --include='*.md' ./*.md docs benchmarks | sed 's/:](/:/; s/)$//; s/#.*//' |
     grep -vE ':(https?:.*)?$')
 [ "$n" -ge 10 ] || complain "only $n links found"
 

@@ -99,7 +99,7 @@ friction=$(number "['models']['bem-layer']['friction_coefficient']['value']")
 holds "4.20e6 < $young && $young < 4.24e6" "E of bem-layer: $young"
 holds "0.567 < $friction && $friction < 0.573" "mu of bem-layer: $friction"
 
-# 7. Radii: the rig's exact one at 5.2 MPa (docs/models/mdr-layer.md), to its five digits; Hertz finds
+# 7. Radii: the rig's exact one at 5.2 MPa (docs/explanation/models/mdr-layer.md), to its five digits; Hertz finds
 #    (4.5028/4.3638)^3 of it.
 cat >radius.toml <<'END'
 [indenter]

@@ -138,7 +138,7 @@ echo "no database at all, but long enough to be taken for one" >results/results.
 refused "is no file of results" merge ../whole ../results
 refused "results.sqlite: is there already, and tricontact did not write it" sweep ../a.toml --output ../results
 
-# 7. The example of docs/sweeps.md is refused by nothing but its size.
+# 7. The example of docs/how-to/sweeps.md is refused by nothing but its size.
 "$program" sweep "$source_dir/examples/studies/rig_layer.toml" --output example --shard 1/100000 --quiet ||
     complain "the example"
 

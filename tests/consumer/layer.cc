@@ -41,6 +41,6 @@ int main() {
         {contact::NormalControl::Kind::indentation, *c.load.indentation});
     const double error = force / exact.normal_force - 1;
     std::printf("force %+.2e off the exact layer\n", error);
-    // Elements of 1 mm, a fifth of the contact radius: see docs/verification.md.
+    // Elements of 1 mm, a fifth of the contact radius: see docs/reference/verification.md.
     return std::abs(error) < 1e-2 ? 0 : 1;
 }

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Each block of docs/rig-how-to.md works, and what is said of their numbers is so.
+# Each block of docs/how-to/own-rig.md works, and what is said of their numbers is so.
 # usage: rig_how_to.sh PROGRAM SOURCE_DIR
 source "$(dirname -- "${BASH_SOURCE[0]}")/../cli/prepare.bash"
 source "$source_dir/tests/documents/document_blocks.bash"
@@ -7,7 +7,7 @@ source "$source_dir/tests/documents/document_blocks.bash"
 mkdir -p examples
 ln -s "$source_dir/examples/measurements" examples/measurements
 ln -s "$source_dir/scripts" scripts
-run_blocks rig-how-to.md
+run_blocks how-to/own-rig.md
 [ "$blocks" -ge 7 ] || complain "only $blocks blocks"
 
 # said BLOCK TEXT: the block printed it.

@@ -1,11 +1,11 @@
 #!/usr/bin/env bash
-# Each block of docs/tutorial.md works: files are written, commands end with the code they should, and
+# Each block of docs/tutorials/tutorial.md works: files are written, commands end with the code they should, and
 # what is said of their numbers is so.
 # usage: tutorial.sh PROGRAM SOURCE_DIR
 source "$(dirname -- "${BASH_SOURCE[0]}")/../cli/prepare.bash"
 source "$source_dir/tests/documents/document_blocks.bash"
 
-run_blocks tutorial.md
+run_blocks tutorials/tutorial.md
 [ "$blocks" -ge 9 ] || complain "only $blocks blocks"
 
 grep -q 'a        =      2.65665 mm' 2.out || complain "the contact radius is another: $(grep 'a  *=' 2.out)"

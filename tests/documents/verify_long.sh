@@ -3,7 +3,7 @@
 # and orders aside, which differ with the processor.
 # usage: verify_long.sh PROGRAM SOURCE_DIR
 source "$(dirname -- "${BASH_SOURCE[0]}")/../cli/prepare.bash"
-document=$source_dir/docs/verification.md
+document=$source_dir/docs/reference/verification.md
 
 "$program" verify --quiet >long 2>err || complain "a row fails: $(grep FAIL long)"
 [ -s err ] && complain "--quiet is not silent: $(cat err)"
@@ -14,6 +14,6 @@ without_errors() { awk -F'|' -v OFS='|' '/^\|/ { $7 = $9 = "" } { print }' "$1";
     document=known
 }
 diff <(without_errors long) <(without_errors "$document") ||
-    complain "docs/verification.md is not the output of tricontact verify"
+    complain "docs/reference/verification.md is not the output of tricontact verify"
 
 finish

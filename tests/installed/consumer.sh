@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # A project outside finds the installed copy by find_package; what it computes there agrees with
-# closed forms. The code in docs/cpp.md is that project's.
+# closed forms. The code in docs/how-to/cpp.md is that project's.
 # usage: consumer.sh COPY SOURCE_DIR COMPILER
 set -euo pipefail
 copy=$(realpath "$1")
@@ -21,9 +21,9 @@ cmake --build "$work/build"
 
 # Each block of code in the document, line by line, stands in the project.
 awk '/^```(cmake|cpp)$/ { in_code = 1; next } /^```$/ { in_code = 0 } in_code' \
-    "$source_dir/docs/cpp.md" | while read -r line; do
+    "$source_dir/docs/how-to/cpp.md" | while read -r line; do
     grep -rqF -- "$line" "$work/project" || {
-        printf 'FAILED: docs/cpp.md: not in tests/consumer: %s\n' "$line"
+        printf 'FAILED: docs/how-to/cpp.md: not in tests/consumer: %s\n' "$line"
         exit 1
     }
 done

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # What the chosen thresholds of the judge of walks decide: verdicts (regime, transient over or not) of 400 random machines
 # that change where a threshold is half a decade smaller or larger.
-# usage: tests/random/threshold_scan.sh, after the build; takes a quarter of an hour. Table in docs/walking.md.
+# usage: tests/random/threshold_scan.sh, after the build; takes a quarter of an hour. Table in docs/explanation/walking.md.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 build=build/release

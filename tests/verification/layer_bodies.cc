@@ -73,8 +73,9 @@ TEST_P(LayerBodies, AreShiftedAlikeByBothModels) {
     EXPECT_NEAR(by_mdr(c).static_shift / by_bem(c).static_shift, 1, 5e-3);
 }
 
-// Where the pressure falls with r the bed is exact ("Limits of shakedown" in docs/bodies.md), also
-// on a layer; where it dips in the middle the bed's limit is the higher one.
+// Where the pressure falls with r the bed is exact ("Limits of shakedown" in
+// docs/reference/bodies.md), also on a layer; where it dips in the middle the bed's limit is the
+// higher one.
 TEST_P(LayerBodies, HaveTheLimitOfTheirLeastPressures) {
     Case c = layer_case(GetParam());
     c.rolling = Case::Rolling{};

@@ -15,8 +15,8 @@ struct Creepage {
 // creepage at which all begins to slide. What theories differ in is the coefficient C, Kalker's C11
 // by name. Vermeulen and Johnson (1964), J. Appl. Mech. 31, took an elliptic stick zone that
 // touches the leading edge; Shen, Hedrick and Elkins (1983) its law with Kalker's C11. Where it is
-// wrong: the stick zone is no ellipse, see docs/rolling.md for the error of each. Signs as in
-// creep_law.h.
+// wrong: the stick zone is no ellipse, see docs/explanation/rolling.md for the error of each. Signs
+// as in creep_law.h.
 
 /// f = F_T/(mu F_N) at x = xi/xi_s >= 0: 1 - (1 - x)^3, 1 beyond x = 1.
 /// Throws std::domain_error for a negative argument.

@@ -254,7 +254,7 @@ const std::vector<WalkKey>& walk_keys() {
 }
 
 const io::KeyList& walk_key_list() {
-    static const io::KeyList list(walk_keys(), "docs/walking.md");
+    static const io::KeyList list(walk_keys(), "docs/reference/walking.md");
     return list;
 }
 

@@ -1,5 +1,5 @@
 // One rule for the point that an indenter twists about: for bodies, height maps, paths and files of
-// the program CONTACT (docs/path.md). Symmetry, closed forms, and CONTACT's own numbers.
+// the program CONTACT (docs/how-to/path.md). Symmetry, closed forms, and CONTACT's own numbers.
 
 #include "contact/centre_of_rotation.h"
 

@@ -156,7 +156,7 @@ TEST_F(InfluenceFile, RefusesWhatIsNoneOrNotWhole) {
               "7: positions_x = 0 is not between 1 and 8193; correct it");
     EXPECT_EQ(with("positions_y", "rows"),
               "8: \"rows\" where \"positions_y\" is due; keep the order of "
-              "docs/influence-format.md");
+              "docs/reference/influence-format.md");
     EXPECT_EQ(with("xz yx", "yx xz"),
               "9: other components, or in another order; give components xx xy xz yx yy yz zx zy "
               "zz");

@@ -102,7 +102,8 @@ TEST(OscillatingCylinder, SteadySlopeIsCartersCreepage) {
     EXPECT_EQ(line_steady_slope(0, lambda), 0);
 }
 
-// Entries of docs/cylinder.md, by elements on the rig: L/a = 38.6, so that (a/L)^2 = 7e-4 remains.
+// Entries of docs/explanation/cylinder.md, by elements on the rig: L/a = 38.6, so that (a/L)^2 =
+// 7e-4 remains.
 TEST(OscillatingCylinder, TableOfSettledShifts) {
     struct Entry {
         double w, f, shift, error;

@@ -78,13 +78,13 @@ TEST(TheoryStickingContact, MoreTractionsAreStiffer) {
             most = std::max(most, in_plane / radial - 1);
             if (nu == .5) of_coupling = std::max(of_coupling, all / in_plane - 1);
         }
-    // docs/models/mdr-layer.md
+    // docs/explanation/models/mdr-layer.md
     EXPECT_NEAR(most, .0037, 1e-4);
     EXPECT_NEAR(of_coupling, .0310, 1e-4);
 }
 
-// The table of docs/models/mdr-layer.md: the stiffness, what tractions along x that depend on r
-// alone lack of it without coupling, and what coupling adds.
+// The table of docs/explanation/models/mdr-layer.md: the stiffness, what tractions along x that
+// depend on r alone lack of it without coupling, and what coupling adds.
 TEST(TheoryStickingContact, PrintsTheTable) {
     for (const double a_over_b : {.55, 1., 2., 5., 10.}) {
         fmt::print("| {} |", a_over_b);

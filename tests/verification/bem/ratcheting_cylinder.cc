@@ -16,7 +16,8 @@ namespace {
 
 using contact::Case;
 
-/// The rig of the thesis' section 5.1.3 as docs/cylinder.md has it: w over the model's half width.
+/// The rig of the thesis' section 5.1.3 as docs/explanation/cylinder.md has it: w over the model's
+/// half width.
 Case rig(double w, double f, int cells, int steps_per_quarter) {
     Case c;
     c.indenter.shape = Case::Shape::cylinder;
@@ -73,7 +74,7 @@ TEST(BemRatchetingCylinder, FarBeyondTheLimitRollsAsCarters) {
 
 // Du is made in and near the contact: in metres the datum of the displacements does not matter, the
 // layer's rigid ground as little as the half-space's length. An entry of the table in
-// docs/cylinder.md, with its numerical error.
+// docs/explanation/cylinder.md, with its numerical error.
 TEST(BemRatchetingCylinder, ThickLayerRatchetsAsTheHalfSpace) {
     constexpr double entry = .2087, error = .0029;  // w = 0.52, f_T = 0.7
     Case c = rig(.52, .7, 24, 12);

@@ -1,6 +1,6 @@
 // The rig on a neo-Hookean layer: what finite strains change. References are those of a prototype,
 // a program of its own (other elements' code, other contact solver), extrapolated from three
-// meshes; an axisymmetric computation by GetFEM agrees (docs/peers.md).
+// meshes; an axisymmetric computation by GetFEM agrees (docs/explanation/peers.md).
 
 #include <gtest/gtest.h>
 

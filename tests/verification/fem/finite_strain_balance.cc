@@ -75,7 +75,8 @@ TEST(FiniteStrainBalance, EveryStepIsBalanced) {
 }
 
 // Sizes in pairs of the ratio 2, one with an odd number of elements across the patch. The limit is
-// another program's: GetFEM's axisymmetric layer finds this depth under 21.1 N (docs/peers.md).
+// another program's: GetFEM's axisymmetric layer finds this depth under 21.1 N
+// (docs/explanation/peers.md).
 TEST(FiniteStrainBalance, ForceConvergesWithTheElements) {
     const auto error = [](double size) {
         Case c = strained_case(size);

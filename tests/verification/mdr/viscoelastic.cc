@@ -69,7 +69,7 @@ double relaxation(double t) {
 }
 
 /// Errors over three step sizes: second order, the finest within `allowed`. Prints a row of
-/// docs/models/mdr.md.
+/// docs/explanation/models/mdr.md.
 void expect_second_order(const char* test, const std::function<double(int)>& error,
                          std::array<int, 3> steps, double allowed) {
     std::array<double, 3> found{};

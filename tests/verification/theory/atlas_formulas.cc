@@ -1,4 +1,4 @@
-// The table of docs/atlas-formulas.md: closed forms against the shipped atlases.
+// The table of docs/explanation/atlas-formulas.md: closed forms against the shipped atlases.
 #include <gtest/gtest.h>
 
 #include <cmath>

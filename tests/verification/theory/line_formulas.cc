@@ -1,4 +1,4 @@
-// The lines of cylinders in the table of docs/atlas-formulas.md.
+// The lines of cylinders in the table of docs/explanation/atlas-formulas.md.
 #include <gtest/gtest.h>
 
 #include <functional>

@@ -70,8 +70,8 @@ TEST(Lyapunov, AgreesWithNeighboursInTheReferenceIntegrator) {
     EXPECT_GT(a.mean, 0.1);
 }
 
-// What docs/walking.md says of the transient: sixty starts, those of them that are still chaotic
-// half as long after the 300 units of time that count. Their scatter leaves 0.003.
+// What docs/explanation/walking.md says of the transient: sixty starts, those of them that are
+// still chaotic half as long after the 300 units of time that count. Their scatter leaves 0.003.
 TEST(Lyapunov, IsOneSeventhInTheChaoticTransientOfSetB) {
     const Machine machine{.kappas = set_b()};
     std::vector<double> chaotic;

@@ -67,7 +67,8 @@ TEST(MeasuredEffects, OfTheHalfSpaceAreBothTheoriesApart) {
     const double hertz = value_of(report, "indentation"),
                  layer = value_of(report, "layer_indentation");
     EXPECT_NEAR(depth->relative.value, hertz / layer - 1, 1e-12);
-    EXPECT_GT(depth->relative.value, .3);  // docs/rig.md: the layer is far from a half-space
+    // docs/explanation/rig.md: the layer is far from a half-space.
+    EXPECT_GT(depth->relative.value, .3);
     const auto radius = effect_of(report, "half_space", Measured::contact_radius);
     ASSERT_TRUE(radius);
     EXPECT_LT(std::abs(radius->relative.value), depth->relative.value);

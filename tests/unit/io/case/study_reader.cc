@@ -214,7 +214,7 @@ TEST(StudyOfWalkingMachines, HasTheKeysOfItsCase) {
     EXPECT_FALSE(parse(head + "[vary]\nload.tangential_ratio = [0.1]\n").walks);
     EXPECT_EQ(message_of(walking + "[vary]\nload.tangential_ratio = [0.1]\n"),
               "study.toml:3:6: unknown key vary.load.tangential_ratio: the case has no key "
-              "load.tangential_ratio; docs/walking.md lists the keys");
+              "load.tangential_ratio; docs/reference/walking.md lists the keys");
     EXPECT_EQ(message_of("levels = 2\n" + walking + "[vary]\nmachine.kappa8 = [0]\n"),
               "study.toml:1:1: a walking case has no levels; omit the key");
 }

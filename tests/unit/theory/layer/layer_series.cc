@@ -37,7 +37,7 @@ double error_percent(const LayerForceSeries& series, double chi) {
     return 100 * (series.force_ratio(chi) / exact - 1);
 }
 
-// Prints the table of docs/models/mdr-layer.md.
+// Prints the table of docs/explanation/models/mdr-layer.md.
 TEST(TheoryLayerSeries, ErrorsAgainstTheExactSolution) {
     struct Row {
         double chi, dimitriadis, garcia, digit;

@@ -29,8 +29,8 @@ TEST_P(CaseReference, DocumentNamesEveryKeyAsDeclared) {
 }
 
 TEST(ResultReference, DocumentsNameEveryQuantityAsDeclared) {
-    expect_held("docs/quantities.md", comparisons::glossary());
-    expect_held("docs/quantities.md", comparisons::summary_keys());
+    expect_held("docs/reference/quantities.md", comparisons::glossary());
+    expect_held("docs/reference/quantities.md", comparisons::summary_keys());
 }
 
 INSTANTIATE_TEST_SUITE_P(Documents, CaseReference,
