@@ -11,15 +11,16 @@ const FemEntries& fem_entries() {
 }
 
 Command mesh_command() {
-    return Declared<CommandOptions>("mesh", "Write the finite element mesh of a case; its quality",
+    return Declared<CommandOptions>(Group::exchange, "mesh",
+                                    "Write the finite element mesh of a case; its quality",
                                     [](const auto& o) { fem_entries().write_mesh(o); })
         .on_case()
         .output("Folder for the mesh (results/<case>)");
 }
 
-Command condense_command() {
+Command cache_condense_command() {
     return Declared<CondenseOptions>(
-               "condense",
+               Group::tools, "cache condense",
                "Condense the finite element layer of a case for later runs (also by mpirun)",
                [](const auto& o) { fem_entries().condense(o); })
         .on_case()
@@ -28,7 +29,8 @@ Command condense_command() {
 }
 
 Command cache_command() {
-    return Declared<CacheOptions>("cache", "List the condensed layers that are kept",
+    return Declared<CacheOptions>(Group::tools, "cache",
+                                  "List or remove the condensed layers that are kept",
                                   [](const auto& o) { fem_entries().list_or_clear_cache(o); })
         .option("--folder", &CacheOptions::folder, "Folder, as fem.cache (that of the user)", "DIR")
         .flag("--clear", &CacheOptions::clear, "Remove them");

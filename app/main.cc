@@ -1,16 +1,24 @@
 // The command line program. Exit codes: 0 done, 1 did not converge (or failed), 2 bad input, 3 what
 // was kept is not reproduced.
 
+#include <fmt/format.h>
 #include <unistd.h>
 
+#include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cerrno>
 #include <chrono>
 #include <csignal>
 #include <cstdio>
 #include <exception>
+#include <iostream>
 #include <new>
+#include <optional>
+#include <string>
+#include <string_view>
 #include <system_error>
 #include <thread>
+#include <vector>
 
 #include "app/commands/command.h"
 #include "app/plain_output.h"
@@ -38,21 +46,54 @@ int fail(int code, const std::string& message) {
     return code;
 }
 
-/// Those of the program; the one that runs as several processes lets the first print errors.
-std::vector<Command> own_commands() {
-    std::vector<Command> commands = app::all_commands();
+/// The command that the first words name, and its arguments.
+struct Call {
+    Command command;
+    std::vector<std::string> arguments;
+};
+
+/// Nothing where the first argument is no command of the program.
+std::optional<Call> call_of(const std::vector<Command>& commands, int argc,
+                            const char* const* argv) {
+    std::vector<std::string> words(argv + 1, argv + argc);
+    if (words.empty()) return {};
+    const auto called = [&](std::string_view name) {
+        return std::ranges::find(commands, name, &Command::name);
+    };
+    const std::string_view now = app::name_now(words[0]);
+    auto found = called(now);
+    const bool is_part = words.size() > 1 && called(words[0] + ' ' + words[1]) != commands.end();
+    if (is_part) found = called(words[0] + ' ' + words[1]);
+    if (found == commands.end()) return {};
 #ifdef TRICONTACT_WITH_FEM
-    for (const Command& command : commands)
-        if (command.parser->get_name() == "condense")
-            command.parser->preparse_callback([](std::size_t) {
-                errors_are_printed_elsewhere = app::fem_entries().is_further_process();
-            });
+    if (found->name == "cache condense")  // runs as several processes, of which the first speaks
+        errors_are_printed_elsewhere = app::fem_entries().is_further_process();
 #endif
-    return commands;
+    if (now != words[0] && !errors_are_printed_elsewhere)
+        std::cerr << fmt::format(
+            "tricontact {} is now tricontact {}; the former name is gone in the next version\n",
+            words[0], now);
+    words.erase(words.begin(), words.begin() + (is_part ? 2 : 1));
+    return Call{*found, std::move(words)};
 }
 
-/// What is wrong with the first argument where it is no command of the program; empty if it is one,
-/// or an option.
+int run_call(Call call, const std::string& program) {
+    CLI::App& parser = *call.command.parser;
+    std::ranges::reverse(call.arguments);  // as CLI11 wants them
+    try {
+        parser.parse(call.arguments);
+    } catch (const CLI::CallForHelp&) {
+        std::cout << parser.help(program);
+        return 0;
+    } catch (const CLI::ParseError& e) {
+        return fail(exit_bad_input,
+                    fmt::format("{}; see tricontact {} --help", e.what(), call.command.name));
+    }
+    return call.command.run();
+}
+
+/// What is wrong with the first argument, which is no command of the program; empty if it is an
+/// option.
 std::string what_is_wrong(const CLI::App& app, const std::vector<Command>& commands, int argc,
                           const char* const* argv) {
     if (argc < 2) return "no command is given; tricontact --help lists them";
@@ -65,8 +106,7 @@ std::string what_is_wrong(const CLI::App& app, const std::vector<Command>& comma
             "command's options stand behind it",
             shown);
     std::vector<std::string_view> known;
-    for (const Command& one : commands) known.push_back(one.parser->get_name());
-    if (std::ranges::find(known, word) != known.end()) return {};
+    for (const Command& one : commands) known.push_back(one.name);
     if (word.ends_with(".toml"))
         return fmt::format("{} is no command; write one before the file, as in tricontact check {}",
                            shown, shown);
@@ -92,11 +132,15 @@ int flushed(int code) {
 }
 
 int run_program(int argc, char** argv) {
+    const std::vector<Command> commands = app::all_commands();
+    if (auto call = call_of(commands, argc, argv)) return run_call(*std::move(call), argv[0]);
     CLI::App app{app::program_text};
     app.set_version_flag("--version", std::string("tricontact ") + files::version);
+    for (const Command& command : commands)
+        if (!command.is_part())
+            app.add_subcommand(command.parser)->group(app::title_of(command.group));
     app.require_subcommand(1);
-    const std::vector<Command> commands = own_commands();
-    for (const Command& command : commands) app.add_subcommand(command.parser);
+    app.footer("tricontact COMMAND --help tells the options of a command");
     if (const auto wrong = what_is_wrong(app, commands, argc, argv); !wrong.empty())
         return fail(exit_bad_input, wrong);
     try {
@@ -106,8 +150,6 @@ int run_program(int argc, char** argv) {
     } catch (const CLI::ParseError& e) {
         return fail(exit_bad_input, std::string(e.what()) + "; see tricontact --help");
     }
-    for (const Command& command : commands)
-        if (*command.parser) return command.run();
     return 0;
 }
 

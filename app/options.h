@@ -46,6 +46,7 @@ struct CommandOptions {
     int threads = 1;                  ///< or processes side by side
     bool quiet = false;
     bool report = true;                                  ///< write report.html
+    std::vector<std::string> given = {};                 ///< names of the options of this call
     std::shared_ptr<const Listener> listener = nullptr;  ///< null: the terminal
     PaperWishes papers = {};
 

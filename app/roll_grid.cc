@@ -143,7 +143,7 @@ void refuse_rolling_on(const Case& c, const std::string& case_file) {
     if (c.tractive_rolling)
         throw contact::InputError(case_file +
                                   ": [tractive_rolling]: the indenter rolls on and does not come "
-                                  "back; tricontact roll computes such a case");
+                                  "back; tricontact run computes such a case");
 }
 
 void require_rolling_on(const Case& c, const std::string& case_file) {

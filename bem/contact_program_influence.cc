@@ -61,13 +61,14 @@ class ProgramNumbers {
     void expect(std::string_view what, int value) {
         const int found = whole(what, 0, 1000);
         if (found != value)
-            refuse(fmt::format("{} = {}: only {} is read, as tricontact export writes it", what,
-                               found, value));
+            refuse(fmt::format("{} = {}: only {} is read, as tricontact contact export writes it",
+                               what, found, value));
     }
 
     [[noreturn]] void refuse(const std::string& rule) const {
-        throw contact::InputError(fmt::format(
-            "{}:{}: {}; write the file by tricontact export, or correct it", path_, number_, rule));
+        throw contact::InputError(
+            fmt::format("{}:{}: {}; write the file by tricontact contact export, or correct it",
+                        path_, number_, rule));
     }
 
   private:

@@ -18,13 +18,13 @@ for size in $sizes; do
         rm -rf "$folder/cache"
         cp -r "$folder/probe" "$folder/cache"
         printf '\nh = %s mm, %s ranks\n' "$size" "$n"
-        mpirun -n "$n" "$program" condense "$case" --set fem.size="$size mm" \
+        mpirun -n "$n" "$program" cache condense "$case" --set fem.size="$size mm" \
             --set fem.cache="$folder/cache" 2>&1 | sed -n 's/^fem: \(.*\), kept in .*/\1/p; s/^fem: \(.*processors.*\)/\1/p'
     done
     rm -rf "$folder/cache"
     cp -r "$folder/probe" "$folder/cache"
     printf '\nh = %s mm, without MPI (CHOLMOD)\n' "$size"
     TIMEFORMAT='%U s of processors'
-    time "$program" condense "$case" --set fem.size="$size mm" --set fem.cache="$folder/cache" \
+    time "$program" cache condense "$case" --set fem.size="$size mm" --set fem.cache="$folder/cache" \
         2>&1 | sed -n 's/^fem: \(.*\), kept in .*/\1/p'
 done

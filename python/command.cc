@@ -2,6 +2,7 @@
 
 #include <pybind11/stl.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <sstream>
 
@@ -22,7 +23,7 @@ namespace {
 
 Command command_called(const std::string& name) {
     for (Command& command : app::all_commands())
-        if (command.parser->get_name() == name) return std::move(command);
+        if (command.name == name) return std::move(command);
     throw py::key_error(name);
 }
 
@@ -32,7 +33,7 @@ void parse(const Command& command, std::vector<std::string> arguments) {
     try {
         command.parser->parse(arguments);
     } catch (const CLI::Error& error) {
-        throw contact::InputError(command.parser->get_name() + ": " + error.what());
+        throw contact::InputError(command.name + ": " + error.what());
     }
 }
 

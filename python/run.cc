@@ -52,7 +52,10 @@ void tell(const py::object& on_step, const std::string& model, int step, int ste
 Result run(const Case& given, const std::optional<std::vector<std::string>>& models,
            std::optional<int> threads, bool studies, bool all_surfaces, const py::object& on_step) {
     const Case c = with_models(given, models);
-    app::refuse_rolling_on(c, "case");
+    if (c.tractive_rolling)
+        throw contact::InputError(
+            "case: [tractive_rolling]: the indenter rolls on and does not come back; "
+            "tricontact.roll computes such a case");
     app::RunOptions options;
     options.threads = thread_count(threads);
     options.quiet = true;

@@ -8,7 +8,7 @@
 
 namespace tricontact::rolling {
 
-/// The report of `tricontact roll`.
+/// The report of a case that rolls on.
 report::Document rolling_document(const RollingReport& report);
 
 /// "models", "theories" and "creep_ratio" of summary.json (docs/how-to/rolling.md); SI units.

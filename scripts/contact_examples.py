@@ -149,14 +149,14 @@ def compare_rolled(rows, case, folder):
 
 def computed(program, case_file, folder):
     rolls = "[tractive_rolling]" in case_file.read_text(encoding="utf-8")
-    command = ["roll", case_file, "--points", 0] if rolls else ["run", case_file]
+    command = ["run", case_file, "--points", 0] if rolls else ["run", case_file]
     run(program, *command, "--no-report", "--quiet", "--output", folder)
     return json.loads((folder / "summary.json").read_text(encoding="utf-8"))
 
 
 def compare(program, folder, example, work):
     cases = work / example
-    done = subprocess.run([program, "import", folder / f"{example}.inp", "--output", cases], capture_output=True,
+    done = subprocess.run([program, "contact", "import", folder / f"{example}.inp", "--output", cases], capture_output=True,
                           text=True, check=False)
     if done.returncode != 0:
         reason = done.stderr.strip().removeprefix("error: ")

@@ -13,7 +13,7 @@ cd "$work"
 
 # ratio NU F CELLS: xi of MDR's closed form over that of BEM.
 ratio() {
-    "$program" roll "$case_file" --models bem --points 0 --quiet --no-report --output run \
+    "$program" run "$case_file" --models bem --points 0 --quiet --no-report --output run \
         --set substrate.poisson="$1" --set load.tangential_ratio="$2" \
         --set bem.cells_per_radius="$3" --set tractive_rolling.distance=0.01 \
         --set contact.coupling=false --set output.vtk='"none"' |

@@ -11,7 +11,7 @@ name=rig_sphere_layer_all
     --output "$root/results/$name"
 "$root/build/release/app/tricontact" rig "$root/examples/rigs/sphere_parallel.toml" \
     --output "$root/results/rig" >/dev/null
-"$root/build/release/app/tricontact" walk "$root/examples/cases/walking_set_b.toml" \
+"$root/build/release/app/tricontact" run "$root/examples/cases/walking_set_b.toml" \
     --output "$root/results/walking_set_b" --quiet
 printf '\nThe report:   %s\n' "$root/results/$name/report.html"
 printf 'The rig:      %s\n' "$root/results/rig/report.html"

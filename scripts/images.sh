@@ -67,13 +67,13 @@ twist path_twist examples/cases/path_twist.toml
 finite_strain shift examples/cases/rig_layer_finite_strain.toml --set fem.size=1.5mm
 relaxation shift examples/cases/rig_sphere_layer_relaxing.toml --models mdr-layer
 END
-computed rolling_on roll examples/cases/rolling_sphere.toml
+computed rolling_on run examples/cases/rolling_sphere.toml
 figure rolling_on creep
-computed spin roll examples/cases/rolling_spin.toml
+computed spin run examples/cases/rolling_spin.toml
 figure spin zones_bem
 computed deviation deviation examples/cases/rig_layer_parallel.toml --no-runs
 figure deviation deviations
-computed walking walk examples/cases/walking_set_b.toml
+computed walking run examples/cases/walking_set_b.toml
 figure walking motion
 computed identification identify examples/measurements/rig_indentation.toml
 figure identification fit

@@ -65,7 +65,7 @@ class AtlasBuild {
         StudyPoints runs = runs_of(plan_.design(most_points()));
         std::erase_if(runs, [&](const StudyPoint& run) { return !shard.has(run.key); });
         compute(runs, store);
-        options_.say(fmt::format("{} runs in {}; tricontact merge brings the parts together",
+        options_.say(fmt::format("{} runs in {}; tricontact sweep merge brings the parts together",
                                  runs.size(), options_.output));
     }
 
@@ -249,7 +249,8 @@ bool make_atlas(AtlasOptions options) {
 }  // namespace
 
 Command atlas_command() {
-    return Declared<AtlasOptions>("atlas", "Map results over keys of a case, to read them anywhere",
+    return Declared<AtlasOptions>(Group::tools, "atlas",
+                                  "Map results over keys of a case, to read them anywhere",
                                   make_atlas)
         .on_file("study", "Study file (TOML) with [atlas]", "STUDY.toml")
         .jobs()

@@ -114,8 +114,9 @@ void export_to_contact_program(BoundaryElementOptions options) {
 }  // namespace
 
 Command influence_command() {
-    return Declared<BoundaryElementOptions>(
-               "influence", "Write the influence coefficients of a case to a file", write_influence)
+    return Declared<BoundaryElementOptions>(Group::exchange, "influence",
+                                            "Write the influence coefficients of a case to a file",
+                                            write_influence)
         .on_case()
         .required("--output", &CommandOptions::output, "The file", "FILE")
         .word("--model", &BoundaryElementOptions::model, "Model (the one of the case)",
@@ -123,9 +124,21 @@ Command influence_command() {
         .threads();
 }
 
-Command export_command() {
-    return Declared<BoundaryElementOptions>(
-               "export", "Write a case as input of the program CONTACT", export_to_contact_program)
+Command contact_command() {
+    const auto none = [](const CommandOptions&) {
+        throw contact::InputError(
+            "contact: it is not said what to do; give export with a case, or import with a file of "
+            "CONTACT (tricontact contact --help)");
+    };
+    return Declared<CommandOptions>(
+        Group::exchange, "contact",
+        "Cases as input of the program CONTACT, and back: export, import", none);
+}
+
+Command contact_export_command() {
+    return Declared<BoundaryElementOptions>(Group::exchange, "contact export",
+                                            "Write a case as input of the program CONTACT",
+                                            export_to_contact_program)
         .on_case()
         .output("Folder (results/<case>_contact)")
         .word("--model", &BoundaryElementOptions::model, "Model (the one of the case)",

@@ -134,21 +134,22 @@ Command check_command() {
     const auto check = [](const CommandOptions& o) {
         std::cout << std::visit(Resolved{}, walking::read_any_case(o.file, o.overrides));
     };
-    return Declared<CommandOptions>("check", "Validate a case; print it resolved, with scales",
-                                    check)
+    return Declared<CommandOptions>(Group::trust, "check",
+                                    "Validate a case; print it resolved, with scales", check)
         .on_case();
 }
 
 Command list_command() {
-    return Declared<ListOptions>("list", "List the models and the case files of a folder",
+    return Declared<ListOptions>(Group::tools, "list",
+                                 "List the models and the case files of a folder",
                                  list_models_and_cases)
         .option("folder", &ListOptions::folder, "Folder to look into (cases)");
 }
 
 Command keys_command() {
     return Declared<KeysOptions>(
-               "keys", "Print the reference of all keys of an input file, or of all results",
-               print_keys)
+               Group::tools, "keys",
+               "Print the reference of all keys of an input file, or of all results", print_keys)
         .word("kind", &KeysOptions::kind,
               "case, walking for the micro-walking machine, results, or summary",
               {"case", "walking", "results", "summary"});

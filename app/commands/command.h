@@ -2,13 +2,17 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
+#include <algorithm>
 #include <functional>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <thread>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
+#include "app/commands/option_list.h"
 #include "app/options.h"
 #include "app/papers/paper_export.h"
 #include "app/unread_parts.h"
@@ -20,14 +24,18 @@ namespace tricontact::app {
 inline constexpr const char* program_text =
     "Tricontact: models of frictional contact side by side, from one case file.";
 
-/// As CLI::Range, which takes "nan" for a number between all others.
-CLI::Validator in_range(double low, double high);
+/// What a command is for; the help shows them in this order.
+enum class Group { compute, trust, ask, rigs, exchange, tools };
+const char* title_of(Group group);
 
-/// A subcommand of the program, its options in the order in which the help names them.
+/// A command of the program, its options in the order in which the help names them.
 struct Command {
-    CLI::App_p parser;
-    std::function<int()> run;           ///< exit code: 0 done, 1 failed
+    Group group;
+    std::string name;  ///< of a part of another command two words: "sweep merge"
+    std::shared_ptr<CLI::App> parser;
+    std::function<int()> run = {};      ///< exit code: 0 done, 1 failed
     CommandOptions* options = nullptr;  ///< what it has in common with others, if anything
+    bool is_part() const { return name.find(' ') != std::string::npos; }
 };
 
 /// Declares a command with its struct of options (CommandOptions and its own), which `run` gets.
@@ -35,11 +43,12 @@ template <class Options>
 class Declared {
   public:
     template <class Run>
-    Declared(const char* name, const char* text, Run run)
+    Declared(Group group, const char* name, const char* text, Run run)
         : options_(std::make_shared<Options>()),
-          command_{std::make_shared<CLI::App>(text, name), {}} {
+          list_(name, text),
+          command_{group, name, list_.parser()} {
         if constexpr (std::is_base_of_v<CommandOptions, Options>) command_.options = options_.get();
-        command_.run = [options = options_, parser = command_.parser, run] {
+        command_.run = [options = options_, parser = command_.parser, name = command_.name, run] {
             const auto call = [&]() -> int {
                 using Result = decltype(run(*options));
                 int code = 0;
@@ -47,11 +56,13 @@ class Declared {
                 if constexpr (std::is_same_v<Result, int>) code = run(*options);
                 if constexpr (std::is_void_v<Result>) run(*options);
                 if constexpr (std::is_base_of_v<CommandOptions, Options>)
-                    say_unread_parts(*options, parser->get_name());
+                    say_unread_parts(*options, name);
                 return code;
             };
-            if constexpr (std::is_base_of_v<CommandOptions, Options>)
+            if constexpr (std::is_base_of_v<CommandOptions, Options>) {
+                options->given = given_options(*parser);
                 if (!options->papers.folder.empty()) return run_for_papers(*parser, *options, call);
+            }
             return call();
         };
     }
@@ -59,30 +70,25 @@ class Declared {
 
     template <class T, class Base>
     Declared& option(const char* name, T Base::*place, const char* text, const char* type = "") {
-        last_ = command_.parser->add_option(name, (*options_).*place, text);
-        if (*type) last_->type_name(type);
+        list_.add(name, &((*options_).*place), text, type);
         return *this;
     }
     template <class T, class Base>
     Declared& required(const char* name, T Base::*place, const char* text, const char* type) {
         option(name, place, text, type);
-        last_->required();
+        list_.require();
         return *this;
     }
     template <class T, class Base>
     Declared& number(const char* name, T Base::*place, const char* text, double low, double high) {
         option(name, place, text);
-        if constexpr (std::is_same_v<T, int>)
-            last_->check(CLI::Range(static_cast<int>(low), static_cast<int>(high)));
-        else
-            last_->check(in_range(low, high));
+        list_.keep_within(low, high);
         return *this;
     }
     template <class Base>
     Declared& flag(const char* name, bool Base::*place, const char* text, bool value = true) {
-        // A flag declared as "!--no-report" would stand as "--no-report{false}" in the help.
         const auto set = [options = options_, place, value] { (*options).*place = value; };
-        command_.parser->add_flag_callback(name, set, text);
+        list_.add_flag(name, set, text);
         return *this;
     }
     /// One of some words, which stand in the help as the type, not as the parser shows a set.
@@ -94,8 +100,7 @@ class Declared {
 
     /// What was declared last is one of some words, which stand in the help as its type.
     Declared& one_of(const std::vector<std::string>& words) {
-        last_->check(CLI::IsMember(words).description(""))
-            ->type_name(CLI::detail::join(words, "|"));
+        list_.keep_to(words);
         return *this;
     }
 
@@ -108,7 +113,7 @@ class Declared {
         on_file("case", "Case file (TOML)", "CASE.toml");
         option("--set", &CommandOptions::overrides,
                "Override a key of the case: section.key=value (may be repeated)", "KEY=VALUE");
-        last_->take_all()->allow_extra_args(false);
+        list_.take_one_at_a_time();
         return *this;
     }
     Declared& output(const char* text) {
@@ -118,17 +123,13 @@ class Declared {
     /// before.
     Declared& exports(const char* filled_by = "") {
         options_->papers.filled_by = filled_by;
-        const auto set = [options = options_](const std::string& folder) {
-            options->papers.folder = folder;
-        };
-        last_ = command_.parser->add_option_function<std::string>(
-            "--export", set, "Folder for figures, tables, sources and an archive, for papers");
-        last_->type_name("DIR");
+        list_.add("--export", &options_->papers.folder,
+                  "Folder for figures, tables, sources and an archive, for papers", "DIR");
         return *this;
     }
     Declared& models(const char* text) {
         option("--models", &CommandOptions::models, text, "NAME,NAME");
-        last_->delimiter(',');
+        list_.divide_by(',');
         return *this;
     }
     Declared& threads() { return cores("--threads", "Threads for large grids (all cores)"); }
@@ -147,41 +148,44 @@ class Declared {
     }
 
     std::shared_ptr<Options> options_;
+    OptionList list_;
     Command command_;
-    CLI::Option* last_ = nullptr;
 };
 
 // The commands, each declared in a file of its own beside what it does, which throws
-// contact::InputError and contact::NotConverged; mesh, condense and cache in fem_loader.cc.
+// contact::InputError and contact::NotConverged; mesh and cache in fem_loader.cc.
 Command run_command();
-Command check_command();
-Command mesh_command();
-Command condense_command();
-Command cache_command();
-Command refine_command();
-Command influence_command();
-Command export_command();
-Command reproduce_command();
-Command import_command();
-Command limit_command();
-Command verify_command();
-Command walk_command();
-Command roll_command();
 Command sweep_command();
-Command atlas_command();
+Command sweep_merge_command();
 Command predict_command();
-Command experiment_command();
+Command check_command();
+Command refine_command();
+Command verify_command();
+Command reproduce_command();
+Command limit_command();
 Command deviation_command();
 Command fit_command();
-Command merge_command();
-Command identify_command();
 Command rig_command();
 Command design_command();
-Command keys_command();
+Command identify_command();
+Command experiment_command();
+Command contact_command();
+Command contact_export_command();
+Command contact_import_command();
+Command influence_command();
+Command mesh_command();
+Command atlas_command();
+Command cache_command();
+Command cache_condense_command();
 Command list_command();
+Command keys_command();
 Command manual_command();
 
-/// All of them, in the order of the help.
+/// All of them, in the order of the help: by groups, each before its parts.
 std::vector<Command> all_commands();
+
+/// The name of a command that was called otherwise before: of "merge" it is "sweep merge"; any
+/// other name is given back. Former names stay for one version.
+std::string_view name_now(std::string_view name);
 
 }  // namespace tricontact::app

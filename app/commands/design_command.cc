@@ -38,8 +38,8 @@ void design_rig(DesignOptions options) {
 
 Command design_command() {
     return Declared<DesignOptions>(
-               "design", "Find values of a rig that make assumptions hold and deviations visible",
-               design_rig)
+               Group::rigs, "design",
+               "Find values of a rig that make assumptions hold and deviations visible", design_rig)
         .on_case({"[rig]", "[record]", "[design]", io::uncertainty_mark})
         .output("Folder (results/<case>_design)")
         .exports();

@@ -86,7 +86,7 @@ void compare(const DeviationOptions& options) {
 }  // namespace
 
 Command deviation_command() {
-    return Declared<DeviationOptions>("deviation",
+    return Declared<DeviationOptions>(Group::ask, "deviation",
                                       "How far the layer of a case is from a half-space, or linear "
                                       "elasticity from finite strains",
                                       compare)

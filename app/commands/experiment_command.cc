@@ -55,8 +55,9 @@ void evaluate_records(CommandOptions options) {
 }  // namespace
 
 Command experiment_command() {
-    return Declared<CommandOptions>(
-               "experiment", "Evaluate records of a rig; compare with its models", evaluate_records)
+    return Declared<CommandOptions>(Group::rigs, "experiment",
+                                    "Evaluate records of a rig; compare with its models",
+                                    evaluate_records)
         .on_case({"[record]", io::uncertainty_mark})
         .output("Folder (results/<case>)")
         .exports()

@@ -179,8 +179,8 @@ void fit_study(FitOptions options) {
 }  // namespace
 
 Command fit_command() {
-    return Declared<FitOptions>("fit", "Fit kappa and eta to a finished sweep; compare models",
-                                fit_study)
+    return Declared<FitOptions>(Group::ask, "fit",
+                                "Fit kappa and eta to a finished sweep; compare models", fit_study)
         .on_file("study", "Study file (TOML)", "STUDY.toml")
         .output("Folder of the sweep (results/<study>)")
         .exports("sweep")

@@ -257,7 +257,8 @@ void identify_properties(IdentifyOptions options) {
 
 Command identify_command() {
     return Declared<IdentifyOptions>(
-               "identify", "Find E, nu, mu, lengths and Prony terms from measurements on a rig",
+               Group::rigs, "identify",
+               "Find E, nu, mu, lengths and Prony terms from measurements on a rig",
                identify_properties)
         .on_case({"[measurement]", "[rig]", io::uncertainty_mark})
         .flag("--posterior", &IdentifyOptions::posterior,

@@ -123,8 +123,8 @@ class CaseImport {
 
     void tell(const ImportedCase& one) {
         ++n_written_;
-        told_ += fmt::format("{:<21}{}/{}.toml, for tricontact {}\n", cases(one.first, one.last),
-                             options_.output, name(one), one.rolls_on ? "roll" : "run");
+        told_ += fmt::format("{:<21}{}/{}.toml, for tricontact run\n", cases(one.first, one.last),
+                             options_.output, name(one));
         for (const std::string& remark : one.remarks)
             told_ += fmt::format("{:<21}{}\n", "", remark);
     }
@@ -138,7 +138,7 @@ class CaseImport {
     std::string told_;
 };
 
-/// What export wrote comes back as the case that it was written of.
+/// What contact export wrote comes back as the case that it was written of.
 bool import_written(const CommandOptions& options, const std::string& input) {
     const auto text = io::written_case(input);
     if (!text) return false;
@@ -176,8 +176,9 @@ void import_from_contact_program(CommandOptions options) {
 
 }  // namespace
 
-Command import_command() {
-    return Declared<CommandOptions>("import", "Write the cases of an input file of CONTACT",
+Command contact_import_command() {
+    return Declared<CommandOptions>(Group::exchange, "contact import",
+                                    "Write the cases of an input file of CONTACT",
                                     import_from_contact_program)
         .on_file("input", "Input file of CONTACT, module 3", "FILE.inp")
         .output("Folder (results/<file>_cases)");

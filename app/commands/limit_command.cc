@@ -119,8 +119,8 @@ void limit_of_case(LimitOptions options) {
 }  // namespace
 
 Command limit_command() {
-    return Declared<LimitOptions>("limit", "Bisect the limit of shakedown of each model",
-                                  limit_of_case)
+    return Declared<LimitOptions>(Group::ask, "limit",
+                                  "Bisect the limit of shakedown of each model", limit_of_case)
         .on_case()
         .word("--vary", &LimitOptions::variable, "Limit in the load (f_T) or the amplitude (w)",
               {"load", "amplitude"})

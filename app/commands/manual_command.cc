@@ -1,3 +1,4 @@
+#include <CLI/CLI.hpp>
 #include <algorithm>
 
 #include "app/commands/command.h"
@@ -64,7 +65,7 @@ std::vector<CommandText> command_texts() {
     std::vector<CommandText> texts;
     for (const Command& command : all_commands()) {
         const CLI::App& parser = *command.parser;
-        CommandText text{parser.get_name(), parser.get_description(), {}};
+        CommandText text{command.name, title_of(command.group), parser.get_description(), {}};
         for (const CLI::Option* option : parser.get_options())
             if (option != parser.get_help_ptr()) text.options.push_back(text_of(*option));
         texts.push_back(std::move(text));
@@ -73,8 +74,8 @@ std::vector<CommandText> command_texts() {
 }
 
 Command manual_command() {
-    return Declared<ManualOptions>("manual", "Print the manual page, or a shell's completion",
-                                   print_manual)
+    return Declared<ManualOptions>(Group::tools, "manual",
+                                   "Print the manual page, or a shell's completion", print_manual)
         .required("kind", &ManualOptions::kind, "man, or the name of a shell", "")
         .one_of({"man", "bash", "zsh", "fish"});
 }

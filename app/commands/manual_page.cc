@@ -29,9 +29,11 @@ std::string manual_page(const std::vector<CommandText>& commands) {
         ".SH NAME\ntricontact \\- models of frictional contact side by side\n"
         ".SH SYNOPSIS\n.B tricontact\n\\fICOMMAND\\fR [\\fIARGUMENT\\fR|\\fIOPTION\\fR]...\n"
         ".SH DESCRIPTION\n{}\n.PP\n\\fBtricontact \\fICOMMAND\\fB \\-\\-help\\fR prints the same "
-        "as the following sections.\n.SH COMMANDS\n",
+        "as the following sections.\n",
         files::version, roff(program_text));
+    std::string group;
     for (const CommandText& command : commands) {
+        if (command.group != group) out += ".SH COMMANDS: " + (group = command.group) + '\n';
         out += ".SS " + roff(command.name) + '\n' + roff(command.text) + ".\n";
         for (const OptionText& option : command.options) out += entry(option);
     }

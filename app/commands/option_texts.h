@@ -24,8 +24,13 @@ struct OptionText {
 
 /// The same of a command.
 struct CommandText {
-    std::string name, text;
+    std::string name;  ///< of a part of another command two words
+    std::string group, text;
     std::vector<OptionText> options;
+
+    bool is_part() const { return name.find(' ') != std::string::npos; }
+    std::string whole() const { return name.substr(0, name.find(' ')); }  ///< of a part
+    std::string last_word() const { return name.substr(name.rfind(' ') + 1); }
 };
 
 /// Of all commands of the program, as they are declared, in the order of the help.

@@ -162,8 +162,8 @@ void predict_case(PredictOptions& options) {
 }  // namespace
 
 Command predict_command() {
-    return Declared<PredictOptions>("predict", "What the atlases say of a case, without a run",
-                                    predict_case)
+    return Declared<PredictOptions>(Group::compute, "predict",
+                                    "What the atlases say of a case, without a run", predict_case)
         .on_case()
         .models("Models (those that an atlas is about)")
         .output("Folder for prediction.json and, of spheres, atlas.html, a page to play with")

@@ -193,8 +193,8 @@ void refine_case(RefineOptions options) {
 }  // namespace
 
 Command refine_command() {
-    return Declared<RefineOptions>("refine", "Run a case on finer and finer meshes: its errors",
-                                   refine_case)
+    return Declared<RefineOptions>(Group::trust, "refine",
+                                   "Run a case on finer and finer meshes: its errors", refine_case)
         .on_case()
         .number("--levels", &RefineOptions::levels, "Number of levels (3)", 3, 8)
         .word("--model", &RefineOptions::model, "Model to be refined (fem)",

@@ -1,3 +1,4 @@
+#include <CLI/CLI.hpp>
 #include <boost/algorithm/string/replace.hpp>
 #include <cstdlib>
 #include <filesystem>
@@ -25,10 +26,11 @@ struct ReproduceOptions : CommandOptions {
 constexpr int exit_differs = 3;
 constexpr const char* text_name = "reproduction.json";
 
-/// Every command whose archives run again: those that export.
+/// Every command whose archives run again: those that export. Archives of earlier versions have
+/// former names.
 std::optional<Command> exporting_command(const std::string& name) {
     for (Command& command : all_commands())
-        if (command.parser->get_name() == name && command.parser->get_option_no_throw("--export"))
+        if (command.name == name_now(name) && command.parser->get_option_no_throw("--export"))
             return std::move(command);
     return {};
 }
@@ -165,8 +167,9 @@ int reproduce(const ReproduceOptions& options) {
 }  // namespace
 
 Command reproduce_command() {
-    return Declared<ReproduceOptions>(
-               "reproduce", "Run an exported archive again and compare its numbers", reproduce)
+    return Declared<ReproduceOptions>(Group::trust, "reproduce",
+                                      "Run an exported archive again and compare its numbers",
+                                      reproduce)
         .on_file("archive", "Archive that --export wrote", "ARCHIVE.zip")
         .number("--tolerance", &ReproduceOptions::tolerance,
                 "Relative difference of numbers that counts as none (1e-6)", 0, 1)

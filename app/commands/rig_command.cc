@@ -121,7 +121,7 @@ void check_assumptions(RigOptions options) {
 }  // namespace
 
 Command rig_command() {
-    return Declared<RigOptions>("rig", "Check what the evaluation of a rig assumes",
+    return Declared<RigOptions>(Group::rigs, "rig", "Check what the evaluation of a rig assumes",
                                 check_assumptions)
         .on_case({"[rig]", "[printed]", io::uncertainty_mark})
         .number("--samples", &RigOptions::samples,

@@ -2,9 +2,8 @@
 #include <iterator>
 #include <optional>
 
-#include "app/case_run.h"
 #include "app/commands/command.h"
-#include "app/roll_models.h"
+#include "app/commands/run_kinds.h"
 #include "atlas/run_section.h"
 #include "bem/model.h"
 #include "comparisons/quantities/left_out.h"
@@ -13,6 +12,7 @@
 #include "contact/verdict.h"
 #include "io/results/vtk_files.h"
 #include "report/format.h"
+#include "walking/input/walk_reader.h"
 
 namespace tricontact::app {
 
@@ -93,10 +93,7 @@ std::string line_of(const comparisons::Results& r) {
     return r.verdict.missing.empty() ? line : line + "  undecided: " + r.verdict.missing + '\n';
 }
 
-void run_case(RunOptions options) {
-    const Case c = io::read_case(options.file, options.overrides, options.models);
-    refuse_rolling_on(c, options.file);
-    bem::check_influence_file(c);  // before anything is written
+void run_contact(const Case& c, RunCommandOptions options) {
     options.choose_folder();
     std::optional<CaseRun> run;
     options.fill(run_outputs(c.models), [&] { run.emplace(compute(c, options)); });
@@ -114,10 +111,39 @@ void run_case(RunOptions options) {
     options.out() << options.where() << '\n';
 }
 
+/// Throws contact::InputError if the call has one of these options, which the kind of case that the
+/// file shows itself to be does not have.
+void refuse_options(const RunCommandOptions& options, const char* kind,
+                    const std::vector<std::string>& others) {
+    for (const std::string& name : others)
+        if (std::ranges::find(options.given, name) != options.given.end())
+            options.refuse(fmt::format("{} has no {}; leave it out", kind, name));
+}
+
+/// The file says of what kind it is.
+void run_case(const RunCommandOptions& options) {
+    if (walking::is_walk_case_file(options.file)) {
+        refuse_options(options, "a case of the micro-walking machine",
+                       {"--models", "--threads", "--points", "--no-studies"});
+        return run_walking(options);
+    }
+    const Case c = io::read_case(options.file, options.overrides, options.models);
+    bem::check_influence_file(c);  // before anything is written
+    if (c.tractive_rolling) {
+        refuse_options(options, "a case that rolls on", {"--no-studies"});
+        return run_rolling_on(c, options);
+    }
+    refuse_options(options, "a case without [tractive_rolling]", {"--points"});
+    run_contact(c, options);
+}
+
 }  // namespace
 
 Command run_command() {
-    return Declared<RunOptions>("run", "Run a case: numbers, ParaView files and a report", run_case)
+    return Declared<RunCommandOptions>(
+               Group::compute, "run",
+               "Run a case (contact, rolling on, walking machine): numbers, ParaView files, report",
+               run_case)
         .on_case()
         .output("Folder for the results (results/<case>)")
         .models("Run these models instead of the case's")
@@ -125,6 +151,8 @@ Command run_command() {
         .threads()
         .quiet("No progress, no closing lines")
         .flag("--no-studies", &RunOptions::studies, "Skip comparison runs", false)
+        .number("--points", &RunCommandOptions::points,
+                "Of a case that rolls on: points per creep curve (12; 0: none)", 0, 1000)
         .no_report("Skip report.html and the plots");
 }
 

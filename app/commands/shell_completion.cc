@@ -1,3 +1,5 @@
+#include <map>
+
 #include "app/commands/option_texts.h"
 
 namespace tricontact::app {
@@ -13,8 +15,28 @@ std::string quoted(const std::string& text) {
 
 std::string names_of(const std::vector<CommandText>& commands) {
     std::string names;
-    for (const CommandText& command : commands) names += (names.empty() ? "" : " ") + command.name;
+    for (const CommandText& command : commands)
+        if (!command.is_part()) names += (names.empty() ? "" : " ") + command.name;
     return names;
+}
+
+/// A line of a case for each command with parts: `before`, its name, `middle`, the parts, `after`.
+std::string cases_of_parts(const std::vector<CommandText>& commands, const char* before,
+                           const char* middle, const char* after) {
+    std::map<std::string, std::string> parts;
+    for (const CommandText& command : commands)
+        if (command.is_part()) parts[command.whole()] += ' ' + command.last_word();
+    std::string lines;
+    for (const auto& [whole, words] : parts) lines += before + whole + middle + words + after;
+    return lines;
+}
+
+/// What case takes for the parts: 'sweep merge'|'cache condense'.
+std::string pattern_of_parts(const std::vector<CommandText>& commands) {
+    std::string pattern;
+    for (const CommandText& command : commands)
+        if (command.is_part()) pattern += (pattern.empty() ? "" : "|") + quoted(command.name);
+    return pattern;
 }
 
 std::string joined_choices(const OptionText& option) {
@@ -54,7 +76,7 @@ std::string bash_command(const CommandText& command) {
         "    {})\n        case $before in\n{}        esac\n"
         "        if [[ $word == -* ]]; then COMPREPLY=($(compgen -W '{}--help' -- \"$word\"))\n"
         "        else {}; fi ;;\n",
-        command.name, values, flags, arguments.empty() ? ":" : arguments);
+        quoted(command.name), values, flags, arguments.empty() ? ":" : arguments);
 }
 
 /// Brackets and colons divide the parts of a specification of zsh.
@@ -104,18 +126,28 @@ std::string bash_completion(const std::vector<CommandText>& commands) {
         "        COMPREPLY=($(compgen -W '{} --help --version' -- \"$word\"))\n"
         "        return\n"
         "    fi\n"
-        "    case ${{COMP_WORDS[1]}} in\n{}    esac\n"
+        "    local command=${{COMP_WORDS[1]}}\n"
+        "    if [ \"$COMP_CWORD\" -gt 2 ]; then\n"
+        "        case \"$command ${{COMP_WORDS[2]}}\" in {}) command+=\" ${{COMP_WORDS[2]}}\" ;; "
+        "esac\n"
+        "    fi\n"
+        "    case $command in\n{}    esac\n"
+        "    [ \"$COMP_CWORD\" -eq 2 ] || return 0\n"
+        "    case $command in\n{}    esac\n"
         "}}\n"
         "complete -F _tricontact tricontact\n",
-        names_of(commands), cases);
+        names_of(commands), pattern_of_parts(commands), cases,
+        cases_of_parts(commands, "        ", ") COMPREPLY+=($(compgen -W '",
+                       "' -- \"$word\")) ;;\n"));
 }
 
 std::string zsh_completion(const std::vector<CommandText>& commands) {
     std::string descriptions, cases;
     for (const CommandText& command : commands) {
-        descriptions += "        " + quoted(command.name + ':' + zsh_text(command.text)) + '\n';
+        if (!command.is_part())
+            descriptions += "        " + quoted(command.name + ':' + zsh_text(command.text)) + '\n';
         cases += fmt::format("        {})\n            _arguments '--help[Print the help]'",
-                             command.name);
+                             quoted(command.name));
         for (const OptionText& option : command.options)
             cases += " \\\n                " + quoted(zsh_option(option));
         cases += " ;;\n";
@@ -130,12 +162,23 @@ std::string zsh_completion(const std::vector<CommandText>& commands) {
         "        return\n"
         "    fi\n"
         "    local command=$words[2]\n"
+        "    if (( CURRENT == 3 )); then\n"
+        "        case $command in\n{}        esac\n"
+        "    else\n"
+        "        case \"$words[2] $words[3]\" in\n"
+        "            {})\n"
+        "                command+=\" $words[3]\"\n"
+        "                words=(\"${{(@)words[2,-1]}}\")\n"
+        "                (( CURRENT-- )) ;;\n"
+        "        esac\n"
+        "    fi\n"
         "    words=(\"${{(@)words[2,-1]}}\")\n"
         "    (( CURRENT-- ))\n"
         "    case $command in\n{}    esac\n"
         "}}\n"
         "_tricontact \"$@\"\n",
-        descriptions, cases);
+        descriptions, cases_of_parts(commands, "            ", ") compadd --", " ;;\n"),
+        pattern_of_parts(commands), cases);
 }
 
 std::string fish_completion(const std::vector<CommandText>& commands) {
@@ -143,11 +186,14 @@ std::string fish_completion(const std::vector<CommandText>& commands) {
         "# Completion of tricontact for fish: tricontact manual fish\n"
         "complete -c tricontact -n __fish_use_subcommand -f\n";
     for (const CommandText& command : commands) {
-        out += fmt::format("complete -c tricontact -n __fish_use_subcommand -a {} -d {}\n",
-                           command.name, quoted(command.text));
+        const std::string seen = "'__fish_seen_subcommand_from " + command.whole();
+        out += fmt::format("complete -c tricontact -n {} -a {} -d {}\n",
+                           command.is_part() ? seen + '\'' : "__fish_use_subcommand",
+                           command.last_word(), quoted(command.text));
+        const std::string words =
+            command.is_part() ? "; and __fish_seen_subcommand_from " + command.last_word() : "";
         for (const OptionText& option : command.options) {
-            const std::string when = fmt::format(
-                "complete -c tricontact -n '__fish_seen_subcommand_from {}'", command.name);
+            const std::string when = fmt::format("complete -c tricontact -n {}{}'", seen, words);
             if (!option.is_argument)
                 out += fmt::format("{} -l {} -d {}{}\n", when, option.name.substr(2),
                                    quoted(option.text), fish_values(option));

@@ -46,8 +46,8 @@ void merge_sweeps(const MergeOptions& options) {
 }  // namespace
 
 Command sweep_command() {
-    return Declared<SweepOptions>("sweep", "Run the points of a study side by side; resumable",
-                                  sweep)
+    return Declared<SweepOptions>(Group::compute, "sweep",
+                                  "Run the points of a study side by side; resumable", sweep)
         .on_file("study", "Study file (TOML)", "STUDY.toml")
         .jobs()
         .option("--shard", &SweepOptions::shard, "Only the i-th of n parts of the study", "i/n")
@@ -59,9 +59,9 @@ Command sweep_command() {
         .quiet();
 }
 
-Command merge_command() {
-    return Declared<MergeOptions>("merge", "Bring the results of sweeps into one folder",
-                                  merge_sweeps)
+Command sweep_merge_command() {
+    return Declared<MergeOptions>(Group::compute, "sweep merge",
+                                  "Bring the results of sweeps into one folder", merge_sweeps)
         .required("output", &CommandOptions::output, "Folder of the whole", "OUT")
         .required("inputs", &MergeOptions::inputs, "Folders of sweeps", "IN");
 }

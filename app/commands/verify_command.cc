@@ -49,8 +49,8 @@ bool verify_models(const VerifyOptions& options) {
 }  // namespace
 
 Command verify_command() {
-    return Declared<VerifyOptions>("verify", "Compare the models with exact solutions",
-                                   verify_models)
+    return Declared<VerifyOptions>(Group::trust, "verify",
+                                   "Compare the models with exact solutions", verify_models)
         .flag("--short", &VerifyOptions::brief, "On coarse levels, in seconds")
         .output("Folder for verification.md and .json")
         .quiet("No progress");

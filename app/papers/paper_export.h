@@ -1,11 +1,14 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <functional>
 #include <map>
 #include <string>
 
 #include "app/options.h"
+
+namespace CLI {
+class App;
+}  // namespace CLI
 
 namespace tricontact::app {
 

@@ -75,7 +75,7 @@ class WalkingKind : public StudyKind {
     void require_files(const StudyPoints&) const override {
         throw contact::InputError(
             "--vtk: studies of walking machines write no files for ParaView; run a point by "
-            "tricontact walk, or omit --vtk");
+            "tricontact run, or omit --vtk");
     }
 
     /// Those that run side by side in the lanes of the processor's vectors share model, step and

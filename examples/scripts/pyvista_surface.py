@@ -3,7 +3,7 @@
 
     python3 examples/scripts/pyvista_surface.py results/rig_sphere_parallel/bem picture.png [--time 2.25] [--zones]
 
-The folder is that of one model, of `tricontact run` or `roll`; PyVista comes by `pip install pyvista`. Times are those of
+The folder is that of one model, of `tricontact run`; PyVista comes by `pip install pyvista`. Times are those of
 surface.pvd: seconds where the case has a speed or times of its own, else periods of rolling, rows of a prescribed path, or
 the way rolled on over the contact's half length. Pressing comes before 0.
 """

@@ -122,7 +122,7 @@ void check_covered(const io::RigFile& file) {
     if (c.tractive_rolling)
         io::fail(document.place_of("tractive_rolling.distance"), "",
                  "[tractive_rolling]: the formulas of rigs are those of rolling back and forth",
-                 "give [rolling] in place of it; tricontact roll computes rolling on");
+                 "give [rolling] in place of it; tricontact run computes rolling on");
     for (const auto& [key, ratio] :
          {std::pair("load.normal_amplitude_ratio", c.load.normal_amplitude_ratio),
           std::pair("load.tangential_amplitude_ratio", c.load.tangential_amplitude_ratio)})

@@ -22,7 +22,7 @@ inline constexpr const char* influence_ending = "_influence.txt";
 /// A case file (TOML) of cases of CONTACT that belong together.
 struct ImportedCase {
     std::size_t first = 0, last = 0;   ///< of them, counted from 1
-    bool rolls_on = false;             ///< computed by `tricontact roll`, else by `run`
+    bool rolls_on = false;             ///< the case has [tractive_rolling]
     std::string text;                  ///< see text_beside
     std::string influence_file;        ///< that it names for its coefficients (C = 9), or empty
     double shear_modulus = 0;          ///< the combined G by which these are multiplied [Pa]

@@ -105,7 +105,7 @@ class SequenceReading {
             refuse(rolling.back().digits.line, "the path",
                    fmt::format("ends within a period of {} steps", 4 * n_quarter_),
                    "roll back and forth in whole periods; what rolls on is computed by tricontact "
-                   "roll");
+                   "run");
         n_periods_ = rolling.size() / (4 * n_quarter_);
     }
 

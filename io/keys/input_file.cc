@@ -85,7 +85,7 @@ struct KindText {
 };
 constexpr std::array<KindText, 3> kind_texts{
     {{"a contact case", "tricontact run computes it"},
-     {"a case of the micro-walking machine", "tricontact walk computes it"},
+     {"a case of the micro-walking machine", "tricontact run computes it"},
      {"a study", "tricontact sweep computes it"}}};
 
 }  // namespace
@@ -177,24 +177,21 @@ void require_kind(FileKind expected, const Document& document) {
         if (kind == expected) return;
         const KindText &found = kind_texts[static_cast<std::size_t>(kind)],
                        &due = kind_texts[static_cast<std::size_t>(expected)];
-        const bool rolls_on =
-            kind == FileKind::contact && document.find_section("tractive_rolling");
         fail(is_section ? section->place : entry->key_place, "",
-             fmt::format("this is {}, not {}", found.name, due.name),
-             rolls_on ? "tricontact roll computes it" : found.command);
+             fmt::format("this is {}, not {}", found.name, due.name), found.command);
     }
 }
 
 void refuse_contact_program_input(const std::string& path) {
     if (path.ends_with(".inp"))
         fail(path, "", "this is input of the program CONTACT",
-             "tricontact import makes a case of it");
+             "tricontact contact import makes a case of it");
 }
 
 void refuse_toml(const std::string& path) {
     if (path.ends_with(".toml"))
         fail(path, "", "this is no input file of the program CONTACT",
-             "tricontact export makes some of a case");
+             "tricontact contact export makes some of a case");
 }
 
 bool is_walk_case(const Document& document) {

@@ -59,7 +59,7 @@ class Program:
 
     def roll(self, file, *settings):
         """summary.json of a body that rolls on, by boundary elements."""
-        return self.call("roll", file, ["output.vtk=none", *settings], "--models", "bem", "--points", "0", "--no-report")
+        return self.call("run", file, ["output.vtk=none", *settings], "--models", "bem", "--points", "0", "--no-report")
 
     def check(self, file, *settings):
         """The numbers behind the resolved case: symbol -> value."""

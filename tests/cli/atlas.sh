@@ -72,7 +72,7 @@ for part in 1 2; do
     "$program" atlas maps.toml --output part_$part --shard $part/2 --quiet || complain "part $part"
     [ -e part_$part/atlas.json ] && complain "a part has an atlas"
 done
-"$program" merge merged part_1 part_2 >/dev/null || complain "merge"
+"$program" sweep merge merged part_1 part_2 >/dev/null || complain "merge"
 "$program" atlas maps.toml --output merged --quiet 2>log || complain "of the merged parts: $(cat log)"
 for folder in killed merged; do
     cmp -s whole/atlas.json $folder/atlas.json || complain "$folder: another atlas"

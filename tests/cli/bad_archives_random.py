@@ -44,7 +44,7 @@ def change_arguments(rng, files):
     if rng.random() < 0.1:
         listed["calls"] *= 3
     if rng.random() < 0.1:
-        listed["calls"][0]["command"] = rng.choice(["mesh", "cache", "sweep", "fit", "merge", "export"])
+        listed["calls"][0]["command"] = rng.choice(["mesh", "cache", "sweep", "fit", "sweep merge", "contact export", "merge", "export"])
     return {**files, "archive.json": json.dumps(listed).encode()}
 
 

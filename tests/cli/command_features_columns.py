@@ -30,7 +30,7 @@ commands = {
     "run fem": model_run("fem", elements),
     "check": call("check", "case.toml", answer="output"),
     "mesh": call("mesh", "case.toml", "--output", "out", answer="out/*.msh", over=elements),
-    "condense": call("condense", "case.toml", answer="kept layers", over=elements),
+    "cache condense": call("cache", "condense", "case.toml", answer="kept layers", over=elements),
     "refine bem": call("refine", "case.toml", "--model", "bem", "--output", "out",
                        answer="out/refinement.json", telling="out/report.html"),
     "refine fem": call("refine", "case.toml", "--model", "fem", "--output", "out",
@@ -38,12 +38,12 @@ commands = {
                        over=elements),
     "influence": call("influence", "case.toml", "--model", "bem-layer", "--output", "out.txt", answer="out.txt",
                       over=layer),
-    "export bem": call("export", "case.toml", "--model", "bem", "--output", "out", answer="out/*.inp"),
-    "export bem-layer": call("export", "case.toml", "--model", "bem-layer", "--output", "out",
+    "contact export bem": call("contact", "export", "case.toml", "--model", "bem", "--output", "out", answer="out/*.inp"),
+    "contact export bem-layer": call("contact", "export", "case.toml", "--model", "bem-layer", "--output", "out",
                              answer="out/*.inp out/*.influence", over=layer),
     "limit": call("limit", "case.toml", "--models", "bem", "--tolerance", "1e-2", "--output", "out",
                   answer="out/limit.json", telling="out/report.html"),
-    "roll": call("roll", "case.toml", "--points", "0", "--output", "out", answer="out/summary.json",
+    "run rolling on": call("run", "case.toml", "--points", "0", "--output", "out", answer="out/summary.json",
                  telling="out/report.html", over={"rolling.*": None, "tractive_rolling.distance": "1.0"},
                  always={"load.press_time": None}),
     "sweep": call("sweep", "study.toml", "--output", "out", "--jobs", "1", answer="out/results.csv",
@@ -79,17 +79,17 @@ commands = {
 # Columns by the tests that try them; those of groups but the first take seconds a cell. Those of the last are tried by
 # hand (command_features.py PROGRAM TABLE slow, ten minutes).
 groups = {
-    "fast": ["run mdr", "run mdr-layer", "run bem", "run bem-layer", "check", "influence", "export bem",
-             "export bem-layer", "limit", "roll", "sweep", "fit", "predict", "predict on a layer", "experiment", "rig"],
-    "elements": ["run fem", "mesh", "condense", "refine bem", "atlas", "identify", "design"],
+    "fast": ["run mdr", "run mdr-layer", "run bem", "run bem-layer", "check", "influence", "contact export bem",
+             "contact export bem-layer", "limit", "run rolling on", "sweep", "fit", "predict", "predict on a layer", "experiment", "rig"],
+    "elements": ["run fem", "mesh", "cache condense", "refine bem", "atlas", "identify", "design"],
     "slow": ["refine fem", "deviation", "deviation --finite-strain"],
 }
 # Where the same answer is right, and why: (commands, features, reason).
 unaffected = [
-    ("run bem|run mdr|run mdr-layer|limit|sweep|refine bem|roll|export bem|fit|atlas|experiment", "pressing",
+    ("run bem|run mdr|run mdr-layer|limit|sweep|refine bem|run rolling on|contact export bem|fit|atlas|experiment", "pressing",
      "normal and tangential contact are uncoupled: there is one way of pressing"),
     ("predict|predict on a layer|limit", "rolling steps", "the answer is that of rolling without steps"),
-    ("mesh|condense", "path|path with a shift|centre of rotation|path with rolling|static load|rolling amplitude|"
+    ("mesh|cache condense", "path|path with a shift|centre of rotation|path with rolling|static load|rolling amplitude|"
      "rolling steps|oscillating tangential force|load by its limit|pressing|coupled contact|relaxation|hold|"
      "finite strain|period|influence file|sphere",
      "the layer alone, cut to the contact: of the loads what changes its patch by an element; friction does not enter"),
@@ -110,15 +110,14 @@ unaffected = [
      "the modulus is what is looked for: the case's value is a guess"),
     ("design", "layer", "the thickness is what is varied"),
     ("design", "[rig]", "no requirement that is asked for needs the density"),
-    ("run bem|run mdr|run mdr-layer|run bem-layer|influence|limit|roll|sweep|fit|refine bem|export bem|export bem-layer|"
+    ("run bem|run mdr|run mdr-layer|run bem-layer|influence|limit|run rolling on|sweep|fit|refine bem|contact export bem|contact export bem-layer|"
      "rig|design|experiment|identify|atlas", "mesh file", "a mesh is fem's, which does not take part"),
-    ("run mdr-layer|run bem-layer|export bem-layer|rig|identify", "sides that are held",
+    ("run mdr-layer|run bem-layer|contact export bem-layer|rig|identify", "sides that are held",
      "the block of fem, which does not take part"),
     ("run mdr|run mdr-layer|rig|design", "influence file", "coefficients of bem-layer, which does not take part"),
 ]
 # Known faults: (command, feature).
 open_cells = set()
-commands_with_no_report = ["run", "roll", "sweep"]
+commands_with_no_report = ["run", "sweep"]
 # They take no case: files of others, archives, folders of results.
-commands_without_a_case = ["cache", "verify", "walk", "merge", "keys", "list", "manual", "import",
-                           "reproduce"]
+commands_without_a_case = ["verify", "keys", "list", "manual", "reproduce"]

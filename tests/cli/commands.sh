@@ -18,35 +18,33 @@ study=$source_dir/examples/studies/rig_layer.toml
 walking=$cases/walking_set_b.toml
 rolling=$cases/rolling_sphere.toml
 contact=$cases/rig_sphere_parallel.toml
-"$program" export "$contact" --model bem --output exported --set rolling.periods=1 \
+"$program" contact export "$contact" --model bem --output exported --set rolling.periods=1 \
     --set 'bem.spacing="1 mm"' >/dev/null || complain "no input of CONTACT"
 input=$(find exported -name '*.inp' | head -1)
 [ -n "$input" ] || complain "no input of CONTACT"
-for command in run check walk roll refine limit deviation export "influence --output x" sweep fit experiment \
+for command in run check refine limit deviation "contact export" "influence --output x" sweep fit experiment \
     identify rig; do
     case $command in
-        run | check | refine | limit | deviation | influence*) own=contact ;;
-        walk) own=walking ;;
-        roll) own=rolling ;;
+        refine | limit | deviation | influence*) own=contact ;;
+        run | check) own="contact walking rolling" ;;
         sweep | fit) own=study ;;
         rig) own="contact walking rolling" ;; # what they lack, it says itself
-        experiment | identify | export) own="contact rolling" ;;
+        experiment | identify | "contact export") own="contact rolling" ;;
     esac
     while read -r kind right file; do
         [[ " $own " == *" $kind "* ]] && continue
         [[ $command == influence* && $kind == rolling ]] && continue # its coefficients are as good
-        [ "$command" = check ] && [[ $kind == walking || $kind == rolling ]] && continue
         # shellcheck disable=SC2086
-        refused "; tricontact $right " $command "$file"
+        refused "; tricontact ${right/-/ } " $command "$file"
     done <<FILES
 contact run $contact
-walking walk $walking
-rolling roll $rolling
+walking run $walking
+rolling run $rolling
 study sweep $study
-input import $(realpath "$input")
+input contact-import $(realpath "$input")
 FILES
 done
-refused "this is no input file of the program CONTACT; tricontact export" import "$contact" --output a.toml
+refused "this is no input file of the program CONTACT; tricontact contact export" contact import "$contact" --output a.toml
 
 refused "unknown key substrate.E; did you mean substrate.young?" check "$contact" --set "substrate.E=5 MPa"
 printf 'case = "%s"\n[vary]\nsubstrate.E = ["1 MPa", "2 MPa"]\n' "$contact" >study.toml
@@ -67,11 +65,73 @@ for force in '.5 N' '+.5 N' '5e-1 N' '"0.5 N"'; do
 done
 
 # The help shows flags as they are typed.
-for command in "" run walk roll refine limit deviation export import influence sweep fit merge experiment \
-    identify rig verify keys list; do
+for command in "" run refine limit deviation contact "contact export" "contact import" influence sweep "sweep merge" \
+    fit experiment identify rig verify keys list; do
+    # shellcheck disable=SC2086
     "$program" $command --help >help.txt || complain "$command --help"
     grep '[{}]\|->' help.txt && complain "$command --help shows more than is typed"
 done
+
+# It lists the commands in groups; parts of commands stand in the help of these.
+"$program" --help >help.txt
+groups=$(sed -n 's/^\([A-Z][a-z]*\):$/\1/p' help.txt | grep -v Options | tr '\n' ' ')
+[ "$groups" = "Compute Trust Ask Rigs Exchange Tools " ] || complain "groups: $groups"
+group_of() { awk -v name="$1" '/^[A-Z][a-z]*:$/ { group = $1 } $1 == name && /^  / { print group }' help.txt; }
+for group in "Compute: run sweep predict" "Trust: check refine verify reproduce" "Ask: limit deviation fit" \
+    "Rigs: rig design identify experiment" "Exchange: contact influence" "Tools: atlas list keys manual"; do
+    for command in ${group#*:}; do
+        [ "$(group_of "$command")" = "${group%%:*}:" ] || complain "$command stands in $(group_of "$command")"
+    done
+done
+n=$(sed -n '/^Compute:/,$p' help.txt | grep -c '^  [a-z]')
+[ "$n" -le 22 ] || complain "$n commands"
+for part in "contact export" "contact import" "sweep merge"; do
+    "$program" "${part% *}" --help | grep -q "^  $part  " || complain "no $part in the help of ${part% *}"
+    # shellcheck disable=SC2086
+    "$program" $part --help | grep -q "^Usage: .* $part " || complain "$part --help"
+done
+refused "give export with a case, or import with a file of CONTACT" contact
+refused "did you mean tricontact sweep merge?" sweep-merge
+
+# Former names do the same, with one line that says the new name; answer, files and exit code are those of it.
+# former OLD NEW ARGUMENTS: of files, folders by the name of the command; what is written is compared.
+former() {
+    local old=$1 new=$2 codes=()
+    shift 2
+    for name in "$old" "$new"; do
+        rm -rf again && mkdir again
+        # shellcheck disable=SC2086
+        (cd again && "$program" $name "$@" >answer.txt 2>said.txt)
+        codes+=($?)
+        mv again/said.txt "said_${#codes[@]}.txt"
+        sed -i 's/[0-9.]* s$//' again/answer.txt
+        rm -rf "again_${#codes[@]}" && mv again "again_${#codes[@]}"
+    done
+    [ "${codes[0]}" = "${codes[1]}" ] || complain "$old: exit codes ${codes[*]}"
+    find again_1 again_2 -name summary.json -exec sed -i '/"cpu_s"\|_per_s"/d' {} +
+    diff -r --exclude='*.sqlite*' again_1 again_2 >diff.txt || complain "$old and $new differ: $(head -5 diff.txt)"
+    [ "$(head -1 said_1.txt)" = "tricontact $old is now tricontact $new; the former name is gone in the next version" ] ||
+        complain "$old says $(head -1 said_1.txt)"
+    diff <(tail -n +2 said_1.txt) said_2.txt >/dev/null || complain "$old says more: $(cat said_1.txt)"
+    grep -q 'is now' said_2.txt && complain "$new says a new name"
+    grep -qw "^  $old" help.txt && complain "the help has $old"
+}
+former roll run "$rolling" --models mdr --points 0 --no-report --quiet --output out
+former roll run "$study"
+former walk run "$walking" --set time.end=50 --no-report --quiet --output out
+former walk run "$walking" --models bem
+former export "contact export" "$contact" --model bem --output out --set rolling.periods=1 --set 'bem.spacing="1 mm"'
+former import "contact import" "$(realpath "$input")" --output out
+printf 'case = "%s"\nmodels = ["mdr"]\n[set]\nmdr.springs = 100\nrolling.periods = 1\n[vary]\nload.tangential_ratio = [0.1, 0.2]\n' \
+    "$contact" >part.toml
+"$program" sweep part.toml --output part --jobs 1 --no-report --quiet || complain "no sweep"
+former merge "sweep merge" whole "$work/part"
+former merge "sweep merge" whole "$work/nowhere"
+if "$program" list | grep -q '^  fem '; then
+    [ "$n" -eq 22 ] || complain "$n commands"
+    [ "$(group_of mesh)" = Exchange: ] && [ "$(group_of cache)" = Tools: ] || complain "groups of mesh and cache"
+    former condense "cache condense" "$contact" --set fem.cache=none
+fi
 
 # A run ends with its results, the numbers those of summary.json.
 "$program" run "$contact" --output out --set rolling.periods=2 --set rolling.steps=turning-points \

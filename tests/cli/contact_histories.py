@@ -79,12 +79,12 @@ def difference(program, seed, folder):
 
     text, friction = case(random.Random(seed))
     (folder / "drawn.toml").write_text(text)
-    run("export", "drawn.toml", "--model", "bem", "--output", "out")
+    run("contact", "export", "drawn.toml", "--model", "bem", "--output", "out")
     numbers = (folder / "out" / "drawn.inp").read_text().split("% Case of Tricontact")
     if len(numbers) != 2:
         raise ValueError("the case does not stand in the file")
     (folder / "plain.inp").write_text(numbers[0])
-    run("import", "plain.inp", "--output", "back")
+    run("contact", "import", "plain.inp", "--output", "back")
     for name in ("drawn.toml", "back/plain.toml"):
         run("run", name, "--no-studies", "--no-report", "--quiet", "--output", f"run_{pathlib.Path(name).stem}")
     ours, back = columns(folder / "run_drawn"), columns(folder / "run_plain")

@@ -59,7 +59,7 @@ for _ in $(seq 1 "$flips"); do
     cp -r whole damaged
     flip damaged/results.sqlite
     cp damaged/results.sqlite kept.sqlite
-    sound "0 2" "$program" merge merged damaged
+    sound "0 2" "$program" sweep merge merged damaged
     if [ "$code" -eq 0 ]; then
         "$program" sweep study.toml --output merged --quiet --no-report || complain "$flipped: after merge"
         cmp -s whole/results.csv merged/results.csv || complain "$flipped: another table after merge"

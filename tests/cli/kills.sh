@@ -37,7 +37,7 @@ run=(run "$sphere" --models mdr,bem --set "bem.spacing=0.8 mm" --set output.vtk=
     --output run --threads 1 --no-report)
 commands=(sweep deviation limit refine run)
 if "$program" list | grep -q '^  fem '; then
-    condense=(condense "$layer" --set 'fem.size="2 mm"' --set fem.cache=condense)
+    condense=(cache condense "$layer" --set 'fem.size="2 mm"' --set fem.cache=condense)
     run_fem=(run "$layer" --models fem --no-studies --no-report --set 'fem.size="2 mm"' --set fem.cache=run_fem/cache
         --output run_fem)
     commands+=(condense run_fem)

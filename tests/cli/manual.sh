@@ -18,19 +18,25 @@ done
 
 # What the help has, the others have: minus signs of the page are no hyphens.
 sed 's/\\-/-/g' tricontact.1 >page
-"$program" --help | sed -n '/^Subcommands:/,$s/^  \([a-z]\+\) .*/\1/p' >commands
-[ "$(wc -l <commands)" -gt 20 ] || complain "only $(wc -l <commands) commands"
+"$program" --help | sed -n '/^Compute:/,$s/^  \([a-z]\+\) .*/\1/p' >whole
+cp whole commands
+while read -r command; do
+    "$program" "$command" --help | sed -n '/^Subcommands:/,$s/^  \([a-z]\+ [a-z]\+\) .*/\1/p'
+done <whole >>commands
+[ "$(wc -l <commands)" -gt 22 ] || complain "only $(wc -l <commands) commands"
+[ "$(grep -c '^.SH COMMANDS: ' page)" -eq 6 ] || complain "the page has not six groups"
 while read -r command; do
     for file in page completion.bash completion.zsh completion.fish; do
-        grep -qw -- "$command" "$file" || complain "$file has no command $command"
+        grep -qw -- "${command#* }" "$file" || complain "$file has no command $command"
     done
     while read -r option; do
         grep -q -- "$option" page || complain "the page has no $option of $command"
         grep -q -- "$option" completion.bash || complain "completion.bash has no $option of $command"
         grep -q -- "$option" completion.zsh || complain "completion.zsh has no $option of $command"
-        grep -q -- "'__fish_seen_subcommand_from $command' -l ${option#--}" completion.fish ||
+        grep -qF -- "__fish_seen_subcommand_from ${command#* }' -l ${option#--}" completion.fish ||
             complain "completion.fish has no $option of $command"
-    done < <("$program" "$command" --help | grep -oE '^  (-h,)?--[a-z-]+' | grep -oE -- '--[a-z-]+' | grep -v -- --help)
+        # shellcheck disable=SC2086
+    done < <("$program" $command --help | grep -oE '^  (-h,)?--[a-z-]+' | grep -oE -- '--[a-z-]+' | grep -v -- --help)
 done <commands
 
 # What bash offers at the end of a line.
@@ -50,6 +56,11 @@ is_offered() {
     offered "$@" | grep -xF -- "$expected" >/dev/null || complain "$* <TAB> does not offer $expected"
 }
 is_offered limit tricontact li
+is_offered contact tricontact con
+is_offered merge tricontact sweep me
+is_offered export tricontact contact ""
+is_offered --model tricontact contact export case.toml --mo
+is_offered --distributed tricontact cache condense case.toml --di
 is_offered --tolerance tricontact limit --to
 is_offered amplitude tricontact limit case.toml --vary a
 is_offered rolling.amplitude_ratio= tricontact run case.toml --set rolling.amp

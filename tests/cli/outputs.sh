@@ -47,8 +47,8 @@ has_fem=$("$program" list | grep -c '^  fem ')
 # Each command with a folder: a name that it writes there, and its arguments without --output.
 "$program" sweep study.toml --output done --quiet --no-report || complain "sweep"
 commands=(
-    "summary.json run ball.toml" "limit.csv limit ball.toml" "creep.csv roll rolls.toml"
-    "motion.csv walk slider.toml" "ball.inp export ball.toml" "refinement.csv refine ball.toml --model bem"
+    "summary.json run ball.toml" "limit.csv limit ball.toml" "creep.csv run rolls.toml"
+    "motion.csv run slider.toml" "ball.inp contact export ball.toml" "refinement.csv refine ball.toml --model bem"
     "deviation.json deviation ball.toml --no-runs" "experiment.json experiment $experiment"
     "rig.json rig rig.toml" "identify.json identify rig.toml"
     "results.csv sweep study.toml" "results.sqlite sweep study.toml" "results.sqlite-journal sweep study.toml"
@@ -117,9 +117,9 @@ rm -rf out/fem
 cp -r done fitted && rm -f fitted/fit.json && ln -s ../precious fitted/fit.json
 stays "fitted/fit.json: is a link" fit study.toml --output fitted
 mkdir merged && ln -s ../precious merged/results.sqlite
-stays "merged/results.sqlite: is a link" merge merged done
+stays "merged/results.sqlite: is a link" sweep merge merged done
 rm merged/results.sqlite
-stays "is the output folder too" merge done done
+stays "is the output folder too" sweep merge done done
 # A store says itself whose it is: copied elsewhere, a sweep goes on from it.
 cp done/results.sqlite merged/ && "$program" sweep study.toml --output merged --quiet --no-report ||
     complain "a store in another folder"
@@ -135,9 +135,9 @@ stays "ball.toml: is an input" influence ball.toml --output ball.toml
 stays "ball.toml: is an input" influence ball.toml --output "$work/ball.toml"
 "$program" influence ball.toml --output table.txt >/dev/null || complain "influence"
 stays "table.txt: is an input" influence ball.toml --set bem.influence=table.txt --output table.txt
-"$program" export ball.toml --output program >/dev/null || complain "export"
+"$program" contact export ball.toml --output program >/dev/null || complain "export"
 mkdir imported && echo precious >imported/ball.toml
-stays "imported/ball.toml: is there already" import program/ball.inp --output imported
+stays "imported/ball.toml: is there already" contact import program/ball.inp --output imported
 if ((has_fem)); then
     "$program" mesh layer.toml --set "fem.size=0.5 mm" --set "substrate.width=30 mm" \
         --set "substrate.depth=30 mm" --output meshed >/dev/null 2>&1 || complain "mesh"
@@ -153,17 +153,17 @@ done
 stays "missing/target: cannot be written" influence ball.toml --output missing/target
 for time in first second; do
     "$program" influence ball.toml --output kept.txt >/dev/null || complain "influence, the $time time"
-    "$program" import program/ball.inp --output kept >/dev/null || complain "import, the $time time"
+    "$program" contact import program/ball.inp --output kept >/dev/null || complain "import, the $time time"
 done
 rm -r kept.txt kept
 [ "$(cat precious)" == precious ] || complain "the target of links was written to"
 
 # 5. Standard output on a full disk.
 for arguments in --help --version "run --help" list keys "keys walking" "check ball.toml" "check slider.toml" \
-    "rig rig.toml" "walk slider.toml" "limit ball.toml --models mdr --tolerance 0.1 --quiet" \
-    "roll rolls.toml --models mdr --points 0 --quiet --no-report" "export ball.toml" \
+    "rig rig.toml" "run slider.toml" "limit ball.toml --models mdr --tolerance 0.1 --quiet" \
+    "run rolls.toml --models mdr --points 0 --quiet --no-report" "contact export ball.toml" \
     "influence ball.toml --output again.txt" "deviation ball.toml --no-runs --quiet" \
-    "experiment $experiment --quiet" "merge whole done"; do
+    "experiment $experiment --quiet" "sweep merge whole done"; do
     # shellcheck disable=SC2086
     message=$("$program" $arguments 2>&1 >/dev/full)
     code=$?
@@ -191,12 +191,12 @@ for command in run limit "refine --model bem"; do
 done
 
 # 7. Memory is asked for before it is taken.
-for command in run limit roll influence; do
-    file=ball.toml && [ "$command" = roll ] && file=rolls.toml
-    message=$(ulimit -v 3000000 && "$program" "$command" "$file" --output large \
+for arguments in "run ball.toml" "limit ball.toml" "run rolls.toml" "influence ball.toml"; do
+    # shellcheck disable=SC2086
+    message=$(ulimit -v 3000000 && "$program" $arguments --output large \
         --set bem.cells_per_radius=1400 2>&1)
     code=$?
-    [ "$code" -eq 2 ] || complain "exit code $code of a large grid: $command: $message"
+    [ "$code" -eq 2 ] || complain "exit code $code of a large grid: $arguments: $message"
     [[ $message == "error: bem: a grid of "*" cells needs "*" GB of memory, "*" GB are there; "* ]] ||
         complain "$command of a large grid: $message"
     [ -e large ] && complain "$command: a folder in spite of the refusal"

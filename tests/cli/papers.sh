@@ -24,13 +24,19 @@ exported() {
 coarse=(--set rolling.steps=turning-points --set rolling.periods=2 --set bem.cells_per_radius=6
     --set mdr.springs=500 --set output.vtk=none)
 exported run run "$examples/cases/rig_sphere_parallel.toml" "${coarse[@]}"
-exported walk walk "$examples/cases/walking_set_b.toml" --set output.frames=0
+exported walk run "$examples/cases/walking_set_b.toml" --set output.frames=0
+for former in walk roll; do # archives of earlier versions call it so
+    [ $former = walk ] || exported roll run "$examples/cases/rolling_sphere.toml" --models mdr --points 2
+    "$python" "$papers" change $former/archive.zip $former.zip archive.json '"command": "run"' \
+        "\"command\": \"$former\"" || complain "no archive of $former"
+    said=$("$program" reproduce $former.zip --quiet 2>&1) || complain "$former: exit code of reproduce"
+    [[ $said == "same bytes: "* ]] || complain "an archive of $former: $said"
+done
 exported experiment experiment "$examples/records/synthetic_shakedown.toml"
 exported rig rig "$examples/rigs/sphere_parallel.toml"
 exported design design "$examples/rigs/design_resolution.toml"
 exported identify identify "$examples/measurements/rig_indentation.toml"
 exported limit limit "$examples/cases/rig_sphere_parallel.toml" --models mdr --tolerance 0.05
-exported roll roll "$examples/cases/rolling_sphere.toml" --models mdr --points 2
 exported deviation deviation "$examples/cases/rig_layer_parallel.toml" --no-runs
 exported refine refine "$examples/cases/rig_sphere_parallel.toml" --model bem "${coarse[@]}"
 mkdir studies && cp "$examples/cases/rig_sphere_parallel.toml" ball.toml
@@ -134,7 +140,7 @@ said=$("$program" reproduce changed.zip --quiet) || complain "another version: e
 # Numbers alone need no gnuplot; an export that cannot draw exports nothing.
 said=$(PATH=/nowhere "$program" reproduce run/archive.zip --quiet) || complain "without gnuplot: exit code"
 [[ $said == "same bytes"* ]] || complain "without gnuplot: $said"
-PATH=/nowhere "$program" walk slider.toml --output out_undrawn --export undrawn --quiet 2>/dev/null
+PATH=/nowhere "$program" run slider.toml --output out_undrawn --export undrawn --quiet 2>/dev/null
 [ $? -eq 1 ] && [ ! -e undrawn ] || complain "an export without gnuplot"
 
 # 6. Half of it is refused.

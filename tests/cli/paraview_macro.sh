@@ -10,7 +10,7 @@ run=("$program" run "$source_dir/examples/cases/rig_sphere_inside.toml" --models
     --no-report --set 'bem.spacing="1 mm"' --set mdr.springs=500
     --set 'output.volume_depth="3 mm"' --output run)
 "${run[@]}" >told.txt 2>&1 || complain "$(cat told.txt)"
-"$program" roll "$source_dir/examples/cases/rolling_cylinder.toml" --points 0 --quiet --no-report --output roll \
+"$program" run "$source_dir/examples/cases/rolling_cylinder.toml" --points 0 --quiet --no-report --output roll \
     --set bem.cells_per_radius=6 --set tractive_rolling.distance=1 >told.txt 2>&1 ||
     complain "$(cat told.txt)"
 cp "$source_dir/examples/scripts/pyvista_surface.py" .

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# tricontact roll where the substrate relaxes, where the bodies are unlike, and on a layer: numbers
+# tricontact run where the substrate relaxes, where the bodies are unlike, and on a layer: numbers
 # beside their closed forms.
 # usage: roll_relaxing.sh PROGRAM SOURCE_DIR
 source "$(dirname -- "${BASH_SOURCE[0]}")/prepare.bash"
@@ -8,7 +8,7 @@ source "$(dirname -- "${BASH_SOURCE[0]}")/prepare.bash"
 roll() {
     local file=$source_dir/examples/cases/$1.toml
     shift
-    "$program" roll "$file" --points 0 --threads 1 --no-report --quiet --output out \
+    "$program" run "$file" --points 0 --threads 1 --no-report --quiet --output out \
         --set output.vtk='"none"' "$@" >/dev/null || complain "failed: $file $*"
     cp out/summary.json .
 }

@@ -77,8 +77,8 @@ for i in 1 2 3; do
     [ -e results/a_shard_${i}_of_3/results.csv ] || complain "no folder of shard $i"
 done
 [ "$(cat results/a_shard_*/results.csv | grep -vc '^load')" -eq 12 ] || complain "rows of the shards"
-"$program" merge whole results/a_shard_* >log || complain "merge"
-"$program" merge whole results/a_shard_* a >again || complain "merging again"
+"$program" sweep merge whole results/a_shard_* >log || complain "merge"
+"$program" sweep merge whole results/a_shard_* a >again || complain "merging again"
 [ "$(sed 's/.*: \([0-9]*\) points, 0 failures/\1/' log | paste -sd+ | tr -d '\n' | tee sum |
     awk -F+ '{ print $1 + $2 + $3 }')" -eq 12 ] || complain "merged: $(cat log)"
 [ "$(grep -c ': 0 points, 0 failures$' again)" -eq 4 ] || complain "merged again: $(cat again)"
@@ -132,10 +132,10 @@ refused "--shard 4/3: must be i/n" sweep ../a.toml --shard 4/3
 refused "--shard 0/3: must be i/n" sweep ../a.toml --shard 0/3
 refused "--shard 1of3: must be i/n" sweep ../a.toml --shard 1of3
 refused "this is a contact case, not a study" sweep "$source_dir/examples/cases/rig_sphere_parallel.toml"
-refused "missing: holds no results.sqlite" merge out missing
-refused "is the output folder too" merge ../whole ../whole
+refused "missing: holds no results.sqlite" sweep merge out missing
+refused "is the output folder too" sweep merge ../whole ../whole
 echo "no database at all, but long enough to be taken for one" >results/results.sqlite
-refused "is no file of results" merge ../whole ../results
+refused "is no file of results" sweep merge ../whole ../results
 refused "results.sqlite: is there already, and tricontact did not write it" sweep ../a.toml --output ../results
 
 # 7. The example of docs/how-to/sweeps.md is refused by nothing but its size.

@@ -52,7 +52,7 @@ cmp -s whole/results.csv killed/results.csv || complain "killed, another table"
 
 # 3. Shards: other company, the same numbers.
 for i in 1 2 3; do "$program" sweep map.toml --shard "$i/3" --quiet || complain "shard $i"; done
-"$program" merge merged results/map_shard_*_of_3 >log || complain "merge: $(cat log)"
+"$program" sweep merge merged results/map_shard_*_of_3 >log || complain "merge: $(cat log)"
 "$program" sweep map.toml --output merged 2>log
 grep -q '^153 of 153 points are there already' log || complain "merged: $(cat log)"
 cmp -s whole/results.csv merged/results.csv || complain "shards, another table"

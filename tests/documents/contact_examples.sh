@@ -6,7 +6,7 @@ examples=$source_dir/tests/contact_program
 
 # imports EXAMPLE WRITTEN OF: how many sequences of the file become cases.
 imports() {
-    "$program" import "$examples/$1.inp" --output "$1" >told.txt || complain "import of $1: $(cat told.txt)"
+    "$program" contact import "$examples/$1.inp" --output "$1" >told.txt || complain "import of $1: $(cat told.txt)"
     grep -q "^written  *$2 of $3 in $1$" told.txt || complain "$1: $(tail -n 1 told.txt)"
 }
 imports bentall 6 6
@@ -22,7 +22,7 @@ imports spence35 1 1
 imports tractcurv 30 31
 imports visc_cylindr 6 6
 for refused in plastic_3bl:12 subsurf:13 veldep_fric:9; do
-    refused "${refused%:*}.inp:${refused#*:}:1: " import "$examples/${refused%:*}.inp" --output none
+    refused "${refused%:*}.inp:${refused#*:}:1: " contact import "$examples/${refused%:*}.inp" --output none
 done
 
 # Cheap ones beside CONTACT: 0.5 % or a few cells; forces, creepages, pressures and energies agree closer.

@@ -111,7 +111,7 @@ class Checker:
 
     def help_of(self, command):
         if command not in self.helps:
-            done = subprocess.run([self.program, *([command] if command else []), "--help"], capture_output=True,
+            done = subprocess.run([self.program, *command.split(), "--help"], capture_output=True,
                                   text=True)
             self.helps[command] = done.stdout if done.returncode == 0 else None
         return self.helps[command]
@@ -124,6 +124,9 @@ class Checker:
                 self.complain(f"{document}: {usage}: there is no {script}")
             return
         command = words[1] if not words[1].startswith("-") else ""
+        part = " ".join(words[1:3])  # such as sweep merge, which the help of sweep names
+        if f"\n  {part}  " in (self.help_of(command) or ""):
+            command = part
         text = self.help_of(command)
         if text is None:
             self.complain(f"{document}: {usage}: no command {command}")
@@ -137,7 +140,7 @@ def is_usage(command):
     """With brackets, words in capitals or dots for what the reader fills in."""
     return bool(re.search(r"[\[\]]|\.\.\.|(^|[\s=:\"'/])(?!HOME\b)[A-Z][A-Z_]+(\.\w+)?(?![\w=])", command)) or \
         " " not in command and command.startswith("tricontact") or \
-        re.fullmatch(r"tricontact [a-z]+|cmake --install", command) is not None
+        re.fullmatch(r"tricontact [a-z]+( (merge|condense|export|import))?|cmake --install", command) is not None
 
 
 def with_few_points(study):

@@ -91,7 +91,7 @@ def test_a_missing_file_is_bad_input(tmp_path):
 
 def test_a_walking_machine_is_a_case_of_its_own(examples):
     file = examples / "cases" / "walking_set_b.toml"
-    with pytest.raises(tricontact.InputError, match="tricontact walk computes it"):
+    with pytest.raises(tricontact.InputError, match="tricontact run computes it"):
         tricontact.Case.from_file(file)
     assert tricontact.WalkCase.from_file(file).to_dict()["machine"]["kappa1"] == 2
 

@@ -15,7 +15,7 @@ def test_walk_is_that_of_the_program(machine, program, tmp_path, summary_of):
     settings = {"time.end": 500, "output.frames": 0}
     walk = tricontact.walk(tricontact.WalkCase.from_file(machine, settings))
     arguments = [text for key, value in settings.items() for text in ("--set", f"{key}={value}")]
-    program("walk", machine, *arguments, "--no-report", "--quiet", "--output", "out")
+    program("run", machine, *arguments, "--no-report", "--quiet", "--output", "out")
     assert summary_of(walk.summary) == summary_of(tmp_path / "out" / "summary.json")
     for name, table in (("motion", walk.motion), ("windows", walk.windows)):
         file = tricontact.read_table(tmp_path / "out" / f"{name}.csv")

@@ -209,4 +209,8 @@ AnyCase read_any_case(const std::string& path, const std::vector<std::string>& o
     return io::parse_case(text, path, overrides);
 }
 
+bool is_walk_case_file(const std::string& path) {
+    return io::is_walk_case(io::parse_document(io::read_input_file(path), path));
+}
+
 }  // namespace tricontact::walking

@@ -34,4 +34,7 @@ using AnyCase = std::variant<contact::Case, WalkCase>;
 /// contact::InputError.
 AnyCase read_any_case(const std::string& path, const std::vector<std::string>& overrides = {});
 
+/// Whether the file is about the machine. Throws contact::InputError if it cannot be read.
+bool is_walk_case_file(const std::string& path);
+
 }  // namespace tricontact::walking

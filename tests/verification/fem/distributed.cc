@@ -143,9 +143,9 @@ class FemDistributed : public testing::Test {
         std::ofstream(folder_ + "/case.toml") << text << "cache = \"" << folder_ << "/cache\"\n";
     }
 
-    // Runs `launcher` program condense case.toml `arguments`.
+    // Runs `launcher` program cache condense case.toml `arguments`.
     Result condense(const std::string& launcher, const std::string& arguments = "") const {
-        const std::string command = launcher + " " TRICONTACT_PROGRAM " condense " + folder_ +
+        const std::string command = launcher + " " TRICONTACT_PROGRAM " cache condense " + folder_ +
                                     "/case.toml " + arguments + " 2>&1";
         Result result{-1, ""};
         FILE* pipe = popen(command.c_str(), "r");

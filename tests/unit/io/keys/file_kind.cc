@@ -42,7 +42,7 @@ const std::map<std::string, std::function<void(const std::string&)>>& readers() 
     return all;
 }
 
-// The command that the file at hand is for: of one case, what computes it.
+// What the file at hand is for: a study, or one of the kinds of case, all computed by run.
 std::string command_for(const std::filesystem::path& file) {
     std::ifstream in(file);
     const std::string text{std::istreambuf_iterator<char>(in), {}};
@@ -74,7 +74,9 @@ TEST(FileKind, EveryFileGivenToAnotherCommandNamesItsOwn) {
                 if (takes)
                     EXPECT_EQ(said, "") << reader << ' ' << entry.path();
                 else
-                    EXPECT_NE(said.find("; tricontact " + command + ' '), std::string::npos)
+                    EXPECT_NE(
+                        said.find(command == "sweep" ? "; tricontact sweep " : "; tricontact run "),
+                        std::string::npos)
                         << reader << ' ' << entry.path() << ": " << said;
                 ++n;
             }
@@ -87,9 +89,10 @@ TEST(FileKind, SaysWhatItIsAndWhatIsDue) {
               "a.toml:1:1: this is a study, not a contact case; tricontact sweep computes it");
     EXPECT_EQ(message([] { parse_rig_file("[machine]\n", "a.toml"); }),
               "a.toml:1:1: this is a case of the micro-walking machine, not a contact case; "
-              "tricontact walk computes it");
+              "tricontact run computes it");
     EXPECT_EQ(message([] { parse_case(" 3 MODULE\n", "a.inp"); }),
-              "a.inp: this is input of the program CONTACT; tricontact import makes a case of it");
+              "a.inp: this is input of the program CONTACT; tricontact contact import makes a case "
+              "of it");
 }
 
 TEST(FileKind, AnOverrideDoesNotChangeIt) {

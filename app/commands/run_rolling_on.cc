@@ -3,10 +3,9 @@
 #include <optional>
 #include <utility>
 
-#include "app/commands/command.h"
+#include "app/commands/run_kinds.h"
 #include "app/roll_models.h"
 #include "app/shown_states.h"
-#include "bem/model.h"
 #include "comparisons/quantities/left_out.h"
 #include "comparisons/run/input_reading.h"
 #include "contact/models/model_kind.h"
@@ -22,11 +21,7 @@ namespace {
 
 using rolling::RollingReport;
 
-struct RollOptions : CommandOptions {
-    int points = 12;  ///< of the creep curve; 0: none
-};
-
-const std::string roll_again = std::string("tricontact roll ") + resolved_case_name;
+const std::string rolling_again = std::string("tricontact run ") + resolved_case_name;
 
 io::OutputNames roll_outputs(const std::vector<std::string>& models) {
     io::OutputNames names{{resolved_case_name, "summary.json", "creep.csv", "report.html"},
@@ -56,10 +51,10 @@ double states_at_most(const Case& c, double frames, double spacing) {
 }
 
 rolling::RollingRun roll_model(const std::string& model, const Case& c,
-                               const RollOptions& options) {
+                               const RunCommandOptions& options) {
     const std::string folder = options.output + "/" + model;
     io::make_output_folder(folder);
-    const io::Provenance provenance{files::version, roll_again};
+    const io::Provenance provenance{files::version, rolling_again};
     const double speed = c.tractive_rolling->speed;
     const char* time = speed > 0 ? io::time_in_seconds : io::time_in_half_lengths;
     io::VtkSeries surfaces(folder, "surface", provenance, time);
@@ -142,14 +137,15 @@ std::string table_of(const RollingReport& report) {
     return text;
 }
 
-void write(const RollingReport& report, const std::string& resolved, const RollOptions& options) {
+void write(const RollingReport& report, const std::string& resolved,
+           const RunCommandOptions& options) {
     options.write("summary.json", roll_summary(report, resolved));
     options.write("creep.csv", rolling::creep_csv(report));
     options.write(io::paraview_macro_name, io::paraview_macro(options.output));
-    if (options.report) options.write_report(rolling::rolling_document(report), roll_again);
+    if (options.report) options.write_report(rolling::rolling_document(report), rolling_again);
 }
 
-void roll_models(const Case& c, const RollOptions& options) {
+void roll_models(const Case& c, const RunCommandOptions& options) {
     const std::string resolved = io::write_case(c);
     options.write(resolved_case_name, resolved);
     RollingReport report{.c = c, .runs = {}, .files = files_of(c), .version = files::version};
@@ -158,30 +154,13 @@ void roll_models(const Case& c, const RollOptions& options) {
     options.out() << table_of(report) << comparisons::left_out_lines(c, c.models);
 }
 
-/// From rest to steady rolling.
-void roll_case(RollOptions options) {
-    const Case c = io::read_case(options.file, options.overrides, options.models);
-    require_rolling_on(c, options.file);
-    bem::check_influence_file(c);  // before anything is written
+}  // namespace
+
+void run_rolling_on(const Case& c, RunCommandOptions options) {
     options.choose_folder();
     for (const std::string& sentence : comparisons::input_sentences(c)) options.say(sentence);
     options.fill(roll_outputs(c.models), [&] { roll_models(c, options); });
     options.say(options.where());
-}
-
-}  // namespace
-
-Command roll_command() {
-    return Declared<RollOptions>("roll", "Roll on: from rest to steady rolling, creep curves",
-                                 roll_case)
-        .on_case()
-        .output("Folder (results/<case>)")
-        .models("Run these models instead of the case's")
-        .number("--points", &RollOptions::points, "Points per creep curve (12; 0: none)", 0, 1000)
-        .exports()
-        .threads()
-        .no_report()
-        .quiet();
 }
 
 }  // namespace tricontact::app

@@ -2,7 +2,7 @@
 #include <cmath>
 #include <vector>
 
-#include "app/commands/command.h"
+#include "app/commands/run_kinds.h"
 #include "walking/input/walk_reader.h"
 #include "walking/report/walk_animation.h"
 #include "walking/report/walk_document.h"
@@ -16,7 +16,7 @@ using walking::Snapshot;
 using walking::Walk;
 using walking::WalkCase;
 
-const std::string walk_again = std::string("tricontact walk ") + resolved_case_name;
+const std::string walk_again = std::string("tricontact run ") + resolved_case_name;
 
 /// The last period of a limit cycle, else some swings of the spring: not more than `most` states,
 /// at equal intervals.
@@ -53,7 +53,9 @@ void write_page(const CommandOptions& options, const WalkCase& walk_case, const 
     options.write_report(document, walk_again);
 }
 
-void walk_machine(CommandOptions options) {
+}  // namespace
+
+void run_walking(RunCommandOptions options) {
     const WalkCase walk_case = walking::read_walk_case(options.file, options.overrides);
     options.choose_folder();
     const std::string resolved = walking::write_walk_case(walk_case);
@@ -72,18 +74,6 @@ void walk_machine(CommandOptions options) {
                  });
     if (!options.quiet) options.out() << walking::walk_text(walk_case, walk);
     options.say(options.where());
-}
-
-}  // namespace
-
-Command walk_command() {
-    return Declared<CommandOptions>("walk", "Run a micro-walking machine and judge its motion",
-                                    walk_machine)
-        .on_case()
-        .output("Folder (results/<case>)")
-        .exports()
-        .quiet("No table, no closing line")
-        .no_report();
 }
 
 }  // namespace tricontact::app
