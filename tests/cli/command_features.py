@@ -61,12 +61,14 @@ class Answer:
             (self.folder / "case.toml").write_text(toml_of(case).replace('"kept"', f'"{kept()}"'))
             self.said, self.code = "", 0
             has_page = bool(command["telling"])
+            rolls_on = any(key.startswith("tractive_rolling.") for key in case)  # no comparison runs, one model
             for arguments in command["calls"]:
                 if self.code == 0:
                     quick = not with_page and arguments[0] in columns.commands_with_no_report
                     has_page = has_page and not quick
-                    self.call([program, *arguments, *(["--no-report"] if quick else [])])
-            self.result = {} if self.code else self.numbers(command["answer"], command["part"])
+                    kept_arguments = [one for one in arguments if not (rolls_on and one == "--no-studies")]
+                    self.call([program, *kept_arguments, *(["--no-report"] if quick else [])])
+            self.result = {} if self.code else self.numbers(command["answer"], () if rolls_on else command["part"])
             self.told = "" if self.code else self.sentences(command["telling"] if has_page else None)
 
     def call(self, arguments):

@@ -38,9 +38,10 @@ commands = {
                        over=elements),
     "influence": call("influence", "case.toml", "--model", "bem-layer", "--output", "out.txt", answer="out.txt",
                       over=layer),
-    "contact export bem": call("contact", "export", "case.toml", "--model", "bem", "--output", "out", answer="out/*.inp"),
+    "contact export bem": call("contact", "export", "case.toml", "--model", "bem", "--output", "out",
+                               answer="out/*.inp"),
     "contact export bem-layer": call("contact", "export", "case.toml", "--model", "bem-layer", "--output", "out",
-                             answer="out/*.inp out/*.influence", over=layer),
+                                     answer="out/*.inp out/*.influence", over=layer),
     "limit": call("limit", "case.toml", "--models", "bem", "--tolerance", "1e-2", "--output", "out",
                   answer="out/limit.json", telling="out/report.html"),
     "run rolling on": call("run", "case.toml", "--points", "0", "--output", "out", answer="out/summary.json",
@@ -80,13 +81,15 @@ commands = {
 # hand (command_features.py PROGRAM TABLE slow, ten minutes).
 groups = {
     "fast": ["run mdr", "run mdr-layer", "run bem", "run bem-layer", "check", "influence", "contact export bem",
-             "contact export bem-layer", "limit", "run rolling on", "sweep", "fit", "predict", "predict on a layer", "experiment", "rig"],
+             "contact export bem-layer", "limit", "run rolling on", "sweep", "fit", "predict", "predict on a layer",
+             "experiment", "rig"],
     "elements": ["run fem", "mesh", "cache condense", "refine bem", "atlas", "identify", "design"],
     "slow": ["refine fem", "deviation", "deviation --finite-strain"],
 }
 # Where the same answer is right, and why: (commands, features, reason).
 unaffected = [
-    ("run bem|run mdr|run mdr-layer|limit|sweep|refine bem|run rolling on|contact export bem|fit|atlas|experiment", "pressing",
+    ("run bem|run mdr|run mdr-layer|limit|sweep|refine bem|run rolling on|contact export bem|fit|atlas|experiment",
+     "pressing",
      "normal and tangential contact are uncoupled: there is one way of pressing"),
     ("predict|predict on a layer|limit", "rolling steps", "the answer is that of rolling without steps"),
     ("mesh|cache condense", "path|path with a shift|centre of rotation|path with rolling|static load|rolling amplitude|"
@@ -110,8 +113,8 @@ unaffected = [
      "the modulus is what is looked for: the case's value is a guess"),
     ("design", "layer", "the thickness is what is varied"),
     ("design", "[rig]", "no requirement that is asked for needs the density"),
-    ("run bem|run mdr|run mdr-layer|run bem-layer|influence|limit|run rolling on|sweep|fit|refine bem|contact export bem|contact export bem-layer|"
-     "rig|design|experiment|identify|atlas", "mesh file", "a mesh is fem's, which does not take part"),
+    ("run bem|run mdr|run mdr-layer|run bem-layer|influence|limit|run rolling on|sweep|fit|refine bem|"
+     "contact export bem|contact export bem-layer|rig|design|experiment|identify|atlas", "mesh file", "a mesh is fem's, which does not take part"),
     ("run mdr-layer|run bem-layer|contact export bem-layer|rig|identify", "sides that are held",
      "the block of fem, which does not take part"),
     ("run mdr|run mdr-layer|rig|design", "influence file", "coefficients of bem-layer, which does not take part"),

@@ -29,13 +29,13 @@ while read -r command; do
     for file in page completion.bash completion.zsh completion.fish; do
         grep -qw -- "${command#* }" "$file" || complain "$file has no command $command"
     done
+    # shellcheck disable=SC2086
     while read -r option; do
         grep -q -- "$option" page || complain "the page has no $option of $command"
         grep -q -- "$option" completion.bash || complain "completion.bash has no $option of $command"
         grep -q -- "$option" completion.zsh || complain "completion.zsh has no $option of $command"
         grep -qF -- "__fish_seen_subcommand_from ${command#* }' -l ${option#--}" completion.fish ||
             complain "completion.fish has no $option of $command"
-        # shellcheck disable=SC2086
     done < <("$program" $command --help | grep -oE '^  (-h,)?--[a-z-]+' | grep -oE -- '--[a-z-]+' | grep -v -- --help)
 done <commands
 
