@@ -80,7 +80,8 @@ class Order {
         : case_(io::read_case(options.file, options.overrides)), cache_(case_.fem.cache) {
         if (cache_.folder().empty())
             throw contact::InputError(
-                "fem.cache: cache condense keeps the layer for later runs, but nothing is to be kept; "
+                "fem.cache: cache condense keeps the layer for later runs, but nothing is to be "
+                "kept; "
                 "name a folder");
     }
 
