@@ -83,7 +83,7 @@ refused "load.limit_fraction follows the amplitude" limit "$rig" --vary amplitud
 refused "load.limit_fraction: layer and half-space are compared under one F_T" \
     deviation "$layer" --set load.limit_fraction=0.5
 refused "load.limit_fraction: the model's limit is known by a run alone" \
-    export "$rig" --set load.limit_fraction=0.5
+    contact export "$rig" --set load.limit_fraction=0.5
 refused "load: the tangential force" run "$rig" --models mdr --set load.limit_fraction=1.6
 refused "leaves no point in contact" run "$rig" --models mdr --set load.limit_fraction=0.5 --set rolling.amplitude_ratio=1.2
 "$program" fit study.toml --output study 2>log && complain "fit of loads of each model's own"
