@@ -187,9 +187,10 @@ void complete(Rig& rig, const io::RigFile& file) {
     const double relative = relative_error_of_key(file, "rolling.amplitude") +
                             relative_error_of_key(file, "rolling.amplitude_ratio");  // one of both
     for (int i : {0, 1}) rig.reach[i] = {reach[i], reach[i] * relative};
-    if (!rig.has("w") && !rig.has("a'") && c.rolling)
-        rig.data["w"] = {contact::path_amplitude(c, radius) / radius,
-                         contact::path_amplitude(c, radius) / radius * relative};
+    if (!rig.has("w") && !rig.has("a'") && c.rolling) {
+        const double ratio = contact::path_amplitude(c, radius) / radius;
+        rig.data["w"] = {ratio, ratio * relative};
+    }
     if (const auto& roughness = c.indenter.roughness) {
         if (!rig.has("h_rms")) rig.data["h_rms"] = {contact::rms_height(*roughness)};
         if (!rig.has("s_rms")) rig.data["s_rms"] = {roughness->rms_slope};

@@ -39,24 +39,6 @@ std::vector<std::string_view> words_of(std::string_view line, std::string_view b
     return words;
 }
 
-std::vector<TextLine> lines_of(std::string_view text, std::size_t most) {
-    if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);  // mark of UTF-8
-    std::vector<TextLine> lines;
-    for (std::size_t number = 1; !text.empty() && lines.size() < most; ++number) {
-        const auto end = std::min(text.find('\n'), text.size());
-        const std::string_view line = trimmed(text.substr(0, end));
-        if (!line.empty() && line[0] != '#') lines.push_back({number, line});
-        text.remove_prefix(std::min(end + 1, text.size()));
-    }
-    return lines;
-}
-
-char divider_in(std::string_view line, std::string_view dividers, char otherwise) {
-    for (const char divider : dividers)
-        if (line.find(divider) != line.npos) return divider;
-    return otherwise;
-}
-
 std::vector<std::string_view> cells_of(std::string_view line, char divider) {
     std::vector<std::string_view> cells;
     for (;;) {

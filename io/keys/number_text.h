@@ -18,11 +18,6 @@ struct TextLine {
     std::size_t number = 0;  ///< from 1
     std::string_view text;   ///< without blanks at both ends
 };
-/// The first `most` lines of a text but for empty ones and those that begin with #; a mark of UTF-8
-/// is left out.
-std::vector<TextLine> lines_of(std::string_view text, std::size_t most);
-/// The first of these characters that the line has.
-char divider_in(std::string_view line, std::string_view dividers, char otherwise);
 /// The parts of a line, without blanks at both ends.
 std::vector<std::string_view> cells_of(std::string_view line, char divider);
 
