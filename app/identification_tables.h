@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "app/identification_models.h"
-#include "app/models.h"
+#include "app/models/make_model.h"
 #include "contact/special_values.h"
 #include "report/lazy_table.h"
 

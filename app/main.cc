@@ -23,7 +23,7 @@
 #include "app/commands/command.h"
 #include "app/plain_output.h"
 #ifdef TRICONTACT_WITH_FEM
-#include "app/fem_entries.h"
+#include "app/models/fem_entries.h"
 #endif
 #include "contact/freed_memory.h"
 #include "io/keys/messages.h"

@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/case_run.h"
 #include "app/identification_models.h"
 #include "atlas/prediction.h"
 #include "atlas/shipped.h"
@@ -11,6 +10,7 @@
 #include "contact/load_path.h"
 #include "experiments/records/experiment_evaluation.h"
 #include "io/case/measurement_models.h"
+#include "runs/case_run.h"
 #include "theory/cattaneo_mindlin.h"
 
 namespace tricontact::app {

@@ -4,8 +4,7 @@
 
 #include <cmath>
 
-#include "app/case_run.h"
-#include "app/roll_models.h"
+#include "app/models/roll_models.h"
 #include "app/uncertain_case.h"
 #include "contact/error.h"
 #include "contact/load_path.h"
@@ -13,6 +12,7 @@
 #include "experiments/records/recorded_path.h"
 #include "io/case/case_reader.h"
 #include "report/format.h"
+#include "runs/case_run.h"
 
 namespace tricontact::app {
 

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "app/options.h"
 #include "experiments/records/experiment.h"
 #include "experiments/records/experiment_evaluation.h"
+#include "runs/options.h"
 
 namespace tricontact::app {
 

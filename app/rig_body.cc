@@ -2,12 +2,12 @@
 
 #include <cmath>
 
-#include "app/case_run.h"
 #include "comparisons/quantities/map_border.h"
 #include "contact/models/model_kind.h"
 #include "contact/special_values.h"
 #include "experiments/assumptions/check_rig.h"
 #include "experiments/records/experiment_evaluation.h"
+#include "runs/case_run.h"
 
 namespace tricontact::app {
 

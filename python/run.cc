@@ -6,13 +6,13 @@
 #include <optional>
 #include <thread>
 
-#include "app/case_run.h"
-#include "app/roll_models.h"
+#include "app/models/roll_models.h"
 #include "comparisons/quantities/results.h"
 #include "files/version.h"
 #include "io/case/case_reader.h"
 #include "python/bindings.h"
 #include "rolling/rolling_document.h"
+#include "runs/case_run.h"
 
 namespace tricontact::python {
 

@@ -2,10 +2,10 @@
 
 #include <pybind11/stl.h>
 
-#include "app/studies/sweep.h"
 #include "contact/interruption.h"
 #include "io/results/atomic_file.h"
 #include "python/bindings.h"
+#include "studies/sweep.h"
 #include "walking/input/walk_reader.h"
 #include "walking/report/walk_document.h"
 

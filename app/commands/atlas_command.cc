@@ -3,14 +3,14 @@
 #include <filesystem>
 
 #include "app/commands/command.h"
-#include "app/studies/atlas_points.h"
-#include "app/studies/shard.h"
 #include "atlas/atlas_file.h"
 #include "files/digest.h"
 #include "io/keys/input_file.h"
 #include "io/keys/key_checks.h"
 #include "io/keys/messages.h"
 #include "report/csv.h"
+#include "studies/atlas_points.h"
+#include "studies/shard.h"
 #include "walking/input/walk_keys.h"
 
 namespace tricontact::app {

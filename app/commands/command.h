@@ -13,10 +13,10 @@
 #include <vector>
 
 #include "app/commands/option_list.h"
-#include "app/options.h"
-#include "app/papers/paper_export.h"
-#include "app/unread_parts.h"
 #include "io/case/case_reader.h"
+#include "papers/paper_export.h"
+#include "runs/options.h"
+#include "runs/unread_parts.h"
 
 // Files of commands take from here what most of them need: texts, output, options, cases.
 namespace tricontact::app {

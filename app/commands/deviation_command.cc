@@ -1,11 +1,11 @@
 #include "app/commands/command.h"
 #include "app/commands/strain_deviation.h"
-#include "app/roll_models.h"
-#include "app/studies/study_kind.h"
+#include "app/models/roll_models.h"
 #include "comparisons/finite_strain/strain_runs.h"
 #include "comparisons/half_space/deviation_output.h"
 #include "comparisons/quantities/left_out.h"
 #include "contact/models/model_kind.h"
+#include "studies/study_kind.h"
 
 namespace tricontact::app {
 

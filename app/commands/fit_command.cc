@@ -4,12 +4,12 @@
 #include <filesystem>
 
 #include "app/commands/command.h"
-#include "app/studies/study_kind.h"
 #include "comparisons/quantities/reference.h"
 #include "comparisons/shakedown/study_fit.h"
 #include "contact/bodies/half_space_scales.h"
 #include "contact/load_path.h"
 #include "io/keys/messages.h"
+#include "studies/study_kind.h"
 #include "walking/input/walk_keys.h"
 
 namespace tricontact::app {

@@ -2,8 +2,8 @@
 #include <iterator>
 
 #include "app/commands/command.h"
-#include "app/models.h"
-#include "app/roll_models.h"
+#include "app/models/make_model.h"
+#include "app/models/roll_models.h"
 #include "bem/model.h"
 #include "comparisons/quantities/left_out.h"
 #include "comparisons/quantities/quantities.h"

@@ -1,11 +1,11 @@
-#include "app/case_run.h"
 #include "app/commands/command.h"
-#include "app/roll_models.h"
+#include "app/models/roll_models.h"
 #include "app/uncertain_prediction.h"
 #include "atlas/page/atlas_page.h"
 #include "atlas/prediction_json.h"
 #include "io/case/rig_file.h"
 #include "report/format.h"
+#include "runs/case_run.h"
 
 namespace tricontact::app {
 

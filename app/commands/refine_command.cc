@@ -2,10 +2,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "app/case_run.h"
 #include "app/commands/command.h"
-#include "app/studies/point_key.h"
-#include "app/studies/refinement_levels.h"
 #include "comparisons/quantities/left_out.h"
 #include "comparisons/resolution/refined_values.h"
 #include "comparisons/run/input_reading.h"
@@ -13,6 +10,9 @@
 #include "files/digest.h"
 #include "files/regular_file.h"
 #include "io/keys/json_text.h"
+#include "runs/case_run.h"
+#include "runs/point_key.h"
+#include "studies/refinement_levels.h"
 
 namespace tricontact::app {
 

@@ -7,13 +7,13 @@
 #include <stdexcept>
 
 #include "app/commands/command.h"
-#include "app/papers/archive.h"
-#include "app/papers/archived_arguments.h"
-#include "app/papers/input_places.h"
-#include "app/papers/paper_export.h"
-#include "app/papers/temporary_folder.h"
 #include "comparisons/reproduction/reproduction.h"
 #include "io/keys/messages.h"
+#include "papers/archive.h"
+#include "papers/archived_arguments.h"
+#include "papers/input_places.h"
+#include "papers/paper_export.h"
+#include "papers/temporary_folder.h"
 
 namespace tricontact::app {
 

@@ -1,6 +1,5 @@
 #include <filesystem>
 
-#include "app/case_run.h"
 #include "app/commands/command.h"
 #include "app/rig_body.h"
 #include "app/rig_growth.h"
@@ -13,6 +12,7 @@
 #include "io/case/rig_file.h"
 #include "io/keys/input_file.h"
 #include "report/format.h"
+#include "runs/case_run.h"
 #include "walking/input/walk_keys.h"
 #include "walking/input/walk_reader.h"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/case_run.h"
+#include "runs/case_run.h"
 
 // What `run` does with the kinds of cases that there are; run_command.cc tells them apart.
 namespace tricontact::app {

@@ -4,8 +4,7 @@
 #include <utility>
 
 #include "app/commands/run_kinds.h"
-#include "app/roll_models.h"
-#include "app/shown_states.h"
+#include "app/models/roll_models.h"
 #include "comparisons/quantities/left_out.h"
 #include "comparisons/run/input_reading.h"
 #include "contact/models/model_kind.h"
@@ -14,6 +13,7 @@
 #include "report/format.h"
 #include "rolling/creep_theory.h"
 #include "rolling/rolling_document.h"
+#include "runs/shown_states.h"
 
 namespace tricontact::app {
 

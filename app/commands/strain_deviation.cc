@@ -3,12 +3,12 @@
 #include <algorithm>
 
 #include "app/commands/command.h"
-#include "app/models.h"
-#include "app/roll_models.h"
-#include "app/studies/study_kind.h"
+#include "app/models/make_model.h"
+#include "app/models/roll_models.h"
 #include "comparisons/finite_strain/strain_output.h"
 #include "comparisons/quantities/left_out.h"
 #include "contact/models/model_kind.h"
+#include "studies/study_kind.h"
 
 namespace tricontact::app {
 

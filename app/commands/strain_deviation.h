@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/options.h"
+#include "runs/options.h"
 
 namespace tricontact::app {
 

@@ -1,8 +1,8 @@
 #include <filesystem>
 
 #include "app/commands/command.h"
-#include "app/studies/study_kind.h"
-#include "app/studies/sweep.h"
+#include "studies/study_kind.h"
+#include "studies/sweep.h"
 
 namespace tricontact::app {
 

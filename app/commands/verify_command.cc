@@ -1,5 +1,5 @@
 #include "app/commands/command.h"
-#include "app/verification/verification_rows.h"
+#include "verification/verification_rows.h"
 
 namespace tricontact::app {
 

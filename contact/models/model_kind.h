@@ -23,7 +23,7 @@ inline constexpr const char* atlas = "atlas";
 }  // namespace models
 
 /// What a model assumes and how it computes: a row of the table of models. Whoever adds a model
-/// adds its row in model_kind.cc, and its maker in app/models.cc.
+/// adds its row in model_kind.cc, and its maker in app/models/make_model.cc.
 struct ModelKind {
     enum class Method {
         independent_springs,

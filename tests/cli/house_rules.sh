@@ -12,7 +12,8 @@ complain() {
     printf 'FAILED: %s\n' "$*"
 }
 
-rooms=(app bem comparisons contact experiments fem files io mdr meshes python report rolling statistics theory walking atlas)
+rooms=(app bem comparisons contact experiments fem files io mdr meshes papers python report rolling runs statistics studies
+    theory verification walking atlas)
 
 # may_include FOLDER OTHERS...: files of a folder and its subfolders include their own and these.
 may_include() {
@@ -43,6 +44,7 @@ may_include rolling contact theory statistics io report comparisons files
 may_include walking contact theory statistics io report comparisons files
 may_include experiments contact theory statistics io report comparisons files
 # All.
+for room in papers runs studies verification; do may_include "$room" "${rooms[@]}"; done
 may_include app "${rooms[@]}"
 may_include python "${rooms[@]}"
 
@@ -82,7 +84,7 @@ if [ -e "$sources" ]; then
     while read -r file; do
         [ -e "$file" ] || complain "$file, in the digest of the numerics, is no file"
     done <"$sources"
-    for room in app atlas comparisons fem/finite_strain walking; do
+    for room in app atlas comparisons fem/finite_strain runs studies walking; do
         grep -q "^$room/" "$sources" || complain "nothing of $room is in the digest of the numerics"
     done
     while read -r header; do
@@ -104,7 +106,7 @@ found=$(grep -rnE --include='*_json.cc' --include='*_output.cc' --include='*_csv
 
 # What follows from a model is asked of its row: names stand in the table of models, and its makers compare them.
 found=$(grep -rnE --include='*.cc' --include='*.h' '"|models::' "${rooms[@]}" | sed 's|//.*||' |
-    grep -vE '^(contact/models/|io/case/measurement_models.cc:|app/models.cc:)' |
+    grep -vE '^(contact/models/|io/case/measurement_models.cc:|app/models/make_model.cc:)' |
     grep -E '"(mdr|bem|fem|mdr-layer|bem-layer)"|[!=]= *("(atlas|half-space|layer)"|(contact::)?models::)|_with\("(mdr|bem|fem|-?layer)"|(find|count)\([^()]*models::(mdr|bem|fem|atlas)' |
     grep -vE 'R"\(\[' || true)
 [ -z "$found" ] || complain "the name of a model: $found: ask contact::model_kind()"

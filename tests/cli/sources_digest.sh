@@ -6,7 +6,7 @@ source "$(dirname -- "${BASH_SOURCE[0]}")/prepare.bash"
 
 printf 'contact/run.cc\nbem/model.cc\n' >list
 digest() {
-    cmake -DROOT="$work/$1" -DLIST="$work/list" -DUNIT="$work/$2" -DHEADER=app/studies/point_key.h \
+    cmake -DROOT="$work/$1" -DLIST="$work/list" -DUNIT="$work/$2" -DHEADER=runs/point_key.h \
         -DFUNCTION=app::numerics_digest -P "$source_dir/cmake/sources_digest.cmake" ||
         complain "no digest of $1"
 }

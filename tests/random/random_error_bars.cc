@@ -10,10 +10,10 @@
 #include <cstdio>
 #include <random>
 
-#include "app/case_run.h"
 #include "comparisons/quantities/quantities.h"
 #include "contact/error.h"
 #include "io/case/case_reader.h"
+#include "runs/case_run.h"
 #include "tests/random/bar_tally.h"
 #include "tests/random/drawn_bars.h"
 #include "tests/random/seeded_main.h"

@@ -10,9 +10,9 @@
 #include <filesystem>
 #include <stdexcept>
 
-#include "app/case_run.h"
 #include "comparisons/quantities/quantities.h"
 #include "contact/error.h"
+#include "runs/case_run.h"
 #include "tests/random/bar_tally.h"
 #include "tests/random/drawn_bars.h"
 #include "tests/random/seeded_main.h"

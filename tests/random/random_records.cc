@@ -20,12 +20,12 @@
 #include <random>
 #include <vector>
 
-#include "app/case_run.h"
 #include "app/record_predictions.h"
 #include "contact/error.h"
 #include "contact/load_path.h"
 #include "experiments/records/experiment_evaluation.h"
 #include "io/case/case_reader.h"
+#include "runs/case_run.h"
 #include "tests/random/random_rig.h"
 #include "tests/random/seeded_main.h"
 

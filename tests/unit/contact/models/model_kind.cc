@@ -43,7 +43,7 @@ Case layer_case(double thickness, double poisson = .5) {
     return c;
 }
 
-/// The models of the libraries that these tests link, as app/models.cc makes them.
+/// The models of the libraries that these tests link, as app/models/make_model.cc makes them.
 std::unique_ptr<Model> made(const std::string& name, const Case& c) {
     if (name == contact::models::mdr) return mdr::make_model(c);
     if (name == contact::models::mdr_layer) return mdr::make_layer_model(c);

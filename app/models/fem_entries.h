@@ -1,0 +1,47 @@
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "contact/model.h"
+#include "meshes/layer_mesh.h"
+#include "runs/options.h"
+
+namespace tricontact::app {
+
+struct CondenseOptions : CommandOptions {
+    bool distributed = false;  ///< by MPI, also when mpirun did not start this process
+};
+
+struct CacheOptions {
+    std::string folder;  ///< as fem.cache; empty: that of the user
+    bool clear = false;
+};
+
+/// What the finite element module offers to the program. It is loaded when first needed: deal.II
+/// and what comes with it take longer to load than many a half-space run to compute.
+struct FemEntries {
+    std::unique_ptr<contact::Model> (*make_model)(const Case& c, const Say& say);
+    meshes::LayerMeshSpec (*mesh_spec)(const Case& c, const Say& say);
+    /// Writes the mesh of the case's finite element layer (.msh, .vtu, and .geo if it is ours) and
+    /// prints its quality to standard output. Throws InputError, NotConverged.
+    void (*write_mesh)(CommandOptions options);
+    /// Condenses the case's finite element layer into the cache, from which other commands take it;
+    /// by all processes that mpirun started, together. Throws InputError, NotConverged.
+    void (*condense)(const CondenseOptions& options);
+    /// Prints the condensed layers that are kept and the room that they take to standard output, or
+    /// removes them. Throws InputError.
+    void (*list_or_clear_cache)(const CacheOptions& options);
+    /// Whether this is a further process of those that condense together: the first one prints
+    /// errors.
+    bool (*is_further_process)();
+};
+
+/// The module's only symbol.
+inline constexpr const char* fem_entries_symbol = "tricontact_fem_entries";
+using FemEntriesFunction = const FemEntries*();
+
+/// Loads the module if need be. Throws std::runtime_error when it is not beside the program.
+const FemEntries& fem_entries();
+
+}  // namespace tricontact::app

@@ -1,0 +1,234 @@
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+
+#include <chrono>
+#include <exception>
+#include <filesystem>
+#include <optional>
+#include <stdexcept>
+
+#include "app/models/fem_entries.h"
+#include "fem/distributed/layer.h"
+#include "fem/layer_cache.h"
+#include "fem/layer_condenser.h"
+#include "fem/model.h"
+#include "files/partial_file.h"
+#include "io/case/case_reader.h"
+#include "io/results/vtk_files.h"
+#include "meshes/mesh_file.h"
+
+namespace tricontact::app {
+
+namespace {
+
+/// Enumerators as the indices that a mesh view holds.
+template <class T, class Get>
+std::vector<std::uint8_t> indices(const std::vector<T>& items, Get get) {
+    std::vector<std::uint8_t> result;
+    for (const T& item : items) result.push_back(static_cast<std::uint8_t>(get(item)));
+    return result;
+}
+
+void write_view(const meshes::HexMesh& mesh, const std::string& path,
+                const std::string& command_line) {
+    std::vector<std::array<int, 4>> faces;
+    for (const auto& face : mesh.faces) faces.push_back(face.nodes);
+    const auto regions = indices(mesh.regions, [](meshes::Region region) { return region; });
+    const auto boundaries =
+        indices(mesh.faces, [](const meshes::HexMesh::Face& face) { return face.boundary; });
+    io::MeshView view{.points = mesh.nodes,
+                      .hexes = mesh.hexes,
+                      .regions = regions,
+                      .faces = faces,
+                      .boundaries = boundaries,
+                      .region_names = {},
+                      .boundary_names = {}};
+    for (int k = 0; k < meshes::n_regions; ++k)
+        view.region_names.emplace_back(name_of(static_cast<meshes::Region>(k)));
+    for (int k = 0; k < meshes::n_boundaries; ++k)
+        view.boundary_names.emplace_back(name_of(static_cast<meshes::Boundary>(k)));
+    io::write_mesh_vtu(path, view, {files::version, command_line});
+}
+
+void print_quality(const meshes::HexMesh& mesh) {
+    const meshes::MeshQuality q = meshes::quality(mesh);
+    std::cout << fmt::format(
+        "hexahedra            {}\n"
+        "nodes                {}\n"
+        "contact faces        {}\n"
+        "element at contact   {:.6g} mm\n"
+        "block                {:.6g} x {:.6g} x {:.6g} mm{}\n"
+        "least Jacobian       {:.4g} (1: a box)\n"
+        "aspect ratio         {:.4g} at worst\n",
+        q.n_hexes, q.n_nodes, q.n_contact_faces, 1e3 * q.contact_size, 1e3 * (q.high[0] - q.low[0]),
+        1e3 * (q.high[1] - q.low[1]), 1e3 * (q.high[2] - q.low[2]),
+        mesh.has_symmetry() ? " (half, plane of symmetry y = 0)" : "", q.least_jacobian,
+        q.largest_aspect_ratio);
+}
+
+void say_plainly(const std::string& line) {
+    std::cerr << line << '\n';
+}
+void say(const std::string& line) {
+    say_plainly("fem: " + line);
+}
+
+/// A case's layer on its way into the cache.
+class Order {
+  public:
+    explicit Order(const CondenseOptions& options)
+        : case_(io::read_case(options.file, options.overrides)), cache_(case_.fem.cache) {
+        if (cache_.folder().empty())
+            throw contact::InputError(
+                "fem.cache: cache condense keeps the layer for later runs, but nothing is to be "
+                "kept; "
+                "name a folder");
+    }
+
+    /// Empty when the layer is there already.
+    std::optional<fem::LayerProblem> problem() {
+        auto problem = fem::problem_of(case_, fem::make_mesh(case_, say_plainly));
+        key_ = fem::LayerCache::key(problem);
+        n_elements_ = problem.mesh.hexes.size();
+        auto claim = cache_.claim(
+            key_, [] { say("another process condenses this layer, which is waited for"); });
+        if (claim.layer) {
+            say(fmt::format("condensed layer is there already: {} ({} contact nodes)",
+                            cache_.path_of(key_), claim.layer->points.size()));
+            return std::nullopt;
+        }
+        if (!claim.why.empty()) say(fmt::format("condensed layer recomputed: {}", claim.why));
+        reservation_ = std::move(claim.reservation);
+        return problem;
+    }
+
+    void keep(const fem::CondensedLayer& layer) const {
+        std::string why;
+        if (!cache_.store(key_, layer, &why))
+            throw std::runtime_error("condensed layer not kept: " + why);
+        const auto taken = std::chrono::steady_clock::now() - start_;
+        say(
+            fmt::format("layer of {} elements condensed to {} contact nodes in {:.1f} s, kept in "
+                        "{}",
+                        n_elements_, layer.points.size(),
+                        std::chrono::duration<double>(taken).count(), cache_.path_of(key_)));
+    }
+
+  private:
+    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+    Case case_;
+    fem::LayerCache cache_;
+    std::string key_;
+    std::unique_ptr<files::PartialFile> reservation_;
+    std::size_t n_elements_ = 0;
+};
+
+/// The first rank reads, prints and writes; all condense.
+void condense_together(const CondenseOptions& options, const fem::distributed::Session& session) {
+    std::optional<Order> order;
+    std::optional<fem::LayerProblem> problem;
+    session.agree_on_first([&] {
+        order.emplace(options);
+        problem = order->problem();
+    });
+    bool is_needed = problem.has_value();
+    session.broadcast(&is_needed, sizeof(is_needed));
+    if (!is_needed) return;
+    problem =
+        fem::distributed::broadcast(std::move(problem).value_or(fem::LayerProblem{}), session);
+    const auto layer = fem::distributed::condense(*problem, session, say);
+    session.agree_on_first([&] { order->keep(layer); });
+}
+
+namespace fs = std::filesystem;
+
+std::string summary_of(const std::vector<fem::KeptLayer>& layers) {
+    return fmt::format("{} condensed layer{}, {}", layers.size(), layers.size() == 1 ? "" : "s",
+                       fem::size_text(fem::bytes_of(layers)));
+}
+
+void clear(const std::string& folder, const std::vector<fem::KeptLayer>& layers) {
+    for (const fem::KeptLayer& layer : layers) {
+        std::error_code error;
+        fs::remove(layer.path, error);
+        if (error)
+            throw contact::InputError(fmt::format(
+                "{}: cannot be removed ({}); check the permissions", layer.path, error.message()));
+    }
+    std::cout << fmt::format("{}: removed {}\n", folder, summary_of(layers));
+}
+
+void write_mesh_of(CommandOptions options) {
+    const Case c = io::read_case(options.file, options.overrides);
+    options.choose_folder();
+    std::string geometry;  // of a mesh of our own
+    meshes::HexMesh mesh;
+    options.fill({{"mesh.msh", "mesh.geo", "mesh.vtu"}}, [&] {
+        if (c.fem.mesh) {
+            mesh = fem::make_mesh(c, say_plainly);
+        } else {
+            const meshes::LayerMeshSpec spec = fem::mesh_spec(c, say_plainly);
+            mesh = make_layer_mesh(spec);
+            geometry = layer_geometry(spec);
+        }
+        write_mesh(mesh, options.output + "/mesh.msh");
+        if (!geometry.empty()) options.write("mesh.geo", geometry);
+        write_view(mesh, options.output + "/mesh.vtu",
+                   "tricontact mesh " + std::filesystem::path(options.file).filename().string());
+    });
+    print_quality(mesh);
+    std::cout << "written              " << options.output << "/mesh.msh, mesh.vtu"
+              << (geometry.empty() ? "" : ", mesh.geo") << '\n';
+}
+
+void condense_layer(const CondenseOptions& options) {
+    if (!options.distributed && !fem::distributed::started_by_launcher()) {
+        Order order(options);
+        if (const auto problem = order.problem()) order.keep(fem::condense(*problem));
+        return;
+    }
+    std::exception_ptr failure;
+    {
+        const fem::distributed::Session session;
+        try {
+            session.abort_on_local_error([&] { condense_together(options, session); });
+        } catch (...) {
+            failure = std::current_exception();  // MPI is to end before this goes on
+        }
+    }
+    if (failure) std::rethrow_exception(failure);
+}
+
+void list_or_clear_cache(const CacheOptions& options) {
+    const std::string folder = fem::LayerCache(options.folder).folder();
+    if (folder.empty())
+        throw contact::InputError(
+            "cache: layers are kept nowhere (neither XDG_CACHE_HOME nor HOME is set, or the folder "
+            "is \"none\"); name one by --folder");
+    files::remove_left_partial_files(folder);
+    const std::vector<fem::KeptLayer> layers = fem::kept_layers(folder);
+    if (options.clear) return clear(folder, layers);
+    std::cout << fmt::format("{}: {}, at most {} (TRICONTACT_CACHE_LIMIT)\n", folder,
+                             summary_of(layers), fem::size_text(fem::cache_limit()));
+    for (const fem::KeptLayer& layer : layers)
+        std::cout << fmt::format("{:>8}  {:%Y-%m-%d %H:%M}  {}\n", fem::size_text(layer.bytes),
+                                 fmt::localtime(layer.used.tv_sec),
+                                 fs::path(layer.path).stem().string());
+}
+
+}  // namespace
+
+}  // namespace tricontact::app
+
+extern "C" const tricontact::app::FemEntries* tricontact_fem_entries() {
+    using namespace tricontact;
+    static const app::FemEntries entries = {
+        [](const app::Case& c, const app::Say& say) { return fem::make_model(c, say); },
+        [](const app::Case& c, const app::Say& say) { return fem::mesh_spec(c, say); },
+        app::write_mesh_of,
+        app::condense_layer,
+        app::list_or_clear_cache,
+        fem::distributed::is_further_rank,
+    };
+    return &entries;
+}

@@ -1,0 +1,93 @@
+#include "app/models/make_model.h"
+
+#include <algorithm>
+#include <iterator>
+
+#include "bem/model.h"
+#include "contact/error.h"
+#include "mdr/layer_model.h"
+#include "mdr/model.h"
+#ifdef TRICONTACT_WITH_FEM
+#include "app/models/fem_entries.h"
+#endif
+
+namespace tricontact::app {
+
+bool has_model([[maybe_unused]] std::string_view name) {
+#ifndef TRICONTACT_WITH_FEM
+    if (name == contact::models::fem) return false;
+#endif
+    return contact::find_model_kind(name) != nullptr;
+}
+
+std::vector<contact::ModelKind> known_models() {
+    std::vector<contact::ModelKind> models;
+    std::ranges::copy_if(contact::model_kinds(), std::back_inserter(models),
+                         [](const contact::ModelKind& model) { return has_model(model.name); });
+    return models;
+}
+
+std::unique_ptr<contact::Model> make_model(const std::string& name, const Case& c, int n_threads,
+                                           [[maybe_unused]] const Say& say) {
+    if (name == contact::models::mdr) return mdr::make_model(c);
+    if (name == contact::models::mdr_layer) return mdr::make_layer_model(c);
+    if (name == contact::models::bem) return bem::make_model(c, n_threads);
+    if (name == contact::models::bem_layer) return bem::make_model(c, n_threads, bem::Body::layer);
+#ifdef TRICONTACT_WITH_FEM
+    if (name == contact::models::fem) return fem_entries().make_model(c, say);
+#endif
+    if (name == contact::models::atlas)
+        throw contact::InputError(
+            "models: atlas runs nothing: it holds what runs came to; take tricontact predict, or "
+            "name another model");
+    throw contact::InputError("models: this program was built without the model " + name);
+}
+
+MeshBlock block_of([[maybe_unused]] const Case& c, [[maybe_unused]] const Say& say) {
+#ifdef TRICONTACT_WITH_FEM
+    const meshes::LayerMeshSpec spec = fem_entries().mesh_spec(c, say);
+    return {spec.size, 2 * spec.half_x, 2 * spec.half_y};
+#else
+    throw contact::InputError("models: this program was built without the model fem");
+#endif
+}
+
+CoarserModel make_coarser_model(const std::string& name, const Case& c, double factor,
+                                int n_threads, const Say& say) {
+    CoarserModel coarser{.c = c, .model = {}};
+    Case& to = coarser.c;
+    if (name == contact::models::mdr_layer) {
+        coarser.model = mdr::make_layer_model(c, mdr::usual_elements_per_radius, factor);
+        return coarser;
+    }
+    if (name == contact::models::fem) {
+        if (c.fem.mesh)
+            throw contact::InputError("the mesh is a file's; run another one beside it");
+        to.fem.size = factor * (c.fem.size ? *c.fem.size : block_of(c, silent).size);
+        to.fem.accuracy.reset();
+    }
+    if (c.bem.spacing) *to.bem.spacing *= factor;
+    if (c.bem.cells_per_radius) *to.bem.cells_per_radius /= factor;
+    // Halves whose springs stand where the whole has some agree with it by accident.
+    to.mdr.springs = std::max(static_cast<int>(c.mdr.springs / factor) - 1, 10);
+    coarser.model = make_model(name, to, n_threads, say);
+    return coarser;
+}
+
+std::optional<Case> with_wider_block(const Case& c, double factor, const Say& say) {
+    const bool has_depth = !c.is_cylindrical();
+    if (c.layer.width && (!has_depth || c.layer.depth)) return {};
+    const MeshBlock block = block_of(c, say);
+    Case wider = c;
+    if (!c.layer.width) wider.layer.width = factor * block.width;
+    if (has_depth && !c.layer.depth) wider.layer.depth = factor * block.depth;
+    return wider;
+}
+
+void load_model([[maybe_unused]] const std::string& name) {
+#ifdef TRICONTACT_WITH_FEM
+    if (name == contact::models::fem) fem_entries();
+#endif
+}
+
+}  // namespace tricontact::app

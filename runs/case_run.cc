@@ -1,0 +1,146 @@
+#include "runs/case_run.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "comparisons/half_space/layer_report.h"
+#include "comparisons/quantities/left_out.h"
+#include "comparisons/quantities/undefined.h"
+#include "comparisons/run/relaxation_report.h"
+#include "contact/models/model_kind.h"
+#include "io/case/case_reader.h"
+#include "io/results/history_csv.h"
+#include "io/results/journal.h"
+#include "io/results/progress.h"
+#include "runs/point_key.h"
+#include "runs/run_states.h"
+
+namespace tricontact::app {
+
+CaseRun run_models(const Case& c, const RunOptions& options, const Say& say,
+                   const ModelRun& run_one) {
+    CaseRun run{.c = c, .resolved = io::write_case(c), .histories = {}, .extras = {}};
+    for (const std::string& name : c.models) {
+        run.histories.push_back(run_one(name, options.studies ? &run.extras.study : nullptr));
+        study_relaxation(c, run.histories.back(), options, say, run.extras.relaxation);
+        study_small_strains(c, run.histories.back(), options, say, run.extras.small_strains);
+    }
+    run.extras.numerical = numerical_error(c, run.histories.back(), options, say);
+    return run;
+}
+
+std::string summary_of(const CaseRun& run) {
+    using json = nlohmann::ordered_json;
+    const Case& c = run.c;
+    std::vector<comparisons::Results> summaries;
+    for (const contact::History& history : run.histories) summaries.emplace_back(c, history);
+    const auto layer = comparisons::compare_with_layer(c, run.histories, run.extras.study);
+    json left_out = json::object();
+    for (const contact::History& history : run.histories)
+        if (const auto list = comparisons::left_out(c, history.model); !list.empty())
+            left_out[history.model] = list;
+    json undefined = json::object();
+    for (const comparisons::Results& of_model : summaries)
+        for (const auto& [quantity, why] : comparisons::why_undefined(c, of_model))
+            undefined[of_model.model][quantity->key] = why;
+    return comparisons::summary_json(
+        files::version, io::case_json(run.resolved), summaries,
+        {{"numerical_error",
+          run.extras.numerical ? comparisons::numerical_error_json(*run.extras.numerical) : json()},
+         {"left_out", left_out},
+         {"undefined", undefined},
+         {"layer", layer ? comparisons::layer_json(c, *layer) : json()},
+         {"loading_variants", comparisons::loading_json(run.extras.study.variants)},
+         {"relaxation",
+          c.relaxation ? comparisons::relaxation_json(c, run.extras.relaxation) : json()},
+         {"small_strains", comparisons::small_strains_json(run.extras.small_strains)}});
+}
+
+void write_run_report(const CaseRun& run, const CommandOptions& options) {
+    io::make_output_folder(options.output + "/plots");
+    const report::Document document =
+        comparisons::run_document(run.c, run.resolved, files::version, run.histories, run.extras);
+    options.keep_report(document);
+    if (options.papers.findings && !options.papers.findings->draws) return;
+    for (const auto& file : comparisons::report_files(document))
+        options.write(file.name, file.content);
+}
+
+contact::History history_of(const std::string& name, const Case& c, int n_threads, const Say& say,
+                            const contact::Observer& observer, comparisons::LoadingStudy* study) {
+    const auto model = make_model(name, c, n_threads, say);
+    contact::History history = contact::run(c, *model, observer);
+    require_sound(history.audit, name);
+    if (study) study_loading(c, *model, history, say, *study);
+    return history;
+}
+
+contact::History history_of_coarser(const std::string& name, const Case& c, int n_threads) {
+    const CoarserModel coarser = make_coarser_model(name, c, 2, n_threads, silent);
+    contact::History history = contact::run(coarser.c, *coarser.model);
+    require_sound(history.audit, name);
+    return history;
+}
+
+void require_sound(const contact::Audit& audit, const std::string& name) {
+    for (const auto& check : audit.checks())
+        if (!check.passed())
+            throw contact::NotConverged(fmt::format("{}: {} is {:.2e}, allowed {:.1e}", name,
+                                                    check.name, check.worst, check.allowed));
+}
+
+contact::History run_model(const std::string& name, const Case& c, const std::string& resolved,
+                           const RunOptions& options, comparisons::LoadingStudy* study,
+                           comparisons::ContactFilm* film) {
+    const std::string folder = options.output + "/" + name;
+    io::make_output_folder(folder);
+    const Say say = options.sayer();
+    auto made = make_model(name, c, options.threads, say);
+    io::JournalledModel* journal = nullptr;
+    if (contact::model_kind(name).keeps_journal) {
+        auto journalled = std::make_unique<io::JournalledModel>(
+            std::move(made), folder + '/' + io::journal_name,
+            program_identity() + '\n' + name + '\n' + resolved + file_digests(c), say);
+        journal = journalled.get();
+        made = std::move(journalled);
+        if (journal->n_found() > 0)
+            say(fmt::format("{}: {} steps of an earlier run are taken from {}/steps.journal", name,
+                            journal->n_found(), folder));
+    }
+    contact::Model& model = *made;
+
+    RunStates states(c, folder, say);
+    io::ProgressBar bar = options.progress_bar(name);
+    const contact::Observer observer = [&](const contact::StepRecord& record, contact::Model& state,
+                                           const contact::Progress& progress) {
+        bar.update(progress.step, progress.steps_at_most);
+        const auto* section = states.add(record, state, progress);
+        const auto surface = [&] { return states.surface() ? *states.surface() : state.surface(); };
+        if (film) film->add(record, surface, progress);
+        if (film && section) film->add_section(*section, progress.step);
+    };
+    contact::History history;
+    try {
+        history = contact::run(c, model, observer);
+    } catch (const contact::NotConverged&) {
+        states.finish();  // what did converge
+        throw;
+    }
+    const auto* section = states.add_last(history.steps.back(), model);
+    if (film && section) film->add_section(*section, static_cast<int>(history.steps.size()));
+    history.subsurface = states.subsurface();
+    history.audit = model.audit();
+    require_sound(history.audit, name);
+    bar.finish(c.rolling ? contact::name_of(history.verdict.state) : "");
+
+    io::write_file(folder + "/history.csv", io::history_csv(history));
+    states.finish();
+    if (study) study_loading(c, model, history, say, *study);
+    if (journal) journal->finish();
+    return history;
+}
+
+}  // namespace tricontact::app

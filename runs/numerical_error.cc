@@ -1,0 +1,117 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "contact/load_path.h"
+#include "contact/models/model_kind.h"
+#include "contact/own_limit.h"
+#include "contact/stopped.h"
+#include "runs/case_run.h"
+
+namespace tricontact::app {
+
+namespace {
+
+using comparisons::NumericalError;
+using comparisons::ResolvedRun;
+
+constexpr int steps_for_one = 4;
+constexpr double wider = 1.5;
+
+/// The case with other numbers of steps: `changed` of each that it has, `amplitude` [m] being that
+/// of its run. Empty where they stay.
+template <class Changed>
+std::optional<Case> with_steps(Case c, double amplitude, const Changed& changed) {
+    bool differs = false;
+    const auto change = [&](int& n) {
+        const int other = changed(n);
+        differs = differs || other != n;
+        n = other;
+    };
+    if (c.load.press == Case::Press::friction || c.load.press_time) change(c.load.press_steps);
+    if (c.prescribed_path) {
+        auto& rows = c.prescribed_path->rows;
+        for (std::size_t r = 1; r < rows.size(); ++r) change(rows[r].steps);
+    } else if (c.rolling) {
+        int n = contact::steps_in_quarter(*c.rolling, amplitude);
+        change(n);
+        if (n != contact::steps_in_quarter(*c.rolling, amplitude)) {
+            c.rolling->steps = Case::Steps::per_quarter;
+            c.rolling->steps_per_quarter = n;
+        }
+    }
+    return differs ? std::optional(c) : std::nullopt;
+}
+
+ResolvedRun resolved(const Case& c, contact::Model& model) {
+    const contact::History history = contact::run(c, model);
+    require_sound(history.audit, history.model);
+    return {c, history};
+}
+
+/// The same on a coarser mesh with other numbers of steps, on the same elasticity where the model
+/// can share it.
+class OtherSteps {
+  public:
+    OtherSteps(const Case& c, const CoarserModel& coarser, double amplitude, int n_threads)
+        : c_(c), coarser_(coarser), amplitude_(amplitude), n_threads_(n_threads) {}
+
+    template <class Changed>
+    std::optional<ResolvedRun> run(const std::string& name, const Changed& changed) const {
+        const auto other = with_steps(coarser_.c, amplitude_, changed);
+        if (!other) return {};
+        auto sibling = coarser_.model->sibling(coarser_.c.contact);
+        if (!sibling) sibling = make_coarser_model(name, c_, 2, n_threads_, silent).model;
+        return resolved(*other, *sibling);
+    }
+
+  private:
+    const Case& c_;
+    const CoarserModel& coarser_;
+    double amplitude_;
+    int n_threads_;
+};
+
+}  // namespace
+
+std::optional<NumericalError> numerical_error(const Case& c, const contact::History& history,
+                                              const RunOptions& options, const Say& say) {
+    if (!options.studies) return {};
+    const std::string& name = history.model;
+    NumericalError error{.model = name,
+                         .run = ResolvedRun(c, history),
+                         .coarser = {},
+                         .coarsest = {},
+                         .tolerance = contact::model_kind(name).tolerance(c),
+                         .prescribed = comparisons::prescribed_quantities(c)};
+    const Case loaded = contact::loaded_as(c, history);
+    say(fmt::format("{}: once more on coarser meshes and with other steps", name));
+    const int n_threads = options.threads;
+    CoarserModel coarser;
+    // The run itself is none the worse for what stops these.
+    error.why_none = contact::why_it_stopped([&] {
+        coarser = make_coarser_model(name, loaded, 2, n_threads, silent);
+        error.coarser = resolved(coarser.c, *coarser.model);
+    });
+    if (!error.why_none.empty()) return error;
+    error.why_no_steps = contact::why_it_stopped([&] {
+        const OtherSteps steps(loaded, coarser, history.amplitude, n_threads);
+        error.long_steps = steps.run(name, [](int n) { return std::max(1, n / 2); });
+        error.short_steps = steps.run(name, [](int n) { return n == 1 ? steps_for_one : n; });
+    });
+    contact::why_it_stopped([&] {  // else two meshes have to do
+        const CoarserModel coarsest = make_coarser_model(name, loaded, 4, n_threads, silent);
+        error.coarsest = resolved(coarsest.c, *coarsest.model);
+    });
+    if (!contact::model_kind(name).sees_sides) return error;
+    try {
+        if (const auto wide = with_wider_block(coarser.c, wider, silent))
+            error.wide_block = resolved(*wide, *make_model(name, *wide, n_threads, silent));
+    } catch (const std::exception& e) {  // half widths without it would leave the sides out
+        error.coarser.reset();
+        error.why_none = fmt::format("in a wider block, {}", e.what());
+    }
+    return error;
+}
+
+}  // namespace tricontact::app

@@ -1,0 +1,132 @@
+#include "runs/run_states.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "contact/load_path.h"
+#include "io/results/atomic_file.h"
+#include "runs/shown_states.h"
+
+namespace tricontact::app {
+
+namespace {
+
+using enum Case::VtkOutput;
+
+/// Whether the states of a run have times in seconds.
+bool has_time(const Case& c) {
+    if (c.prescribed_path) return c.prescribed_path->is_timed();
+    return c.relaxation || (c.rolling && c.rolling->speed > 0);
+}
+
+bool rolls_by_turning_points(const Case& c, double contact_radius) {
+    return c.rolling &&
+           contact::steps_in_quarter(*c.rolling, contact::path_amplitude(c, contact_radius)) == 1;
+}
+
+/// Surfaces of a run of so many steps.
+double frames_at_most(const Case& c, double contact_radius, int n_steps) {
+    if (c.output.vtk == all) return n_steps;
+    const int most = c.output.vtk == quarters ? 4 : c.output.frames_per_period;
+    double n = n_steps;
+    if (c.prescribed_path) {
+        for (const auto& row : c.prescribed_path->rows)
+            n -= std::max(0, std::max(1, row.steps) - (c.output.vtk == quarters ? 1 : most));
+    } else if (c.rolling) {
+        const double amplitude = contact::path_amplitude(c, contact_radius);
+        const int of_period = 4 * contact::steps_in_quarter(*c.rolling, amplitude);
+        n -= static_cast<double>(c.rolling->periods) * std::max(0, of_period - most);
+    }
+    return n;
+}
+
+}  // namespace
+
+RunStates::RunStates(const Case& c, const std::string& folder, const Say& say)
+    : case_(c),
+      folder_(folder),
+      say_(say),
+      has_time_(has_time(c)),
+      // The command that makes the files again from what stands beside the results.
+      provenance_{files::version, std::string("tricontact run ") + resolved_case_name},
+      surfaces_(folder, "surface", provenance_,
+                has_time_ ? io::time_in_seconds : io::time_in_periods),
+      indenters_(folder, provenance_),
+      volumes_(folder, "volume", provenance_,
+               has_time_ ? io::time_in_seconds : io::time_in_periods) {}
+
+const contact::Subsurface* RunStates::add(const contact::StepRecord& record, contact::Model& model,
+                                          const contact::Progress& progress) {
+    surface_.reset();
+    if (progress.step == 1) {
+        surfaces_.clear();
+        indenters_.clear();
+        volumes_.clear();
+        indenter_.reset();
+        last_phase_ = 0;
+    }
+    if (is_wanted(record.phase, progress.quarter)) {
+        add_surface(record, model);
+        if (record.phase > 0) say_size(model, progress.steps_at_most);
+    }
+    if (case_.output.volume != Case::VolumeOutput::quarters || !progress.quarter) return nullptr;
+    return add_volume(record, model);
+}
+
+bool RunStates::is_wanted(double phase, bool quarter) {
+    if (case_.output.vtk != frames)
+        return case_.output.vtk == all || (case_.output.vtk == quarters && quarter);
+    constexpr double rounding = 1e-9;  // phases are sums of rounded fractions
+    const auto frame = [&](double at) {
+        return std::floor(at * case_.output.frames_per_period + rounding);
+    };
+    const bool next = phase == 0 || quarter || frame(phase) > frame(last_phase_);
+    if (next) last_phase_ = phase;
+    return next;
+}
+
+void RunStates::add_surface(const contact::StepRecord& record, contact::Model& model) {
+    surface_ = model.surface();
+    if (!indenter_) indenter_ = shown_indenter(case_, *surface_);
+    const double time = time_of(record);
+    surfaces_.add(time, *surface_);
+    indenters_.add(time, *indenter_, {record.offset, record.indentation, record.rotation});
+}
+
+void RunStates::say_size(const contact::Model& model, int steps_at_most) {
+    if (size_is_said_) return;
+    size_is_said_ = true;
+    const double radius = model.scales().contact_radius;
+    std::string line = size_of_states(model.name(), frames_at_most(case_, radius, steps_at_most),
+                                      surfaces_.last_size());
+    if (case_.output.vtk == frames && rolls_by_turning_points(case_, radius))
+        line += "; a period has four, its turning points are all that is computed";
+    say_(line);
+}
+
+const contact::Subsurface* RunStates::add_last(const contact::StepRecord& record,
+                                               contact::Model& model) {
+    if (case_.output.volume != Case::VolumeOutput::last) return nullptr;
+    return add_volume(record, model);
+}
+
+const contact::Subsurface* RunStates::add_volume(const contact::StepRecord& record,
+                                                 contact::Model& model) {
+    const auto inside = model.interior();
+    if (!inside) return nullptr;
+    volumes_.add(time_of(record), *inside);
+    subsurface_ = contact::subsurface_of(*inside, record.phase, model.surface().offset);
+    return &*subsurface_;
+}
+
+void RunStates::finish() const {
+    const bool shows_surface = case_.output.vtk != none;
+    if (subsurface_) volumes_.list_all();
+    if (shows_surface) {
+        surfaces_.list_all();
+        indenters_.list_all();
+    }
+    if (subsurface_ || shows_surface) io::sync_files(folder_);
+}
+
+}  // namespace tricontact::app

@@ -1,0 +1,223 @@
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+#include "app/models/roll_models.h"
+#include "atlas/prediction.h"
+#include "atlas/shipped.h"
+#include "contact/models/model_kind.h"
+#include "io/case/case_reader.h"
+#include "report/format.h"
+#include "runs/case_run.h"
+#include "runs/point_key.h"
+#include "studies/study_kind.h"
+
+namespace tricontact::app {
+
+namespace {
+
+using io::Study;
+
+std::string metres_text(double value) {
+    return fmt::format("\"{} m\"", value);
+}
+
+/// The resolution of a model on level k, as overrides; see RefinementPlan, which does the same.
+std::vector<std::string> finer(const std::string& model, const Case& c, int k) {
+    const double factor = std::pow(2., k / 2.);
+    const contact::ModelKind& kind = contact::model_kind(model);
+    const std::string key = kind.resolution;
+    if (key.empty())
+        throw contact::InputError("levels: " + model + ' ' + kind.why_no_levels +
+                                  "; omit levels, or leave it out");
+    if (kind.is_on_line()) return {fmt::format("{}={}", key, std::lround(c.mdr.springs * factor))};
+    if (kind.is_on_cells())
+        return {c.bem.spacing
+                    ? key + '=' + metres_text(*c.bem.spacing / factor)
+                    : fmt::format("bem.cells_per_radius={}", *c.bem.cells_per_radius * factor)};
+    if (!c.fem.size)
+        throw contact::InputError(
+            "levels: fem is refined from fem.size, which is not given; give it, or omit levels");
+    constexpr double least_growth = 1.05;  // that a case file may ask for
+    const double growth = std::max(std::pow(c.fem.growth, 1 / factor), least_growth);
+    return {key + '=' + metres_text(*c.fem.size / factor), fmt::format("fem.growth={}", growth)};
+}
+
+void check_models(const Study& study) {
+    for (const std::string& name : study.models)
+        if (!has_model(name))
+            throw contact::InputError(
+                fmt::format("{}: models: this program was built without the model {}; name others",
+                            study.name, name));
+}
+
+}  // namespace
+
+StudyPoint study_point(const Study& study, const Combination& combination, const std::string& model,
+                       int level) {
+    try {
+        std::vector<io::Entry> entries = combination.entries;
+        entries.push_back(io::overriding("models", std::vector<std::string>{model}, "models"));
+        StudyPoint point =
+            make_point(io::resolve_case(study.base, entries), model, level, study.base.name);
+        refuse_rolling_on(point.contact(), study.base.name);
+        point.values = combination.values;
+        return point;
+    } catch (const contact::InputError& error) {
+        const std::string values = text_of(study, combination);
+        throw contact::InputError(fmt::format("{}: point {}{}{}, level {}: {}", study.name, values,
+                                              values.empty() ? "" : ", ", model, level,
+                                              error.what()));
+    }
+}
+
+namespace {
+
+std::string folder_of(const StudyPoint& point) {
+    return "points/" + point.key;
+}
+
+contact::History history_with_files(const StudyPoint& point, const std::string& folder) {
+    Case c = point.contact();
+    c.output = point.output;
+    const std::string text = io::write_case(c);
+    RunOptions options;
+    options.output = folder + '/' + folder_of(point);
+    options.quiet = true;
+    io::make_output_folder(options.output);
+    options.write(resolved_case_name, text);
+    return run_model(point.model, c, text, options);
+}
+
+comparisons::Sweep::Point reported(const StudyPoint& point, const io::ResultStore& store,
+                                   const std::string& folder) {
+    comparisons::Sweep::Point result{.values = {}, .model = point.model, .level = point.level};
+    for (const std::string& value : point.values) result.values.push_back(cell_of(value));
+    const auto outcome = store.find(point.key);
+    if (const auto results = results_of(outcome)) result.results = *results;
+    if (const auto why = failure_of(outcome); !why.empty()) result.error = why;
+    if (std::filesystem::exists(folder + '/' + surface_file(point)))
+        result.surface = surface_file(point);
+    return result;
+}
+
+/// By the most complete model that an atlas is about.
+std::string read_in_atlas(const Case& c) {
+    const atlas::Prediction p = atlas::predict(c, atlas::predictable_models(c).back());
+    return json{{"results", comparisons::stored_results(atlas::results_of(p))}, {"cpu_s", 0}}
+        .dump();
+}
+
+/// What a result depends on beside case and program.
+std::string other_digests(const Case& c, const std::string& model) {
+    return file_digests(c) +
+           (contact::model_kind(model).is_read() ? std::string(atlas::shipped_digest()) : "");
+}
+
+/// Every point by every model.
+class ContactKind : public StudyKind {
+  public:
+    StudyPoints points(const Study& study) const override {
+        check_models(study);
+        const std::size_t n_each = study.models.size() * static_cast<std::size_t>(study.levels);
+        StudyPoints points;
+        for_each_combination(study, n_each, [&](const Combination& combination) {
+            for (const std::string& model : study.models)
+                for (int level = 0; level < study.levels; ++level)
+                    points.push_back(study_point(study, combination, model, level));
+        });
+        return points;
+    }
+
+    void require_files(const StudyPoints& points) const override {
+        for (const StudyPoint& point : points)
+            if (point.output.vtk == Case::VtkOutput::none)
+                throw contact::InputError(
+                    "--vtk: output.vtk = \"none\" leaves nothing to write; set output.vtk = "
+                    "\"frames\" in the case or in [set], or omit --vtk");
+    }
+
+    std::vector<Places> lots(const StudyPoints&, const Places& open) const override {
+        std::vector<Places> lots;
+        for (const std::size_t i : open) lots.push_back({i});
+        return lots;
+    }
+
+    std::string compute(const StudyPoints& points, const Places& lot,
+                        const std::string& folder) const override {
+        const StudyPoint& point = points[lot.front()];
+        if (contact::model_kind(point.model).is_read()) return read_in_atlas(point.contact());
+        const contact::History history = folder.empty()
+                                             ? history_of(point.model, point.contact(), 1, silent)
+                                             : history_with_files(point, folder);
+        return json{{"results", comparisons::stored_results({point.contact(), history})},
+                    {"cpu_s", history.cpu_s},
+                    {"wall_s", history.wall_s}}
+            .dump();
+    }
+
+    std::string memory_remedy() const override {
+        return "use fewer --jobs or a coarser resolution";
+    }
+
+    std::vector<std::string> result_names() const override {
+        std::vector<std::string> names;
+        for (const auto* quantity : comparisons::column_quantities())
+            names.emplace_back(quantity->key);
+        return names;
+    }
+
+    report::Document report(const Study& study, const StudyPoints& points,
+                            const io::ResultStore& store,
+                            const std::string& folder) const override {
+        comparisons::Sweep sweep{.title = {},
+                                 .settings = {{"case", study.base.name},
+                                              {"models", report::display_names(study.models)}},
+                                 .levels = study.levels,
+                                 .axes = {},
+                                 .points = {}};
+        if (study.levels > 1) sweep.settings.emplace_back("levels", std::to_string(study.levels));
+        describe(study, sweep);
+        for (const std::string& line : left_out_of(points))
+            sweep.settings.emplace_back("not computed", line);
+        for (const StudyPoint& point : points)
+            sweep.points.push_back(reported(point, store, folder));
+        return comparisons::sweep_document(sweep);
+    }
+};
+
+}  // namespace
+
+const StudyKind& contact_kind() {
+    static const ContactKind kind;
+    return kind;
+}
+
+StudyPoint make_point(const Case& c, const std::string& model, int level, const std::string& name) {
+    Case of_point = c;
+    of_point.title.clear();
+    of_point.models = {model};
+    of_point.output = {};
+    of_point.output.vtk = Case::VtkOutput::none;
+    if (level > 0)
+        of_point = io::parse_case(io::write_case(of_point), name, finer(model, of_point, level));
+    Case content = of_point;
+    content.fem.cache.clear();  // where things are kept changes no number
+    return {.model = model,
+            .level = level,
+            .c = of_point,
+            .output = c.output,
+            .resolved = io::write_case(of_point),
+            .key = point_key(io::write_case(content) + other_digests(content, model))};
+}
+
+std::string surface_file(const StudyPoint& point) {
+    return folder_of(point) + '/' + point.model + "/surface.pvd";
+}
+
+std::optional<comparisons::Results> results_of(const std::optional<io::PointOutcome>& outcome) {
+    if (!outcome || !outcome->results) return {};
+    return comparisons::read_stored_results(json::parse(*outcome->results));
+}
+
+}  // namespace tricontact::app

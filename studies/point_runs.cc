@@ -1,0 +1,111 @@
+#include <cstdlib>
+#include <exception>
+#include <filesystem>
+#include <iostream>
+#include <new>
+#include <numeric>
+#include <set>
+
+#include "app/models/make_model.h"
+#include "contact/interruption.h"
+#include "files/version.h"
+#include "io/results/progress.h"
+#include "studies/study_kind.h"
+#include "studies/worker_pool.h"
+
+namespace tricontact::app {
+
+namespace {
+
+// The same case may stand at several places of a study.
+Places missing(const StudyPoints& points, const io::ResultStore& store, const PointRuns& runs) {
+    const auto lacks_files = [&](const StudyPoint& point) {
+        return !runs.folder.empty() &&
+               !std::filesystem::exists(runs.folder + '/' + surface_file(point));
+    };
+    Places open;
+    std::set<std::string> seen;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        if (!seen.insert(points[i].key).second) continue;
+        const auto found = store.find(points[i].key);
+        if (!found || (found->error ? runs.retry_failed : lacks_files(points[i])))
+            open.push_back(i);
+    }
+    return open;
+}
+
+/// Results, times or error in a line of text.
+std::string compute_lot(const StudyKind& kind, const StudyPoints& points, const Places& lot,
+                        const std::string& folder) noexcept {
+    const auto failed = [](const std::string& what) {
+        return json{{"error", what}}.dump(-1, ' ', false, json::error_handler_t::replace);
+    };
+    try {
+        return kind.compute(points, lot, folder);
+    } catch (const std::bad_alloc&) {
+        return failed("not enough memory; " + kind.memory_remedy());
+    } catch (const std::exception& error) {
+        return failed(error.what());
+    }
+}
+
+/// What that line, or the end of the process that should have written it, says of the points.
+std::vector<io::PointOutcome> outcomes_of(const StudyPoints& points, const Places& lot,
+                                          const WorkerReport& report) {
+    const json line =
+        report.failure.empty() ? json::parse(report.text) : json{{"error", report.failure}};
+    std::vector<io::PointOutcome> outcomes;
+    for (std::size_t k = 0; k < lot.size(); ++k) {
+        const StudyPoint& point = points[lot[k]];
+        io::PointOutcome& outcome = outcomes.emplace_back(point.key, std::string(files::version),
+                                                          point.model, point.resolved);
+        if (line.contains("error")) {
+            outcome.error = line.at("error").get<std::string>();
+            if (report.killed) *outcome.error += "; perhaps for want of memory";
+            continue;
+        }
+        const json& results = line.at("results");
+        outcome.results = (results.is_array() ? results.at(k) : results).dump();
+        outcome.cpu_s = line.at("cpu_s").get<double>();
+        outcome.wall_s = line.value("wall_s", outcome.cpu_s);
+    }
+    return outcomes;
+}
+
+}  // namespace
+
+io::ResultStore open_results(const std::string& folder) {
+    const std::string path = folder + '/' + io::result_store_name;
+    io::ResultStore store(path);
+    if (store.n_damaged() > 0)
+        std::cerr << fmt::format("{}: {} damaged rows removed; their points are computed again\n",
+                                 path, store.n_damaged());
+    return store;
+}
+
+void compute_missing(const StudyKind& kind, const StudyPoints& points, io::ResultStore& store,
+                     const PointRuns& runs) {
+    // Threads of BLAS beside other points would only be in each other's way.
+    ::setenv("OPENBLAS_NUM_THREADS", "1", 1);
+    const Places open = missing(points, store, runs);
+    const std::size_t n_found = points.size() - open.size();
+    if (n_found > 0)
+        runs.options.say(fmt::format("{} of {} points are there already", n_found, points.size()));
+    for (const std::size_t i : open) load_model(points[i].model);  // once, not in each process
+    const std::vector<Places> lots = kind.lots(points, open);
+    Places all(lots.size());
+    std::iota(all.begin(), all.end(), 0);
+    io::ProgressBar bar = runs.options.progress_bar(runs.name, "point");
+    int n_done = 0;
+    const auto task = [&](std::size_t i) {
+        return compute_lot(kind, points, lots[i], runs.folder);
+    };
+    const auto keep = [&](std::size_t i, const WorkerReport& report) {
+        store.add(outcomes_of(points, lots[i], report));
+        bar.update(n_done += static_cast<int>(lots[i].size()), static_cast<int>(open.size()));
+    };
+    run_in_processes(all, runs.options.threads, task, keep, contact::interruption_check);
+    if (!open.empty()) bar.finish();
+}
+
+}  // namespace tricontact::app

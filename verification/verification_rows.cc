@@ -1,0 +1,111 @@
+#include "verification/verification_rows.h"
+
+#include <iterator>
+#include <utility>
+
+#include "contact/run.h"
+
+namespace tricontact::app {
+
+using contact::History;
+
+namespace {
+
+void add_level(Levels& levels, const Case& c, double size, const Say& say) {
+    say(fmt::format("{}, level {}", levels.model, levels.sizes.size() + 1));
+    levels.sizes.push_back(size);
+    levels.histories.push_back(contact::run(c, *make_model(levels.model, c, 1, say)));
+}
+
+/// The step that applies F_T.
+auto loaded(const History& h) {
+    auto step = h.steps.begin();
+    while (std::next(step) != h.steps.end() && std::next(step)->phase == 0) ++step;
+    return step;
+}
+
+}  // namespace
+
+Case Resolution::refined(const Case& base, int factor) const {
+    Case c = base;
+    refine(c, factor);
+    return c;
+}
+
+Levels run_levels(const std::string& model, const Case& base, const Resolution& resolution,
+                  const Say& say) {
+    Levels levels{model, {}, {}};
+    for (const int factor : {1, 2, 4}) {
+        const Case c = resolution.refined(base, factor);
+        add_level(levels, c, resolution.size(c), say);
+    }
+    return levels;
+}
+
+Levels run_level(const std::string& model, const Case& c, double size, const Say& say) {
+    Levels levels{model, {}, {}};
+    add_level(levels, c, size, say);
+    return levels;
+}
+
+Resolution cells_in_radius(double cells) {
+    return {[cells](Case& c, int factor) { c.bem.cells_per_radius = cells * factor; },
+            cell_in_radius};
+}
+double cell_in_radius(const Case& c) {
+    return 1 / *c.bem.cells_per_radius;
+}
+
+void add_row(VerificationRow row, Verification& all,
+             const std::function<LevelValue(int factor)>& level) {
+    for (const int factor : {1, 2, 4}) {
+        const LevelValue found = level(factor);
+        row.sizes.push_back(found.size);
+        row.values.push_back(found.value);
+    }
+    all.rows.push_back(std::move(row));
+}
+
+Case rig_sphere(double poisson, double tangential_ratio) {
+    Case c;
+    c.indenter.radius = 40e-3;
+    c.substrate = {5.2e6, poisson};
+    c.friction_coefficient = 0.57;
+    c.contact.coupling = false;
+    c.load.normal_force = 21.1;
+    c.load.tangential_ratio = tangential_ratio;
+    return c;
+}
+
+void Rows::add(const Observed& observed, const std::string& source, double reference,
+               const Allowed& allowed) {
+    auto& row =
+        verification_.rows.emplace_back(problem_, observed.name, levels_.model, source, reference,
+                                        allowed.error, allowed.order, levels_.sizes);
+    for (const History& history : levels_.histories) row.values.push_back(observed.of(history));
+}
+
+const Observed radius{"a, mm", [](const History& h) { return h.scales.contact_radius * 1e3; }};
+const Observed indentation{"d, mm", [](const History& h) { return h.scales.indentation * 1e3; }};
+const Observed peak_pressure{"p0, MPa",
+                             [](const History& h) { return h.scales.peak_pressure * 1e-6; }};
+const Observed unit_shift{"U_max, mm", [](const History& h) { return h.scales.unit_shift * 1e3; }};
+const Observed limit{"f_T,lim", [](const History& h) { return h.limit_tangential_ratio; }};
+const Observed static_shift{"U_stat, mm", [](const History& h) { return h.static_shift * 1e3; }};
+const Observed static_ratio{"u_stat",
+                            [](const History& h) { return h.static_shift / h.scales.unit_shift; }};
+const Observed settled_ratio{
+    "u_sd", [](const History& h) { return h.shift_per_period.back() / h.scales.unit_shift; }};
+const Observed pressed_energy{"elastic energy, mJ",
+                              [](const History& h) { return h.steps.front().stored_energy * 1e3; }};
+const Observed loading_energy{
+    "stored and dissipated under F_T, mJ", [](const History& h) {
+        const auto end = loaded(h);
+        return (end->stored_energy - h.steps.front().stored_energy + end->dissipation) * 1e3;
+    }};
+const Observed stick_ratio{"c/a", [](const History& h) {
+                               return std::sqrt(loaded(h)->stick_area / std::numbers::pi) /
+                                      h.scales.contact_radius;
+                           }};
+
+}  // namespace tricontact::app
