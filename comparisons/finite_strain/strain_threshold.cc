@@ -6,8 +6,8 @@
 #include <cmath>
 #include <functional>
 
-#include "comparisons/resolution/refined_grid.h"
 #include "contact/root.h"
+#include "statistics/refined_grid.h"
 
 namespace tricontact::comparisons {
 
@@ -52,7 +52,7 @@ std::optional<StrainThreshold> strain_threshold(std::vector<DeviationPoint> poin
         deviations.push_back(p.deviation);
         errors.push_back(p.error);
     }
-    const std::vector<double> grid = refined_grid(at);
+    const std::vector<double> grid = statistics::refined_grid(at);
     using boost::math::interpolators::pchip;
     const pchip<std::vector<double>> deviation(std::vector<double>(at), std::move(deviations)),
         error(std::move(at), std::move(errors));

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "comparisons/quantities/loading_study.h"
 #include "comparisons/quantities/quantities.h"
-#include "comparisons/run/loading_study.h"
 #include "contact/case.h"
 #include "contact/history.h"
 #include "theory/layer/elastic_layer.h"

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "comparisons/quantities/change_table.h"
 #include "contact/case.h"
 #include "contact/models/model_kind.h"
 #include "report/format.h"

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "comparisons/half_space/layer.h"
-#include "comparisons/run/report_tables.h"
+#include "report/document.h"
 
 namespace tricontact::comparisons {
 

@@ -7,8 +7,8 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "comparisons/resolution/refined_grid.h"
 #include "contact/root.h"
+#include "statistics/refined_grid.h"
 
 namespace tricontact::comparisons {
 
@@ -83,7 +83,7 @@ NeededThickness needed_thickness(const std::vector<RatioPoint>& points, double t
     };
     const auto deviation = interpolant(over_thinness(points, [](auto& p) { return p.ratio - 1; }));
     const auto error = interpolant(over_thinness(points, [](auto& p) { return p.error; }));
-    const std::vector<double> grid = refined_grid(thinness);
+    const std::vector<double> grid = statistics::refined_grid(thinness);
     const auto sought = [&](double n_errors) {  // |deviation| plus so many errors
         const auto excess = [&](double s) {
             return std::abs(deviation(s)) + n_errors * error(s) - tolerance;

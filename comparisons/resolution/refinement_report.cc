@@ -6,8 +6,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "comparisons/quantities/change_table.h"
 #include "comparisons/resolution/refinement.h"
-#include "comparisons/run/report_tables.h"
 #include "report/csv.h"
 #include "report/format.h"
 #include "report/json_number.h"

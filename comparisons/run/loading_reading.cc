@@ -1,11 +1,10 @@
-// How the models treat coupling and pressing, and what other choices change, in sentences.
+#include "comparisons/run/loading_reading.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
 #include "comparisons/quantities/reference.h"
-#include "comparisons/run/loading_study.h"
 #include "contact/models/model_kind.h"
 #include "contact/special_values.h"
 #include "contact/substrates/normal_tangential.h"

@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "comparisons/run/loading_study.h"
+#include "comparisons/quantities/change_table.h"
+#include "comparisons/run/loading_reading.h"
 #include "comparisons/run/relaxation_report.h"
 #include "contact/verdict.h"
 #include "report/format.h"

@@ -7,6 +7,7 @@
 #include "comparisons/run/answer.h"
 #include "comparisons/run/contact_film.h"
 #include "comparisons/run/figures.h"
+#include "comparisons/run/loading_reading.h"
 #include "comparisons/run/path_section.h"
 #include "comparisons/run/reading.h"
 #include "comparisons/run/relaxation_report.h"

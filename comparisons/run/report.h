@@ -4,10 +4,10 @@
 #include <string>
 #include <vector>
 
+#include "comparisons/quantities/loading_study.h"
 #include "comparisons/quantities/relaxation_study.h"
 #include "comparisons/resolution/numerical_error.h"
 #include "comparisons/resolution/refinement.h"
-#include "comparisons/run/loading_study.h"
 #include "comparisons/run/small_strains.h"
 #include "contact/case.h"
 #include "contact/history.h"

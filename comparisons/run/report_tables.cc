@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "comparisons/quantities/change_table.h"
 #include "comparisons/quantities/reference.h"
 #include "report/format.h"
 
@@ -171,19 +172,6 @@ class RowMaker {
 };
 
 }  // namespace
-
-std::vector<DocumentTable::Column> quantity_columns() {
-    return {{"quantity"}, {"unit"}};
-}
-
-DocumentTable::Column change_column(const std::string& of, const std::string& to) {
-    return {.heading = of + " vs " + to + " [%]", .change = true};
-}
-
-Cell change_cell(Value value, Value base) {
-    return report::number_cell(value && base && *base != 0 ? Value(100 * (*value / *base - 1))
-                                                           : Value());
-}
 
 std::vector<DocumentTable> results_tables(const contact::Case& c,
                                           const std::vector<Results>& results) {

@@ -27,11 +27,4 @@ report::DocumentTable period_table(const std::vector<Results>& results);
 /// Each model's checks: worst violation, what is allowed, verdict.
 report::DocumentTable audit_table(const std::vector<Results>& results);
 
-/// The first two columns of a table with a quantity per row.
-std::vector<report::DocumentTable::Column> quantity_columns();
-/// A column of differences in percent.
-report::DocumentTable::Column change_column(const std::string& of, const std::string& to);
-/// A ratio as such a difference; undefined without either value or where `base` vanishes.
-report::Cell change_cell(std::optional<double> value, std::optional<double> base);
-
 }  // namespace tricontact::comparisons

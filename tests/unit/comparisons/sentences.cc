@@ -8,7 +8,7 @@
 #include "comparisons/half_space/layer_report.h"
 #include "comparisons/quantities/reference.h"
 #include "comparisons/run/figures.h"
-#include "comparisons/run/loading_study.h"
+#include "comparisons/run/loading_reading.h"
 #include "comparisons/run/reading.h"
 #include "comparisons/run/report_tables.h"
 #include "comparisons/shakedown/limit.h"

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "comparisons/quantities/results.h"
-#include "comparisons/run/loading_study.h"
+#include "comparisons/run/loading_reading.h"
 #include "comparisons/run/report.h"
 #include "tests/unit/comparisons/document.h"
 #include "tests/unit/comparisons/history.h"

@@ -32,17 +32,7 @@ struct LoadingStudy {
 /// Section "loading_variants" of summary.json; SI units, changes as ratio minus 1.
 nlohmann::ordered_json loading_json(const std::vector<LoadingVariant>& variants);
 
-/// How the models treat coupling and pressing, and what other choices would change, in plain
-/// sentences. `models`: those of the case.
-std::vector<std::string> treatment_sentences(const contact::Case& c,
-                                             const std::vector<std::string>& models,
-                                             const std::vector<LoadingVariant>& variants);
-
 /// Shifts after loading and, where it was computed, after rolling with one choice changed.
 report::DocumentTable variants_table(const std::vector<LoadingVariant>& variants);
-
-/// "151.6 µm instead of 150.6 µm (+0.64 %)": shifts [m], the error that of the changed one.
-std::string instead(std::optional<double> changed, std::optional<double> chosen,
-                    std::optional<double> error);
 
 }  // namespace tricontact::comparisons

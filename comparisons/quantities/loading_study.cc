@@ -1,4 +1,4 @@
-#include "comparisons/run/loading_study.h"
+#include "comparisons/quantities/loading_study.h"
 
 #include <algorithm>
 

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace tricontact::comparisons {
+namespace tricontact::statistics {
 
 /// The points of an interpolant, at least one, and 19 places between each and the next: fine enough
 /// for where it passes a tolerance and turns back before the next point.
@@ -18,4 +18,4 @@ inline std::vector<double> refined_grid(const std::vector<double>& points) {
     return grid;
 }
 
-}  // namespace tricontact::comparisons
+}  // namespace tricontact::statistics
