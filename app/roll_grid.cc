@@ -4,6 +4,7 @@
 
 #include "app/case_run.h"
 #include "app/roll_models.h"
+#include "bem/settings.h"
 #include "bem/steady_model.h"
 #include "contact/models/model_kind.h"
 #include "io/keys/toml_document.h"
@@ -42,7 +43,7 @@ RollingProblem problem_of(const Case& c, const contact::Substrate& substrate) {
                   .force_ratio = {},
                   .spin = given.spin},
         .coupling = c.contact.coupling,
-        .tolerance = c.bem.tolerance,
+        .tolerance = c.of<bem::Settings>().tolerance,
         .speed = given.speed};
     if (given.longitudinal_creepage) return problem;
     if (contact::ratio_of_loaded_step(c) && *c.load.tangential_ratio != 0) {

@@ -229,8 +229,9 @@ class Run {
     }
 
     Judged what_is_known() const {
-        Judged known = judged(case_, history_.model, model_.is_coupled(), history_.amplitude,
-                              history_.tangential_force / history_.friction_limit);
+        Judged known =
+            judged(case_, model_.step_accuracy(), model_.is_coupled(), history_.amplitude,
+                   history_.tangential_force / history_.friction_limit);
         if (!negligible_) return known;
         known.negligible_shift = *negligible_;
         known.negligible_work = infinity;

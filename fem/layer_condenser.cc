@@ -6,6 +6,7 @@
 #include <chrono>
 
 #include "fem/condensed_layer.h"
+#include "fem/settings.h"
 
 namespace tricontact::fem {
 
@@ -18,7 +19,8 @@ LayerProblem problem_of(const Case& c, meshes::HexMesh mesh) {
                          c.layer.lower.empty() ? c.substrate : c.layer.lower.front().material};
     problem.base = c.layer.base;
     // On a frictionless base only the sides can hold a layer that is pulled sideways.
-    problem.sides = c.layer.base == Case::Base::frictionless ? Case::Sides::fixed : c.fem.sides;
+    problem.sides =
+        c.layer.base == Case::Base::frictionless ? Sides::fixed : c.of<Settings>().sides;
     if (c.is_cylindrical())
         problem.line_length =
             std::min(c.indenter.length, c.layer.depth.value_or(c.indenter.length));
@@ -26,7 +28,7 @@ LayerProblem problem_of(const Case& c, meshes::HexMesh mesh) {
 }
 
 LayerCondenser::LayerCondenser(const Case& c, Say say)
-    : case_(c), cache_(c.fem.cache), say_(std::move(say)) {}
+    : case_(c), cache_(c.of<Settings>().cache), say_(std::move(say)) {}
 
 std::unique_ptr<CondensedCompliance> LayerCondenser::make(meshes::HexMesh mesh) {
     auto problem = std::make_shared<const LayerProblem>(problem_of(case_, std::move(mesh)));

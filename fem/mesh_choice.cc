@@ -11,6 +11,7 @@
 #include "contact/solvers/contact_region.h"
 #include "contact/solvers/normal_solver.h"
 #include "contact/surface_model.h"
+#include "fem/settings.h"
 #include "meshes/layer_mesh.h"
 
 namespace tricontact::fem {
@@ -85,7 +86,7 @@ std::array<double, 4> pressed_values(const Case& c, double size, double radius,
     still.prescribed_path.reset();
     contact::SurfaceModel model(
         contact::models::fem, condenser.make(make_layer_mesh(spec_for(still, size, radius))),
-        still.make_indenter(), c.friction_coefficient, c.fem.tolerance, c.contact);
+        still.make_indenter(), c.friction_coefficient, c.of<Settings>().tolerance, c.contact);
     contact::LoadStep press = contact::press_step(c);
     press.friction = false;
     model.advance(press);
@@ -137,7 +138,7 @@ meshes::LayerMeshSpec spec_for(const Case& c, double size, double contact_radius
     const Vector2 extent = path_extent(c, contact_radius);
     meshes::LayerMeshSpec spec;
     spec.size = size;
-    spec.growth = c.fem.growth;
+    spec.growth = c.of<Settings>().growth;
     spec.thickness = *c.layer.thickness;
     spec.lower_thickness = c.layer.lower.empty() ? 0 : c.layer.lower.front().thickness;
     spec.half_model = contact::is_mirror_symmetric(c);
@@ -184,7 +185,8 @@ double size_for_accuracy(const Case& c, double radius, LayerCondenser& condenser
     double error = 0;
     for (std::size_t k = 0; k < at_fine.size(); ++k)
         error = std::max(error, rest * std::abs(at_coarse[k] / at_fine[k] - 1));
-    const double factor = std::pow(c.fem.accuracy.value_or(0.01) / error, 1 / assumed_order);
+    const double factor =
+        std::pow(c.of<Settings>().accuracy.value_or(0.01) / error, 1 / assumed_order);
     return fine * std::min(1., factor);
 }
 

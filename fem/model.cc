@@ -11,6 +11,7 @@
 #include "fem/finite_strain/strained_model.h"
 #include "fem/layer_condenser.h"
 #include "fem/mesh_choice.h"
+#include "fem/settings.h"
 #include "meshes/mesh_file.h"
 
 namespace tricontact::fem {
@@ -25,7 +26,7 @@ constexpr double patch_margin = 1.03;
 constexpr double patch_growth = 1.3;
 
 void require_layer(const Case& c) {
-    if (!c.layer.thickness && !c.fem.mesh)
+    if (!c.layer.thickness && !c.of<Settings>().mesh)
         throw contact::InputError(
             "fem: the finite element layer needs substrate.thickness (or a fem.mesh)");
     if (c.layer.base == Case::Base::half_space || c.layer.lower.size() > 1)
@@ -45,7 +46,7 @@ void say_what_was_chosen(const Case& c, const meshes::LayerMeshSpec& spec,
         condenser.say(fmt::format(
             "the sides are {:.3g} layer thicknesses away, less than {:.3g}: they will be felt",
             least / total, far_sides(c)));
-    if (c.layer.base == Case::Base::frictionless && c.fem.sides == Case::Sides::free)
+    if (c.layer.base == Case::Base::frictionless && c.of<Settings>().sides == Sides::free)
         condenser.say("on a frictionless base the sides are held, or the layer would slide away");
 }
 
@@ -87,22 +88,24 @@ Plan plan(const Case& c, LayerCondenser& condenser) {
     contact::NormalControl hardest = contact::press_step(c).normal;
     hardest.value *= contact::crest_factor(c);
     const double radius = patch_margin * probe_radius(c, hardest, condenser);
-    const double size = c.fem.size ? *c.fem.size : size_for_accuracy(c, radius, condenser);
+    const std::optional<double>& given = c.of<Settings>().size;
+    const double size = given ? *given : size_for_accuracy(c, radius, condenser);
     const Plan plan{size, radius, shift_to_expect(c, radius)};
     say_what_was_chosen(c, spec_of(c, plan), condenser);
     return plan;
 }
 
 meshes::HexMesh read_users_mesh(const Case& c) {
-    meshes::HexMesh mesh = meshes::read_mesh(*c.fem.mesh, c.fem.mesh_unit);
+    const std::string& file = *c.of<Settings>().mesh;
+    meshes::HexMesh mesh = meshes::read_mesh(file, c.of<Settings>().mesh_unit);
     if (mesh.has_symmetry() && !contact::is_mirror_symmetric(c))
-        throw contact::InputError(*c.fem.mesh +
+        throw contact::InputError(file +
                                   ": the mesh has a plane of symmetry, but the rolling direction "
                                   "is not in it; mesh the whole body or set rolling.angle to 0");
     const bool has_lower =
         std::count(mesh.regions.begin(), mesh.regions.end(), meshes::Region::lower_layer) > 0;
     if (has_lower && c.layer.lower.empty())
-        throw contact::InputError(*c.fem.mesh +
+        throw contact::InputError(file +
                                   ": the mesh has a lower layer, the case no [lower_layer] that "
                                   "tells its material; add one");
     return mesh;
@@ -114,7 +117,7 @@ std::unique_ptr<contact::Model> make_strained(const Case& c, const std::optional
                                .indenter = c.make_indenter(),
                                .rolling_radius = c.indenter.radius,
                                .friction_coefficient = c.friction_coefficient,
-                               .tolerance = of_fem_tolerance * c.fem.tolerance,
+                               .tolerance = of_fem_tolerance * c.of<Settings>().tolerance,
                                .c01_ratio = {c.c01_ratio.value_or(0), c.c01_ratio.value_or(0)},
                                .relaxation = c.relaxation.value_or(contact::Relaxation{})};
     if (!own) {
@@ -142,14 +145,14 @@ meshes::LayerMeshSpec mesh_spec(const Case& c, const Say& say) {
 }
 
 meshes::HexMesh make_mesh(const Case& c, const Say& say) {
-    return c.fem.mesh ? read_users_mesh(c) : make_layer_mesh(mesh_spec(c, say));
+    return c.of<Settings>().mesh ? read_users_mesh(c) : make_layer_mesh(mesh_spec(c, say));
 }
 
 std::unique_ptr<contact::Model> make_model(const Case& c, const Say& say) {
     require_layer(c);
     LayerCondenser condenser(c, say);
     std::optional<Plan> own;
-    if (!c.fem.mesh) own = plan(c, condenser);
+    if (!c.of<Settings>().mesh) own = plan(c, condenser);
     if (c.law != Case::Law::linear) return make_strained(c, own, say);
     auto of_elastic = [&](const Case& elastic) {
         LayerCondenser other(elastic, say);
@@ -158,8 +161,8 @@ std::unique_ptr<contact::Model> make_model(const Case& c, const Say& say) {
     };
     auto relaxed = contact::relaxes_as_one(c) ? of_elastic(c) : nullptr;
     return std::make_unique<contact::SurfaceModel>(
-        contact::models::fem, *contact::make_substrate(c, std::move(relaxed), of_elastic),
-        c.make_indenter(), c.friction_coefficient, c.fem.tolerance, c.contact);
+        contact::models::fem, *contact::make_substrate(c, false, std::move(relaxed), of_elastic),
+        c.make_indenter(), c.friction_coefficient, c.of<Settings>().tolerance, c.contact);
 }
 
 }  // namespace tricontact::fem

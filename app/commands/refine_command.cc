@@ -4,6 +4,7 @@
 
 #include "app/case_run.h"
 #include "app/commands/command.h"
+#include "app/models.h"
 #include "app/studies/point_key.h"
 #include "app/studies/refinement_levels.h"
 #include "comparisons/quantities/left_out.h"
@@ -116,7 +117,7 @@ comparisons::RefinedLevels start_of(const RefinementPlan& plan, const RefineOpti
     result.wide_factor = plan.wide_factor;
     result.exact = theory_of(c, layer);
     result.exact_name = layer ? "exact layer" : contact::is_hertz_round(c) ? "Hertz" : "half-space";
-    result.tolerance = kind.tolerance(c);
+    result.tolerance = solver_tolerance(options.model, c);
     result.infinite_pressure = contact::has_conical_tip(c);
     return result;
 }

@@ -131,7 +131,7 @@ class LimitSearch {
 
     /// At upright positions and turning points.
     void watch_border(const contact::Model& model) {
-        if (!case_.indenter.height_map || case_.bem.period) return;
+        if (!case_.indenter.height_map || case_.period) return;
         const double here = border_force_share(*case_.indenter.height_map, model.surface());
         found_.border_force_share = std::max(found_.border_force_share.value_or(0), here);
     }

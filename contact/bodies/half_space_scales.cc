@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "contact/bodies/ellipsoid.h"
+#include "contact/cells.h"
 #include "contact/error.h"
 #include "contact/root.h"
 
@@ -195,9 +196,14 @@ bool is_nominally_flat(const Case& c) {
 }
 
 double nominal_area(const Case& c) {
-    if (c.bem.period) return *c.bem.period * *c.bem.period;
+    if (c.period) return *c.period * *c.period;
     const Vector2 side = c.indenter.height_map->period();
     return side[0] * side[1];
+}
+
+double cell_side(const Case& c) {
+    const Cells& cells = c.of<Cells>();
+    return cells.side(cells.spacing ? 0 : half_space_scales(c).contact_radius);
 }
 
 HalfSpaceScales half_space_scales(const Case& c) {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "contact/cells.h"
 #include "contact/fftw.h"
 
 namespace tricontact::contact {
@@ -107,11 +108,8 @@ HeightSpectrum surface_spectrum(const Case& c) {
         map = *c.indenter.height_map;
     } else {
         alone.indenter.shape = Case::Shape::flat;
-        const double cell = c.bem.spacing
-                                ? *c.bem.spacing
-                                : half_space_scales(c).contact_radius / *c.bem.cells_per_radius;
         const double length = c.indenter.roughness->long_wavelength;
-        const int n = std::max(2, static_cast<int>(std::lround(length / cell)));
+        const int n = std::max(2, static_cast<int>(std::lround(length / cell_side(c))));
         map = {
             n, n, {length / n, length / n}, std::vector<double>(static_cast<std::size_t>(n) * n)};
     }
@@ -120,7 +118,7 @@ HeightSpectrum surface_spectrum(const Case& c) {
         for (int i = 0; i < map.n_x; ++i)
             map.at(i, j) = indenter->height((i - map.n_x / 2) * map.spacing[0],
                                             (j - map.n_y / 2) * map.spacing[1]);
-    const bool repeats = !c.indenter.height_map || c.bem.period;
+    const bool repeats = !c.indenter.height_map || c.period;
     return height_spectrum(map, repeats ? MapEdges::repeat : MapEdges::open);
 }
 

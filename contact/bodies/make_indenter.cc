@@ -5,6 +5,7 @@
 #include "contact/bodies/height_map.h"
 #include "contact/bodies/shapes_of_revolution.h"
 #include "contact/case.h"
+#include "contact/cells.h"
 #include "contact/error.h"
 
 namespace tricontact::contact {
@@ -16,8 +17,9 @@ namespace {
 int roughness_nodes(const Case& c) {
     const Roughness& r = *c.indenter.roughness;
     const int fewest = fewest_roughness_nodes(r);
-    if (!c.bem.spacing) return fewest;
-    const double cells = r.long_wavelength / *c.bem.spacing, whole = std::round(cells);
+    const std::optional<double>& spacing = c.of<Cells>().spacing;
+    if (!spacing) return fewest;
+    const double cells = r.long_wavelength / *spacing, whole = std::round(cells);
     constexpr double rounding = 1e-6;  // of a spacing, in cells
     if (whole < 1 || std::abs(cells - whole) > rounding) return fewest;
     const double resolved = 2 * r.long_wavelength / r.short_wavelength;
@@ -27,7 +29,7 @@ int roughness_nodes(const Case& c) {
 /// A map that has to fill a period repeats itself.
 std::unique_ptr<Indenter> mapped(const Case& c) {
     const HeightMap& map = *c.indenter.height_map;
-    if (!c.bem.period) return std::make_unique<MappedIndenter>(map);
+    if (!c.period) return std::make_unique<MappedIndenter>(map);
     return std::make_unique<RoughIndenter>(std::make_unique<Plane>(), from_middle(map));
 }
 

@@ -36,8 +36,8 @@ double indenter_share(const Case& c) {
 
 /// Of a half-space [-]: (1 - nu)/G, nu/G and (1 - 2 nu)/G are sums of 1/G and 1/(3 K + G), to
 /// which an elastic indenter adds what it has. Layers, and what else a mesh holds: too many.
-std::vector<double> known_poles(const Case& c) {
-    if (c.layer.thickness || c.fem.mesh) return {};
+std::vector<double> known_poles(const Case& c, bool is_half_space) {
+    if (!is_half_space) return {};
     std::vector<double> poles{0};
     const double nu = c.substrate.poisson;
     if (bulk_stays(c)) poles.push_back(2 * (1 + nu) / (1 - 2 * nu));  // 3 K/G
@@ -184,9 +184,6 @@ std::optional<Relaxation> common_relaxation(const std::string& model, const Case
 Case with_relaxing_ratio(const Case& c, double ratio) {
     Case elastic = c;
     elastic.relaxation.reset();
-    elastic.relaxation_input = {};
-    elastic.dma_fit.reset();
-    elastic.test_fit.reset();
     if (c.relaxation->bulk == Relaxation::Bulk::proportional)
         elastic.substrate.young *= ratio;
     else
@@ -194,16 +191,17 @@ Case with_relaxing_ratio(const Case& c, double ratio) {
     return elastic;
 }
 
-StieltjesInterpolation interpolation_of(const Case& c) {
-    return interpolation_of(*c.relaxation, known_poles(c));
+StieltjesInterpolation interpolation_of(const Case& c, bool is_half_space) {
+    return interpolation_of(*c.relaxation, known_poles(c, is_half_space));
 }
 
-std::unique_ptr<Substrate> make_substrate(const Case& c, std::shared_ptr<const Compliance> relaxed,
+std::unique_ptr<Substrate> make_substrate(const Case& c, bool is_half_space,
+                                          std::shared_ptr<const Compliance> relaxed,
                                           const ComplianceOf& compliance_of, const SumOf& sum_of) {
     if (!c.relaxation) return std::make_unique<ElasticSubstrate>(std::move(relaxed));
     if (relaxes_as_one(c))
         return std::make_unique<RelaxingSubstrate>(std::move(relaxed), *c.relaxation);
-    const StieltjesInterpolation interpolation = interpolation_of(c);
+    const StieltjesInterpolation interpolation = interpolation_of(c, is_half_space);
     CombinedCompliance::Parts parts;
     for (const double ratio : interpolation.nodes)
         parts.push_back(compliance_of(with_relaxing_ratio(c, ratio)));

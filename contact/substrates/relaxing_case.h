@@ -81,14 +81,19 @@ Case with_relaxing_ratio(const Case& c, double ratio);
 
 /// How the compliance of the case depends on `ratio` in the range of its relaxation: of a
 /// half-space by its own poles.
-StieltjesInterpolation interpolation_of(const Case& c);
+StieltjesInterpolation interpolation_of(const Case& c, bool is_half_space);
+inline StieltjesInterpolation interpolation_of(const Case& c) {
+    return interpolation_of(c, !c.layer.thickness);
+}
 
-/// The substrate of a case. `compliance_of`: an elastic case's, on the same points always;
+/// The substrate of a case, the half-space or another body. `compliance_of`: an elastic case's, on
+/// the same points always;
 /// `relaxed`: that of the relaxed case; not needed unless relaxes_as_one(). `sum_of`: sums of these
 /// parts, see PartlyRelaxingSubstrate::Sum, for models that know how.
 using ComplianceOf = std::function<std::shared_ptr<const Compliance>(const Case&)>;
 using SumOf = std::function<PartlyRelaxingSubstrate::Sum(const CombinedCompliance::Parts&)>;
-std::unique_ptr<Substrate> make_substrate(const Case& c, std::shared_ptr<const Compliance> relaxed,
+std::unique_ptr<Substrate> make_substrate(const Case& c, bool is_half_space,
+                                          std::shared_ptr<const Compliance> relaxed,
                                           const ComplianceOf& compliance_of,
                                           const SumOf& sum_of = {});
 

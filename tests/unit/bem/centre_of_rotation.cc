@@ -12,6 +12,7 @@
 
 #include "bem/model.h"
 #include "contact/bodies/half_space_scales.h"
+#include "contact/cells.h"
 #include "contact/run.h"
 #include "theory/torsion.h"
 
@@ -37,7 +38,7 @@ Case pressed_steel() {
     c.friction_coefficient = .3;
     c.load.indentation = depth;
     c.load.tangential_force = 0;
-    c.bem.spacing = cell;
+    c.of<contact::Cells>().spacing = cell;
     c.prescribed_path.emplace();
     for (const double d : {0., depth, depth}) {
         PrescribedPath::Row row;

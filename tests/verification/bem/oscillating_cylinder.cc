@@ -10,6 +10,7 @@
 
 #include "bem/model.h"
 #include "contact/bodies/half_space_scales.h"
+#include "contact/cells.h"
 #include "contact/run.h"
 #include "theory/line_contact.h"
 
@@ -34,7 +35,7 @@ Case long_cylinder(double w, double f, double cells) {
     c.rolling->amplitude_ratio = w;
     c.rolling->steps = Case::Steps::turning_points;
     c.rolling->periods = 200;
-    c.bem.cells_per_radius = cells;
+    c.of<contact::Cells>().per_radius = cells;
     return c;
 }
 

@@ -10,6 +10,7 @@
 
 #include "bem/model.h"
 #include "comparisons/quantities/roller_ends.h"
+#include "contact/cells.h"
 #include "contact/load_path.h"
 #include "contact/run.h"
 #include "theory/line_contact.h"
@@ -31,7 +32,7 @@ Case roller(double length, double cells, double chamfer = 0) {
     c.friction_coefficient = .79;
     c.load.normal_force = 32.3 * length / 80e-3;
     c.contact.coupling = false;
-    c.bem.cells_per_radius = cells;
+    c.of<contact::Cells>().per_radius = cells;
     return c;
 }
 

@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "contact/bodies/roughness.h"
+#include "contact/cells.h"
 
 namespace tricontact::contact::height_spectrum_test {
 namespace {
@@ -120,7 +121,7 @@ TEST(HeightSpectrum, OfACaseIsThatOfItsCells) {
     c.substrate = {3e6, .5};
     c.friction_coefficient = .5;
     c.load.normal_force = .1;
-    c.bem.spacing = rough.long_wavelength / 128;
+    c.of<contact::Cells>().spacing = rough.long_wavelength / 128;
     const HeightSpectrum s = surface_spectrum(c),
                          due = height_spectrum(make_roughness(rough, 128), MapEdges::repeat);
     ASSERT_EQ(s.density.size(), due.density.size());

@@ -7,6 +7,7 @@
 
 #include "contact/case.h"
 #include "mdr/model.h"
+#include "mdr/settings.h"
 #include "theory/rolling/kalker.h"
 
 namespace tricontact::theory::creep_law_test {
@@ -36,7 +37,7 @@ double sliding_creepage_of(const contact::Case& c, double (*coefficient)(double)
 double rolled_creepage(contact::Case c, int springs_per_radius) {
     const double a = contact::half_space_scales(c).contact_radius, way = 5 * a;
     c.rolling.emplace().amplitude = way;
-    c.mdr.springs = 6 * springs_per_radius * 2;
+    c.of<mdr::Settings>().springs = 6 * springs_per_radius * 2;
     const auto bed = mdr::make_model(c);
     contact::LoadStep step = contact::press_step(c);
     bed->advance(step);
