@@ -8,10 +8,10 @@
 #include <stdexcept>
 
 #include "app/fem_entries.h"
+#include "fem/case/layer_condenser.h"
+#include "fem/case/model.h"
 #include "fem/distributed/layer.h"
 #include "fem/layer_cache.h"
-#include "fem/layer_condenser.h"
-#include "fem/model.h"
 #include "fem/settings.h"
 #include "files/partial_file.h"
 #include "io/case/case_reader.h"

@@ -6,9 +6,9 @@
 
 #include "app/case_run.h"
 #include "comparisons/run/relaxation_report.h"
+#include "contact/base/stopped.h"
 #include "contact/models/model_kind.h"
 #include "contact/own_limit.h"
-#include "contact/stopped.h"
 
 namespace tricontact::app {
 

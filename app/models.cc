@@ -5,8 +5,8 @@
 
 #include "bem/model.h"
 #include "bem/settings.h"
+#include "contact/base/error.h"
 #include "contact/cells.h"
-#include "contact/error.h"
 #include "fem/settings.h"
 #include "mdr/layer_model.h"
 #include "mdr/model.h"

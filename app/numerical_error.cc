@@ -3,10 +3,10 @@
 #include <algorithm>
 
 #include "app/case_run.h"
+#include "contact/base/stopped.h"
 #include "contact/load_path.h"
 #include "contact/models/model_kind.h"
 #include "contact/own_limit.h"
-#include "contact/stopped.h"
 
 namespace tricontact::app {
 

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "app/papers/findings.h"
+#include "contact/base/error.h"
 #include "contact/case.h"
-#include "contact/error.h"
 #include "files/version.h"
 #include "io/results/atomic_file.h"
 #include "io/results/output_folder.h"

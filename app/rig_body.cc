@@ -4,8 +4,8 @@
 
 #include "app/case_run.h"
 #include "comparisons/quantities/map_border.h"
+#include "contact/base/special_values.h"
 #include "contact/models/model_kind.h"
-#include "contact/special_values.h"
 #include "experiments/assumptions/check_rig.h"
 #include "experiments/records/experiment_evaluation.h"
 

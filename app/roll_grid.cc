@@ -11,7 +11,7 @@
 #include "rolling/creep_theory.h"
 #include "rolling/rolling_document.h"
 #include "rolling/run.h"
-#include "theory/rolling/creep_law.h"
+#include "theory/creep_law.h"
 #include "theory/rolling/kalker.h"
 
 namespace tricontact::app {

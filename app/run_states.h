@@ -4,8 +4,8 @@
 #include <string>
 
 #include "app/options.h"
+#include "contact/compliances/interior.h"
 #include "contact/run.h"
-#include "contact/solvers/interior.h"
 #include "io/results/output.h"
 #include "io/results/vtk_files.h"
 #include "io/results/vtk_indenter.h"

@@ -2,7 +2,7 @@
 
 #include "atlas/prediction.h"
 #include "comparisons/quantities/reference.h"
-#include "contact/error.h"
+#include "contact/base/error.h"
 #include "contact/models/model_kind.h"
 
 namespace tricontact::atlas {

@@ -4,8 +4,8 @@
 
 #include <cmath>
 
+#include "contact/base/error.h"
 #include "contact/cells.h"
-#include "contact/error.h"
 
 namespace tricontact::bem {
 

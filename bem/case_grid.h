@@ -1,7 +1,7 @@
 #pragma once
 
 #include "contact/case.h"
-#include "contact/solvers/compliance.h"
+#include "contact/compliances/compliance.h"
 
 // The cells on which a case is computed.
 namespace tricontact::bem {

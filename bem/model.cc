@@ -12,11 +12,11 @@
 #include "bem/periodic_compliance.h"
 #include "bem/settings.h"
 #include "bem/summed_compliance.h"
-#include "contact/bodies/half_space_scales.h"
 #include "contact/cells.h"
+#include "contact/half_space_scales.h"
 #include "contact/load_path.h"
 #include "contact/models/model_kind.h"
-#include "contact/substrates/relaxing_case.h"
+#include "contact/relaxing_case.h"
 #include "contact/surface_model.h"
 #include "theory/layer/layer_stack.h"
 

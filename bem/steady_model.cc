@@ -7,9 +7,9 @@
 #include "bem/plane_layer_influence.h"
 #include "bem/settings.h"
 #include "bem/steady_compliance.h"
+#include "contact/creep_modes.h"
 #include "contact/models/model_kind.h"
-#include "contact/substrates/creep_modes.h"
-#include "contact/substrates/relaxing_case.h"
+#include "contact/relaxing_case.h"
 #include "theory/layer/layer_stack.h"
 
 namespace tricontact::bem {

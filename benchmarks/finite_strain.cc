@@ -10,9 +10,9 @@
 #include "benchmarks/rig.h"
 #include "contact/run.h"
 #include "contact/surface_model.h"
+#include "fem/case/layer_condenser.h"
+#include "fem/case/model.h"
 #include "fem/finite_strain/strained_model.h"
-#include "fem/layer_condenser.h"
-#include "fem/model.h"
 #include "fem/settings.h"
 
 namespace tricontact::benchmarks {

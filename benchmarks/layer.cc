@@ -9,7 +9,7 @@
 #include "benchmarks/rig.h"
 #include "contact/load_path.h"
 #include "contact/run.h"
-#include "fem/model.h"
+#include "fem/case/model.h"
 #include "fem/settings.h"
 
 namespace tricontact::benchmarks {

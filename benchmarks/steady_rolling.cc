@@ -9,7 +9,7 @@
 #include "bem/steady_model.h"
 #include "benchmarks/cpu_timer.h"
 #include "contact/cells.h"
-#include "contact/substrates/relaxing_case.h"
+#include "contact/relaxing_case.h"
 #include "rolling/run.h"
 
 namespace tricontact::benchmarks {

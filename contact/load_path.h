@@ -2,10 +2,10 @@
 
 #include <vector>
 
+#include "contact/base/vector2.h"
 #include "contact/case.h"
-#include "contact/centre_of_rotation.h"
-#include "contact/control.h"
-#include "contact/vector2.h"
+#include "contact/solvers/centre_of_rotation.h"
+#include "contact/solvers/control.h"
 
 namespace tricontact::contact {
 

@@ -4,10 +4,10 @@
 #include <string>
 #include <string_view>
 
-#include "contact/error.h"
+#include "contact/base/error.h"
+#include "contact/compliances/interior.h"
 #include "contact/history.h"
 #include "contact/load_path.h"
-#include "contact/solvers/interior.h"
 #include "contact/surface.h"
 
 namespace tricontact::contact {

@@ -7,13 +7,13 @@
 #include <cmath>
 #include <ctime>
 
-#include "contact/bodies/half_space_scales.h"
-#include "contact/error.h"
-#include "contact/interruption.h"
+#include "contact/base/error.h"
+#include "contact/base/interruption.h"
+#include "contact/base/special_values.h"
+#include "contact/half_space_scales.h"
 #include "contact/larger_grids.h"
 #include "contact/load_path.h"
 #include "contact/own_limit.h"
-#include "contact/special_values.h"
 #include "contact/verdict.h"
 
 namespace tricontact::contact {

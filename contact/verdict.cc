@@ -7,8 +7,8 @@
 #include <cmath>
 #include <numeric>
 
-#include "contact/number_text.h"
-#include "contact/special_values.h"
+#include "contact/base/number_text.h"
+#include "contact/base/special_values.h"
 
 namespace tricontact::contact {
 

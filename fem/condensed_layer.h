@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
+#include "contact/base/error.h"
 #include "contact/case.h"
-#include "contact/error.h"
-#include "contact/solvers/compliance.h"
+#include "contact/compliances/compliance.h"
 #include "contact/substrates/material.h"
 #include "fem/matrices.h"
 #include "fem/memory.h"

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "contact/error.h"
+#include "contact/base/error.h"
 #include "fem/memory.h"
 #include "fem/settings.h"
 

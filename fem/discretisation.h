@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "contact/solvers/interior.h"
+#include "contact/compliances/interior.h"
 #include "fem/condensed_layer.h"
 #include "fem/contact_surface.h"
 #include "fem/element.h"

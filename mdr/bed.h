@@ -6,11 +6,11 @@
 #include <optional>
 #include <string>
 
+#include "contact/base/vector2.h"
 #include "contact/load_path.h"
 #include "contact/model.h"
 #include "contact/models/model_kind.h"
 #include "contact/substrates/relaxation.h"
-#include "contact/vector2.h"
 #include "mdr/plane_profile.h"
 #include "mdr/tangential_step.h"
 

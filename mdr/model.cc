@@ -4,10 +4,10 @@
 
 #include <cmath>
 
+#include "contact/base/memory.h"
 #include "contact/load_path.h"
-#include "contact/memory.h"
 #include "contact/models/model_kind.h"
-#include "contact/substrates/relaxing_case.h"
+#include "contact/relaxing_case.h"
 #include "mdr/relaxing_bed.h"
 #include "mdr/settings.h"
 #include "mdr/spring_bed.h"

@@ -3,7 +3,7 @@
 #include <pybind11/stl.h>
 
 #include "app/studies/sweep.h"
-#include "contact/interruption.h"
+#include "contact/base/interruption.h"
 #include "io/results/atomic_file.h"
 #include "python/bindings.h"
 #include "walking/input/walk_reader.h"

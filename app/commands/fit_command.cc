@@ -7,7 +7,7 @@
 #include "app/studies/study_kind.h"
 #include "comparisons/quantities/reference.h"
 #include "comparisons/shakedown/study_fit.h"
-#include "contact/bodies/half_space_scales.h"
+#include "contact/half_space_scales.h"
 #include "contact/load_path.h"
 #include "io/keys/messages.h"
 #include "walking/input/walk_keys.h"

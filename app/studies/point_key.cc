@@ -3,7 +3,7 @@
 #include <array>
 
 #include "bem/settings.h"
-#include "contact/error.h"
+#include "contact/base/error.h"
 #include "fem/settings.h"
 #include "files/digest.h"
 #include "files/regular_file.h"

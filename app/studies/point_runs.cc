@@ -9,7 +9,7 @@
 #include "app/models.h"
 #include "app/studies/study_kind.h"
 #include "app/studies/worker_pool.h"
-#include "contact/interruption.h"
+#include "contact/base/interruption.h"
 #include "files/version.h"
 #include "io/results/progress.h"
 

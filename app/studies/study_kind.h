@@ -12,7 +12,7 @@
 
 #include "app/options.h"
 #include "comparisons/run/sweep_document.h"
-#include "contact/error.h"
+#include "contact/base/error.h"
 #include "io/case/study_reader.h"
 #include "io/results/output.h"
 #include "io/results/result_store.h"

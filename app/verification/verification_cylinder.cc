@@ -1,8 +1,8 @@
 #include "app/verification/verification_rows.h"
-#include "contact/bodies/half_space_scales.h"
+#include "contact/half_space_scales.h"
 #include "contact/models/model_kind.h"
 #include "fem/settings.h"
-#include "theory/line_contact.h"
+#include "theory/layer/line_contact.h"
 #include "theory/oscillating_cylinder.h"
 
 namespace tricontact::app {

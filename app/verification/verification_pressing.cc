@@ -3,9 +3,9 @@
 
 #include "app/verification/verification_rows.h"
 #include "contact/cells.h"
+#include "contact/compliances/interior.h"
 #include "contact/models/model_kind.h"
 #include "contact/run.h"
-#include "contact/solvers/interior.h"
 #include "theory/friction_pressing.h"
 #include "theory/half_space_interior.h"
 

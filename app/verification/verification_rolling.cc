@@ -10,7 +10,7 @@
 #include "mdr/settings.h"
 #include "rolling/creep_theory.h"
 #include "rolling/linear_creep.h"
-#include "theory/rolling/creep_law.h"
+#include "theory/creep_law.h"
 #include "theory/rolling/kalker.h"
 
 namespace tricontact::app {
@@ -158,7 +158,7 @@ void verify_free_rolling(bool brief, const Say& say, Verification& all) {
     c.load.tangential_ratio = 0;
     add_row({"Free rolling, Dundurs' beta = 0.5", "xi R/a, mu = 0.002", contact::models::bem,
              "Bentall and Johnson (1967), Int. J. Mech. Sci. 9, 389, without friction "
-             "(theory/rolling/creep_law.h): the difference is of the order of mu/beta",
+             "(theory/creep_law.h): the difference is of the order of mu/beta",
              theory::smooth_free_creepage(.5), brief ? 2e-2 : 5e-3},
             all, [&](int factor) -> LevelValue {
                 const auto steady = steady_state(c, 15 * factor, "dissimilar cylinders", say);

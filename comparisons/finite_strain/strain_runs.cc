@@ -5,8 +5,8 @@
 
 #include "bem/settings.h"
 #include "comparisons/half_space/half_space_deviation.h"
+#include "contact/base/error.h"
 #include "contact/cells.h"
-#include "contact/error.h"
 #include "contact/models/model_kind.h"
 #include "fem/settings.h"
 #include "io/results/output.h"

@@ -7,7 +7,7 @@
 #include <functional>
 
 #include "comparisons/resolution/refined_grid.h"
-#include "contact/root.h"
+#include "contact/base/root.h"
 
 namespace tricontact::comparisons {
 

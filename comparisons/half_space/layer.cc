@@ -5,9 +5,9 @@
 
 #include "bem/settings.h"
 #include "comparisons/quantities/reference.h"
-#include "contact/bodies/half_space_scales.h"
+#include "contact/base/stopped.h"
+#include "contact/half_space_scales.h"
 #include "contact/load_path.h"
-#include "contact/stopped.h"
 #include "theory/hertz.h"
 
 namespace tricontact::comparisons {

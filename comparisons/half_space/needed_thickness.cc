@@ -8,7 +8,7 @@
 #include <stdexcept>
 
 #include "comparisons/resolution/refined_grid.h"
-#include "contact/root.h"
+#include "contact/base/root.h"
 
 namespace tricontact::comparisons {
 

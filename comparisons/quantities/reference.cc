@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "bem/settings.h"
-#include "contact/bodies/half_space_scales.h"
+#include "contact/half_space_scales.h"
 #include "contact/models/model_kind.h"
 #include "contact/substrates/normal_tangential.h"
 #include "theory/oscillating_cylinder.h"

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "contact/stopped.h"
+#include "contact/base/stopped.h"
 #include "contact/verdict.h"
 
 namespace tricontact::comparisons {

@@ -6,8 +6,8 @@
 
 #include "comparisons/quantities/reference.h"
 #include "comparisons/run/loading_study.h"
+#include "contact/base/special_values.h"
 #include "contact/models/model_kind.h"
-#include "contact/special_values.h"
 #include "contact/substrates/normal_tangential.h"
 #include "report/format.h"
 

@@ -10,7 +10,7 @@
 
 #include "comparisons/quantities/map_border.h"
 #include "comparisons/quantities/reference.h"
-#include "contact/error.h"
+#include "contact/base/error.h"
 #include "contact/load_path.h"
 #include "contact/models/model_kind.h"
 #include "contact/own_limit.h"

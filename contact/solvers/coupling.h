@@ -4,7 +4,7 @@
 
 #include "contact/bodies/indenter.h"
 #include "contact/case.h"
-#include "contact/solvers/compliance.h"
+#include "contact/compliances/compliance.h"
 
 namespace tricontact::contact {
 

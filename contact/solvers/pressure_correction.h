@@ -2,8 +2,8 @@
 
 #include <vector>
 
+#include "contact/compliances/compliance.h"
 #include "contact/load_path.h"
-#include "contact/solvers/compliance.h"
 
 namespace tricontact::contact {
 

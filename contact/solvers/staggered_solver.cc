@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "contact/error.h"
+#include "contact/base/error.h"
+#include "contact/base/special_values.h"
+#include "contact/compliances/point_sums.h"
 #include "contact/solvers/fixed_point.h"
-#include "contact/solvers/point_sums.h"
-#include "contact/special_values.h"
 
 namespace tricontact::contact {
 

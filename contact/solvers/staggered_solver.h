@@ -7,9 +7,9 @@
 #include <string>
 #include <tuple>
 
-#include "contact/solvers/blocks.h"
+#include "contact/compliances/blocks.h"
+#include "contact/compliances/focused_compliance.h"
 #include "contact/solvers/coupling.h"
-#include "contact/solvers/focused_compliance.h"
 #include "contact/solvers/normal_solver.h"
 #include "contact/solvers/tangential_solver.h"
 #include "contact/substrates/substrate.h"

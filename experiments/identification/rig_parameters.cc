@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "contact/error.h"
+#include "contact/base/error.h"
 #include "experiments/identification/identification_reader.h"
 #include "io/case/measurement_models.h"
 

@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "contact/load_path.h"
-#include "contact/substrates/relaxing_case.h"
+#include "contact/relaxing_case.h"
 #include "fem/settings.h"
 #include "io/case/case_checks.h"
 

@@ -3,7 +3,7 @@
 #include <numeric>
 #include <utility>
 
-#include "contact/substrates/relaxing_case.h"
+#include "contact/relaxing_case.h"
 #include "io/case/case_checks.h"
 #include "io/case/case_input.h"
 #include "io/case/case_keys.h"

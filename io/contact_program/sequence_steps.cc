@@ -2,8 +2,8 @@
 #include <cmath>
 #include <utility>
 
-#include "contact/bodies/half_space_scales.h"
 #include "contact/cells.h"
+#include "contact/half_space_scales.h"
 #include "io/case/case_input.h"
 #include "io/contact_program/sequence.h"
 #include "io/keys/messages.h"

@@ -12,7 +12,7 @@
 
 #include "app/case_run.h"
 #include "comparisons/quantities/quantities.h"
-#include "contact/error.h"
+#include "contact/base/error.h"
 #include "io/case/case_reader.h"
 #include "tests/random/bar_tally.h"
 #include "tests/random/drawn_bars.h"

@@ -12,8 +12,8 @@
 
 #include "app/case_run.h"
 #include "comparisons/quantities/quantities.h"
+#include "contact/base/error.h"
 #include "contact/cells.h"
-#include "contact/error.h"
 #include "fem/settings.h"
 #include "tests/random/bar_tally.h"
 #include "tests/random/drawn_bars.h"

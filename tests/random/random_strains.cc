@@ -15,9 +15,9 @@
 #include <random>
 #include <string>
 
-#include "contact/error.h"
+#include "contact/base/error.h"
 #include "contact/load_path.h"
-#include "fem/mesh_choice.h"
+#include "fem/case/mesh_choice.h"
 #include "fem/settings.h"
 #include "io/case/case_reader.h"
 

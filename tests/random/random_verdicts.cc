@@ -15,7 +15,7 @@
 #include <string>
 #include <vector>
 
-#include "contact/error.h"
+#include "contact/base/error.h"
 #include "contact/run.h"
 #include "contact/verdict.h"
 #include "fem/settings.h"

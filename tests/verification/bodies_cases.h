@@ -3,9 +3,9 @@
 #include <string_view>
 #include <vector>
 
-#include "contact/bodies/half_space_scales.h"
 #include "contact/case.h"
 #include "contact/cells.h"
+#include "contact/half_space_scales.h"
 
 namespace tricontact::verification {
 

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "contact/base/error.h"
 #include "contact/cells.h"
-#include "contact/error.h"
 #include "contact/own_limit.h"
 #include "mdr/layer_model.h"
 #include "tests/verification/bem/rig.h"

@@ -9,8 +9,8 @@
 #include "bem/grid_compliance.h"
 #include "bem/model.h"
 #include "bem/settings.h"
+#include "contact/base/error.h"
 #include "contact/cells.h"
-#include "contact/error.h"
 #include "contact/run.h"
 
 namespace tricontact::influence_file_test {

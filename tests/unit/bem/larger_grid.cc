@@ -8,8 +8,8 @@
 
 #include "bem/model.h"
 #include "bem/settings.h"
+#include "contact/base/error.h"
 #include "contact/cells.h"
-#include "contact/error.h"
 #include "contact/run.h"
 #include "contact/surface_model.h"
 

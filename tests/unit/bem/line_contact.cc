@@ -1,4 +1,4 @@
-#include "theory/line_contact.h"
+#include "theory/layer/line_contact.h"
 
 #include <gtest/gtest.h>
 
@@ -8,8 +8,8 @@
 
 #include "bem/influence.h"
 #include "bem/model.h"
+#include "contact/base/error.h"
 #include "contact/cells.h"
-#include "contact/error.h"
 #include "contact/load_path.h"
 #include "contact/solvers/contact_region.h"
 

@@ -8,8 +8,8 @@
 #include "bem/model.h"
 #include "bem/settings.h"
 #include "contact/cells.h"
+#include "contact/compliances/active_operator.h"
 #include "contact/run.h"
-#include "contact/solvers/active_operator.h"
 #include "contact/surface_model.h"
 
 namespace tricontact::mirrored_model_test {

@@ -4,7 +4,7 @@
 
 #include <functional>
 
-#include "contact/error.h"
+#include "contact/base/error.h"
 #include "fem/settings.h"
 #include "tests/unit/fem/layer_problems.h"
 

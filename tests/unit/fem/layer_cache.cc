@@ -14,7 +14,7 @@
 #include <iterator>
 #include <string>
 
-#include "contact/error.h"
+#include "contact/base/error.h"
 #include "fem/layer_file.h"
 #include "fem/settings.h"
 #include "files/partial_file.h"

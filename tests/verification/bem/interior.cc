@@ -1,7 +1,7 @@
 // Below contacts of boundary elements: Hertz, sliding spheres, line contact, and what passes
 // through a layer.
 
-#include "contact/solvers/interior.h"
+#include "contact/compliances/interior.h"
 
 #include <gtest/gtest.h>
 

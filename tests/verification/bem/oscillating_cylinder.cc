@@ -9,10 +9,10 @@
 #include <numbers>
 
 #include "bem/model.h"
-#include "contact/bodies/half_space_scales.h"
 #include "contact/cells.h"
+#include "contact/half_space_scales.h"
 #include "contact/run.h"
-#include "theory/line_contact.h"
+#include "theory/layer/line_contact.h"
 
 namespace tricontact::bem_oscillating_cylinder_test {
 namespace {

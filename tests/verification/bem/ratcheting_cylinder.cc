@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "bem/model.h"
-#include "contact/bodies/half_space_scales.h"
 #include "contact/cells.h"
+#include "contact/half_space_scales.h"
 #include "contact/run.h"
 #include "theory/oscillating_cylinder.h"
 

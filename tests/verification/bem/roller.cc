@@ -13,7 +13,7 @@
 #include "contact/cells.h"
 #include "contact/load_path.h"
 #include "contact/run.h"
-#include "theory/line_contact.h"
+#include "theory/layer/line_contact.h"
 
 namespace tricontact::bem_roller_test {
 namespace {

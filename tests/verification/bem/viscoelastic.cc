@@ -11,7 +11,7 @@
 #include "bem/model.h"
 #include "contact/cells.h"
 #include "contact/load_path.h"
-#include "contact/substrates/relaxing_case.h"
+#include "contact/relaxing_case.h"
 #include "tests/verification/bem/rig.h"
 
 namespace tricontact::bem_viscoelastic_test {

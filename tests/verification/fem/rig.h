@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "contact/run.h"
-#include "fem/model.h"
+#include "fem/case/model.h"
 #include "fem/settings.h"
 #include "theory/layer/elastic_layer.h"
 

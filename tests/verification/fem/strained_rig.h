@@ -1,8 +1,8 @@
 #pragma once
 
 #include "contact/surface_model.h"
+#include "fem/case/layer_condenser.h"
 #include "fem/finite_strain/strained_model.h"
-#include "fem/layer_condenser.h"
 #include "fem/settings.h"
 #include "tests/verification/fem/rig.h"
 

@@ -8,7 +8,7 @@
 #include <string>
 
 #include "comparisons/finite_strain/strain_output.h"
-#include "contact/error.h"
+#include "contact/base/error.h"
 #include "fem/settings.h"
 #include "io/case/case_reader.h"
 #include "tests/unit/comparisons/layer_rig.h"

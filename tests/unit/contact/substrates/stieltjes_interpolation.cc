@@ -4,8 +4,8 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "contact/special_values.h"
-#include "contact/substrates/relaxing_case.h"
+#include "contact/base/special_values.h"
+#include "contact/relaxing_case.h"
 #include "fem/settings.h"
 
 namespace tricontact::stieltjes_interpolation_test {

@@ -10,8 +10,8 @@
 #include <thread>
 
 #include "bem/settings.h"
+#include "contact/base/error.h"
 #include "contact/cells.h"
-#include "contact/error.h"
 #include "fem/settings.h"
 #include "io/case/case_input.h"
 #include "io/results/output.h"

@@ -9,7 +9,7 @@
 
 #include "bem/settings.h"
 #include "contact/cells.h"
-#include "contact/substrates/relaxing_case.h"
+#include "contact/relaxing_case.h"
 #include "fem/settings.h"
 #include "io/case/case_input.h"
 #include "io/case/case_reader.h"

@@ -8,7 +8,7 @@
 #include <numbers>
 #include <string>
 
-#include "contact/error.h"
+#include "contact/base/error.h"
 #include "io/case/case_input.h"
 #include "io/case/case_reader.h"
 

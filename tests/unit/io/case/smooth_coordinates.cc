@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "contact/bodies/half_space_scales.h"
-#include "contact/error.h"
+#include "contact/base/error.h"
+#include "contact/half_space_scales.h"
 #include "io/case/case_input.h"
 #include "io/case/case_reader.h"
 #include "tests/unit/io/sphere_case.h"

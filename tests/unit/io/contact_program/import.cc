@@ -13,8 +13,8 @@
 
 #include "bem/grid_compliance.h"
 #include "bem/model.h"
-#include "contact/bodies/half_space_scales.h"
 #include "contact/cells.h"
+#include "contact/half_space_scales.h"
 #include "contact/load_path.h"
 #include "io/case/case_reader.h"
 #include "io/contact_program/input_lines.h"

@@ -9,9 +9,9 @@
 
 #include "bem/grid_compliance.h"
 #include "bem/model.h"
-#include "contact/bodies/half_space_scales.h"
+#include "contact/base/error.h"
 #include "contact/cells.h"
-#include "contact/error.h"
+#include "contact/half_space_scales.h"
 #include "io/case/case_reader.h"
 #include "io/contact_program/import.h"
 #include "io/contact_program/program_case.h"
