@@ -11,6 +11,7 @@
 #include "contact/bodies/profile_curve.h"
 #include "contact/bodies/roughness.h"
 #include "contact/prescribed_path.h"
+#include "contact/solvers/contact_options.h"
 #include "contact/substrates/material.h"
 #include "contact/substrates/relaxation.h"
 
@@ -77,10 +78,7 @@ struct Case {
         double total_thickness() const;  ///< of all layers; `thickness` must be there [m]
     };
 
-    /// How the contact is treated by models that can.
-    struct Contact {
-        bool coupling = true;  ///< of normal and tangential contact
-    };
+    using Contact = ContactOptions;
 
     struct Load {
         std::optional<double> normal_force;      ///< F_N [N]

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "contact/compliances/compliance.h"
-#include "contact/load_path.h"
+#include "contact/solvers/control.h"
 
 namespace tricontact::contact {
 

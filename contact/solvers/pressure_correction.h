@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "contact/compliances/compliance.h"
-#include "contact/load_path.h"
+#include "contact/solvers/control.h"
 
 namespace tricontact::contact {
 

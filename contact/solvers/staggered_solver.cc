@@ -22,7 +22,7 @@ constexpr double of_gap = .1, first_gap = 1e-2;
 
 StaggeredSolver::StaggeredSolver(std::string name, Substrate& substrate, const Indenter& indenter,
                                  double friction_coefficient, double tolerance,
-                                 const Case::Contact& options)
+                                 const ContactOptions& options)
     : name_(std::move(name)),
       substrate_(substrate),
       friction_coefficient_(friction_coefficient),

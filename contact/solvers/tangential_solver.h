@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "contact/compliances/compliance.h"
-#include "contact/load_path.h"
+#include "contact/solvers/control.h"
 #include "contact/solvers/tangential_system.h"
 
 namespace tricontact::contact {
