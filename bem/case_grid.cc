@@ -38,10 +38,6 @@ void check_size(double n_x, double n_y) {
 
 }  // namespace
 
-double spacing_of(const contact::Case& c, double radius) {
-    return c.of<contact::Cells>().side(radius);
-}
-
 Cells cells_of(const contact::Case& c, double spacing) {
     const auto& cells = c.of<contact::Cells>();
     const double along_y = c.is_cylindrical() ? spacing : spacing * cells.ratio.value_or(1);

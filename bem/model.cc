@@ -215,7 +215,7 @@ bool is_mirrored(const contact::Case& c) {
 
 std::unique_ptr<contact::Compliance> case_compliance(const contact::Case& c, int n_threads,
                                                      Body body, double aside, bool mirrored) {
-    const double spacing = spacing_of(c, half_space_scales(c).contact_radius);
+    const double spacing = contact::cell_side(c);
     if (contact::is_nominally_flat(c)) return nominally_flat(c, spacing, n_threads, body, aside);
     if (!c.period) return fitting(c, spacing, single_cells(c, n_threads, body), aside, mirrored);
     if (body == Body::half_space)
@@ -247,7 +247,7 @@ InfluenceTable case_influence(const contact::Case& c, int n_threads, Body body) 
     if (c.of<contact::Cells>().ratio)
         throw contact::InputError(
             "bem.cell_ratio: files of influence coefficients hold those of square cells; omit it");
-    const double spacing = spacing_of(c, half_space_scales(c).contact_radius);
+    const double spacing = contact::cell_side(c);
     const MakeCompliance cells = single_cells(c, n_threads, body);
     return (contact::is_nominally_flat(c) ? under_map(c, spacing, cells, 0)
                                           : fitting(c, spacing, cells, 0))
@@ -256,8 +256,7 @@ InfluenceTable case_influence(const contact::Case& c, int n_threads, Body body) 
 
 void check_influence_file(const contact::Case& c) {
     if (const auto& file = c.of<Settings>().influence)
-        check_spacing(read_influence(*file), *file,
-                      spacing_of(c, half_space_scales(c).contact_radius));
+        check_spacing(read_influence(*file), *file, contact::cell_side(c));
 }
 
 std::unique_ptr<contact::Substrate> make_substrate(const contact::Case& c, int n_threads, Body body,
