@@ -25,8 +25,7 @@ bool is_scaled(const Case& rig) {
         rig.indenter.material->plane_compliance() < rigid_ratio * rig.substrate.plane_compliance();
     return is_rigid && rig.layer.thickness && rig.layer.lower.empty() &&
            rig.layer.base != Case::Base::half_space && !rig.layer.width && !rig.layer.depth &&
-           !rig.bem.period && rig.indenter.shape == Case::Shape::paraboloid &&
-           !rig.indenter.roughness;
+           !rig.period && rig.indenter.shape == Case::Shape::paraboloid && !rig.indenter.roughness;
 }
 
 using TableModel = std::function<std::vector<double>(const IdentifiedRig&)>;

@@ -5,7 +5,7 @@
 
 #include "app/identification_models.h"
 #include "app/models/make_model.h"
-#include "contact/special_values.h"
+#include "contact/base/special_values.h"
 #include "report/lazy_table.h"
 
 namespace tricontact::app {

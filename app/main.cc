@@ -25,7 +25,7 @@
 #ifdef TRICONTACT_WITH_FEM
 #include "app/models/fem_entries.h"
 #endif
-#include "contact/freed_memory.h"
+#include "contact/base/freed_memory.h"
 #include "io/keys/messages.h"
 
 namespace {

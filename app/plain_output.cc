@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <string_view>
 
-#include "contact/plain_text.h"
+#include "contact/base/plain_text.h"
 
 namespace tricontact::app {
 

@@ -6,7 +6,7 @@
 
 #include "app/models/roll_models.h"
 #include "app/uncertain_case.h"
-#include "contact/error.h"
+#include "contact/base/error.h"
 #include "contact/load_path.h"
 #include "contact/verdict.h"
 #include "experiments/records/recorded_path.h"

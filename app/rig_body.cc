@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "comparisons/quantities/map_border.h"
+#include "contact/base/special_values.h"
 #include "contact/models/model_kind.h"
-#include "contact/special_values.h"
 #include "experiments/assumptions/check_rig.h"
 #include "experiments/records/experiment_evaluation.h"
 #include "runs/case_run.h"

@@ -10,9 +10,9 @@
 #include "app/rig_growth.h"
 #include "app/uncertain_case.h"
 #include "atlas/prediction.h"
-#include "contact/error.h"
-#include "contact/interruption.h"
-#include "contact/special_values.h"
+#include "contact/base/error.h"
+#include "contact/base/interruption.h"
+#include "contact/base/special_values.h"
 
 namespace tricontact::app {
 

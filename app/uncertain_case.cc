@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "app/identification_models.h"
-#include "contact/error.h"
+#include "contact/base/error.h"
 #include "contact/load_path.h"
 
 namespace tricontact::app {

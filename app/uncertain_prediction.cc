@@ -4,9 +4,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "contact/error.h"
-#include "contact/interruption.h"
-#include "contact/special_values.h"
+#include "contact/base/error.h"
+#include "contact/base/interruption.h"
+#include "contact/base/special_values.h"
 #include "statistics/distribution.h"
 #include "statistics/sample_quantile.h"
 

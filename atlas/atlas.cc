@@ -6,7 +6,7 @@
 #include <cmath>
 #include <utility>
 
-#include "contact/special_values.h"
+#include "contact/base/special_values.h"
 #include "io/case/case_keys.h"
 
 namespace tricontact::atlas {

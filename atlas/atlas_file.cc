@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "contact/error.h"
+#include "contact/base/error.h"
 #include "files/digest.h"
 #include "io/case/case_keys.h"
 #include "io/case/case_reader.h"

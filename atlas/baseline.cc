@@ -5,9 +5,9 @@
 
 #include "atlas/map_coordinates.h"
 #include "comparisons/quantities/quantities.h"
-#include "contact/bodies/half_space_scales.h"
+#include "contact/base/special_values.h"
+#include "contact/half_space_scales.h"
 #include "contact/models/model_kind.h"
-#include "contact/special_values.h"
 #include "theory/cattaneo_mindlin.h"
 #include "theory/layer/layer_forms.h"
 #include "theory/layer/line_layer_forms.h"

@@ -12,8 +12,8 @@
 #include "atlas/map_coordinates.h"
 #include "atlas/shipped_maps.h"
 #include "comparisons/quantities/quantities.h"
-#include "contact/root.h"
-#include "contact/special_values.h"
+#include "contact/base/root.h"
+#include "contact/base/special_values.h"
 #include "theory/rolling/oscillating_rolling.h"
 
 namespace tricontact::atlas {

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "contact/error.h"
+#include "contact/base/error.h"
 
 namespace tricontact::atlas {
 

@@ -5,7 +5,7 @@
 #include "atlas/map_coordinates.h"
 #include "atlas/shipped_maps.h"
 #include "comparisons/quantities/quantities.h"
-#include "contact/special_values.h"
+#include "contact/base/special_values.h"
 #include "theory/oscillating_cylinder.h"
 
 namespace tricontact::atlas {

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "contact/bodies/half_space_scales.h"
+#include "contact/half_space_scales.h"
 
 namespace tricontact::atlas {
 

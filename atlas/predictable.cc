@@ -2,7 +2,7 @@
 
 #include "atlas/prediction.h"
 #include "comparisons/quantities/reference.h"
-#include "contact/error.h"
+#include "contact/base/error.h"
 #include "contact/models/model_kind.h"
 
 namespace tricontact::atlas {
@@ -28,7 +28,7 @@ std::string what_is_not_mapped(const Case& c) {
 }
 
 std::string what_layer_is_not_mapped(const Case& c) {
-    const auto& [thickness, ratio, base, width, depth, lower, ground] = c.layer;
+    const auto& [thickness, base, width, depth, lower, ground] = c.layer;
     if (!thickness) return "a half-space as a layer";
     if (base != Case::Base::bonded || !lower.empty())
         return "layers that are not bonded to a rigid base";

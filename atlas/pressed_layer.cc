@@ -5,7 +5,7 @@
 
 #include "atlas/map_coordinates.h"
 #include "comparisons/quantities/quantities.h"
-#include "contact/root.h"
+#include "contact/base/root.h"
 
 namespace tricontact::atlas {
 

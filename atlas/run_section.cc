@@ -7,9 +7,9 @@
 
 #include "atlas/prediction.h"
 #include "comparisons/quantities/quantities.h"
-#include "contact/error.h"
+#include "contact/base/error.h"
+#include "contact/base/special_values.h"
 #include "contact/models/model_kind.h"
-#include "contact/special_values.h"
 #include "report/format.h"
 
 namespace tricontact::atlas {

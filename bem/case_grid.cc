@@ -4,7 +4,8 @@
 
 #include <cmath>
 
-#include "contact/error.h"
+#include "contact/base/error.h"
+#include "contact/cells.h"
 
 namespace tricontact::bem {
 
@@ -37,14 +38,11 @@ void check_size(double n_x, double n_y) {
 
 }  // namespace
 
-double spacing_of(const contact::Case& c, double radius) {
-    return c.bem.spacing ? *c.bem.spacing : radius / *c.bem.cells_per_radius;
-}
-
 Cells cells_of(const contact::Case& c, double spacing) {
-    const double along_y = c.is_cylindrical() ? spacing : spacing * c.bem.cell_ratio.value_or(1);
+    const auto& cells = c.of<contact::Cells>();
+    const double along_y = c.is_cylindrical() ? spacing : spacing * cells.ratio.value_or(1);
     return {{spacing, along_y},
-            {c.bem.cell_shift_x.value_or(0) * spacing, c.bem.cell_shift_y.value_or(0) * along_y}};
+            {cells.shift_x.value_or(0) * spacing, cells.shift_y.value_or(0) * along_y}};
 }
 
 contact::ContactPoints make_grid(double half_x, double half_y, const Cells& cells, bool mirrored) {

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "contact/case.h"
-#include "contact/solvers/compliance.h"
+#include "contact/compliances/compliance.h"
 
 // The cells on which a case is computed.
 namespace tricontact::bem {
@@ -11,8 +11,6 @@ struct Cells {
     contact::Vector2 spacing, centre;
 };
 
-/// Side of a case's cells along x [m], `radius` being Hertz' contact radius.
-double spacing_of(const contact::Case& c, double radius);
 /// Cells of this side along x; their ratio and place are those of the case.
 Cells cells_of(const contact::Case& c, double spacing);
 

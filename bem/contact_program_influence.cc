@@ -8,7 +8,7 @@
 #include <iterator>
 #include <string_view>
 
-#include "contact/error.h"
+#include "contact/base/error.h"
 #include "files/regular_file.h"
 
 namespace tricontact::bem {

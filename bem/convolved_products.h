@@ -10,7 +10,7 @@
 #include "bem/grid_convolution.h"
 #include "bem/mirrored_convolution.h"
 #include "bem/normal_level.h"
-#include "contact/solvers/compliance.h"
+#include "contact/compliances/compliance.h"
 #include "contact/substrates/substrate.h"
 
 namespace tricontact::bem {

@@ -8,9 +8,9 @@
 
 #include "bem/mirrored_convolution.h"
 #include "bem/plane_layer_influence.h"
-#include "contact/error.h"
-#include "contact/solvers/active_operator.h"
-#include "contact/solvers/scattered_points.h"
+#include "contact/base/error.h"
+#include "contact/compliances/active_operator.h"
+#include "contact/compliances/scattered_points.h"
 #include "contact/substrates/normal_tangential.h"
 
 namespace tricontact::bem {

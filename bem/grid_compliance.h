@@ -12,7 +12,7 @@
 #include "bem/influence.h"
 #include "bem/influence_file.h"
 #include "bem/quadrants.h"
-#include "contact/solvers/compliance.h"
+#include "contact/compliances/compliance.h"
 #include "theory/layer/layer_stack.h"
 
 namespace tricontact::bem {

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstring>
 
-#include "contact/solvers/blocks.h"
+#include "contact/compliances/blocks.h"
 
 namespace tricontact::bem {
 

@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
-#include "contact/fftw.h"
-#include "contact/memory.h"
+#include "contact/base/fftw.h"
+#include "contact/base/memory.h"
 
 namespace tricontact::bem {
 

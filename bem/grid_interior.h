@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "bem/interior_influence.h"
-#include "contact/solvers/compliance.h"
-#include "contact/solvers/interior.h"
+#include "contact/compliances/compliance.h"
+#include "contact/compliances/interior.h"
 
 namespace tricontact::bem {
 

@@ -3,10 +3,10 @@
 #include <memory>
 
 #include "bem/model.h"
+#include "contact/base/vector2.h"
 #include "contact/bodies/indenter.h"
 #include "contact/case.h"
-#include "contact/solvers/compliance.h"
-#include "contact/vector2.h"
+#include "contact/compliances/compliance.h"
 
 namespace tricontact::bem {
 

@@ -10,8 +10,8 @@
 #include <cstdlib>
 #include <iterator>
 
-#include "contact/error.h"
-#include "contact/special_values.h"
+#include "contact/base/error.h"
+#include "contact/base/special_values.h"
 #include "files/regular_file.h"
 
 namespace tricontact::bem {

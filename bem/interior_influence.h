@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "contact/vector2.h"
+#include "contact/base/vector2.h"
 #include "theory/half_space_interior.h"
 #include "theory/layer/layer_stack.h"
 #include "theory/line_load.h"

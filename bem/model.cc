@@ -10,11 +10,13 @@
 #include "bem/grid_compliance.h"
 #include "bem/grid_limits.h"
 #include "bem/periodic_compliance.h"
+#include "bem/settings.h"
 #include "bem/summed_compliance.h"
-#include "contact/bodies/half_space_scales.h"
+#include "contact/cells.h"
+#include "contact/half_space_scales.h"
 #include "contact/load_path.h"
 #include "contact/models/model_kind.h"
-#include "contact/substrates/relaxing_case.h"
+#include "contact/relaxing_case.h"
 #include "contact/surface_model.h"
 #include "theory/layer/layer_stack.h"
 
@@ -62,7 +64,7 @@ InteriorView view_of(const contact::Case& c, Body body, double spacing, int n_th
         body == Body::half_space
             ? InteriorBody(c.substrate)
             : InteriorBody(theory::layers_of(contact::models::bem_layer, c), c.is_line_contact());
-    double depth = c.output.volume_depth.value_or(default_depth * radius);
+    double depth = c.of<Settings>().volume_depth.value_or(default_depth * radius);
     if (inside.layers) depth = std::min(depth, inside.layers->thickness());
     return {std::move(inside), interior_depths(spacing, radius, depth), n_threads};
 }
@@ -72,7 +74,7 @@ std::unique_ptr<GridCompliance> grid_compliance(const contact::Case& c, Body bod
                                                 contact::ContactPoints grid, int n_threads) {
     if (table)
         return tabulated_compliance(
-            *table, *c.bem.influence,
+            *table, *c.of<Settings>().influence,
             body == Body::layer || is_coupled(c.materials()) || couples(*table), std::move(grid),
             n_threads);
     const InteriorView view = view_of(c, body, grid.spacing[0], n_threads);
@@ -92,8 +94,9 @@ using MakeCompliance = std::function<std::unique_ptr<GridCompliance>(contact::Co
 /// Half sides of the largest grid that a table of coefficients has positions for [m]. What the grid
 /// has beside the contact need not be more; a contact that has reached its edge (`aside`) needs it.
 contact::Vector2 widest_half(const contact::Case& c, const Cells& cells, double aside) {
-    if (!c.bem.influence || aside > 0) return {contact::infinity, contact::infinity};
-    const InfluenceTable table = read_influence(*c.bem.influence);
+    const auto& file = c.of<Settings>().influence;
+    if (!file || aside > 0) return {contact::infinity, contact::infinity};
+    const InfluenceTable table = read_influence(*file);
     const auto half = [](int n, double h) { return (std::floor((n - 1) / 2.) - .5) * h; };
     return {half(table.n_x, cells.spacing[0]), half(table.n_y, cells.spacing[1])};
 }
@@ -138,8 +141,8 @@ std::unique_ptr<GridCompliance> under_map(const contact::Case& c, double spacing
 
 MakeCompliance single_cells(const contact::Case& c, int n_threads, Body body) {
     std::shared_ptr<const InfluenceTable> table;
-    if (c.bem.influence)
-        table = std::make_shared<const InfluenceTable>(read_influence(*c.bem.influence));
+    if (const auto& file = c.of<Settings>().influence)
+        table = std::make_shared<const InfluenceTable>(read_influence(*file));
     return [=](contact::ContactPoints grid) {
         require_memory(grid, predicted_bytes(c, body, Surroundings::free, grid));
         return grid_compliance(c, body, table.get(), std::move(grid), n_threads);
@@ -151,7 +154,7 @@ MakeCompliance single_cells(const contact::Case& c, int n_threads, Body body) {
 MakeCompliance periodic_cells(const contact::Case& c, const contact::ContactPoints& whole,
                               int n_threads) {
     const int n = whole.n_x;
-    const double h = whole.spacing[0], period = *c.bem.period;
+    const double h = whole.spacing[0], period = *c.period;
     require_memory(whole, influence_bytes(whole));
     const auto table = std::make_shared<const InfluenceTable>(
         PeriodicCompliance(theory::layers_of(contact::models::bem_layer, c), whole, n_threads)
@@ -175,8 +178,8 @@ MakeCompliance periodic_cells(const contact::Case& c, const contact::ContactPoin
 /// A period of the surface, or what a single height map can touch.
 std::unique_ptr<contact::Compliance> nominally_flat(const contact::Case& c, double spacing,
                                                     int n_threads, Body body, double aside) {
-    if (!c.bem.period) return under_map(c, spacing, single_cells(c, n_threads, body), aside);
-    auto grid = period_grid(*c.bem.period, spacing, false);
+    if (!c.period) return under_map(c, spacing, single_cells(c, n_threads, body), aside);
+    auto grid = period_grid(*c.period, spacing, false);
     require_memory(grid, predicted_bytes(c, body, Surroundings::periodic, grid));
     if (body == Body::half_space)
         return std::make_unique<PeriodicCompliance>(c.materials(), std::move(grid), n_threads);
@@ -188,15 +191,14 @@ std::unique_ptr<contact::Compliance> nominally_flat(const contact::Case& c, doub
 std::unique_ptr<contact::Compliance> case_compliance_on(const contact::Case& c,
                                                         const contact::ContactPoints& grid,
                                                         int n_threads, Body body) {
-    if (c.bem.influence)
+    if (c.of<Settings>().influence)
         throw contact::InputError(
             "bem.influence: the file's coefficients hold for one state of the material, but here a "
             "part of the stiffness relaxes and a part does not; omit bem.influence");
-    if (c.bem.period && contact::is_nominally_flat(c))
+    if (c.period && contact::is_nominally_flat(c))
         return nominally_flat(c, grid.spacing[0], n_threads, body, 0);
-    if (c.bem.period)
-        return periodic_cells(c, period_grid(*c.bem.period, grid.spacing[0], false),
-                              n_threads)(grid);
+    if (c.period)
+        return periodic_cells(c, period_grid(*c.period, grid.spacing[0], false), n_threads)(grid);
     return single_cells(c, n_threads, body)(grid);
 }
 
@@ -207,21 +209,20 @@ bool is_mirrored(const contact::Case& c) {
     const Shape shape = c.indenter.shape;
     const bool is_smooth_ball = shape != Shape::flat && shape != Shape::height_map &&
                                 !c.is_cylindrical() && !c.indenter.roughness;
-    return is_smooth_ball && !c.bem.period && !c.tractive_rolling && !c.bem.cell_shift_y &&
+    return is_smooth_ball && !c.period && !c.tractive_rolling && !c.of<contact::Cells>().shift_y &&
            contact::is_mirror_symmetric(c);
 }
 
 std::unique_ptr<contact::Compliance> case_compliance(const contact::Case& c, int n_threads,
                                                      Body body, double aside, bool mirrored) {
-    const double spacing = spacing_of(c, half_space_scales(c).contact_radius);
+    const double spacing = contact::cell_side(c);
     if (contact::is_nominally_flat(c)) return nominally_flat(c, spacing, n_threads, body, aside);
-    if (!c.bem.period)
-        return fitting(c, spacing, single_cells(c, n_threads, body), aside, mirrored);
+    if (!c.period) return fitting(c, spacing, single_cells(c, n_threads, body), aside, mirrored);
     if (body == Body::half_space)
         throw contact::InputError(
             "bem: under a periodic load the half-space gives way without bound, its compliance at "
             "k = 0 is infinite; take bem-layer or omit bem.period");
-    const auto whole = period_grid(*c.bem.period, spacing, !c.bem.spacing);
+    const auto whole = period_grid(*c.period, spacing, !c.of<contact::Cells>().spacing);
     return fitting(c, whole.spacing[0], periodic_cells(c, whole, n_threads), aside);
 }
 
@@ -240,13 +241,13 @@ InfluenceTable case_influence(const contact::Case& c, int n_threads, Body body) 
         throw contact::InputError(
             "indenter.shape: the cells of a cylinder or roller divide its length, but files of "
             "influence coefficients hold those of square cells; take another shape");
-    if (c.bem.period)
+    if (c.period)
         throw contact::InputError(
             "bem.period: a periodic case has no influence coefficients of single cells; omit it");
-    if (c.bem.cell_ratio)
+    if (c.of<contact::Cells>().ratio)
         throw contact::InputError(
             "bem.cell_ratio: files of influence coefficients hold those of square cells; omit it");
-    const double spacing = spacing_of(c, half_space_scales(c).contact_radius);
+    const double spacing = contact::cell_side(c);
     const MakeCompliance cells = single_cells(c, n_threads, body);
     return (contact::is_nominally_flat(c) ? under_map(c, spacing, cells, 0)
                                           : fitting(c, spacing, cells, 0))
@@ -254,9 +255,8 @@ InfluenceTable case_influence(const contact::Case& c, int n_threads, Body body) 
 }
 
 void check_influence_file(const contact::Case& c) {
-    if (c.bem.influence)
-        check_spacing(read_influence(*c.bem.influence), *c.bem.influence,
-                      spacing_of(c, half_space_scales(c).contact_radius));
+    if (const auto& file = c.of<Settings>().influence)
+        check_spacing(read_influence(*file), *file, contact::cell_side(c));
 }
 
 std::unique_ptr<contact::Substrate> make_substrate(const contact::Case& c, int n_threads, Body body,
@@ -264,7 +264,8 @@ std::unique_ptr<contact::Substrate> make_substrate(const contact::Case& c, int n
     auto relaxed = case_compliance(c, n_threads, body, aside, mirrored);
     const contact::ContactPoints& grid = relaxed->points();  // which the call keeps alive
     return contact::make_substrate(
-        body == Body::layer ? c : contact::without_layer(c), std::move(relaxed),
+        body == Body::layer ? c : contact::without_layer(c), body == Body::half_space,
+        std::move(relaxed),
         [&](const contact::Case& elastic) {
             return case_compliance_on(elastic, grid, n_threads, body);
         },
@@ -275,7 +276,7 @@ std::unique_ptr<contact::Model> make_model(const contact::Case& c, int n_threads
     auto model = std::make_unique<contact::SurfaceModel>(
         body == Body::layer ? contact::models::bem_layer : contact::models::bem,
         *make_substrate(c, n_threads, body, 0, is_mirrored(c)), c.make_indenter(),
-        c.friction_coefficient, c.bem.tolerance, c.contact);
+        c.friction_coefficient, c.of<Settings>().tolerance, c.contact);
     model->set_larger_grid([=, aside = 0.](const contact::ContactAtEdge& reached) mutable {
         aside = more_room(aside, reached);
         return make_substrate(c, n_threads, body, aside, is_mirrored(c));

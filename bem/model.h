@@ -3,10 +3,10 @@
 #include <memory>
 
 #include "bem/influence_file.h"
+#include "contact/base/error.h"
 #include "contact/case.h"
-#include "contact/error.h"
+#include "contact/compliances/compliance.h"
 #include "contact/model.h"
-#include "contact/solvers/compliance.h"
 #include "contact/substrates/substrate.h"
 
 namespace tricontact::bem {

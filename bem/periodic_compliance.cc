@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <numbers>
 
-#include "contact/error.h"
+#include "contact/base/error.h"
 
 namespace tricontact::bem {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "contact/error.h"
+#include "contact/base/error.h"
 
 namespace tricontact::bem {
 

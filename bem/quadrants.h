@@ -6,7 +6,7 @@
 
 #include "bem/grid_convolution.h"
 #include "bem/influence.h"
-#include "contact/vector2.h"
+#include "contact/base/vector2.h"
 
 namespace tricontact::bem {
 

@@ -5,8 +5,8 @@
 
 #include "bem/grid_convolution.h"
 #include "bem/quadrants.h"
-#include "contact/solvers/steady_compliance.h"
-#include "contact/substrates/creep_modes.h"
+#include "contact/compliances/steady_compliance.h"
+#include "contact/creep_modes.h"
 
 namespace tricontact::bem {
 

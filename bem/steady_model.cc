@@ -5,10 +5,11 @@
 
 #include "bem/grid_compliance.h"
 #include "bem/plane_layer_influence.h"
+#include "bem/settings.h"
 #include "bem/steady_compliance.h"
+#include "contact/creep_modes.h"
 #include "contact/models/model_kind.h"
-#include "contact/substrates/creep_modes.h"
-#include "contact/substrates/relaxing_case.h"
+#include "contact/relaxing_case.h"
 #include "theory/layer/layer_stack.h"
 
 namespace tricontact::bem {
@@ -71,7 +72,7 @@ CellInfluence influence_of(const contact::Case& elastic, Body body,
 
 std::unique_ptr<contact::SteadyCompliance> steady_compliance(const contact::Case& c, int n_threads,
                                                              Body body, double aside) {
-    if (c.bem.influence || c.bem.period) return nullptr;
+    if (c.of<Settings>().influence || c.period) return nullptr;
     const contact::Case seen = body == Body::layer ? c : contact::without_layer(c);
     const contact::CreepModes modes = contact::creep_modes(seen);
     const auto relaxed = case_compliance(contact::with_relaxing_ratio(c, 1), n_threads, body,

@@ -3,7 +3,7 @@
 #include <memory>
 
 #include "bem/model.h"
-#include "contact/solvers/steady_compliance.h"
+#include "contact/compliances/steady_compliance.h"
 
 namespace tricontact::bem {
 

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "benchmarks/cpu_timer.h"
-#include "contact/solvers/compliance.h"
+#include "contact/compliances/compliance.h"
 #include "contact/solvers/normal_grid.h"
 
 namespace tricontact::benchmarks {

@@ -10,11 +10,11 @@
 #include <string>
 #include <vector>
 
+#include "fem/case/layer_condenser.h"
+#include "fem/case/model.h"
 #include "fem/distributed/layer.h"
 #include "fem/distributed/petsc.h"
 #include "fem/distributed/stiffness.h"
-#include "fem/layer_condenser.h"
-#include "fem/model.h"
 #include "io/case/case_reader.h"
 
 namespace {

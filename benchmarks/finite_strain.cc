@@ -10,9 +10,10 @@
 #include "benchmarks/rig.h"
 #include "contact/run.h"
 #include "contact/surface_model.h"
+#include "fem/case/layer_condenser.h"
+#include "fem/case/model.h"
 #include "fem/finite_strain/strained_model.h"
-#include "fem/layer_condenser.h"
-#include "fem/model.h"
+#include "fem/settings.h"
 
 namespace tricontact::benchmarks {
 namespace {
@@ -25,8 +26,9 @@ Case rubber(double w, double size) {
     c.law = Case::Law::neo_hookean;
     c.layer.thickness = 8e-3;
     c.load.press_steps = 5;
-    c.fem.size = size;
-    c.fem.cache = std::filesystem::temp_directory_path() / "tricontact_benchmark_layers";
+    c.of<fem::Settings>().size = size;
+    c.of<fem::Settings>().cache =
+        std::filesystem::temp_directory_path() / "tricontact_benchmark_layers";
     c.rolling->amplitude_ratio.reset();
     c.rolling->amplitude = w * 4.3638e-3;  // of the linear layer's contact radius
     return c;
@@ -40,14 +42,15 @@ double size_of(const benchmark::State& state) {
 struct Layer {
     explicit Layer(const Case& c) : layer(fem::LayerCondenser(c, {}).make(fem::make_mesh(c, {}))) {
         linear = std::make_unique<contact::SurfaceModel>(
-            "fem", layer, c.make_indenter(), c.friction_coefficient, c.fem.tolerance, c.contact);
-        strained = std::make_unique<fem::StrainedModel>(
-            fem::StrainedModel::Setup{.layer = layer,
-                                      .indenter = c.make_indenter(),
-                                      .rolling_radius = c.indenter.radius,
-                                      .friction_coefficient = c.friction_coefficient,
-                                      .tolerance = fem::of_fem_tolerance * c.fem.tolerance,
-                                      .relaxation = {}});
+            "fem", layer, c.make_indenter(), c.friction_coefficient,
+            c.of<fem::Settings>().tolerance, c.contact);
+        strained = std::make_unique<fem::StrainedModel>(fem::StrainedModel::Setup{
+            .layer = layer,
+            .indenter = c.make_indenter(),
+            .rolling_radius = c.indenter.radius,
+            .friction_coefficient = c.friction_coefficient,
+            .tolerance = fem::of_fem_tolerance * c.of<fem::Settings>().tolerance,
+            .relaxation = {}});
     }
     std::shared_ptr<const fem::CondensedCompliance> layer;
     std::unique_ptr<contact::Model> linear, strained;

@@ -9,7 +9,8 @@
 #include "benchmarks/rig.h"
 #include "contact/load_path.h"
 #include "contact/run.h"
-#include "fem/model.h"
+#include "fem/case/model.h"
+#include "fem/settings.h"
 
 namespace tricontact::benchmarks {
 namespace {
@@ -18,8 +19,8 @@ contact::Case layer(const benchmark::State& state, const std::string& cache) {
     contact::Case c = rig(0.24, 0.56);
     c.indenter.material.reset();
     c.layer.thickness = 8e-3;
-    c.fem.size = 1e-5 * static_cast<double>(state.range(0));
-    c.fem.cache = cache;
+    c.of<fem::Settings>().size = 1e-5 * static_cast<double>(state.range(0));
+    c.of<fem::Settings>().cache = cache;
     c.rolling->steps = contact::Case::Steps::increment;
     c.rolling->increment = 2e-4;
     c.rolling->run_all = true;

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "bem/grid_convolution.h"
-#include "contact/fftw.h"
+#include "contact/base/fftw.h"
 
 namespace tricontact::benchmarks {
 namespace {

@@ -1,6 +1,6 @@
 #include <benchmark/benchmark.h>
 
-#include "contact/freed_memory.h"
+#include "contact/base/freed_memory.h"
 
 int main(int argc, char** argv) {
     tricontact::contact::keep_freed_memory();  // as the program does

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "contact/case.h"
+#include "contact/cells.h"
 
 namespace tricontact::benchmarks {
 
@@ -15,7 +16,7 @@ inline contact::Case rig(double w, double tangential_ratio) {
     c.load.tangential_ratio = tangential_ratio;
     c.rolling = contact::Case::Rolling{};
     c.rolling->amplitude_ratio = w;
-    c.bem.spacing = 2e-4;
+    c.of<contact::Cells>().spacing = 2e-4;
     return c;
 }
 

@@ -8,11 +8,13 @@
 
 #include "bem/grid_compliance.h"
 #include "bem/model.h"
+#include "bem/settings.h"
 #include "benchmarks/rig.h"
+#include "contact/compliances/active_operator.h"
 #include "contact/run.h"
-#include "contact/solvers/active_operator.h"
 #include "contact/surface_model.h"
 #include "mdr/model.h"
+#include "mdr/settings.h"
 
 namespace tricontact::benchmarks {
 namespace {
@@ -74,7 +76,7 @@ BENCHMARK(among_contact<true>)
 std::unique_ptr<contact::Model> on_whole_grid(const contact::Case& c) {
     return std::make_unique<contact::SurfaceModel>(
         "bem", *bem::make_substrate(c, 1, bem::Body::half_space), c.make_indenter(),
-        c.friction_coefficient, c.bem.tolerance, c.contact);
+        c.friction_coefficient, c.of<bem::Settings>().tolerance, c.contact);
 }
 
 /// 12 periods at 0.2 mm, tolerance 1e-7; `ms_per_step` CPU, `convolutions_per_step` counted. On
@@ -112,7 +114,7 @@ void mdr_history(benchmark::State& state) {
     contact::Case c = rig(0.24, 0.56);
     c.rolling->steps_per_quarter = 60;
     c.rolling->run_all = true;
-    c.mdr.springs = 1000;
+    c.of<mdr::Settings>().springs = 1000;
     for (auto _ : state) {
         const auto model = mdr::make_model(c);
         benchmark::DoNotOptimize(contact::run(c, *model).static_shift);

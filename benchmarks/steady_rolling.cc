@@ -5,9 +5,11 @@
 
 #include <cmath>
 
+#include "bem/settings.h"
 #include "bem/steady_model.h"
 #include "benchmarks/cpu_timer.h"
-#include "contact/substrates/relaxing_case.h"
+#include "contact/cells.h"
+#include "contact/relaxing_case.h"
 #include "rolling/run.h"
 
 namespace tricontact::benchmarks {
@@ -30,10 +32,10 @@ contact::Case rolled(double way_mm, bool sphere) {
     c.tractive_rolling.emplace();
     c.tractive_rolling->speed = 1;
     if (sphere)
-        c.bem.cells_per_radius = 20;
+        c.of<contact::Cells>().per_radius = 20;
     else
-        c.bem.spacing = .16e-3;
-    c.bem.tolerance = 1e-5;
+        c.of<contact::Cells>().spacing = .16e-3;
+    c.of<bem::Settings>().tolerance = 1e-5;
     return c;
 }
 
@@ -44,7 +46,7 @@ rolling::RollingProblem problem_of(const contact::Case& c) {
     problem.normal.value = *c.load.normal_force;
     problem.drive.force[0] = .6 * c.friction_coefficient * *c.load.normal_force;
     problem.coupling = false;
-    problem.tolerance = c.bem.tolerance;
+    problem.tolerance = c.of<bem::Settings>().tolerance;
     problem.speed = c.tractive_rolling->speed;
     return problem;
 }

@@ -9,7 +9,9 @@
 #include <ctime>
 
 #include "bem/model.h"
+#include "bem/settings.h"
 #include "contact/case.h"
+#include "contact/cells.h"
 #include "contact/run.h"
 
 namespace tricontact::benchmarks {
@@ -22,8 +24,8 @@ contact::Case rough_case(int n, bool is_free) {
     contact::Case c;
     c.substrate = {25e6 * .75, .5};
     c.friction_coefficient = .5;
-    c.bem.spacing = length / n;
-    c.bem.tolerance = 1e-5;
+    c.of<contact::Cells>().spacing = length / n;
+    c.of<bem::Settings>().tolerance = 1e-5;
     c.load.press_steps = 1;
     c.load.tangential_ratio = .5;
     c.indenter.roughness = contact::Roughness{.hurst = .8,
@@ -38,7 +40,7 @@ contact::Case rough_case(int n, bool is_free) {
         c.load.normal_force = 4. / 3 * 25e6 * std::pow(.296 * length, 3) / c.indenter.radius;
     } else {
         c.indenter.shape = contact::Case::Shape::flat;
-        c.bem.period = length;
+        c.period = length;
         c.load.normal_force = .05 * 25e6 * length * length;
     }
     return c;

@@ -5,15 +5,15 @@
 #include <string>
 #include <vector>
 
+#include "contact/base/typed_values.h"
 #include "contact/bodies/height_map.h"
 #include "contact/bodies/indenter.h"
 #include "contact/bodies/profile_curve.h"
 #include "contact/bodies/roughness.h"
 #include "contact/prescribed_path.h"
-#include "contact/substrates/dma_fit.h"
+#include "contact/solvers/contact_options.h"
 #include "contact/substrates/material.h"
 #include "contact/substrates/relaxation.h"
-#include "contact/substrates/relaxation_test.h"
 
 namespace tricontact::contact {
 
@@ -35,10 +35,7 @@ struct Case {
     };
     enum class AmplitudeReference { hertz, model };
     enum class Steps { increment, per_quarter, turning_points };
-    enum class VtkOutput { none, quarters, frames, all };
-    enum class VolumeOutput { none, last, quarters };
     enum class Base { bonded, frictionless, half_space };
-    enum class Sides { free, fixed };
     enum class Press { friction, frictionless };
     enum class Law { linear, neo_hookean, mooney_rivlin };
     /// Where the heights of a map's file point: away from the substrate, so that the lowest presses
@@ -71,44 +68,17 @@ struct Case {
             double thickness = 0;  ///< [m]
             Material material{0, 0};
         };
-        std::optional<double> thickness;        ///< b [m]
-        std::optional<double> thickness_ratio;  ///< while the case is read: b/(2a) [-]
-        Base base = Base::bonded;               ///< what the lowest layer rests on
-        std::optional<double> width;            ///< along x [m]; empty: unbounded
-        std::optional<double> depth;            ///< along y [m]; empty: unbounded
-        std::vector<Lower> lower;               ///< further elastic layers below, from the top down
-        std::optional<Material> ground;         ///< the half-space of Base::half_space
+        std::optional<double> thickness;  ///< b [m]
+        Base base = Base::bonded;         ///< what the lowest layer rests on
+        std::optional<double> width;      ///< along x [m]; empty: unbounded
+        std::optional<double> depth;      ///< along y [m]; empty: unbounded
+        std::vector<Lower> lower;         ///< further elastic layers below, from the top down
+        std::optional<Material> ground;   ///< the half-space of Base::half_space
 
         double total_thickness() const;  ///< of all layers; `thickness` must be there [m]
     };
 
-    /// What `layer.lower` is made of, one element per layer from the top down.
-    struct LowerLayersInput {
-        std::vector<double> thickness;  ///< [m]
-        std::vector<double> young;      ///< [Pa]
-        std::vector<double> poisson;    ///< [-]
-    };
-
-    /// What `relaxation` comes from. The reader resolves each of the five ways to `moduli` and
-    /// `times`, one per branch and in its order, beside the relaxed modulus, and empties the
-    /// others.
-    struct RelaxationInput {
-        enum class Modulus { relaxed, unrelaxed };
-
-        Modulus modulus = Modulus::relaxed;     ///< what the substrate's is
-        std::optional<double> maxwell_modulus;  ///< G2 [Pa] of a standard solid
-        std::optional<double> viscosity;        ///< eta [Pa s] of a standard solid
-        std::vector<double> moduli;             ///< G_i [Pa]
-        std::vector<double> relative_moduli;    ///< g_i = G_i/G_0, G_0 the unrelaxed one [-]
-        std::vector<double> times;              ///< tau_i [s]
-        std::optional<std::string> dma;         ///< file of a DMA table
-        std::optional<std::string> test;        ///< file of a relaxation test
-    };
-
-    /// How the contact is treated by models that can.
-    struct Contact {
-        bool coupling = true;  ///< of normal and tangential contact
-    };
+    using Contact = ContactOptions;
 
     struct Load {
         std::optional<double> normal_force;      ///< F_N [N]
@@ -171,48 +141,6 @@ struct Case {
         double speed = 0;     ///< v [m/s], which only a relaxing substrate feels; 0: slow
     };
 
-    /// Where `prescribed_path` comes from: a table in a file, or in the case file itself.
-    struct PathInput {
-        std::optional<std::string> file;
-        std::optional<std::string> table;
-        int steps = 10;  ///< from one row to the next, where the table has no such column
-        CentreOfRotation centre = {};
-    };
-
-    struct Bem {
-        std::optional<double> spacing;           ///< cell size h [m]
-        std::optional<double> cells_per_radius;  ///< Hertz radius / h, instead
-        double tolerance = 1e-7;                 ///< see TangentialSolver, NormalSolver
-        std::optional<std::string> influence;    ///< file of influence coefficients to be used
-        std::optional<double> period;            ///< of substrate and tractions, x and y [m]
-        std::optional<double> cell_ratio;        ///< side of a cell along y over that along x
-        /// Where the centre of a cell lies from the body's lowest point at the origin, over the
-        /// cell's sides, -1/2 to 1/2.
-        std::optional<double> cell_shift_x, cell_shift_y;
-    };
-
-    struct Mdr {
-        int springs = 10000;  ///< over the whole bed, contact diameter plus rolling path
-    };
-
-    struct Fem {
-        std::optional<double> size;      ///< edge of an element in the contact patch [m]
-        std::optional<double> accuracy;  ///< of the normal contact [-]: size is chosen for it
-        double growth = 1.8;             ///< of neighbouring elements, outwards from the patch
-        Sides sides = Sides::free;
-        double tolerance = 1e-6;          ///< of the contact solvers [-]
-        std::optional<std::string> mesh;  ///< a mesh file instead of a mesh of our own
-        double mesh_unit = 1;             ///< length of 1 in that file [m]
-        std::string cache;  ///< folder for condensed layers; empty: the user's; "none": not kept
-    };
-
-    struct Output {
-        VtkOutput vtk = VtkOutput::frames;
-        int frames_per_period = 40;  ///< at most, for VtkOutput::frames
-        VolumeOutput volume = VolumeOutput::none;
-        std::optional<double> volume_depth;  ///< of half-space models [m]; empty: 3 a
-    };
-
     std::string title;
     std::vector<std::string> models;
     IndenterData indenter;
@@ -220,23 +148,28 @@ struct Case {
     Law law = Law::linear;                 ///< of the substrate in fem; others are linear
     std::optional<double> c01_ratio;       ///< c01/(c10 + c01) of Mooney and Rivlin's law [-]
     std::optional<Relaxation> relaxation;  ///< of the substrate; empty: elastic
-    RelaxationInput relaxation_input;
-    std::optional<DmaFit> dma_fit;              ///< table and fit, if `relaxation` comes from one
-    std::optional<RelaxationTestFit> test_fit;  ///< likewise, of a relaxation test
+    std::optional<double> period;          ///< of indenters and tractions along x and y [m]
     Layer layer;
-    std::optional<LowerLayersInput> lower_layers_input;  ///< while the case is read
     double friction_coefficient = 0;
     Contact contact;
     Load load;
     std::optional<Rolling> rolling;                   ///< empty: static loading only
     std::optional<TractiveRolling> tractive_rolling;  ///< instead of `rolling`
-    std::optional<PathInput> path_input;
     /// Instead of `rolling`; `load` then has its hardest normal control and no F_T.
     std::optional<PrescribedPath> prescribed_path;
-    Bem bem;
-    Mdr mdr;
-    Fem fem;
-    Output output;
+
+    /// What others keep with a case under types of their own: the settings of models, as
+    /// bem::Settings, the cells of a surface, what is written, how the file says the case.
+    TypedValues kept;
+    /// T as it is kept, or by default.
+    template <class T>
+    const T& of() const {
+        return kept.of<T>();
+    }
+    template <class T>
+    T& of() {
+        return kept.of<T>();
+    }
 
     /// Of a body that is long along y: pressures and tractions are uniform over its length.
     bool is_line_contact() const { return indenter.shape == Shape::cylinder; }

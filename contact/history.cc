@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "contact/special_values.h"
+#include "contact/base/special_values.h"
 
 namespace tricontact::contact {
 

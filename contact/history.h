@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "contact/solvers/interior.h"
+#include "contact/base/vector2.h"
+#include "contact/compliances/interior.h"
 #include "contact/surface.h"
-#include "contact/vector2.h"
 
 namespace tricontact::contact {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "contact/error.h"
+#include "contact/base/error.h"
 #include "contact/model.h"
 
 namespace tricontact::contact {

@@ -8,7 +8,7 @@
 #include <limits>
 #include <numbers>
 
-#include "contact/error.h"
+#include "contact/base/error.h"
 
 namespace tricontact::contact {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "contact/solvers/compliance.h"
+#include "contact/compliances/compliance.h"
 #include "contact/surface.h"
 
 namespace tricontact::contact {

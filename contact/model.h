@@ -4,10 +4,10 @@
 #include <string>
 #include <string_view>
 
-#include "contact/error.h"
+#include "contact/base/error.h"
+#include "contact/compliances/interior.h"
 #include "contact/history.h"
 #include "contact/load_path.h"
-#include "contact/solvers/interior.h"
 #include "contact/surface.h"
 
 namespace tricontact::contact {
@@ -22,6 +22,9 @@ class Model {
     virtual StepRecord advance(const LoadStep& step) = 0;
     /// Normal and tangential contact influence each other: the way of pressing matters.
     virtual bool is_coupled() const { return false; }
+    /// Accuracy of its steps [-], which bounds how well its periods repeat each other: that of the
+    /// solver, of rounding where steps are exact.
+    virtual double step_accuracy() const { return 1e-7; }
     /// Forgets all steps: the indenter is out of contact, the substrate at rest.
     virtual void release() = 0;
     /// Begins anew, at rest, on a larger grid than that whose edge the contact has reached. Throws

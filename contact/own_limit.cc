@@ -4,7 +4,7 @@
 
 #include <set>
 
-#include "contact/error.h"
+#include "contact/base/error.h"
 #include "contact/load_path.h"
 
 namespace tricontact::contact {

@@ -3,9 +3,9 @@
 #include <array>
 #include <vector>
 
-#include "contact/centre_of_rotation.h"
-#include "contact/control.h"
-#include "contact/vector2.h"
+#include "contact/base/vector2.h"
+#include "contact/solvers/centre_of_rotation.h"
+#include "contact/solvers/control.h"
 
 namespace tricontact::contact {
 

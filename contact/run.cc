@@ -7,13 +7,13 @@
 #include <cmath>
 #include <ctime>
 
-#include "contact/bodies/half_space_scales.h"
-#include "contact/error.h"
-#include "contact/interruption.h"
+#include "contact/base/error.h"
+#include "contact/base/interruption.h"
+#include "contact/base/special_values.h"
+#include "contact/half_space_scales.h"
 #include "contact/larger_grids.h"
 #include "contact/load_path.h"
 #include "contact/own_limit.h"
-#include "contact/special_values.h"
 #include "contact/verdict.h"
 
 namespace tricontact::contact {
@@ -229,8 +229,9 @@ class Run {
     }
 
     Judged what_is_known() const {
-        Judged known = judged(case_, history_.model, model_.is_coupled(), history_.amplitude,
-                              history_.tangential_force / history_.friction_limit);
+        Judged known =
+            judged(case_, model_.step_accuracy(), model_.is_coupled(), history_.amplitude,
+                   history_.tangential_force / history_.friction_limit);
         if (!negligible_) return known;
         known.negligible_shift = *negligible_;
         known.negligible_work = infinity;

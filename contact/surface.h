@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "contact/vector2.h"
+#include "contact/base/vector2.h"
 
 namespace tricontact::contact {
 

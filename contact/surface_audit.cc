@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "contact/solvers/blocks.h"
-#include "contact/solvers/point_sums.h"
-#include "contact/special_values.h"
+#include "contact/base/special_values.h"
+#include "contact/compliances/blocks.h"
+#include "contact/compliances/point_sums.h"
 #include "contact/surface_model.h"
 
 // What a surface model notes about each step: the record and the audit.

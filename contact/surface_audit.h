@@ -3,9 +3,9 @@
 #include <array>
 #include <vector>
 
+#include "contact/compliances/compliance.h"
 #include "contact/history.h"
 #include "contact/load_path.h"
-#include "contact/solvers/compliance.h"
 #include "contact/solvers/normal_solver.h"
 #include "contact/surface.h"
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "contact/error.h"
+#include "contact/base/error.h"
 #include "contact/solvers/contact_region.h"
 
 namespace tricontact::contact {

@@ -33,6 +33,7 @@ class SurfaceModel final : public Model {
     void set_larger_grid(LargerGrid larger) { larger_grid_ = std::move(larger); }
 
     std::string name() const override { return name_; }
+    double step_accuracy() const override { return tolerance_; }
     bool is_coupled() const override { return !solver_->coupling().is_decoupled(); }
     StepRecord advance(const LoadStep& step) override {
         return take(step, {solver_->tractions(), now().displacement, now().shift,

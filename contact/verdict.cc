@@ -7,9 +7,8 @@
 #include <cmath>
 #include <numeric>
 
-#include "contact/models/model_kind.h"
-#include "contact/number_text.h"
-#include "contact/special_values.h"
+#include "contact/base/number_text.h"
+#include "contact/base/special_values.h"
 
 namespace tricontact::contact {
 
@@ -84,9 +83,8 @@ bool has_constant_loads(const Case& c) {
     return c.load.normal_amplitude_ratio == 0 && c.load.tangential_amplitude_ratio == 0;
 }
 
-Judged judged(const Case& c, const std::string& model, bool coupled, double amplitude,
+Judged judged(const Case& c, double accuracy, bool coupled, double amplitude,
               double tangential_ratio) {
-    const double accuracy = model_kind(model).step_accuracy(c);
     Judged result;
     result.negligible_shift = std::max(settled_shift, accuracy);
     result.negligible_work = std::max(settled_work, stick_threshold * accuracy);

@@ -45,8 +45,8 @@ struct Judged {
 /// Neither F_N or d nor F_T oscillates with the rolling.
 bool has_constant_loads(const Case& c);
 
-/// Of a case on a model whose scales and amplitude are known.
-Judged judged(const Case& c, const std::string& model, bool coupled, double amplitude,
+/// Of a case on a model whose scales and amplitude are known; `accuracy`: Model::step_accuracy().
+Judged judged(const Case& c, double accuracy, bool coupled, double amplitude,
               double tangential_ratio);
 
 /// The fate of a contact that rolls to and fro, told period by period: what becomes of the shifts U

@@ -11,7 +11,7 @@
 #include <string>
 #include <utility>
 
-#include "contact/error.h"
+#include "contact/base/error.h"
 #include "fem/dissection_order.h"
 #include "fem/memory.h"
 

@@ -2,7 +2,7 @@
 
 #include <memory>
 
-#include "contact/solvers/compliance.h"
+#include "contact/compliances/compliance.h"
 #include "fem/condensed_layer.h"
 #include "fem/dense_compliance.h"
 #include "fem/whole_body.h"

@@ -4,12 +4,13 @@
 #include <string>
 #include <vector>
 
+#include "contact/base/error.h"
 #include "contact/case.h"
-#include "contact/error.h"
-#include "contact/solvers/compliance.h"
+#include "contact/compliances/compliance.h"
 #include "contact/substrates/material.h"
 #include "fem/matrices.h"
 #include "fem/memory.h"
+#include "fem/settings.h"
 #include "meshes/hex_mesh.h"
 
 namespace tricontact::fem {
@@ -23,7 +24,7 @@ struct LayerProblem {
     meshes::HexMesh mesh;
     std::array<contact::Material, meshes::n_regions> materials{{{0, 0}, {0, 0}}};
     contact::Case::Base base = contact::Case::Base::bonded;
-    contact::Case::Sides sides = contact::Case::Sides::free;
+    Sides sides = Sides::free;
     double largest_bulk_ratio = incompressible_bulk_ratio;  ///< K/G is cut here
     double line_length = 0;  ///< see contact::ContactPoints [m]; the stiffness knows nothing of it
 };

@@ -5,7 +5,7 @@
 #include <map>
 #include <optional>
 
-#include "contact/error.h"
+#include "contact/base/error.h"
 
 namespace tricontact::fem {
 

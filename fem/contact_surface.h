@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "contact/solvers/compliance.h"
+#include "contact/compliances/compliance.h"
 #include "fem/matrices.h"
 #include "fem/q2_space.h"
 

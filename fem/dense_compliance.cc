@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "contact/solvers/dense_products.h"
+#include "contact/compliances/dense_products.h"
 
 namespace tricontact::fem {
 

@@ -2,8 +2,9 @@
 
 #include <algorithm>
 
-#include "contact/error.h"
+#include "contact/base/error.h"
 #include "fem/memory.h"
+#include "fem/settings.h"
 
 namespace tricontact::fem {
 
@@ -15,12 +16,12 @@ constexpr Directions none = 0, y_only = 2, z_only = 4, all = 7;
 
 }  // namespace
 
-Directions held_on(Boundary boundary, Case::Base base, Case::Sides sides) {
+Directions held_on(Boundary boundary, Case::Base base, Sides sides) {
     switch (boundary) {
         case Boundary::base:
             return base == Case::Base::bonded ? all : z_only;
         case Boundary::sides:
-            return sides == Case::Sides::fixed ? all : none;
+            return sides == Sides::fixed ? all : none;
         case Boundary::symmetry:
             return y_only;
         case Boundary::contact:
@@ -30,8 +31,8 @@ Directions held_on(Boundary boundary, Case::Base base, Case::Sides sides) {
     return none;
 }
 
-void refuse_rigid_motions(bool has_base, bool has_sides, Case::Base base, Case::Sides sides) {
-    if (sides == Case::Sides::fixed && has_sides) return;
+void refuse_rigid_motions(bool has_base, bool has_sides, Case::Base base, Sides sides) {
+    if (sides == Sides::fixed && has_sides) return;
     if (!has_base)
         throw contact::InputError(
             "mesh: nothing holds the layer; name the faces on the ground \"base\"");
@@ -44,7 +45,7 @@ void refuse_rigid_motions(bool has_base, bool has_sides, Case::Base base, Case::
 namespace {
 
 Unknowns number_unknowns(const Q2Space& space, const std::vector<int>& contact_nodes,
-                         Case::Base base, Case::Sides sides) {
+                         Case::Base base, Sides sides) {
     const auto has = [&](Boundary boundary) {
         return std::ranges::any_of(space.faces,
                                    [&](const auto& face) { return face.boundary == boundary; });

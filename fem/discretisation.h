@@ -5,11 +5,12 @@
 #include <span>
 #include <vector>
 
-#include "contact/solvers/interior.h"
+#include "contact/compliances/interior.h"
 #include "fem/condensed_layer.h"
 #include "fem/contact_surface.h"
 #include "fem/element.h"
 #include "fem/matrices.h"
+#include "fem/settings.h"
 
 namespace tricontact::fem {
 
@@ -26,10 +27,9 @@ struct Unknowns {
 /// Bit c: displacement c is held: at the base (bonded: all, frictionless: z), fixed sides (all),
 /// the symmetry plane (y).
 using Directions = std::uint8_t;
-Directions held_on(meshes::Boundary boundary, contact::Case::Base base, contact::Case::Sides sides);
+Directions held_on(meshes::Boundary boundary, contact::Case::Base base, Sides sides);
 /// Throws contact::InputError when rigid motions remain with a base or sides in the mesh or not.
-void refuse_rigid_motions(bool has_base, bool has_sides, contact::Case::Base base,
-                          contact::Case::Sides sides);
+void refuse_rigid_motions(bool has_base, bool has_sides, contact::Case::Base base, Sides sides);
 
 struct AssembledStiffness {
     SparseMatrix matrix;  ///< between the free unknowns, lower triangle [N/m]

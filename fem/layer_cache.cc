@@ -14,8 +14,8 @@
 #include <type_traits>
 #include <utility>
 
-#include "contact/error.h"
-#include "contact/special_values.h"
+#include "contact/base/error.h"
+#include "contact/base/special_values.h"
 #include "fem/layer_file.h"
 #include "files/digest.h"
 

@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <limits>
 
-#include "contact/freed_memory.h"
+#include "contact/base/freed_memory.h"
 
 extern "C" int openblas_get_num_threads(void);
 

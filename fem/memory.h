@@ -2,7 +2,7 @@
 
 #include <cstddef>
 
-#include "contact/memory.h"
+#include "contact/base/memory.h"
 
 namespace tricontact::fem {
 

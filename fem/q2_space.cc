@@ -13,7 +13,7 @@
 #include <cmath>
 #include <string>
 
-#include "contact/error.h"
+#include "contact/base/error.h"
 
 namespace tricontact::fem {
 

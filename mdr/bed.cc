@@ -5,8 +5,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "contact/error.h"
-#include "contact/special_values.h"
+#include "contact/base/error.h"
+#include "contact/base/special_values.h"
 #include "mdr/normal_bed.h"
 
 namespace tricontact::mdr {

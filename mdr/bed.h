@@ -6,11 +6,11 @@
 #include <optional>
 #include <string>
 
+#include "contact/base/vector2.h"
 #include "contact/load_path.h"
 #include "contact/model.h"
 #include "contact/models/model_kind.h"
 #include "contact/substrates/relaxation.h"
-#include "contact/vector2.h"
 #include "mdr/plane_profile.h"
 #include "mdr/tangential_step.h"
 
@@ -35,10 +35,14 @@ struct BedData {
 double position_on_line(const std::string& model, const contact::LoadStep& step,
                         const contact::Vector2& direction, double spacing);
 
+/// Steps of independent springs are exact: slips below this part of the bound are rounding.
+inline constexpr double exact_steps = 1e-11;
+
 /// What elastic and relaxing beds of independent springs have in common.
 class Bed : public contact::Model {
   public:
     std::string name() const final { return contact::models::mdr; }
+    double step_accuracy() const final { return exact_steps; }
     const contact::Audit& audit() const final { return audit_; }
 
   protected:
@@ -57,7 +61,7 @@ class Bed : public contact::Model {
     static int more_springs(int n) { return std::max(16, n / 4); }
 
     /// Slip [m] below which a spring counts as sticking: rounding on the bound at this depth [m].
-    double negligible_slip(double depth) const { return 1e-11 * bound_ratio_ * depth; }
+    double negligible_slip(double depth) const { return exact_steps * bound_ratio_ * depth; }
     contact::ContactState state_in_contact(double slip, double depth) const {
         return std::abs(slip) > negligible_slip(depth) ? contact::ContactState::slip
                                                        : contact::ContactState::stick;

@@ -7,13 +7,13 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "contact/error.h"
+#include "contact/base/error.h"
+#include "contact/base/memory.h"
+#include "contact/base/special_values.h"
 #include "contact/load_path.h"
-#include "contact/memory.h"
 #include "contact/models/model_kind.h"
+#include "contact/relaxing_case.h"
 #include "contact/solvers/normal_solver.h"
-#include "contact/special_values.h"
-#include "contact/substrates/relaxing_case.h"
 #include "mdr/bed.h"
 #include "mdr/line_surface.h"
 #include "theory/layer/layer_stack.h"

@@ -30,6 +30,7 @@ class LayerModel final : public contact::Model {
                double rolling_angle, const std::optional<contact::Relaxation>& relaxation);
 
     std::string name() const override { return contact::models::mdr_layer; }
+    double step_accuracy() const override { return contact::layer_springs_accuracy; }
     /// Throws contact::InputError if the step is none of a line's or the contact reaches the
     /// indenter's rim, contact::ContactAtEdge if it reaches the last element, NotConverged.
     contact::StepRecord advance(const contact::LoadStep& step) override;

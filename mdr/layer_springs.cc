@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "contact/error.h"
+#include "contact/base/error.h"
 #include "theory/line_load.h"
 
 namespace tricontact::mdr {

@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "contact/solvers/compliance.h"
+#include "contact/compliances/compliance.h"
 #include "contact/substrates/material.h"
 #include "mdr/line_surface.h"
 #include "theory/layer/layer_stack.h"

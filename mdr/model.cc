@@ -4,11 +4,12 @@
 
 #include <cmath>
 
+#include "contact/base/memory.h"
 #include "contact/load_path.h"
-#include "contact/memory.h"
 #include "contact/models/model_kind.h"
-#include "contact/substrates/relaxing_case.h"
+#include "contact/relaxing_case.h"
 #include "mdr/relaxing_bed.h"
+#include "mdr/settings.h"
 #include "mdr/spring_bed.h"
 
 namespace tricontact::mdr {
@@ -28,8 +29,9 @@ void check_memory(const contact::Case& c) {
     const double numbers =
         c.relaxation ? relaxing + branch * static_cast<double>(c.relaxation->branches.size())
                      : elastic;
-    contact::require_memory(fmt::format("mdr: a bed of {} springs", c.mdr.springs),
-                            sizeof(double) * numbers * c.mdr.springs, "reduce mdr.springs");
+    const int n = c.of<Settings>().springs;
+    contact::require_memory(fmt::format("mdr: a bed of {} springs", n),
+                            sizeof(double) * numbers * n, "reduce mdr.springs");
 }
 
 }  // namespace
@@ -45,7 +47,7 @@ std::unique_ptr<contact::Model> make_model(const contact::Case& c) {
     data.effective_modulus = c.materials().effective_modulus();
     data.effective_shear_modulus = c.materials().effective_shear_modulus();
     data.friction_coefficient = c.friction_coefficient;
-    data.n_springs = c.mdr.springs;
+    data.n_springs = c.of<Settings>().springs;
     data.rolling_angle = contact::path_direction(c);
     // 1 % more: the discrete contact is not exactly as wide as the continuous one.
     data.half_length =

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "contact/compensated_sum.h"
-#include "contact/error.h"
+#include "contact/base/compensated_sum.h"
+#include "contact/base/error.h"
 
 namespace tricontact::mdr {
 

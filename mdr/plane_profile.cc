@@ -9,9 +9,9 @@
 #include <numeric>
 #include <stdexcept>
 
+#include "contact/base/error.h"
+#include "contact/base/root.h"
 #include "contact/bodies/shapes_of_revolution.h"
-#include "contact/error.h"
-#include "contact/root.h"
 
 namespace tricontact::mdr {
 

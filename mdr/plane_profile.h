@@ -6,8 +6,8 @@
 #include <span>
 #include <vector>
 
+#include "contact/base/special_values.h"
 #include "contact/bodies/indenter.h"
-#include "contact/special_values.h"
 
 namespace tricontact::mdr {
 

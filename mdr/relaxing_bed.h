@@ -3,7 +3,7 @@
 #include <memory>
 #include <vector>
 
-#include "contact/special_values.h"
+#include "contact/base/special_values.h"
 #include "mdr/bed.h"
 #include "mdr/line_surface.h"
 #include "mdr/normal_bed.h"

@@ -5,7 +5,7 @@
 #include <numbers>
 #include <utility>
 
-#include "contact/compensated_sum.h"
+#include "contact/base/compensated_sum.h"
 #include "mdr/line_surface.h"
 
 namespace tricontact::mdr {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "contact/compensated_sum.h"
+#include "contact/base/compensated_sum.h"
 
 namespace tricontact::mdr {
 

@@ -6,9 +6,9 @@
 #include <cmath>
 #include <numeric>
 
-#include "contact/compensated_sum.h"
-#include "contact/error.h"
-#include "contact/special_values.h"
+#include "contact/base/compensated_sum.h"
+#include "contact/base/error.h"
+#include "contact/base/special_values.h"
 
 namespace tricontact::mdr {
 

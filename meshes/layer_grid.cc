@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "contact/special_values.h"
+#include "contact/base/special_values.h"
 #include "meshes/messages.h"
 
 namespace tricontact::meshes {

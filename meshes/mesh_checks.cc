@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <map>
 
-#include "contact/special_values.h"
+#include "contact/base/special_values.h"
 #include "meshes/mesh_file.h"
 #include "meshes/messages.h"
 

@@ -7,8 +7,8 @@
 #include <map>
 #include <numeric>
 
-#include "contact/error.h"
-#include "contact/special_values.h"
+#include "contact/base/error.h"
+#include "contact/base/special_values.h"
 #include "files/partial_file.h"
 #include "meshes/gmsh_session.h"
 #include "meshes/messages.h"

@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "contact/error.h"
-#include "contact/plain_text.h"
+#include "contact/base/error.h"
+#include "contact/base/plain_text.h"
 
 namespace tricontact::meshes {
 

@@ -7,7 +7,7 @@
 #include <cerrno>
 #include <cstdint>
 
-#include "contact/error.h"
+#include "contact/base/error.h"
 #include "files/regular_file.h"
 #include "meshes/messages.h"
 #include "meshes/msh_cursor.h"

@@ -7,7 +7,7 @@
 #include <sstream>
 
 #include "comparisons/quantities/quantity.h"
-#include "contact/interruption.h"
+#include "contact/base/interruption.h"
 #include "io/case/case_keys.h"
 #include "io/case/study_reader.h"
 #include "python/bindings.h"

@@ -1,4 +1,4 @@
-#include "contact/error.h"
+#include "contact/base/error.h"
 #include "files/version.h"
 #include "python/bindings.h"
 

@@ -4,12 +4,12 @@
 #include <limits>
 
 #include "comparisons/half_space/layer.h"
-#include "contact/error.h"
+#include "contact/base/error.h"
 #include "python/bindings.h"
 #include "theory/cattaneo_mindlin.h"
+#include "theory/creep_law.h"
 #include "theory/hertz.h"
 #include "theory/layer/elastic_layer.h"
-#include "theory/rolling/creep_law.h"
 #include "theory/rolling/kalker.h"
 #include "theory/rolling/oscillating_rolling.h"
 

@@ -2,7 +2,7 @@
 
 #include <pybind11/stl.h>
 
-#include "contact/interruption.h"
+#include "contact/base/interruption.h"
 #include "io/results/atomic_file.h"
 #include "python/bindings.h"
 #include "studies/sweep.h"

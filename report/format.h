@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "contact/number_text.h"
+#include "contact/base/number_text.h"
 
 namespace tricontact::report {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <string_view>
 
-#include "contact/plain_text.h"
+#include "contact/base/plain_text.h"
 
 namespace tricontact::report {
 

@@ -5,9 +5,9 @@
 
 #include "comparisons/quantities/reference.h"
 #include "contact/models/model_kind.h"
-#include "contact/substrates/relaxing_case.h"
+#include "contact/relaxing_case.h"
 #include "rolling/rolling_report.h"
-#include "theory/rolling/creep_law.h"
+#include "theory/creep_law.h"
 #include "theory/rolling/kalker.h"
 #include "theory/rolling/relaxing_rolling.h"
 

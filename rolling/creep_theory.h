@@ -22,7 +22,7 @@ struct CreepTheory {
 };
 
 /// Those that apply to the case's body on a half-space: Carter's of a cylinder; of a body that
-/// touches in a circle those of one stiffness (theory/rolling/creep_law.h) and, with nu in [0,
+/// touches in a circle those of one stiffness (theory/creep_law.h) and, with nu in [0,
 /// 1/2], Kalker's linear one; of an ellipsoid along the axes the latter and its cubic law, up to
 /// axes of 10. None for other bodies, where the substrate relaxes, and of dissimilar cylinders that
 /// roll freely.

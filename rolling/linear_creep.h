@@ -3,7 +3,7 @@
 #include <array>
 #include <vector>
 
-#include "contact/solvers/compliance.h"
+#include "contact/compliances/compliance.h"
 
 namespace tricontact::rolling {
 

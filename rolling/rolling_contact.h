@@ -5,12 +5,12 @@
 #include <optional>
 #include <vector>
 
+#include "contact/base/vector2.h"
 #include "contact/bodies/indenter.h"
 #include "contact/history.h"
 #include "contact/load_path.h"
 #include "contact/surface.h"
-#include "contact/vector2.h"
-#include "theory/rolling/creep_law.h"
+#include "theory/creep_law.h"
 
 /// Tractive rolling: the indenter rolls on in the direction +x over the substrate; the contact is
 /// at rest in a frame that moves along, and the substrate flows through it towards -x.

@@ -2,9 +2,9 @@
 
 #include <vector>
 
+#include "contact/compliances/compliance.h"
+#include "contact/compliances/steady_compliance.h"
 #include "contact/history.h"
-#include "contact/solvers/compliance.h"
-#include "contact/solvers/steady_compliance.h"
 #include "contact/substrates/substrate.h"
 #include "contact/surface_model.h"
 #include "rolling/rolling_contact.h"

@@ -2,9 +2,9 @@
 
 #include <vector>
 
+#include "contact/compliances/steady_compliance.h"
 #include "contact/load_path.h"
 #include "contact/solvers/normal_solver.h"
-#include "contact/solvers/steady_compliance.h"
 
 namespace tricontact::rolling {
 

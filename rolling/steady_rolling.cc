@@ -3,12 +3,12 @@
 #include <cmath>
 #include <functional>
 
-#include "contact/error.h"
+#include "contact/base/error.h"
+#include "contact/base/special_values.h"
 #include "contact/solvers/contact_region.h"
 #include "contact/solvers/coupling.h"
 #include "contact/solvers/fixed_point.h"
 #include "contact/solvers/normal_solver.h"
-#include "contact/special_values.h"
 #include "contact/surface.h"
 #include "contact/surface_audit.h"
 #include "rolling/run.h"

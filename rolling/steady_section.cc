@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "contact/special_values.h"
+#include "contact/base/special_values.h"
 #include "report/format.h"
 #include "rolling/creep_theory.h"
 #include "rolling/rolling_document.h"

@@ -7,9 +7,9 @@
 #include <numeric>
 #include <utility>
 
-#include "contact/error.h"
+#include "contact/base/error.h"
+#include "contact/base/special_values.h"
 #include "contact/solvers/projected_gradient.h"
-#include "contact/special_values.h"
 #include "contact/substrates/substrate.h"
 
 namespace tricontact::rolling {

@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "contact/solvers/compliance.h"
-#include "contact/vector2.h"
+#include "contact/base/vector2.h"
+#include "contact/compliances/compliance.h"
 #include "rolling/rolling_contact.h"
 
 namespace tricontact::rolling {

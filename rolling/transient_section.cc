@@ -4,13 +4,13 @@
 #include <cmath>
 
 #include "comparisons/quantities/reference.h"
+#include "contact/base/special_values.h"
 #include "contact/models/model_kind.h"
-#include "contact/special_values.h"
 #include "report/format.h"
 #include "rolling/creep_theory.h"
 #include "rolling/rolling_document.h"
 #include "theory/cattaneo_mindlin.h"
-#include "theory/rolling/creep_law.h"
+#include "theory/creep_law.h"
 
 namespace tricontact::rolling {
 

@@ -5,9 +5,9 @@
 #include <string>
 
 #include "comparisons/run/relaxation_report.h"
+#include "contact/base/stopped.h"
 #include "contact/models/model_kind.h"
 #include "contact/own_limit.h"
-#include "contact/stopped.h"
 #include "runs/case_run.h"
 
 namespace tricontact::app {

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
+#include "contact/base/stopped.h"
 #include "contact/load_path.h"
 #include "contact/models/model_kind.h"
 #include "contact/own_limit.h"
-#include "contact/stopped.h"
 #include "runs/case_run.h"
 
 namespace tricontact::app {
@@ -82,7 +82,7 @@ std::optional<NumericalError> numerical_error(const Case& c, const contact::Hist
                          .run = ResolvedRun(c, history),
                          .coarser = {},
                          .coarsest = {},
-                         .tolerance = contact::model_kind(name).tolerance(c),
+                         .tolerance = solver_tolerance(name, c),
                          .prescribed = comparisons::prescribed_quantities(c)};
     const Case loaded = contact::loaded_as(c, history);
     say(fmt::format("{}: once more on coarser meshes and with other steps", name));

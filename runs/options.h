@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "contact/base/error.h"
 #include "contact/case.h"
-#include "contact/error.h"
 #include "files/version.h"
 #include "io/results/atomic_file.h"
 #include "io/results/output_folder.h"

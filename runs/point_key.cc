@@ -2,7 +2,9 @@
 
 #include <array>
 
-#include "contact/error.h"
+#include "bem/settings.h"
+#include "contact/base/error.h"
+#include "fem/settings.h"
 #include "files/digest.h"
 #include "files/regular_file.h"
 #include "files/version.h"
@@ -36,7 +38,8 @@ std::string point_key(const std::string& resolved) {
 
 std::string file_digests(const contact::Case& c) {
     std::string digests;
-    for (const auto* name : {&c.indenter.file, &c.bem.influence, &c.fem.mesh})
+    for (const auto* name :
+         {&c.indenter.file, &c.of<bem::Settings>().influence, &c.of<fem::Settings>().mesh})
         if (*name) digests += digest_of_file(**name) + '\n';
     return digests;
 }

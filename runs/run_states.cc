@@ -5,13 +5,14 @@
 
 #include "contact/load_path.h"
 #include "io/results/atomic_file.h"
+#include "io/results/output.h"
 #include "runs/shown_states.h"
 
 namespace tricontact::app {
 
 namespace {
 
-using enum Case::VtkOutput;
+using enum io::Output::Vtk;
 
 /// Whether the states of a run have times in seconds.
 bool has_time(const Case& c) {
@@ -26,12 +27,13 @@ bool rolls_by_turning_points(const Case& c, double contact_radius) {
 
 /// Surfaces of a run of so many steps.
 double frames_at_most(const Case& c, double contact_radius, int n_steps) {
-    if (c.output.vtk == all) return n_steps;
-    const int most = c.output.vtk == quarters ? 4 : c.output.frames_per_period;
+    const auto& output = c.of<io::Output>();
+    if (output.vtk == all) return n_steps;
+    const int most = output.vtk == quarters ? 4 : output.frames_per_period;
     double n = n_steps;
     if (c.prescribed_path) {
         for (const auto& row : c.prescribed_path->rows)
-            n -= std::max(0, std::max(1, row.steps) - (c.output.vtk == quarters ? 1 : most));
+            n -= std::max(0, std::max(1, row.steps) - (output.vtk == quarters ? 1 : most));
     } else if (c.rolling) {
         const double amplitude = contact::path_amplitude(c, contact_radius);
         const int of_period = 4 * contact::steps_in_quarter(*c.rolling, amplitude);
@@ -44,6 +46,7 @@ double frames_at_most(const Case& c, double contact_radius, int n_steps) {
 
 RunStates::RunStates(const Case& c, const std::string& folder, const Say& say)
     : case_(c),
+      output_(c.of<io::Output>()),
       folder_(folder),
       say_(say),
       has_time_(has_time(c)),
@@ -69,16 +72,15 @@ const contact::Subsurface* RunStates::add(const contact::StepRecord& record, con
         add_surface(record, model);
         if (record.phase > 0) say_size(model, progress.steps_at_most);
     }
-    if (case_.output.volume != Case::VolumeOutput::quarters || !progress.quarter) return nullptr;
+    if (output_.volume != io::Output::Volume::quarters || !progress.quarter) return nullptr;
     return add_volume(record, model);
 }
 
 bool RunStates::is_wanted(double phase, bool quarter) {
-    if (case_.output.vtk != frames)
-        return case_.output.vtk == all || (case_.output.vtk == quarters && quarter);
+    if (output_.vtk != frames) return output_.vtk == all || (output_.vtk == quarters && quarter);
     constexpr double rounding = 1e-9;  // phases are sums of rounded fractions
     const auto frame = [&](double at) {
-        return std::floor(at * case_.output.frames_per_period + rounding);
+        return std::floor(at * output_.frames_per_period + rounding);
     };
     const bool next = phase == 0 || quarter || frame(phase) > frame(last_phase_);
     if (next) last_phase_ = phase;
@@ -99,14 +101,14 @@ void RunStates::say_size(const contact::Model& model, int steps_at_most) {
     const double radius = model.scales().contact_radius;
     std::string line = size_of_states(model.name(), frames_at_most(case_, radius, steps_at_most),
                                       surfaces_.last_size());
-    if (case_.output.vtk == frames && rolls_by_turning_points(case_, radius))
+    if (output_.vtk == frames && rolls_by_turning_points(case_, radius))
         line += "; a period has four, its turning points are all that is computed";
     say_(line);
 }
 
 const contact::Subsurface* RunStates::add_last(const contact::StepRecord& record,
                                                contact::Model& model) {
-    if (case_.output.volume != Case::VolumeOutput::last) return nullptr;
+    if (output_.volume != io::Output::Volume::last) return nullptr;
     return add_volume(record, model);
 }
 
@@ -120,7 +122,7 @@ const contact::Subsurface* RunStates::add_volume(const contact::StepRecord& reco
 }
 
 void RunStates::finish() const {
-    const bool shows_surface = case_.output.vtk != none;
+    const bool shows_surface = output_.vtk != none;
     if (subsurface_) volumes_.list_all();
     if (shows_surface) {
         surfaces_.list_all();

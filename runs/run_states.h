@@ -3,8 +3,9 @@
 #include <optional>
 #include <string>
 
+#include "contact/compliances/interior.h"
 #include "contact/run.h"
-#include "contact/solvers/interior.h"
+#include "io/results/output.h"
 #include "io/results/vtk_files.h"
 #include "io/results/vtk_indenter.h"
 #include "runs/options.h"
@@ -40,6 +41,7 @@ class RunStates {
     }
 
     const Case& case_;
+    io::Output output_;
     std::string folder_;
     const Say& say_;
     bool has_time_;

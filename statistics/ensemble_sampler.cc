@@ -7,7 +7,7 @@
 #include <span>
 #include <stdexcept>
 
-#include "contact/error.h"
+#include "contact/base/error.h"
 #include "statistics/initial_sequence.h"
 #include "statistics/latin_hypercube.h"
 

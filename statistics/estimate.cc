@@ -7,7 +7,7 @@
 #include <numeric>
 #include <stdexcept>
 
-#include "contact/special_values.h"
+#include "contact/base/special_values.h"
 
 namespace tricontact::statistics {
 

@@ -12,8 +12,8 @@
 #include <memory>
 #include <stdexcept>
 
-#include "contact/error.h"
-#include "contact/gsl.h"
+#include "contact/base/error.h"
+#include "contact/base/gsl.h"
 
 namespace tricontact::statistics {
 

@@ -7,7 +7,7 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "contact/root.h"
+#include "contact/base/root.h"
 #include "statistics/latin_hypercube.h"
 
 namespace tricontact::statistics {

@@ -8,8 +8,8 @@
 #include <numeric>
 #include <stdexcept>
 
-#include "contact/fftw.h"
-#include "contact/special_values.h"
+#include "contact/base/fftw.h"
+#include "contact/base/special_values.h"
 
 namespace tricontact::statistics {
 

@@ -5,8 +5,13 @@
 #include "app/models/roll_models.h"
 #include "atlas/prediction.h"
 #include "atlas/shipped.h"
+#include "bem/settings.h"
+#include "contact/cells.h"
 #include "contact/models/model_kind.h"
+#include "fem/settings.h"
 #include "io/case/case_reader.h"
+#include "io/results/output.h"
+#include "mdr/settings.h"
 #include "report/format.h"
 #include "runs/case_run.h"
 #include "runs/point_key.h"
@@ -30,17 +35,19 @@ std::vector<std::string> finer(const std::string& model, const Case& c, int k) {
     if (key.empty())
         throw contact::InputError("levels: " + model + ' ' + kind.why_no_levels +
                                   "; omit levels, or leave it out");
-    if (kind.is_on_line()) return {fmt::format("{}={}", key, std::lround(c.mdr.springs * factor))};
+    if (kind.is_on_line())
+        return {fmt::format("{}={}", key, std::lround(c.of<mdr::Settings>().springs * factor))};
+    const auto& cells = c.of<contact::Cells>();
     if (kind.is_on_cells())
-        return {c.bem.spacing
-                    ? key + '=' + metres_text(*c.bem.spacing / factor)
-                    : fmt::format("bem.cells_per_radius={}", *c.bem.cells_per_radius * factor)};
-    if (!c.fem.size)
+        return {cells.spacing ? key + '=' + metres_text(*cells.spacing / factor)
+                              : fmt::format("bem.cells_per_radius={}", *cells.per_radius * factor)};
+    const auto& elements = c.of<fem::Settings>();
+    if (!elements.size)
         throw contact::InputError(
             "levels: fem is refined from fem.size, which is not given; give it, or omit levels");
     constexpr double least_growth = 1.05;  // that a case file may ask for
-    const double growth = std::max(std::pow(c.fem.growth, 1 / factor), least_growth);
-    return {key + '=' + metres_text(*c.fem.size / factor), fmt::format("fem.growth={}", growth)};
+    const double growth = std::max(std::pow(elements.growth, 1 / factor), least_growth);
+    return {key + '=' + metres_text(*elements.size / factor), fmt::format("fem.growth={}", growth)};
 }
 
 void check_models(const Study& study) {
@@ -79,7 +86,8 @@ std::string folder_of(const StudyPoint& point) {
 
 contact::History history_with_files(const StudyPoint& point, const std::string& folder) {
     Case c = point.contact();
-    c.output = point.output;
+    c.of<io::Output>() = point.output;
+    c.of<bem::Settings>().volume_depth = point.volume_depth;
     const std::string text = io::write_case(c);
     RunOptions options;
     options.output = folder + '/' + folder_of(point);
@@ -131,7 +139,7 @@ class ContactKind : public StudyKind {
 
     void require_files(const StudyPoints& points) const override {
         for (const StudyPoint& point : points)
-            if (point.output.vtk == Case::VtkOutput::none)
+            if (point.output.vtk == io::Output::Vtk::none)
                 throw contact::InputError(
                     "--vtk: output.vtk = \"none\" leaves nothing to write; set output.vtk = "
                     "\"frames\" in the case or in [set], or omit --vtk");
@@ -197,16 +205,17 @@ StudyPoint make_point(const Case& c, const std::string& model, int level, const 
     Case of_point = c;
     of_point.title.clear();
     of_point.models = {model};
-    of_point.output = {};
-    of_point.output.vtk = Case::VtkOutput::none;
+    of_point.of<io::Output>() = {.vtk = io::Output::Vtk::none};
+    of_point.of<bem::Settings>().volume_depth.reset();
     if (level > 0)
         of_point = io::parse_case(io::write_case(of_point), name, finer(model, of_point, level));
     Case content = of_point;
-    content.fem.cache.clear();  // where things are kept changes no number
+    content.of<fem::Settings>().cache.clear();  // where things are kept changes no number
     return {.model = model,
             .level = level,
             .c = of_point,
-            .output = c.output,
+            .output = c.of<io::Output>(),
+            .volume_depth = c.of<bem::Settings>().volume_depth,
             .resolved = io::write_case(of_point),
             .key = point_key(io::write_case(content) + other_digests(content, model))};
 }

@@ -7,7 +7,7 @@
 #include <set>
 
 #include "app/models/make_model.h"
-#include "contact/interruption.h"
+#include "contact/base/interruption.h"
 #include "files/version.h"
 #include "io/results/progress.h"
 #include "studies/study_kind.h"

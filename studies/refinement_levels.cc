@@ -8,7 +8,9 @@
 
 #include "app/models/make_model.h"
 #include "app/models/roll_models.h"
+#include "contact/cells.h"
 #include "contact/models/model_kind.h"
+#include "fem/settings.h"
 #include "io/case/case_reader.h"
 
 namespace tricontact::app {
@@ -24,15 +26,13 @@ std::string length(double metres) {
 }
 
 double start_size(const Case& c, const RefineOptions& options, const Say& say) {
-    if (!contact::model_kind(options.model).is_meshed())
-        return c.bem.spacing
-                   ? *c.bem.spacing
-                   : contact::half_space_scales(c).contact_radius / *c.bem.cells_per_radius;
-    if (c.fem.mesh)
-        options.refuse("fem.mesh = " + *c.fem.mesh +
+    if (!contact::model_kind(options.model).is_meshed()) return contact::cell_side(c);
+    const auto& elements = c.of<fem::Settings>();
+    if (elements.mesh)
+        options.refuse("fem.mesh = " + *elements.mesh +
                        ": a mesh from a file cannot be refined; give fem.size or fem.accuracy "
                        "instead");
-    return c.fem.size ? *c.fem.size : 2 * block_of(c, say).size;
+    return elements.size ? *elements.size : 2 * block_of(c, say).size;
 }
 
 /// The case for the model alone.
@@ -65,7 +65,7 @@ Level make_level(const Case& c, const std::string& name, const std::string& what
 Overrides resolution(const Case& c, const contact::ModelKind& kind, double size, int k) {
     Overrides result{std::string(kind.resolution) + "=" + length(size)};
     if (kind.is_meshed()) {
-        const double growth = std::pow(c.fem.growth, std::pow(2., -k / 2.));
+        const double growth = std::pow(c.of<fem::Settings>().growth, std::pow(2., -k / 2.));
         result.push_back(fmt::format("fem.growth={}", std::max(growth, least_growth)));
     }
     return result;

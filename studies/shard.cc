@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <cstdlib>
 
-#include "contact/error.h"
+#include "contact/base/error.h"
 
 namespace tricontact::app {
 

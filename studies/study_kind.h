@@ -11,8 +11,9 @@
 #include <vector>
 
 #include "comparisons/run/sweep_document.h"
-#include "contact/error.h"
+#include "contact/base/error.h"
 #include "io/case/study_reader.h"
+#include "io/results/output.h"
 #include "io/results/result_store.h"
 #include "runs/options.h"
 #include "walking/input/walk_reader.h"
@@ -25,10 +26,11 @@ using json = nlohmann::ordered_json;
 struct StudyPoint {
     std::vector<std::string> values = {};  ///< one per axis of the study, as in the table
     std::string model;
-    int level = 0;                      ///< of refinement
-    walking::AnyCase c = {};            ///< without title; a contact with this model, no output
-    contact::Case::Output output = {};  ///< what its files for ParaView hold, if they are asked for
-    std::string resolved = {};          ///< text of the case
+    int level = 0;            ///< of refinement
+    walking::AnyCase c = {};  ///< without title; a contact with this model, no output
+    io::Output output = {};   ///< what its files for ParaView hold, if they are asked for
+    std::optional<double> volume_depth = {};  ///< how deep they reach [m], see bem::Settings
+    std::string resolved = {};                ///< text of the case
     std::string key = {};  ///< digest of program version and case: what the results depend on
 
     const contact::Case& contact() const { return std::get<contact::Case>(c); }

@@ -13,7 +13,7 @@
 #include <system_error>
 #include <utility>
 
-#include "contact/interruption.h"
+#include "contact/base/interruption.h"
 #include "files/partial_file.h"
 
 namespace tricontact::app {

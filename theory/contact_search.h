@@ -7,8 +7,8 @@
 #include <limits>
 #include <string_view>
 
-#include "contact/error.h"
-#include "contact/root.h"
+#include "contact/base/error.h"
+#include "contact/base/root.h"
 
 // What the exact solutions of contact share; for their implementations.
 namespace tricontact::theory {

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "contact/root.h"
+#include "contact/base/root.h"
 
 namespace tricontact::theory {
 

@@ -8,9 +8,9 @@
 #include <stdexcept>
 #include <string>
 
-#include "contact/root.h"
+#include "contact/base/root.h"
 #include "theory/arguments.h"
-#include "theory/rolling/creep_law.h"
+#include "theory/creep_law.h"
 
 namespace tricontact::theory {
 

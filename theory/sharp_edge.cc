@@ -4,7 +4,7 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "contact/root.h"
+#include "contact/base/root.h"
 
 namespace tricontact::theory {
 

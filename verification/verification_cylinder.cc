@@ -1,6 +1,7 @@
-#include "contact/bodies/half_space_scales.h"
+#include "contact/half_space_scales.h"
 #include "contact/models/model_kind.h"
-#include "theory/line_contact.h"
+#include "fem/settings.h"
+#include "theory/layer/line_contact.h"
 #include "theory/oscillating_cylinder.h"
 #include "verification/verification_rows.h"
 
@@ -79,10 +80,11 @@ Case line_layer_case() {
 
 void verify_fem_line(const Say& say, Verification& all) {
     Case c = line_layer_case();
-    c.fem.cache = "none";
+    c.of<fem::Settings>().cache = "none";
     const double hertz_width = contact::half_space_scales(c).contact_radius;
-    const Resolution sizes{[](Case& level, int factor) { level.fem.size = 4e-4 / factor; },
-                           [&](const Case& level) { return *level.fem.size / hertz_width; }};
+    const Resolution sizes{
+        [](Case& level, int factor) { level.of<fem::Settings>().size = 4e-4 / factor; },
+        [&](const Case& level) { return *level.of<fem::Settings>().size / hertz_width; }};
     // Edges fall between nodes, a tenth of a tributary length of which is seen.
     add_layer(run_levels(contact::models::fem, c, sizes, say), c, {{3e-3}, {1e-3}}, all);
 }

@@ -1,6 +1,7 @@
 #include <utility>
 
 #include "contact/models/model_kind.h"
+#include "mdr/settings.h"
 #include "theory/cattaneo_mindlin.h"
 #include "theory/rolling/oscillating_rolling.h"
 #include "verification/verification_rows.h"
@@ -96,9 +97,11 @@ void add_settled_mdr(const Levels& levels, double w, double f, double tolerance,
 void verify_mdr(bool brief, const Say& say, Verification& all) {
     const int springs = brief ? 500 : 2500;
     const Resolution resolution{
-        [&](Case& c, int factor) { c.mdr.springs = springs * factor; },
+        [&](Case& c, int factor) { c.of<mdr::Settings>().springs = springs * factor; },
         // Of the bed: the contact and the path on both sides.
-        [](const Case& c) { return 2 * (1 + *c.rolling->amplitude_ratio) / c.mdr.springs; }};
+        [](const Case& c) {
+            return 2 * (1 + *c.rolling->amplitude_ratio) / c.of<mdr::Settings>().springs;
+        }};
     const auto run = [&](double w, double f) {
         return run_levels(contact::models::mdr, rolling_case(w, f), resolution, say);
     };

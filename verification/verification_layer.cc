@@ -2,8 +2,10 @@
 
 #include "comparisons/half_space/layer.h"
 #include "comparisons/run/peer_shifts.h"
+#include "contact/cells.h"
 #include "contact/models/model_kind.h"
 #include "contact/run.h"
+#include "fem/settings.h"
 #include "mdr/layer_model.h"
 #include "verification/verification_rows.h"
 
@@ -67,10 +69,11 @@ void verify_mdr_layer(const Say& say, Verification& all) {
 void verify_fem_layer(const Say& say, Verification& all) {
     Case base = layer_case();
     base.rolling.reset();
-    base.fem.cache = "none";
+    base.of<fem::Settings>().cache = "none";
     const double hertz_radius = contact::half_space_scales(base).contact_radius;
-    const Resolution sizes{[](Case& c, int factor) { c.fem.size = 2.8e-3 / factor; },
-                           [&](const Case& c) { return *c.fem.size / hertz_radius; }};
+    const Resolution sizes{
+        [](Case& c, int factor) { c.of<fem::Settings>().size = 2.8e-3 / factor; },
+        [&](const Case& c) { return *c.of<fem::Settings>().size / hertz_radius; }};
     const Levels levels = run_levels(contact::models::fem, base, sizes, say);
     // Pressures of nodes come from row sums.
     add_pressed(levels, {{5e-3}, {8e-3}, {2e-3}, {}}, all);
@@ -85,12 +88,12 @@ constexpr double across = std::numbers::pi / 2;
 Case rig_case(double f) {
     Case c = rig_sphere(0.5, f);
     c.contact.coupling = true;
-    c.bem.spacing = 2e-4;
+    c.of<contact::Cells>().spacing = 2e-4;
     return c;
 }
 
 double cell_size(const Case& c) {
-    return *c.bem.spacing / contact::half_space_scales(c).contact_radius;
+    return *c.of<contact::Cells>().spacing / contact::half_space_scales(c).contact_radius;
 }
 
 /// Rolled along F_T and across.
@@ -184,8 +187,10 @@ void verify_layer(bool brief, const Say& say, Verification& all) {
     const double hertz_radius = contact::half_space_scales(layer_case()).contact_radius;
     const double cells = brief ? 5 : 8, coarser = brief ? 4 : 1, order = brief ? 0 : 1.2;
     const Resolution spacings{
-        [&](Case& c, int factor) { c.bem.spacing = hertz_radius / (cells * factor); },
-        [&](const Case& c) { return *c.bem.spacing / hertz_radius; }};
+        [&](Case& c, int factor) {
+            c.of<contact::Cells>().spacing = hertz_radius / (cells * factor);
+        },
+        [&](const Case& c) { return *c.of<contact::Cells>().spacing / hertz_radius; }};
     const Allowed allowed{2e-4 * coarser, order};
     add_layer(run_levels(contact::models::bem_layer, layer_case(), spacings, say),
               {{5e-4 * coarser, order}, allowed, allowed, allowed}, all);

@@ -1,9 +1,10 @@
 #include <array>
 #include <boost/math/tools/minima.hpp>
 
+#include "contact/cells.h"
+#include "contact/compliances/interior.h"
 #include "contact/models/model_kind.h"
 #include "contact/run.h"
-#include "contact/solvers/interior.h"
 #include "theory/friction_pressing.h"
 #include "theory/half_space_interior.h"
 #include "verification/verification_rows.h"
@@ -121,7 +122,7 @@ void verify_creep(bool brief, const Say& say, Verification& all) {
                  "Lee and Radok (1960), J. Appl. Mech. 27, 438", exact, 5e-4 * coarser, 1.6},
                 all, [&](int factor) -> LevelValue {
                     Case c = base;
-                    c.bem.cells_per_radius = (brief ? 5 : 8) * factor;
+                    c.of<contact::Cells>().per_radius = (brief ? 5 : 8) * factor;
                     const int n = steps * factor;
                     say(fmt::format("{}, creep in {} steps", model, n));
                     return {time / n / relaxes_in, creep(*make_model(model, c, 1, say), c, n)};
@@ -142,7 +143,7 @@ void verify_subsurface(bool brief, const Say& say, Verification& all) {
          brief ? 4e-3 : 1e-3},
         all, [&](int factor) -> LevelValue {
             Case c = base;
-            c.bem.cells_per_radius = (brief ? 4 : 8) * factor;
+            c.of<contact::Cells>().per_radius = (brief ? 4 : 8) * factor;
             say("bem, inside");
             const auto model = make_model(contact::models::bem, c, 1, say);
             contact::run(c, *model);

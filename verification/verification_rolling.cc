@@ -2,12 +2,14 @@
 
 #include "app/models/roll_models.h"
 #include "bem/model.h"
+#include "contact/cells.h"
 #include "contact/models/model_kind.h"
 #include "contact/solvers/contact_region.h"
 #include "contact/solvers/normal_solver.h"
+#include "mdr/settings.h"
 #include "rolling/creep_theory.h"
 #include "rolling/linear_creep.h"
-#include "theory/rolling/creep_law.h"
+#include "theory/creep_law.h"
 #include "theory/rolling/kalker.h"
 #include "verification/verification_rows.h"
 
@@ -33,7 +35,7 @@ Case cylinder() {
 
 /// Of bem, with so many cells in the radius, which `c` keeps.
 rolling::RollingState steady_state(Case& c, double cells, const char* what, const Say& say) {
-    c.bem.cells_per_radius = cells;
+    c.of<contact::Cells>().per_radius = cells;
     say(fmt::format("bem, {}, {} cells", what, cells));
     return roll(contact::models::bem, c, {.points = 0}).history.steady;
 }
@@ -64,9 +66,9 @@ void verify_springs(bool brief, const Say& say, Verification& all) {
         all, [&](int factor) -> LevelValue {
             Case c = rolling_on(.5);
             c.tractive_rolling->distance = 5;
-            c.mdr.springs = (brief ? 400 : 2500) * factor;
-            say(fmt::format("mdr, rolling on, {} springs", c.mdr.springs));
-            return {7. / c.mdr.springs,
+            c.of<mdr::Settings>().springs = (brief ? 400 : 2500) * factor;
+            say(fmt::format("mdr, rolling on, {} springs", c.of<mdr::Settings>().springs));
+            return {7. / c.of<mdr::Settings>().springs,
                     roll_springs(c, {.points = 0}).history.steady.creepage.longitudinal};
         });
 }
@@ -121,7 +123,7 @@ void verify_kalker(const Say& say, Verification& all) {
         add_extrapolated(std::move(rows), all, [&](int factor) {
             const Case c = cells_in_radius(8).refined(rolling_on(nu), factor);
             say(fmt::format("bem, creep without slip, nu = {}, {} cells", nu,
-                            *c.bem.cells_per_radius));
+                            *c.of<contact::Cells>().per_radius));
             return std::pair(cell_in_radius(c), coefficients(c));
         });
     }
@@ -156,7 +158,7 @@ void verify_free_rolling(bool brief, const Say& say, Verification& all) {
     c.load.tangential_ratio = 0;
     add_row({"Free rolling, Dundurs' beta = 0.5", "xi R/a, mu = 0.002", contact::models::bem,
              "Bentall and Johnson (1967), Int. J. Mech. Sci. 9, 389, without friction "
-             "(theory/rolling/creep_law.h): the difference is of the order of mu/beta",
+             "(theory/creep_law.h): the difference is of the order of mu/beta",
              theory::smooth_free_creepage(.5), brief ? 2e-2 : 5e-3},
             all, [&](int factor) -> LevelValue {
                 const auto steady = steady_state(c, 15 * factor, "dissimilar cylinders", say);

@@ -3,6 +3,7 @@
 #include <iterator>
 #include <utility>
 
+#include "contact/cells.h"
 #include "contact/run.h"
 
 namespace tricontact::app {
@@ -49,11 +50,11 @@ Levels run_level(const std::string& model, const Case& c, double size, const Say
 }
 
 Resolution cells_in_radius(double cells) {
-    return {[cells](Case& c, int factor) { c.bem.cells_per_radius = cells * factor; },
+    return {[cells](Case& c, int factor) { c.of<contact::Cells>().per_radius = cells * factor; },
             cell_in_radius};
 }
 double cell_in_radius(const Case& c) {
-    return 1 / *c.bem.cells_per_radius;
+    return 1 / *c.of<contact::Cells>().per_radius;
 }
 
 void add_row(VerificationRow row, Verification& all,

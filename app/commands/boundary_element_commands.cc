@@ -5,6 +5,7 @@
 #include "bem/contact_program_influence.h"
 #include "bem/grid_compliance.h"
 #include "bem/model.h"
+#include "bem/settings.h"
 #include "comparisons/quantities/left_out.h"
 #include "comparisons/run/input_reading.h"
 #include "contact/models/model_kind.h"
@@ -70,7 +71,7 @@ void write_influence(const BoundaryElementOptions& options) {
 /// The numerical coefficients for CONTACT; empty for its own half-spaces.
 std::optional<std::string> influence_of(const BoundaryElementCase& read,
                                         const contact::Compliance& compliance, int threads) {
-    if (read.body() != bem::Body::layer && !read.c.bem.influence) return {};
+    if (read.body() != bem::Body::layer && !read.c.of<bem::Settings>().influence) return {};
     return bem::contact_program_influence(bem::case_influence(read.c, threads, read.body()),
                                           io::shear_moduli(read.c).combined(),
                                           compliance.is_coupled());

@@ -6,7 +6,7 @@
 #include "app/commands/command.h"
 #include "comparisons/quantities/reference.h"
 #include "comparisons/shakedown/study_fit.h"
-#include "contact/bodies/half_space_scales.h"
+#include "contact/half_space_scales.h"
 #include "contact/load_path.h"
 #include "io/keys/messages.h"
 #include "studies/study_kind.h"

@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/commands/command.h"
+#include "app/models.h"
 #include "comparisons/quantities/left_out.h"
 #include "comparisons/resolution/refined_values.h"
 #include "comparisons/run/input_reading.h"
@@ -116,7 +117,7 @@ comparisons::RefinedLevels start_of(const RefinementPlan& plan, const RefineOpti
     result.wide_factor = plan.wide_factor;
     result.exact = theory_of(c, layer);
     result.exact_name = layer ? "exact layer" : contact::is_hertz_round(c) ? "Hertz" : "half-space";
-    result.tolerance = kind.tolerance(c);
+    result.tolerance = solver_tolerance(options.model, c);
     result.infinite_pressure = contact::has_conical_tip(c);
     return result;
 }

@@ -6,6 +6,7 @@
 #include "comparisons/quantities/left_out.h"
 #include "comparisons/quantities/quantities.h"
 #include "comparisons/run/input_reading.h"
+#include "contact/cells.h"
 #include "contact/models/model_kind.h"
 #include "experiments/assumptions/rig.h"
 #include "experiments/assumptions/rig_report.h"
@@ -30,7 +31,7 @@ double static_shift(const experiments::Rig& rig, bool coupled) {
     Case c = sphere_on_layer(rig);
     c.models = {model_name};
     c.contact.coupling = coupled;
-    c.bem.cells_per_radius = 22;
+    c.of<contact::Cells>().per_radius = 22;
     return history_of(model_name, c, 1, silent).static_shift;
 }
 

@@ -8,6 +8,7 @@
 #include "comparisons/quantities/left_out.h"
 #include "comparisons/run/input_reading.h"
 #include "contact/models/model_kind.h"
+#include "io/results/output.h"
 #include "io/results/progress.h"
 #include "io/results/vtk_files.h"
 #include "report/format.h"
@@ -33,11 +34,11 @@ io::OutputNames roll_outputs(const std::vector<std::string>& models) {
 }
 
 /// States in each half length a of the way; of springs, which are many, the default.
-double frames_of(const Case::Output& output, const std::string& model) {
-    if (output.vtk == Case::VtkOutput::all)
-        return contact::model_kind(model).has_many_states ? Case::Output{}.frames_per_period
+double frames_of(const io::Output& output, const std::string& model) {
+    if (output.vtk == io::Output::Vtk::all)
+        return contact::model_kind(model).has_many_states ? io::Output{}.frames_per_period
                                                           : RollRuns::every_step;
-    return output.vtk == Case::VtkOutput::frames ? output.frames_per_period : 0;
+    return output.vtk == io::Output::Vtk::frames ? output.frames_per_period : 0;
 }
 
 /// States from rest of so many `frames`, or of the report's lines; `spacing` [m] is a step.
@@ -67,7 +68,7 @@ rolling::RollingRun roll_model(const std::string& model, const Case& c,
                   .threads = options.threads,
                   .progress = [&](int step, int steps) { bar.update(step, steps); },
                   .show = {},
-                  .frames = frames_of(c.output, model),
+                  .frames = frames_of(c.of<io::Output>(), model),
                   .begin_again =
                       [&] {
                           surfaces.clear();
@@ -75,7 +76,7 @@ rolling::RollingRun roll_model(const std::string& model, const Case& c,
                           steady.clear();
                           indenter.reset();
                       }};
-    if (c.output.vtk != Case::VtkOutput::none)
+    if (c.of<io::Output>().vtk != io::Output::Vtk::none)
         runs.show = [&](double way, const rolling::RollingState& state,
                         const contact::Surface& surface) {
             if (!std::isfinite(way)) return steady.add(0, surface);
@@ -106,7 +107,7 @@ std::vector<std::pair<std::string, std::string>> files_of(const Case& c) {
     for (const std::string& model : c.models) {
         const std::string name = report::display_name(model);
         files.emplace_back(name + ", step by step", model + "/history.csv");
-        if (c.output.vtk == Case::VtkOutput::none) continue;
+        if (c.of<io::Output>().vtk == io::Output::Vtk::none) continue;
         files.emplace_back(name + ", for ParaView", model + "/surface.pvd");
         files.emplace_back(name + " in steady rolling, for ParaView", model + "/steady.pvd");
     }

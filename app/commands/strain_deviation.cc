@@ -8,6 +8,7 @@
 #include "comparisons/finite_strain/strain_output.h"
 #include "comparisons/quantities/left_out.h"
 #include "contact/models/model_kind.h"
+#include "fem/settings.h"
 #include "studies/study_kind.h"
 
 namespace tricontact::app {
@@ -71,7 +72,7 @@ void compare_with_finite_strains(CommandOptions options, double elements) {
         });
     options.out() << strain_text(deviation)
                   << comparisons::left_out_lines(c, {contact::models::fem});
-    if (c.fem.mesh)
+    if (c.of<fem::Settings>().mesh)
         options.out() << "fem leaves out fem.mesh: at each force and thickness it has a mesh of "
                          "its own\n";
     for (const auto& verdict : strain_verdicts(deviation))

@@ -8,10 +8,11 @@
 #include <stdexcept>
 
 #include "app/models/fem_entries.h"
+#include "fem/case/layer_condenser.h"
+#include "fem/case/model.h"
 #include "fem/distributed/layer.h"
 #include "fem/layer_cache.h"
-#include "fem/layer_condenser.h"
-#include "fem/model.h"
+#include "fem/settings.h"
 #include "files/partial_file.h"
 #include "io/case/case_reader.h"
 #include "io/results/vtk_files.h"
@@ -77,7 +78,8 @@ void say(const std::string& line) {
 class Order {
   public:
     explicit Order(const CondenseOptions& options)
-        : case_(io::read_case(options.file, options.overrides)), cache_(case_.fem.cache) {
+        : case_(io::read_case(options.file, options.overrides)),
+          cache_(case_.of<fem::Settings>().cache) {
         if (cache_.folder().empty())
             throw contact::InputError(
                 "fem.cache: cache condense keeps the layer for later runs, but nothing is to be "
@@ -164,7 +166,7 @@ void write_mesh_of(CommandOptions options) {
     std::string geometry;  // of a mesh of our own
     meshes::HexMesh mesh;
     options.fill({{"mesh.msh", "mesh.geo", "mesh.vtu"}}, [&] {
-        if (c.fem.mesh) {
+        if (c.of<fem::Settings>().mesh) {
             mesh = fem::make_mesh(c, say_plainly);
         } else {
             const meshes::LayerMeshSpec spec = fem::mesh_spec(c, say_plainly);

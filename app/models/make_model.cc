@@ -4,9 +4,13 @@
 #include <iterator>
 
 #include "bem/model.h"
-#include "contact/error.h"
+#include "bem/settings.h"
+#include "contact/base/error.h"
+#include "contact/cells.h"
+#include "fem/settings.h"
 #include "mdr/layer_model.h"
 #include "mdr/model.h"
+#include "mdr/settings.h"
 #ifdef TRICONTACT_WITH_FEM
 #include "app/models/fem_entries.h"
 #endif
@@ -43,6 +47,12 @@ std::unique_ptr<contact::Model> make_model(const std::string& name, const Case& 
     throw contact::InputError("models: this program was built without the model " + name);
 }
 
+double solver_tolerance(const std::string& name, const Case& c) {
+    const contact::ModelKind& kind = contact::model_kind(name);
+    if (kind.is_on_cells()) return c.of<bem::Settings>().tolerance;
+    return kind.is_meshed() ? c.of<fem::Settings>().tolerance : contact::layer_springs_accuracy;
+}
+
 MeshBlock block_of([[maybe_unused]] const Case& c, [[maybe_unused]] const Say& say) {
 #ifdef TRICONTACT_WITH_FEM
     const meshes::LayerMeshSpec spec = fem_entries().mesh_spec(c, say);
@@ -61,15 +71,18 @@ CoarserModel make_coarser_model(const std::string& name, const Case& c, double f
         return coarser;
     }
     if (name == contact::models::fem) {
-        if (c.fem.mesh)
+        auto& elements = to.of<fem::Settings>();
+        if (elements.mesh)
             throw contact::InputError("the mesh is a file's; run another one beside it");
-        to.fem.size = factor * (c.fem.size ? *c.fem.size : block_of(c, silent).size);
-        to.fem.accuracy.reset();
+        elements.size = factor * (elements.size ? *elements.size : block_of(c, silent).size);
+        elements.accuracy.reset();
     }
-    if (c.bem.spacing) *to.bem.spacing *= factor;
-    if (c.bem.cells_per_radius) *to.bem.cells_per_radius /= factor;
+    auto& cells = to.of<contact::Cells>();
+    if (cells.spacing) *cells.spacing *= factor;
+    if (cells.per_radius) *cells.per_radius /= factor;
     // Halves whose springs stand where the whole has some agree with it by accident.
-    to.mdr.springs = std::max(static_cast<int>(c.mdr.springs / factor) - 1, 10);
+    int& springs = to.of<mdr::Settings>().springs;
+    springs = std::max(static_cast<int>(springs / factor) - 1, 10);
     coarser.model = make_model(name, to, n_threads, say);
     return coarser;
 }

@@ -20,6 +20,9 @@ bool has_model(std::string_view name);
 std::unique_ptr<contact::Model> make_model(const std::string& name, const Case& c, int n_threads,
                                            const Say& say);
 
+/// What the model's solver leaves of a result at most [-], in error bars.
+double solver_tolerance(const std::string& name, const Case& c);
+
 /// The same on cells, elements and springs of `factor` > 1 times the size of the model's own, those
 /// that the case leaves to the model included.
 struct CoarserModel {

@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/models/roll_models.h"
+#include "bem/settings.h"
 #include "bem/steady_model.h"
 #include "contact/models/model_kind.h"
 #include "io/keys/toml_document.h"
@@ -10,7 +11,7 @@
 #include "rolling/rolling_document.h"
 #include "rolling/run.h"
 #include "runs/case_run.h"
-#include "theory/rolling/creep_law.h"
+#include "theory/creep_law.h"
 #include "theory/rolling/kalker.h"
 
 namespace tricontact::app {
@@ -42,7 +43,7 @@ RollingProblem problem_of(const Case& c, const contact::Substrate& substrate) {
                   .force_ratio = {},
                   .spin = given.spin},
         .coupling = c.contact.coupling,
-        .tolerance = c.bem.tolerance,
+        .tolerance = c.of<bem::Settings>().tolerance,
         .speed = given.speed};
     if (given.longitudinal_creepage) return problem;
     if (contact::ratio_of_loaded_step(c) && *c.load.tangential_ratio != 0) {

@@ -6,6 +6,7 @@
 #include "app/models/roll_models.h"
 #include "contact/models/model_kind.h"
 #include "mdr/model.h"
+#include "mdr/settings.h"
 #include "rolling/creep_theory.h"
 #include "runs/case_run.h"
 
@@ -25,7 +26,8 @@ class RollingBed {
     RollingBed(const Case& c, double distance)
         : mu_(c.friction_coefficient), relaxes_(c.relaxation.has_value()) {
         const double a = contact::half_space_scales(c).contact_radius;
-        const double n_springs = c.mdr.springs + c.mdr.springs % 2;
+        const int springs = c.of<mdr::Settings>().springs;
+        const double n_springs = springs + springs % 2;
         steps_per_radius_ =
             std::max(1, static_cast<int>(n_springs * a / (bed_margin * (2 * a + distance))));
         model_ = model_of(c, static_cast<int>(n_springs),
@@ -75,7 +77,7 @@ class RollingBed {
     /// `length` [m] of contact and path, as long as makes a spring's distance the step.
     static std::unique_ptr<contact::Model> model_of(Case c, int n_springs, double length) {
         c.tractive_rolling.reset();
-        c.mdr.springs = n_springs;
+        c.of<mdr::Settings>().springs = n_springs;
         c.rolling.emplace().amplitude = length / 2 - contact::half_space_scales(c).contact_radius;
         return mdr::make_model(c);
     }

@@ -14,7 +14,7 @@
 #include "atlas/prediction.h"
 #include "atlas/shipped.h"
 #include "comparisons/quantities/quantities.h"
-#include "contact/bodies/half_space_scales.h"
+#include "contact/half_space_scales.h"
 #include "contact/models/model_kind.h"
 #include "report/chart_json.h"
 #include "report/format.h"

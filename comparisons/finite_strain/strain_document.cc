@@ -1,5 +1,5 @@
 #include "comparisons/finite_strain/strain_output.h"
-#include "contact/special_values.h"
+#include "contact/base/special_values.h"
 #include "report/format.h"
 
 namespace tricontact::comparisons {

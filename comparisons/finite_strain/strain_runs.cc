@@ -3,9 +3,14 @@
 #include <algorithm>
 #include <set>
 
+#include "bem/settings.h"
 #include "comparisons/half_space/half_space_deviation.h"
-#include "contact/error.h"
+#include "contact/base/error.h"
+#include "contact/cells.h"
 #include "contact/models/model_kind.h"
+#include "fem/settings.h"
+#include "io/results/output.h"
+#include "mdr/settings.h"
 
 namespace tricontact::comparisons {
 
@@ -109,17 +114,18 @@ Case strain_case(const StrainContact& contact, const StrainPoint& point, bool fi
     c.load.tangential_force.reset();
     c.load.tangential_ratio.reset();
     if (point.tangential_ratio > 0) c.load.tangential_ratio = point.tangential_ratio;
-    c.bem = {};
-    c.bem.cells_per_radius = contact.elements;
-    c.mdr = {};
-    Case::Fem fem;
+    c.period.reset();
+    c.of<contact::Cells>() = {.per_radius = contact.elements};
+    c.kept.reset<bem::Settings>();
+    c.kept.reset<mdr::Settings>();
+    c.kept.reset<io::Output>();
+    fem::Settings fem;
     fem.size = std::min(radius / contact.elements, point.thickness / elements_in_thickness);
     fem.growth = growth;
-    fem.sides = c.fem.sides;
-    fem.tolerance = c.fem.tolerance;
+    fem.sides = c.of<fem::Settings>().sides;
+    fem.tolerance = c.of<fem::Settings>().tolerance;
     fem.cache = "none";  // no layer is needed twice
-    c.fem = fem;
-    c.output = {};
+    c.of<fem::Settings>() = fem;
     c.rolling.reset();
     if (!point.rolled) return c;
     Case::Rolling rolling;

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <functional>
 
-#include "contact/root.h"
+#include "contact/base/root.h"
 #include "statistics/refined_grid.h"
 
 namespace tricontact::comparisons {

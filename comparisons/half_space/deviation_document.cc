@@ -1,6 +1,6 @@
 #include "comparisons/half_space/deviation_output.h"
 #include "comparisons/quantities/quantities.h"
-#include "contact/special_values.h"
+#include "contact/base/special_values.h"
 #include "report/format.h"
 
 namespace tricontact::comparisons {

@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "contact/load_path.h"
-#include "theory/sticking_contact.h"
+#include "theory/layer/sticking_contact.h"
 
 namespace tricontact::comparisons {
 

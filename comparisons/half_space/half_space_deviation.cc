@@ -4,8 +4,8 @@
 #include <cmath>
 #include <set>
 
-#include "contact/error.h"
-#include "contact/interruption.h"
+#include "contact/base/error.h"
+#include "contact/base/interruption.h"
 #include "contact/load_path.h"
 
 namespace tricontact::comparisons {

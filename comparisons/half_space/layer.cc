@@ -3,10 +3,11 @@
 #include <cmath>
 #include <numbers>
 
+#include "bem/settings.h"
 #include "comparisons/quantities/reference.h"
-#include "contact/bodies/half_space_scales.h"
+#include "contact/base/stopped.h"
+#include "contact/half_space_scales.h"
 #include "contact/load_path.h"
-#include "contact/stopped.h"
 #include "theory/hertz.h"
 
 namespace tricontact::comparisons {
@@ -109,9 +110,9 @@ std::string why_no_exact_theory(const Case& c) {
     if (!c.layer.lower.empty()) return "the exact theory covers one layer, the case has more";
     if (c.layer.base == Case::Base::half_space)
         return "the exact theory covers a rigid ground, that of the case is elastic";
-    if (c.bem.period)
-        return "the exact theory covers one indenter, the case has one in each period";
-    if (c.bem.influence) return "the influence coefficients of the case come from a file";
+    if (c.period) return "the exact theory covers one indenter, the case has one in each period";
+    if (c.of<bem::Settings>().influence)
+        return "the influence coefficients of the case come from a file";
     if (c.indenter.material && c.indenter.material->plane_compliance() >
                                    negligible_compliance * c.substrate.plane_compliance())
         return "the exact theory takes the indenter as rigid, that of the case is not";

@@ -9,7 +9,7 @@
 #include "contact/case.h"
 #include "contact/history.h"
 #include "theory/layer/elastic_layer.h"
-#include "theory/line_contact.h"
+#include "theory/layer/line_contact.h"
 
 namespace tricontact::comparisons {
 

@@ -7,6 +7,7 @@
 #include "comparisons/quantities/change_table.h"
 #include "contact/case.h"
 #include "contact/models/model_kind.h"
+#include "fem/settings.h"
 #include "report/format.h"
 
 namespace tricontact::comparisons {
@@ -96,10 +97,9 @@ std::string width_sentence(const Case& c, const LayerComparison& layer) {
     };
     if (std::ranges::none_of(layer.models, sees_sides))
         return {};  // the others' layer is infinitely wide
-    if (c.fem.mesh)
+    if (const auto& mesh = c.of<fem::Settings>().mesh)
         return fmt::format(
-            "The block is that of {}; exact layer and half-space are infinitely wide.",
-            *c.fem.mesh);
+            "The block is that of {}; exact layer and half-space are infinitely wide.", *mesh);
     const double far = contact::far_sides(c);
     if (!layer.half_width && !layer.half_depth)
         return fmt::format(

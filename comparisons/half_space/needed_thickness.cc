@@ -7,7 +7,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "contact/root.h"
+#include "contact/base/root.h"
 #include "statistics/refined_grid.h"
 
 namespace tricontact::comparisons {

@@ -3,7 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bem/settings.h"
+#include "contact/cells.h"
 #include "contact/models/model_kind.h"
+#include "fem/settings.h"
+#include "mdr/settings.h"
 #include "theory/rolling/oscillating_rolling.h"
 
 namespace tricontact::comparisons {
@@ -146,10 +150,11 @@ contact::Case rolled_case(const contact::Case& base, const DeviationContact& con
     c.load.indentation.reset();
     c.load.tangential_force.reset();
     c.load.tangential_ratio = contact.tangential_ratio;
-    c.bem = {};
-    c.bem.cells_per_radius = cells_per_radius;
-    c.mdr = {};
-    c.fem = {};
+    c.period.reset();
+    c.of<contact::Cells>() = {.per_radius = cells_per_radius};
+    c.kept.reset<bem::Settings>();
+    c.kept.reset<mdr::Settings>();
+    c.kept.reset<fem::Settings>();
     c.rolling.reset();
     if (amplitudes.ratcheting > 0)
         c.rolling = rolling(base, ratchets(run.kind) ? amplitudes.ratcheting : amplitudes.settling,

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "comparisons/quantities/quantities.h"
-#include "contact/special_values.h"
+#include "contact/base/special_values.h"
 #include "contact/verdict.h"
 #include "report/format.h"
 #include "report/json_number.h"

@@ -47,7 +47,7 @@ double border_force_share(const HeightMap& map, const Surface& s) {
 
 std::optional<double> border_force_share(const contact::Case& c, const contact::History& history) {
     const auto& map = c.indenter.height_map;
-    if (!map || c.bem.period || history.snapshots.empty()) return {};
+    if (!map || c.period || history.snapshots.empty()) return {};
     double largest = 0;
     for (const contact::Snapshot& one : history.snapshots)
         largest = std::max(largest, border_force_share(*map, one.surface));

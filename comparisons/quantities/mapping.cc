@@ -1,9 +1,9 @@
 #include "comparisons/quantities/quantities.h"
 #include "comparisons/quantities/reference.h"
 #include "comparisons/quantities/undefined.h"
-#include "contact/bodies/half_space_scales.h"
+#include "contact/base/number_text.h"
+#include "contact/half_space_scales.h"
 #include "contact/load_path.h"
-#include "contact/number_text.h"
 #include "theory/rolling/oscillating_rolling.h"
 
 namespace tricontact::comparisons {

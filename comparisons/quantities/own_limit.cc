@@ -71,8 +71,7 @@ std::optional<double> distance_at(const Surface& surface, const contact::Vector2
 std::optional<double> own_amplitude_limit(const contact::Case& c, const contact::History& history) {
     const contact::Snapshot* upright = last_upright(history);
     const double f = tangential_ratio(history);
-    if (!c.rolling || !constant_loads(c) || c.bem.period || !upright || !(f > 0 && f < 1))
-        return {};
+    if (!c.rolling || !constant_loads(c) || c.period || !upright || !(f > 0 && f < 1)) return {};
     const contact::Vector2 direction{std::cos(c.rolling->angle), std::sin(c.rolling->angle)};
     const Surface& s = upright->surface;
     const double radius = history.scales.contact_radius;

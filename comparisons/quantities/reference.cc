@@ -4,7 +4,8 @@
 #include <cmath>
 #include <limits>
 
-#include "contact/bodies/half_space_scales.h"
+#include "bem/settings.h"
+#include "contact/half_space_scales.h"
 #include "contact/models/model_kind.h"
 #include "contact/substrates/normal_tangential.h"
 #include "theory/oscillating_cylinder.h"
@@ -115,7 +116,7 @@ bool half_spaces_couple(const Case& c) {
 }
 
 bool is_tabulated(const Case& c, const std::string& model) {
-    return c.bem.influence && contact::model_kind(model).reads_influence;
+    return c.of<bem::Settings>().influence && contact::model_kind(model).reads_influence;
 }
 
 bool couples(const Case& c, const std::string& model) {

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "contact/stopped.h"
+#include "contact/base/stopped.h"
 #include "contact/verdict.h"
 
 namespace tricontact::comparisons {
@@ -92,9 +92,6 @@ std::optional<DriveValues> drive_values(const Case& c, double amplitude) {
 Case elastic_twin(const Case& c) {
     Case twin = c;
     twin.relaxation.reset();
-    twin.relaxation_input = {};
-    twin.dma_fit.reset();
-    twin.test_fit.reset();
     twin.load.press_time.reset();
     twin.load.hold = 0;
     if (twin.rolling) twin.rolling->speed = 0;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "io/case/case_input.h"
 #include "report/format.h"
 
 namespace tricontact::comparisons {
@@ -85,7 +86,7 @@ std::vector<std::string> map_sentences(const Case& c) {
                             : "away from the substrate (heights = \"gap\")",
                     outward ? "highest" : "lowest", nodes, first.n == 1 ? "es" : "",
                     first.n == 1 ? place_text(first) : place_text(first) + " and elsewhere"));
-    if (!c.bem.period && first.on_border && !last.on_border)
+    if (!c.period && first.on_border && !last.on_border)
         out.push_back(fmt::format(
             "What presses first lies on the border of the map, and what lies farthest from the "
             "substrate does not: if the indenter bulges towards the substrate, the map is turned "
@@ -98,19 +99,20 @@ std::vector<std::string> input_sentences(const Case& c) {
     std::vector<std::string> out;
     for (const std::string& sentence : map_sentences(c)) out.push_back(in_plain_letters(sentence));
     const double shear = c.substrate.shear_modulus();
-    if (c.dma_fit)
-        for (const std::string& remark : contact::remarks(*c.dma_fit, shear))
+    const io::RelaxationFits& fits = io::relaxation_fits(c);
+    if (fits.dma)
+        for (const std::string& remark : contact::remarks(*fits.dma, shear))
             out.push_back(remark + '.');
-    if (c.test_fit)
+    if (fits.test)
         for (const std::string& remark :
-             contact::remarks(*c.test_fit, c.test_fit->table.is_young ? c.substrate.young : shear))
+             contact::remarks(*fits.test, fits.test->table.is_young ? c.substrate.young : shear))
             out.push_back(remark + '.');
     return out;
 }
 
 std::vector<report::Verdict> border_verdicts(const Case& c, const std::vector<Results>& results) {
     std::vector<report::Verdict> verdicts;
-    if (!c.indenter.height_map || c.bem.period) return verdicts;
+    if (!c.indenter.height_map || c.period) return verdicts;
     for (const Results& s : results) {
         const auto share = s.number(quantities::border_force_share);
         if (!share) continue;

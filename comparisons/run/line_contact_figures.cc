@@ -5,7 +5,7 @@
 #include "comparisons/quantities/reference.h"
 #include "comparisons/quantities/surface_fields.h"
 #include "comparisons/run/figures.h"
-#include "contact/bodies/half_space_scales.h"
+#include "contact/half_space_scales.h"
 #include "theory/oscillating_cylinder.h"
 
 namespace tricontact::comparisons {

@@ -5,8 +5,8 @@
 #include <algorithm>
 
 #include "comparisons/quantities/reference.h"
+#include "contact/base/special_values.h"
 #include "contact/models/model_kind.h"
-#include "contact/special_values.h"
 #include "contact/substrates/normal_tangential.h"
 #include "report/format.h"
 

@@ -3,6 +3,7 @@
 #include <numbers>
 
 #include "comparisons/run/relaxation_report.h"
+#include "io/case/case_input.h"
 
 namespace tricontact::comparisons {
 
@@ -108,8 +109,9 @@ Range frequencies(const Case& c, const std::vector<Mark>& marked) {
         std::ranges::minmax(c.relaxation->branches, {}, &contact::Relaxation::Branch::time);
     Range range{0.01 / (turn * slow.time), 100 / (turn * fast.time)};
     for (const Mark& mark : marked) range.include(mark.frequency);
-    if (c.dma_fit)
-        for (const double omega : c.dma_fit->table.omega) range.include(omega / turn);
+    const io::RelaxationFits& fits = io::relaxation_fits(c);
+    if (fits.dma)
+        for (const double omega : fits.dma->table.omega) range.include(omega / turn);
     return range;
 }
 
@@ -135,14 +137,15 @@ std::vector<report::Figure> modulus_figures(const Case& c, const RelaxationStudy
                                  .theory = true});
         figure.caption += std::string(" ") + mark.meaning;
     }
-    if (c.test_fit) {
-        std::vector<report::Figure> figures = test_figures(*c.test_fit);
+    const io::RelaxationFits& fits = io::relaxation_fits(c);
+    if (fits.test) {
+        std::vector<report::Figure> figures = test_figures(*fits.test);
         figures.insert(figures.begin(), std::move(figure));
         return figures;
     }
-    if (!c.dma_fit) return {figure};
+    if (!fits.dma) return {figure};
     const auto [storage, loss, storage_residual, loss_residual] =
-        measured(*c.dma_fit, c.substrate.shear_modulus());
+        measured(*fits.dma, c.substrate.shear_modulus());
     figure.curves.insert(figure.curves.end(), {storage, loss});
     figure.caption +=
         " Points: the DMA table times one factor, so that its relaxed modulus is the case's.";

@@ -4,6 +4,7 @@
 
 #include "comparisons/quantities/quantities.h"
 #include "comparisons/run/relaxation_report.h"
+#include "io/case/case_input.h"
 #include "report/json_number.h"
 
 namespace tricontact::comparisons {
@@ -56,7 +57,7 @@ json limit_json(const std::optional<SpeedLimit>& limit) {
 }
 
 json fit_json(const Case& c) {
-    const auto& fit = c.dma_fit;
+    const auto& fit = io::relaxation_fits(c).dma;
     if (!fit) return nullptr;
     return {{"table", fit->table.name},
             {"rows", fit->table.size()},
@@ -70,7 +71,7 @@ json fit_json(const Case& c) {
 }
 
 json test_json(const Case& c) {
-    const auto& fit = c.test_fit;
+    const auto& fit = io::relaxation_fits(c).test;
     if (!fit) return nullptr;
     const bool young = fit->table.is_young;
     return {{"table", fit->table.name},

@@ -7,6 +7,7 @@
 #include "comparisons/run/loading_reading.h"
 #include "comparisons/run/relaxation_report.h"
 #include "contact/verdict.h"
+#include "io/case/case_input.h"
 #include "report/format.h"
 
 namespace tricontact::comparisons {
@@ -116,13 +117,14 @@ std::vector<std::string> relaxation_sentences(const Case& c, const RelaxationStu
     if (study.limit) result.push_back(limit_sentence(*study.limit, c));
     for (const TwinComparison& twin : study.twins) result.push_back(twin_sentence(twin));
     result.push_back(static_sentence(c, study));
-    if (c.dma_fit)
-        for (const std::string& remark : contact::remarks(*c.dma_fit, c.substrate.shear_modulus()))
+    const io::RelaxationFits& fits = io::relaxation_fits(c);
+    if (fits.dma)
+        for (const std::string& remark : contact::remarks(*fits.dma, c.substrate.shear_modulus()))
             result.push_back(remark + ".");
-    if (c.test_fit)
-        for (const std::string& remark : contact::remarks(
-                 *c.test_fit,
-                 c.test_fit->table.is_young ? c.substrate.young : c.substrate.shear_modulus()))
+    if (fits.test)
+        for (const std::string& remark :
+             contact::remarks(*fits.test, fits.test->table.is_young ? c.substrate.young
+                                                                    : c.substrate.shear_modulus()))
             result.push_back(remark + ".");
     std::erase(result, std::string());
     return result;

@@ -5,8 +5,8 @@
 #include <numbers>
 
 #include "comparisons/run/figures.h"
-#include "contact/bodies/half_space_scales.h"
-#include "contact/bodies/height_spectrum.h"
+#include "contact/half_space_scales.h"
+#include "contact/height_spectrum.h"
 #include "report/format.h"
 
 namespace tricontact::comparisons {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "bem/settings.h"
 #include "comparisons/quantities/reference.h"
 #include "comparisons/run/report_tables.h"
 #include "report/format.h"
@@ -50,7 +51,7 @@ void add_layer(const Case& c, Settings& settings) {
         settings.add("ground's E", layer.ground->young, "Pa");
         settings.add("ground's ν", layer.ground->poisson);
     }
-    settings.add("period of the indenters (bem-layer)", c.bem.period, "m");
+    settings.add("period of the indenters (bem-layer)", c.period, "m");
     for (const auto& [name, side] : {std::pair("width", layer.width), {"depth", layer.depth}})
         settings.add(name, side ? report::given_quantity(*side, "m") : "unbounded");
 }
@@ -141,7 +142,8 @@ void add_bodies(const Case& c, Settings& settings) {
         settings.add("relaxation terms", std::to_string(c.relaxation->branches.size()));
     }
     add_layer(c, settings);
-    if (c.bem.influence) settings.add("influence coefficients (bem)", "from a file");
+    if (c.of<bem::Settings>().influence)
+        settings.add("influence coefficients (bem)", "from a file");
     settings.add("friction coefficient μ", c.friction_coefficient);
 }
 

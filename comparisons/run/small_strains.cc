@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "comparisons/quantities/quantities.h"
-#include "contact/special_values.h"
+#include "contact/base/special_values.h"
 #include "report/format.h"
 #include "report/json_number.h"
 

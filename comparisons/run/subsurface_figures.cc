@@ -4,7 +4,7 @@
 #include <numbers>
 
 #include "comparisons/run/figures.h"
-#include "contact/solvers/interior.h"
+#include "contact/compliances/interior.h"
 #include "report/format.h"
 #include "theory/half_space_interior.h"
 

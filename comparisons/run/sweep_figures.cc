@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "comparisons/run/sweep_document.h"
-#include "contact/special_values.h"
+#include "contact/base/special_values.h"
 #include "report/csv.h"
 #include "report/format.h"
 

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "comparisons/shakedown/fit_document.h"
-#include "contact/special_values.h"
+#include "contact/base/special_values.h"
 #include "report/format.h"
 
 namespace tricontact::comparisons {

@@ -7,9 +7,9 @@
 
 #include "comparisons/half_space/layer.h"
 #include "comparisons/quantities/reference.h"
-#include "contact/error.h"
+#include "contact/base/error.h"
+#include "contact/base/root.h"
 #include "contact/load_path.h"
-#include "contact/root.h"
 #include "theory/layer/elastic_layer.h"
 #include "theory/rolling/oscillating_rolling.h"
 

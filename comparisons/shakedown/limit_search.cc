@@ -10,7 +10,7 @@
 
 #include "comparisons/quantities/map_border.h"
 #include "comparisons/quantities/reference.h"
-#include "contact/error.h"
+#include "contact/base/error.h"
 #include "contact/load_path.h"
 #include "contact/models/model_kind.h"
 #include "contact/own_limit.h"
@@ -131,7 +131,7 @@ class LimitSearch {
 
     /// At upright positions and turning points.
     void watch_border(const contact::Model& model) {
-        if (!case_.indenter.height_map || case_.bem.period) return;
+        if (!case_.indenter.height_map || case_.period) return;
         const double here = border_force_share(*case_.indenter.height_map, model.surface());
         found_.border_force_share = std::max(found_.border_force_share.value_or(0), here);
     }

@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "comparisons/quantities/reference.h"
+#include "contact/base/special_values.h"
 #include "contact/models/model_kind.h"
-#include "contact/special_values.h"
 #include "theory/rolling/oscillating_rolling.h"
 
 namespace tricontact::comparisons {

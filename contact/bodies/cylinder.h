@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
+#include "contact/base/error.h"
 #include "contact/bodies/indenter.h"
-#include "contact/error.h"
 
 namespace tricontact::contact {
 

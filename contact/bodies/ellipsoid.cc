@@ -5,8 +5,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "contact/error.h"
-#include "contact/root.h"
+#include "contact/base/error.h"
+#include "contact/base/root.h"
 
 namespace tricontact::contact {
 

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "contact/base/vector2.h"
 #include "contact/bodies/indenter.h"
-#include "contact/vector2.h"
 
 namespace tricontact::contact {
 

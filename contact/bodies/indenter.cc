@@ -7,7 +7,7 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "contact/error.h"
+#include "contact/base/error.h"
 
 namespace tricontact::contact {
 

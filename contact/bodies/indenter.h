@@ -3,8 +3,8 @@
 #include <cmath>
 #include <vector>
 
-#include "contact/special_values.h"
-#include "contact/vector2.h"
+#include "contact/base/special_values.h"
+#include "contact/base/vector2.h"
 
 namespace tricontact::contact {
 

@@ -7,9 +7,9 @@
 #include <numbers>
 #include <random>
 
-#include "contact/error.h"
-#include "contact/fftw.h"
-#include "contact/memory.h"
+#include "contact/base/error.h"
+#include "contact/base/fftw.h"
+#include "contact/base/memory.h"
 
 namespace tricontact::contact {
 

@@ -4,8 +4,8 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "contact/base/error.h"
 #include "contact/bodies/indenter.h"
-#include "contact/error.h"
 
 namespace tricontact::contact {
 

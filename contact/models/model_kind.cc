@@ -3,31 +3,12 @@
 #include <algorithm>
 #include <array>
 
-#include "contact/case.h"
-
 namespace tricontact::contact {
 
 namespace {
 
 using Method = ModelKind::Method;
 using Body = ModelKind::Body;
-
-constexpr double exact_steps = 1e-11;  // of MDR: slips below it are rounding (SpringBed)
-
-double of_rounding(const Case&) {
-    return exact_steps;
-}
-double of_springs(const Case&) {
-    return layer_springs_accuracy;
-}
-double of_cells(const Case& c) {
-    return c.bem.tolerance;
-}
-double of_elements(const Case& c) {
-    return c.fem.tolerance;
-}
-/// What is read, and models of other programs, count as those on cells.
-constexpr auto of_others = of_cells;
 
 constexpr std::array kinds{
     ModelKind{.name = models::mdr,
@@ -38,8 +19,6 @@ constexpr std::array kinds{
               .method = Method::independent_springs,
               .body = Body::half_space,
               .style = 0,
-              .step_accuracy = of_rounding,
-              .tolerance = of_springs,  // an upper bound
               .limit_tolerance = 1e-6,
               .steps_are_exact = true,
               .converges_in_order = false,
@@ -57,8 +36,6 @@ constexpr std::array kinds{
               .method = Method::coupled_springs,
               .body = Body::layer,
               .style = 4,
-              .step_accuracy = of_springs,
-              .tolerance = of_springs,
               .converges_in_order = false,
               .why_no_levels = "chooses its elements by itself",
               .couples = false},
@@ -71,8 +48,6 @@ constexpr std::array kinds{
               .method = Method::boundary_elements,
               .body = Body::half_space,
               .style = 1,
-              .step_accuracy = of_cells,
-              .tolerance = of_cells,
               .section = "bem",
               .resolution = "bem.spacing",
               .sees_period = true,
@@ -89,8 +64,6 @@ constexpr std::array kinds{
               .method = Method::boundary_elements,
               .body = Body::layer,
               .style = 2,
-              .step_accuracy = of_cells,
-              .tolerance = of_cells,
               .section = "bem",
               .resolution = "bem.spacing",
               .sees_period = true,
@@ -107,8 +80,6 @@ constexpr std::array kinds{
               .method = Method::finite_elements,
               .body = Body::layer,
               .style = 3,
-              .step_accuracy = of_elements,
-              .tolerance = of_elements,
               .section = "fem",
               .resolution = "fem.size",
               .keeps_journal = true,
@@ -124,18 +95,11 @@ constexpr std::array kinds{
               .method = Method::maps,
               .body = Body::any,
               .style = {},
-              .step_accuracy = of_others,
-              .tolerance = of_springs,
               .why_no_levels = "has no resolution"},
 };
 
-constexpr ModelKind of_another_program{.name = "",
-                                       .title = "",
-                                       .text = "",
-                                       .sources = "",
-                                       .style = {},
-                                       .step_accuracy = of_others,
-                                       .tolerance = of_springs};
+constexpr ModelKind of_another_program{
+    .name = "", .title = "", .text = "", .sources = "", .style = {}};
 
 }  // namespace
 

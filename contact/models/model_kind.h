@@ -6,8 +6,6 @@
 
 namespace tricontact::contact {
 
-struct Case;
-
 /// Accuracy of the steps of springs that a layer couples [-].
 inline constexpr double layer_springs_accuracy = 1e-9;
 
@@ -44,11 +42,6 @@ struct ModelKind {
     Body body = Body::any;
     std::optional<int> style;  ///< number of its colour in figures
 
-    /// Accuracy of its steps [-], which bounds how well its periods repeat each other: that of the
-    /// solver, of rounding where steps are exact.
-    double (*step_accuracy)(const Case&);
-    /// What its solver leaves of a result at most [-], in error bars.
-    double (*tolerance)(const Case&);
     /// Of the limit by bisection, in f_T or w [-], unless it is asked for.
     double limit_tolerance = 1e-3;
     /// Steps have no solver that stops: sticking and sliding as a whole are told apart however

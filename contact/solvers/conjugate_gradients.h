@@ -1,6 +1,6 @@
 #pragma once
 
-#include "contact/special_values.h"
+#include "contact/base/special_values.h"
 
 namespace tricontact::contact {
 

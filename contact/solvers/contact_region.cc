@@ -4,8 +4,8 @@
 #include <map>
 #include <numbers>
 
-#include "contact/memory.h"
-#include "contact/solvers/blocks.h"
+#include "contact/base/memory.h"
+#include "contact/compliances/blocks.h"
 
 namespace tricontact::contact {
 

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "contact/bodies/indenter.h"
-#include "contact/solvers/compliance.h"
+#include "contact/compliances/compliance.h"
 
 namespace tricontact::contact {
 

@@ -5,7 +5,7 @@
 namespace tricontact::contact {
 
 Coupling::Coupling(const Compliance& compliance, const Indenter& indenter,
-                   const Case::Contact& options)
+                   const ContactOptions& options)
     : compliance_(&compliance),
       indenter_(&indenter),
       is_coupled_(options.coupling && compliance.is_coupled()),

@@ -3,8 +3,8 @@
 #include <vector>
 
 #include "contact/bodies/indenter.h"
-#include "contact/case.h"
-#include "contact/solvers/compliance.h"
+#include "contact/compliances/compliance.h"
+#include "contact/solvers/contact_options.h"
 
 namespace tricontact::contact {
 
@@ -12,7 +12,7 @@ namespace tricontact::contact {
 /// compliance's coupling blocks.
 class Coupling {
   public:
-    Coupling(const Compliance& compliance, const Indenter& indenter, const Case::Contact& options);
+    Coupling(const Compliance& compliance, const Indenter& indenter, const ContactOptions& options);
 
     /// There is none: the two problems may be solved one after the other.
     bool is_decoupled() const { return !is_coupled_; }

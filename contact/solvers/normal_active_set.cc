@@ -6,8 +6,8 @@
 #include <limits>
 #include <numeric>
 
-#include "contact/solvers/cholesky.h"
-#include "contact/special_values.h"
+#include "contact/base/special_values.h"
+#include "contact/compliances/cholesky.h"
 
 namespace tricontact::contact {
 

@@ -7,12 +7,12 @@
 #include <memory>
 #include <numeric>
 
-#include "contact/memory.h"
-#include "contact/solvers/blocks.h"
+#include "contact/base/memory.h"
+#include "contact/base/special_values.h"
+#include "contact/compliances/blocks.h"
+#include "contact/compliances/point_sums.h"
 #include "contact/solvers/conjugate_gradients.h"
 #include "contact/solvers/grid_transfer.h"
-#include "contact/solvers/point_sums.h"
-#include "contact/special_values.h"
 
 namespace tricontact::contact {
 

@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "contact/error.h"
+#include "contact/base/error.h"
+#include "contact/base/special_values.h"
 #include "contact/solvers/normal_active_set.h"
 #include "contact/solvers/normal_newton.h"
 #include "contact/solvers/pressure_correction.h"
-#include "contact/special_values.h"
 
 namespace tricontact::contact {
 

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <memory>
 
-#include "contact/solvers/active_operator.h"
+#include "contact/base/special_values.h"
+#include "contact/compliances/active_operator.h"
 #include "contact/solvers/conjugate_gradients.h"
-#include "contact/special_values.h"
 
 namespace tricontact::contact {
 

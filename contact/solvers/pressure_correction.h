@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "contact/load_path.h"
-#include "contact/solvers/compliance.h"
+#include "contact/compliances/compliance.h"
+#include "contact/solvers/control.h"
 
 namespace tricontact::contact {
 

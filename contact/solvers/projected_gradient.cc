@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "contact/solvers/blocks.h"
-#include "contact/solvers/point_sums.h"
+#include "contact/compliances/blocks.h"
+#include "contact/compliances/point_sums.h"
 
 namespace tricontact::contact {
 

@@ -2,8 +2,8 @@
 
 #include <vector>
 
+#include "contact/base/vector2.h"
 #include "contact/solvers/tangential_solver.h"
-#include "contact/vector2.h"
 
 namespace tricontact::contact {
 

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "contact/base/special_values.h"
 #include "contact/solvers/fixed_point.h"
 #include "contact/solvers/staggered_solver.h"
-#include "contact/special_values.h"
 
 namespace tricontact::contact {
 

@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "contact/error.h"
+#include "contact/base/error.h"
+#include "contact/base/special_values.h"
+#include "contact/compliances/point_sums.h"
 #include "contact/solvers/fixed_point.h"
-#include "contact/solvers/point_sums.h"
-#include "contact/special_values.h"
 
 namespace tricontact::contact {
 
@@ -22,7 +22,7 @@ constexpr double of_gap = .1, first_gap = 1e-2;
 
 StaggeredSolver::StaggeredSolver(std::string name, Substrate& substrate, const Indenter& indenter,
                                  double friction_coefficient, double tolerance,
-                                 const Case::Contact& options)
+                                 const ContactOptions& options)
     : name_(std::move(name)),
       substrate_(substrate),
       friction_coefficient_(friction_coefficient),

@@ -7,9 +7,10 @@
 #include <string>
 #include <tuple>
 
-#include "contact/solvers/blocks.h"
+#include "contact/compliances/blocks.h"
+#include "contact/compliances/focused_compliance.h"
 #include "contact/solvers/coupling.h"
-#include "contact/solvers/focused_compliance.h"
+#include "contact/solvers/load_step.h"
 #include "contact/solvers/normal_solver.h"
 #include "contact/solvers/tangential_solver.h"
 #include "contact/substrates/substrate.h"
@@ -51,7 +52,7 @@ class StaggeredSolver {
     /// `name`: for messages. `tolerance` [-]: of the tangential solver and of the staggered
     /// iteration, over mu d and d; the normal solver gets a tenth of it.
     StaggeredSolver(std::string name, Substrate& substrate, const Indenter& indenter,
-                    double friction_coefficient, double tolerance, const Case::Contact& options);
+                    double friction_coefficient, double tolerance, const ContactOptions& options);
 
     const ContactSolution& now() const { return now_; }
     const Coupling& coupling() const { return coupling_; }

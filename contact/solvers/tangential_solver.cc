@@ -6,11 +6,11 @@
 #include <cmath>
 #include <optional>
 
-#include "contact/error.h"
-#include "contact/solvers/blocks.h"
-#include "contact/solvers/point_sums.h"
+#include "contact/base/error.h"
+#include "contact/base/special_values.h"
+#include "contact/compliances/blocks.h"
+#include "contact/compliances/point_sums.h"
 #include "contact/solvers/projected_gradient.h"
-#include "contact/special_values.h"
 
 namespace tricontact::contact {
 

@@ -4,8 +4,8 @@
 #include <memory>
 #include <vector>
 
-#include "contact/load_path.h"
-#include "contact/solvers/compliance.h"
+#include "contact/compliances/compliance.h"
+#include "contact/solvers/control.h"
 #include "contact/solvers/tangential_system.h"
 
 namespace tricontact::contact {

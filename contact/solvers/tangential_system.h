@@ -5,10 +5,10 @@
 #include <memory>
 #include <vector>
 
-#include "contact/solvers/active_operator.h"
-#include "contact/solvers/blocks.h"
-#include "contact/solvers/compliance.h"
-#include "contact/vector2.h"
+#include "contact/base/vector2.h"
+#include "contact/compliances/active_operator.h"
+#include "contact/compliances/blocks.h"
+#include "contact/compliances/compliance.h"
 
 namespace tricontact::contact {
 

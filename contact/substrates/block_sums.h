@@ -3,8 +3,8 @@
 #include <array>
 #include <cstddef>
 
-#include "contact/compensated_sum.h"
-#include "contact/solvers/point_sums.h"
+#include "contact/base/compensated_sum.h"
+#include "contact/compliances/point_sums.h"
 
 namespace tricontact::contact {
 

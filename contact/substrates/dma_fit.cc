@@ -6,8 +6,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "contact/error.h"
-#include "contact/special_values.h"
+#include "contact/base/error.h"
+#include "contact/base/special_values.h"
 #include "contact/substrates/prony_fit.h"
 
 namespace tricontact::contact {

@@ -1,7 +1,7 @@
 #include "contact/substrates/material.h"
 
-#include "contact/error.h"
-#include "contact/special_values.h"
+#include "contact/base/error.h"
+#include "contact/base/special_values.h"
 
 namespace tricontact::contact {
 

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <utility>
 
-#include "contact/compensated_sum.h"
-#include "contact/solvers/wide_vectors.h"
+#include "contact/base/compensated_sum.h"
+#include "contact/compliances/wide_vectors.h"
 #include "contact/substrates/block_sums.h"
 
 namespace tricontact::contact {

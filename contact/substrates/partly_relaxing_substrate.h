@@ -5,7 +5,7 @@
 #include <memory>
 #include <vector>
 
-#include "contact/solvers/compliance.h"
+#include "contact/compliances/compliance.h"
 #include "contact/substrates/relaxation.h"
 #include "contact/substrates/stieltjes_interpolation.h"
 #include "contact/substrates/substrate.h"

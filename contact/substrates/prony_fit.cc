@@ -9,8 +9,8 @@
 #include <cmath>
 #include <memory>
 
-#include "contact/error.h"
-#include "contact/gsl.h"
+#include "contact/base/error.h"
+#include "contact/base/gsl.h"
 
 namespace tricontact::contact {
 

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <limits>
 
-#include "contact/error.h"
-#include "contact/root.h"
-#include "contact/special_values.h"
+#include "contact/base/error.h"
+#include "contact/base/root.h"
+#include "contact/base/special_values.h"
 
 namespace tricontact::contact {
 

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "contact/compensated_sum.h"
-#include "contact/error.h"
-#include "contact/solvers/blocks.h"
+#include "contact/base/compensated_sum.h"
+#include "contact/base/error.h"
+#include "contact/compliances/blocks.h"
 
 namespace tricontact::contact {
 

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "contact/solvers/compliance.h"
-#include "contact/solvers/interior.h"
+#include "contact/compliances/compliance.h"
+#include "contact/compliances/interior.h"
 
 namespace tricontact::contact {
 

@@ -5,9 +5,9 @@
 #include <optional>
 #include <stdexcept>
 
-#include "contact/error.h"
-#include "contact/root.h"
-#include "contact/special_values.h"
+#include "contact/base/error.h"
+#include "contact/base/root.h"
+#include "contact/base/special_values.h"
 #include "statistics/distribution.h"
 #include "statistics/latin_hypercube.h"
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <optional>
 
-#include "contact/special_values.h"
+#include "contact/base/special_values.h"
 #include "experiments/assumptions/check_rig.h"
 #include "theory/cattaneo_mindlin.h"
 

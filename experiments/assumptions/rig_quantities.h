@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "contact/number_text.h"
+#include "contact/base/number_text.h"
 #include "experiments/assumptions/assumption.h"
 #include "experiments/assumptions/rig.h"
 

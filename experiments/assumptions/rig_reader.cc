@@ -2,7 +2,7 @@
 #include <array>
 #include <functional>
 
-#include "contact/bodies/half_space_scales.h"
+#include "contact/half_space_scales.h"
 #include "contact/load_path.h"
 #include "experiments/assumptions/rig.h"
 #include "io/case/rig_keys.h"

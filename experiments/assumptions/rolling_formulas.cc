@@ -4,7 +4,7 @@
 #include <deque>
 #include <utility>
 
-#include "contact/bodies/half_space_scales.h"
+#include "contact/half_space_scales.h"
 #include "experiments/assumptions/rolling_parts.h"
 
 namespace tricontact::experiments {

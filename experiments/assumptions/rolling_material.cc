@@ -5,8 +5,8 @@
 #include <numbers>
 #include <optional>
 
-#include "contact/error.h"
-#include "contact/root.h"
+#include "contact/base/error.h"
+#include "contact/base/root.h"
 #include "experiments/assumptions/rolling_parts.h"
 #include "theory/layer/layer_compliance.h"
 

@@ -8,7 +8,7 @@
 #include "experiments/assumptions/check_rig.h"
 #include "experiments/assumptions/rig_quantities.h"
 #include "theory/layer/elastic_layer.h"
-#include "theory/line_contact.h"
+#include "theory/layer/line_contact.h"
 
 // The quantities of a rolling rig, its contact, and its assumptions, one function each.
 namespace tricontact::experiments {

@@ -5,7 +5,7 @@
 #include <iterator>
 #include <utility>
 
-#include "contact/special_values.h"
+#include "contact/base/special_values.h"
 #include "experiments/design/design_report.h"
 #include "experiments/design/level_line.h"
 #include "io/keys/units.h"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "contact/special_values.h"
+#include "contact/base/special_values.h"
 #include "experiments/assumptions/rolling_parts.h"
 #include "io/keys/key_checks.h"
 #include "io/keys/messages.h"

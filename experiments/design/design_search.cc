@@ -8,7 +8,7 @@
 #include <cstdlib>
 #include <memory>
 
-#include "contact/special_values.h"
+#include "contact/base/special_values.h"
 
 namespace tricontact::experiments {
 

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "contact/error.h"
-#include "contact/special_values.h"
+#include "contact/base/error.h"
+#include "contact/base/special_values.h"
 
 namespace tricontact::experiments {
 

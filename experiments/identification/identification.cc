@@ -6,10 +6,10 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "contact/error.h"
-#include "contact/interruption.h"
-#include "contact/root.h"
-#include "contact/special_values.h"
+#include "contact/base/error.h"
+#include "contact/base/interruption.h"
+#include "contact/base/root.h"
+#include "contact/base/special_values.h"
 #include "experiments/identification/best_sum_of_squares.h"
 #include "experiments/identification/residual_checks.h"
 #include "statistics/regression.h"

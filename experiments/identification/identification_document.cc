@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "contact/special_values.h"
+#include "contact/base/special_values.h"
 #include "experiments/identification/identification_report.h"
 #include "report/format.h"
 

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "contact/special_values.h"
+#include "contact/base/special_values.h"
 #include "experiments/identification/identification_report.h"
 #include "report/format.h"
 #include "statistics/regression.h"

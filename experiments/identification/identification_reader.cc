@@ -6,7 +6,7 @@
 #include <cmath>
 #include <set>
 
-#include "contact/error.h"
+#include "contact/base/error.h"
 #include "experiments/identification/identification_checks.h"
 #include "io/case/case_reader.h"
 #include "io/case/measurement_models.h"

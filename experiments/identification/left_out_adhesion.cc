@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "contact/bodies/half_space_scales.h"
+#include "contact/half_space_scales.h"
 #include "experiments/identification/identification_report.h"
 #include "report/format.h"
 #include "theory/adhesion.h"

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "contact/error.h"
-#include "contact/interruption.h"
-#include "contact/special_values.h"
+#include "contact/base/error.h"
+#include "contact/base/interruption.h"
+#include "contact/base/special_values.h"
 #include "statistics/distribution.h"
 #include "statistics/ensemble_sampler.h"
 #include "statistics/latin_hypercube.h"

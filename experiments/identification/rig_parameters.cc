@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "contact/error.h"
+#include "contact/base/error.h"
 #include "experiments/identification/identification_reader.h"
 #include "io/case/measurement_models.h"
 
@@ -117,12 +117,7 @@ double zero_depth_guess(const IdentificationInput::Table& table) {
 std::vector<FreeParameter> free_parameters(const IdentificationInput& input,
                                            const std::vector<std::string>& find) {
     const contact::Case& rig = input.rig;
-    const auto unrelaxed = contact::Case::RelaxationInput::Modulus::unrelaxed;
     if (rig.relaxation) {
-        if (rig.relaxation_input.modulus == unrelaxed)
-            throw contact::InputError(
-                "E is found as the relaxed modulus, but substrate.relaxation.modulus says "
-                "\"unrelaxed\"; say \"relaxed\"");
         if (rig.relaxation->bulk == contact::Relaxation::Bulk::elastic &&
             rig.substrate.poisson < .5)
             throw contact::InputError(

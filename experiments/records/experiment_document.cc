@@ -4,7 +4,7 @@
 #include <iterator>
 #include <utility>
 
-#include "contact/special_values.h"
+#include "contact/base/special_values.h"
 #include "experiments/records/experiment_report.h"
 #include "report/format.h"
 

@@ -2,7 +2,7 @@
 #include <nlohmann/json.hpp>
 
 #include "comparisons/quantities/quantities.h"
-#include "contact/special_values.h"
+#include "contact/base/special_values.h"
 #include "experiments/records/experiment_report.h"
 #include "report/json_number.h"
 

@@ -1,6 +1,6 @@
 #include <fmt/format.h>
 
-#include "contact/special_values.h"
+#include "contact/base/special_values.h"
 #include "experiments/records/experiment_report.h"
 #include "report/format.h"
 

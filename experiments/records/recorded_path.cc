@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "comparisons/run/path_section.h"
-#include "contact/error.h"
+#include "contact/base/error.h"
 #include "contact/load_path.h"
 #include "experiments/records/experiment_run.h"
 #include "experiments/records/loading_time.h"

@@ -5,7 +5,7 @@
 #include <functional>
 #include <stdexcept>
 
-#include "contact/special_values.h"
+#include "contact/base/special_values.h"
 
 namespace tricontact::experiments {
 

@@ -8,7 +8,7 @@
 #include <chrono>
 #include <vector>
 
-#include "contact/error.h"
+#include "contact/base/error.h"
 #include "fem/distributed/petsc.h"
 #include "fem/distributed/stiffness.h"
 

@@ -14,7 +14,7 @@
 #include <string>
 #include <thread>
 
-#include "contact/error.h"
+#include "contact/base/error.h"
 
 extern "C" void openblas_set_num_threads(int n);
 

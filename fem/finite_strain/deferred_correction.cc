@@ -6,9 +6,9 @@
 #include <cmath>
 #include <optional>
 
-#include "contact/error.h"
+#include "contact/base/error.h"
+#include "contact/base/special_values.h"
 #include "contact/solvers/fixed_point.h"
-#include "contact/special_values.h"
 
 namespace tricontact::fem {
 

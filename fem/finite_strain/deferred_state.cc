@@ -4,7 +4,7 @@
 #include <cmath>
 #include <functional>
 
-#include "contact/special_values.h"
+#include "contact/base/special_values.h"
 #include "fem/finite_strain/deferred_correction.h"
 
 namespace tricontact::fem {

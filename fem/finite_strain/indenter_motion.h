@@ -3,7 +3,7 @@
 #include <array>
 #include <cmath>
 
-#include "contact/vector2.h"
+#include "contact/base/vector2.h"
 
 namespace tricontact::fem {
 

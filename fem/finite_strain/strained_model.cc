@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "contact/error.h"
+#include "contact/base/error.h"
+#include "contact/base/special_values.h"
 #include "contact/solvers/contact_region.h"
-#include "contact/special_values.h"
 
 namespace tricontact::fem {
 

@@ -38,6 +38,7 @@ class StrainedModel final : public contact::Model {
 
     std::string name() const override { return contact::models::fem; }
     bool is_coupled() const override { return true; }
+    double step_accuracy() const override { return setup_.tolerance / of_fem_tolerance; }
     contact::StepRecord advance(const contact::LoadStep& step) override;
     void release() override;
     void enlarge(const contact::ContactAtEdge& reached) override;

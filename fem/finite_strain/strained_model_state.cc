@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "contact/base/special_values.h"
+#include "contact/base/state_bytes.h"
 #include "contact/mirrored_surface.h"
 #include "contact/solvers/contact_region.h"
-#include "contact/special_values.h"
-#include "contact/state_bytes.h"
 #include "contact/surface_audit.h"
 #include "fem/finite_strain/element_batch.h"
 #include "fem/finite_strain/strained_model.h"

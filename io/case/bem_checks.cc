@@ -2,8 +2,11 @@
 #include <cmath>
 #include <tuple>
 
+#include "bem/settings.h"
+#include "contact/cells.h"
 #include "contact/load_path.h"
 #include "io/case/case_checks.h"
+#include "io/results/output.h"
 
 namespace tricontact::io {
 
@@ -21,7 +24,7 @@ bool has_cells_on(const Case& c, ModelKind::Body body) {
 }
 
 void check_influence(const Case& c, const Document& document) {
-    if (c.bem.period)
+    if (c.period)
         refuse(document, "bem.influence",
                "coefficients of single cells do not describe periodic contacts",
                "omit it or bem.period");
@@ -29,7 +32,7 @@ void check_influence(const Case& c, const Document& document) {
         refuse(document, "bem.influence",
                "the same coefficients cannot be those of bem and bem-layer",
                "name one of the two in models");
-    check_file_there(document, "bem.influence", *c.bem.influence,
+    check_file_there(document, "bem.influence", *c.of<bem::Settings>().influence,
                      "write one by tricontact influence");
 }
 
@@ -62,11 +65,12 @@ void check_mean(const Case& c, const Document& document) {
 }
 
 void check_cells(const Case& c, const Document& document) {
-    if (!c.bem.spacing) return;
-    const double cells = *c.bem.period / *c.bem.spacing;
+    const std::optional<double>& spacing = c.of<contact::Cells>().spacing;
+    if (!spacing) return;
+    const double cells = *c.period / *spacing;
     if (std::abs(cells - std::round(cells)) <= whole_cells) return;
     refuse(document, "bem.period", "is no whole number of cells, but " + rounded(cells),
-           "use a spacing of " + shortest(*c.bem.period / std::ceil(cells)) +
+           "use a spacing of " + shortest(*c.period / std::ceil(cells)) +
                " m, or bem.cells_per_radius");
 }
 
@@ -74,7 +78,7 @@ void check_path(const Case& c, const Document& document) {
     if (contact::is_nominally_flat(c)) return;
     const double path =
         contact::norm(contact::path_reach(c, contact::half_space_scales(c).contact_radius));
-    if (2 * path < *c.bem.period) return;
+    if (2 * path < *c.period) return;
     refuse(document, "bem.period",
            "is not longer than the rolling path of " + rounded(2 * path) +
                " m: the contact would meet its neighbour's track",
@@ -84,8 +88,9 @@ void check_path(const Case& c, const Document& document) {
 /// Over a period: of a nominally flat body at the cells, of a symmetric one over a quarter.
 double mean_height(const Case& c) {
     const bool flat = contact::is_nominally_flat(c);
-    const double side = flat ? *c.bem.period : *c.bem.period / 2, first = flat ? 0 : .5;
-    const int n = flat ? static_cast<int>(std::lround(side / *c.bem.spacing)) : samples;
+    const double side = flat ? *c.period : *c.period / 2, first = flat ? 0 : .5;
+    const int n =
+        flat ? static_cast<int>(std::lround(side / *c.of<contact::Cells>().spacing)) : samples;
     const auto indenter = c.make_indenter();
     double sum = 0;
     for (int i = 0; i < n; ++i)
@@ -123,28 +128,30 @@ void check_shape_of_cells(const Case& c, const Document& document) {
                             const char* remedy) {
         if (!holds) refuse(document, key, rule, remedy);
     };
+    const auto& cells = c.of<contact::Cells>();
     for (const auto& [given, key, along_y] :
-         {std::tuple{c.bem.cell_ratio, "bem.cell_ratio", true},
-          std::tuple{c.bem.cell_shift_x, "bem.cell_shift_x", false},
-          std::tuple{c.bem.cell_shift_y, "bem.cell_shift_y", true}}) {
+         {std::tuple{cells.ratio, "bem.cell_ratio", true},
+          std::tuple{cells.shift_x, "bem.cell_shift_x", false},
+          std::tuple{cells.shift_y, "bem.cell_shift_y", true}}) {
         if (!given) continue;
         demand(!contact::is_nominally_flat(c) && !c.indenter.roughness, key,
                "the cells of rough bodies and height maps are squares, one about the origin",
                "omit it");
-        demand(!c.bem.period, key, "a period is divided into squares", "omit it");
+        demand(!c.period, key, "a period is divided into squares", "omit it");
         demand(!along_y || !c.is_cylindrical(), key,
                "the cells of a cylinder or roller divide its length", "omit it");
-        demand(!along_y || !c.bem.influence || key != std::string("bem.cell_ratio"), key,
-               "files of influence coefficients hold those of square cells",
+        demand(!along_y || !c.of<bem::Settings>().influence || key != std::string("bem.cell_ratio"),
+               key, "files of influence coefficients hold those of square cells",
                "omit it, or bem.influence");
     }
 }
 
 void check_inside(const Case& c, const Document& document) {
-    if (c.output.volume == Case::VolumeOutput::none) return;
-    const char* why = c.bem.influence ? "coefficients of the surface do not describe the interior"
-                      : c.bem.period  ? "the interior below periodic contacts is not computed"
-                                      : nullptr;
+    if (c.of<Output>().volume == Output::Volume::none) return;
+    const char* why = c.of<bem::Settings>().influence
+                          ? "coefficients of the surface do not describe the interior"
+                      : c.period ? "the interior below periodic contacts is not computed"
+                                 : nullptr;
     if (why) refuse(document, "output.volume", why, "leave output.volume out");
 }
 
@@ -154,8 +161,8 @@ void check_bem_options(const Case& c, const Document& document) {
     if (!computes(c, &ModelKind::is_on_cells)) return;
     check_inside(c, document);
     check_shape_of_cells(c, document);
-    if (c.bem.influence) check_influence(c, document);
-    if (!c.bem.period) return;
+    if (c.of<bem::Settings>().influence) check_influence(c, document);
+    if (!c.period) return;
     check_mean(c, document);
     check_cells(c, document);
     check_path(c, document);

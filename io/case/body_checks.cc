@@ -1,6 +1,8 @@
 #include <cmath>
 
+#include "contact/cells.h"
 #include "io/case/case_checks.h"
+#include "io/case/case_input.h"
 #include "io/tables/height_map_file.h"
 
 namespace tricontact::io {
@@ -27,8 +29,8 @@ void check_wavelengths(const Case& c, const Document& document) {
                "is longer than roll_off = " + rounded(r.roll_off) + " m",
                "reduce it; equal lengths mean one spectral density for all waves");
     const double waves = r.long_wavelength / r.short_wavelength;
-    if (c.bem.spacing &&
-        r.short_wavelength < cells_in_a_wave * *c.bem.spacing * (1 - whole_periods))
+    const std::optional<double>& spacing = c.of<contact::Cells>().spacing;
+    if (spacing && r.short_wavelength < cells_in_a_wave * *spacing * (1 - whole_periods))
         refuse(document, "bem.spacing",
                "the shortest wavelength " + rounded(r.short_wavelength) + " m is not resolved",
                "use a spacing of at most " + rounded(r.short_wavelength / cells_in_a_wave) + " m");
@@ -42,13 +44,13 @@ void check_plane(const Case& c, const Document& document) {
     if (!c.indenter.roughness)
         refuse(document, "indenter.shape", "a plane touches everywhere at once",
                "add a section [indenter.roughness]");
-    if (!c.bem.period)
+    if (!c.period)
         refuse(document, "indenter.shape", "a plane has no end",
                "give bem.period = indenter.roughness.long_wavelength");
 }
 
 void check_period(const Case& c, const Document& document) {
-    const double period = *c.bem.period;
+    const double period = *c.period;
     if (const auto& r = c.indenter.roughness) {
         const double times = period / r->long_wavelength;
         if (times < 1 - whole_periods || std::abs(times - std::round(times)) > whole_periods)
@@ -185,22 +187,24 @@ void check_rough_bodies(const Case& c, const Document& document) {
     if (c.indenter.roughness) check_wavelengths(c, document);
     if (c.indenter.shape == Shape::flat) check_plane(c, document);
     if (!contact::is_nominally_flat(c)) return;
-    if (c.bem.period) check_period(c, document);
+    if (c.period) check_period(c, document);
     const std::string rule = "a nominally flat contact has no radius";
-    if (!c.bem.spacing) refuse(document, "bem.cells_per_radius", rule, "give bem.spacing");
+    if (!c.of<contact::Cells>().spacing)
+        refuse(document, "bem.cells_per_radius", rule, "give bem.spacing");
     if (c.rolling && c.rolling->amplitude_ratio)
         refuse(document, "rolling.amplitude_ratio", rule, "give rolling.amplitude");
 }
 
 void resolve_thickness(Case& c, const Document& document) {
-    if (!c.layer.thickness_ratio) return;
+    const std::optional<double> ratio = c.of<LayersInput>().thickness_ratio;
+    if (!ratio) return;
     const std::string key = "substrate.thickness_ratio";
     const std::string remedy = "give substrate.thickness";
     if (contact::is_nominally_flat(c))
         refuse(document, key, "a nominally flat contact has no radius", remedy);
     const double a =
         told_at(document, load_key(document), [&] { return half_space_scales(c).contact_radius; });
-    const double thickness = 2 * a * *c.layer.thickness_ratio;
+    const double thickness = 2 * a * *ratio;
     constexpr double thickest = 1e6;  // as a thickness that is given [m]
     if (!(thickness > 0) || thickness > thickest)
         refuse(document, key,
@@ -208,12 +212,11 @@ void resolve_thickness(Case& c, const Document& document) {
                    rounded(2 * a) + " m",
                "check the units of radius, moduli and load, or " + remedy);
     c.layer.thickness = thickness;
-    c.layer.thickness_ratio.reset();
 }
 
 void resolve_lower_layers(Case& c, const Document& document) {
-    if (!c.lower_layers_input) return;
-    const auto& input = *c.lower_layers_input;
+    if (!c.of<LayersInput>().lower) return;
+    const LayersInput::Lower& input = *c.of<LayersInput>().lower;
     const std::size_t n = input.thickness.size();
     for (const auto& [key, list] : {std::pair("lower_layer.young", &input.young),
                                     std::pair("lower_layer.poisson", &input.poisson)})
@@ -224,18 +227,16 @@ void resolve_lower_layers(Case& c, const Document& document) {
                    "give one for each layer, from the top down");
     for (std::size_t i = 0; i < n; ++i)
         c.layer.lower.push_back({input.thickness[i], {input.young[i], input.poisson[i]}});
-    c.lower_layers_input.reset();
 }
 
 void state_lower_layers(Case& c) {
     if (c.layer.lower.empty()) return;
-    Case::LowerLayersInput input;
+    LayersInput::Lower& input = c.of<LayersInput>().lower.emplace();
     for (const auto& [thickness, material] : c.layer.lower) {
         input.thickness.push_back(thickness);
         input.young.push_back(material.young);
         input.poisson.push_back(material.poisson);
     }
-    c.lower_layers_input = input;
 }
 
 void check_ground(const Case& c, const Document& document) {

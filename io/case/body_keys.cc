@@ -2,6 +2,7 @@
 #include <numbers>
 
 #include "io/case/case_checks.h"
+#include "io/case/case_input.h"
 #include "io/case/case_keys.h"
 #include "io/tables/body_tables.h"
 
@@ -15,9 +16,15 @@ using contact::Relaxation;
 using contact::Roughness;
 using Indenter = Case::IndenterData;
 using Layer = Case::Layer;
-using Lower = Case::LowerLayersInput;
-using Input = Case::RelaxationInput;
+using Lower = LayersInput::Lower;
+using Input = RelaxationInput;
 using Bulk = Relaxation::Bulk;
+
+/// How a relaxing case says its Prony series.
+template <auto... members>
+Field of_series(Case& c) {
+    return c.relaxation ? in(c.of<Input>(), members...) : Field();
+}
 
 /// The words of the shapes, and the keys of [indenter] that each of them takes beside the material.
 struct ShapeKeys {
@@ -171,7 +178,7 @@ std::vector<CaseKey> substrate_keys() {
                     "b/(2a), thickness over the diameter of the contact on the half-space (of a "
                     "cylinder the width) under the mean normal load",
                     {.stands_for = "substrate.thickness"}),
-         at<&Case::layer, &Layer::thickness_ratio>},
+         kept<&LayersInput::thickness_ratio>},
         {choice_key(
              "substrate.base",
              {choice("bonded", Case::Base::bonded),
@@ -182,7 +189,7 @@ std::vector<CaseKey> substrate_keys() {
              "glides, or the elastic half-space of `[ground]`, to which it is bonded",
              {.default_value = R"("bonded")", .needs = "substrate.thickness"}),
          [](Case& c) {
-             const bool layer = c.layer.thickness || c.layer.thickness_ratio;
+             const bool layer = c.layer.thickness || c.of<LayersInput>().thickness_ratio;
              return layer ? Field(&c.layer.base) : Field();
          }},
         {length_key("substrate.width", R"("60 mm")", "extent along x; without it unbounded",
@@ -195,14 +202,14 @@ std::vector<CaseKey> substrate_keys() {
                                  "thickness of a second elastic layer below the "
                                  "substrate's, or of several from the top down",
                                  {.required = true, .needs = "substrate.thickness"})),
-         at<&Case::lower_layers_input, &Lower::thickness>},
+         kept<&LayersInput::lower, &Lower::thickness>},
         {bare_list_of(modulus_key("lower_layer.young", R"("70 GPa")",
                                   "Young's modulus, one for each of them", {.required = true})),
-         at<&Case::lower_layers_input, &Lower::young>},
+         kept<&LayersInput::lower, &Lower::young>},
         {bare_list_of(poisson_key("lower_layer.poisson", "0.33",
                                   "Poisson's ratio, one for each of them; 0.5 is incompressible",
                                   {.required = true})),
-         at<&Case::lower_layers_input, &Lower::poisson>},
+         kept<&LayersInput::lower, &Lower::poisson>},
         {modulus_key("ground.young", R"("70 GPa")",
                      "Young's modulus of the half-space below all layers",
                      {.required = true, .needs = "substrate.base"}),
@@ -217,42 +224,42 @@ std::vector<CaseKey> relaxation_keys() {
         {modulus_key("substrate.relaxation.G2", R"("1 MPa")",
                      "standard solid: shear modulus of the Maxwell element beside the relaxed one",
                      {.alternative = relaxation, .needs = "substrate.relaxation.eta"}),
-         if_relaxing<&Case::relaxation_input, &Input::maxwell_modulus>},
+         of_series<&Input::maxwell_modulus>},
         {quantity_key("substrate.relaxation.eta", Dimension::viscosity, above_zero(1e15),
                       R"("40 Pa s")", "its viscosity; it relaxes in eta/G2",
                       {.needs = "substrate.relaxation.G2"}),
-         if_relaxing<&Case::relaxation_input, &Input::viscosity>},
+         of_series<&Input::viscosity>},
         {list_of(
              modulus_key("substrate.relaxation.moduli", R"(["0.5 MPa", "0.2 MPa"])",
                          "Prony series: shear moduli G_i beside the relaxed one",
                          {.reason = "a negative term would make G(t) grow with time, or negative",
                           .alternative = relaxation,
                           .needs = "substrate.relaxation.times"})),
-         if_relaxing<&Case::relaxation_input, &Input::moduli>},
+         of_series<&Input::moduli>},
         {list_of(
              number_key("substrate.relaxation.relative_moduli", {0, 1, false, false}, "[0.3, 0.2]",
                         "the same as g_i = G_i/G_0 of the unrelaxed modulus; their sum is below 1",
                         {.alternative = relaxation, .needs = "substrate.relaxation.times"})),
-         if_relaxing<&Case::relaxation_input, &Input::relative_moduli>},
+         of_series<&Input::relative_moduli>},
         {list_of(quantity_key("substrate.relaxation.times", Dimension::time, above_zero(1e12),
                               R"(["0.1 s", "10 s"])", "their relaxation times, one each",
                               {.reason = "time does not go backwards"})),
-         if_relaxing<&Case::relaxation_input, &Input::times>},
+         of_series<&Input::times>},
         {text_key("substrate.relaxation.dma", R"("dma.csv")",
                   "table of frequency, G', G'' to which a Prony series is fitted",
                   {.alternative = relaxation}),
-         if_relaxing<&Case::relaxation_input, &Input::dma>},
+         of_series<&Input::dma>},
         {text_key("substrate.relaxation.test", R"("relaxation.csv")",
                   "table of a relaxation test, time and E or G, to which a Prony series is fitted",
                   {.alternative = relaxation}),
-         if_relaxing<&Case::relaxation_input, &Input::test>},
+         of_series<&Input::test>},
         {choice_key("substrate.relaxation.modulus",
                     {choice("relaxed", Input::Modulus::relaxed),
                      choice("unrelaxed", Input::Modulus::unrelaxed)},
                     R"("unrelaxed")",
                     "what substrate.young is: the modulus of rest, or that at once",
                     {.default_value = R"("relaxed")"}),
-         if_relaxing<&Case::relaxation_input, &Input::modulus>},
+         of_series<&Input::modulus>},
         {choice_key("substrate.relaxation.bulk",
                     {choice("proportional", Bulk::proportional), choice("elastic", Bulk::elastic)},
                     R"("proportional")",

@@ -2,8 +2,10 @@
 
 #include <cmath>
 
+#include "contact/cells.h"
 #include "contact/load_path.h"
 #include "contact/substrates/normal_tangential.h"
+#include "mdr/settings.h"
 
 namespace tricontact::io {
 
@@ -107,9 +109,10 @@ double steps_per_period(const Case::Rolling& rolling, double amplitude) {
 }
 
 double check_steps(const Case& c, const HalfSpaceScales& s, const Document& document) {
+    const auto& cells = c.of<contact::Cells>();
     if (c.tractive_rolling)  // loading, then one per cell
-        return 2 + c.tractive_rolling->distance * (c.bem.spacing ? s.contact_radius / *c.bem.spacing
-                                                                 : *c.bem.cells_per_radius);
+        return 2 + c.tractive_rolling->distance *
+                       (cells.spacing ? s.contact_radius / *cells.spacing : *cells.per_radius);
     if (c.prescribed_path) return c.load.press_steps + c.prescribed_path->n_steps();
     if (!c.rolling) return 2;
     const double amplitude = contact::path_amplitude(c, s.contact_radius);
@@ -132,25 +135,25 @@ double check_steps(const Case& c, const HalfSpaceScales& s, const Document& docu
 
 void check_bem(const Case& c, const HalfSpaceScales& s, double steps, const Document& document) {
     const std::string key = used(document, "bem.cells_per_radius", "bem.spacing");
-    const double h = c.bem.spacing ? *c.bem.spacing : s.contact_radius / *c.bem.cells_per_radius;
-    const double h_y = c.is_cylindrical() ? h : h * c.bem.cell_ratio.value_or(1);
+    const auto& cells = c.of<contact::Cells>();
+    const double h = cells.side(s.contact_radius);
+    const double h_y = c.is_cylindrical() ? h : h * cells.ratio.value_or(1);
     const double radius = std::min(s.half_widths[0], s.half_widths[1]);
-    if (c.bem.cell_ratio && std::min(s.half_widths[0] / h, s.half_widths[1] / h_y) < fewest_cells)
+    if (cells.ratio && std::min(s.half_widths[0] / h, s.half_widths[1] / h_y) < fewest_cells)
         refuse(document, "bem.cell_ratio",
                "fewer than " + rounded(fewest_cells) + " cells of " + rounded(h) + " m x " +
                    rounded(h_y) + " m in the half axes of the contact: too coarse",
                "use smaller cells, or omit it");
-    if (!c.bem.cell_ratio && radius < fewest_cells * h)
+    if (!cells.ratio && radius < fewest_cells * h)
         refuse(document, key,
                "fewer than " + rounded(fewest_cells) + " cells in the contact radius of " +
                    rounded(radius) + " m: too coarse",
                "use a spacing of at most " + rounded(radius / 10) + " m");
     const contact::Vector2 reach = contact::path_reach(c, s.contact_radius);
-    const bool whole_period = c.bem.period && contact::is_nominally_flat(c);
+    const bool whole_period = c.period && contact::is_nominally_flat(c);
     const double crest = 1 + c.load.normal_amplitude_ratio;
     const double grown = c.load.normal_force ? std::cbrt(crest) : std::sqrt(crest);
-    const double n_x =
-        whole_period ? *c.bem.period / h : 2 * (grown * s.half_widths[0] + reach[0]) / h;
+    const double n_x = whole_period ? *c.period / h : 2 * (grown * s.half_widths[0] + reach[0]) / h;
     const double n_y = whole_period          ? n_x
                        : c.is_line_contact() ? 1
                        : c.is_cylindrical()  ? c.indenter.length / h
@@ -169,16 +172,17 @@ void check_bem(const Case& c, const HalfSpaceScales& s, double steps, const Docu
 
 void check_mdr(const Case& c, const HalfSpaceScales& s, double steps, const Document& document) {
     const double a = s.contact_radius;
-    const double in_contact = c.mdr.springs * a / (a + contact::norm(contact::path_reach(c, a)));
+    const int springs = c.of<mdr::Settings>().springs;
+    const double in_contact = springs * a / (a + contact::norm(contact::path_reach(c, a)));
     if (in_contact < fewest_springs)
         refuse(document, "mdr.springs",
                "fewer than " + rounded(fewest_springs) + " springs in the contact: too coarse",
                "use more springs or a smaller rolling amplitude");
-    if (c.mdr.springs * steps > most_point_steps)
-        refuse(document, "mdr.springs",
-               std::to_string(c.mdr.springs) + " springs times " + rounded(steps) +
-                   " steps would take days",
-               "use fewer springs, fewer periods or larger steps");
+    if (springs * steps > most_point_steps)
+        refuse(
+            document, "mdr.springs",
+            std::to_string(springs) + " springs times " + rounded(steps) + " steps would take days",
+            "use fewer springs, fewer periods or larger steps");
 }
 
 }  // namespace

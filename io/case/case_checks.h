@@ -4,8 +4,8 @@
 #include <string>
 #include <string_view>
 
-#include "contact/bodies/half_space_scales.h"
 #include "contact/case.h"
+#include "contact/half_space_scales.h"
 #include "contact/models/model_kind.h"
 #include "io/keys/key_checks.h"
 

@@ -3,19 +3,25 @@
 #include <algorithm>
 #include <iterator>
 
+#include "bem/settings.h"
+#include "contact/cells.h"
 #include "contact/models/model_kind.h"
+#include "fem/settings.h"
 #include "io/case/rig_keys.h"
 #include "io/keys/toml_document.h"
+#include "io/results/output.h"
+#include "mdr/settings.h"
 
 namespace tricontact::io {
 
 namespace {
 
 using contact::Case;
-using Fem = Case::Fem;
-using Output = Case::Output;
-using Vtk = Case::VtkOutput;
-using Volume = Case::VolumeOutput;
+using contact::Cells;
+using Boundary = bem::Settings;
+using Elements = fem::Settings;
+using Vtk = Output::Vtk;
+using Volume = Output::Volume;
 
 std::vector<Choice> model_choices() {
     std::vector<Choice> choices;
@@ -36,64 +42,66 @@ std::vector<CaseKey> model_keys() {
     return {
         {number_key("bem.cells_per_radius", {2, 4096}, "22.5", "cells in Hertz' contact radius",
                     {.default_value = "22.5", .alternative = cell_size}),
-         at<&Case::bem, &Case::Bem::cells_per_radius>},
+         kept<&Cells::per_radius>},
         {length_key("bem.spacing", R"("0.2 mm")", "edge length of a cell",
                     {.alternative = cell_size}),
-         at<&Case::bem, &Case::Bem::spacing>},
+         kept<&Cells::spacing>},
         {number_key("bem.cell_ratio", {0.01, 100}, "2.5",
                     "side of a cell along y over that along x; 1 without it"),
-         at<&Case::bem, &Case::Bem::cell_ratio>},
+         kept<&Cells::ratio>},
         {number_key("bem.cell_shift_x", {-0.5, 0.5}, "0.5",
                     "centre of a cell, from the body's lowest point, over its side along x; 0 "
                     "without it"),
-         at<&Case::bem, &Case::Bem::cell_shift_x>},
+         kept<&Cells::shift_x>},
         {number_key("bem.cell_shift_y", {-0.5, 0.5}, "0.5", "the same along y"),
-         at<&Case::bem, &Case::Bem::cell_shift_y>},
+         kept<&Cells::shift_y>},
         {number_key("bem.tolerance", {1e-14, 1e-2, false, true}, "1e-7",
                     "relative tolerance of the solvers", {.default_value = "1e-07"}),
-         at<&Case::bem, &Case::Bem::tolerance>},
+         kept<&Boundary::tolerance>},
         {text_key("bem.influence", R"("influence.txt")",
                   "file of influence coefficients to be used instead of those of the "
                   "program's own bodies"),
-         at<&Case::bem, &Case::Bem::influence>},
+         kept<&Boundary::influence>},
         {length_key("bem.period", R"("80 mm")",
                     "period of indenters and tractions in x and y, for bem-layer, and for "
                     "bem under nominally flat bodies; without it there is one indenter"),
-         at<&Case::bem, &Case::Bem::period>},
+         at<&Case::period>},
         {integer_key("mdr.springs", {10, 1e7}, "10000",
                      "springs of the whole bed, contact and rolling path",
                      {.default_value = "10000"}),
-         at<&Case::mdr, &Case::Mdr::springs>},
+         kept<&mdr::Settings::springs>},
         {number_key("fem.accuracy", {1e-5, 0.2, false, true}, "0.01",
                     "relative accuracy of the normal contact; the size is chosen for it",
                     {.default_value = "0.01", .alternative = element_size}),
-         at<&Case::fem, &Fem::accuracy>},
+         kept<&Elements::accuracy>},
         {length_key("fem.size", R"("0.5 mm")", "edge of an element in the contact patch",
                     {.alternative = element_size}),
-         at<&Case::fem, &Fem::size>},
+         kept<&Elements::size>},
         {text_key("fem.mesh", R"("layer.msh")",
                   "gmsh file to be used instead of a mesh of the program's own",
                   {.alternative = element_size}),
-         at<&Case::fem, &Fem::mesh>},
+         kept<&Elements::mesh>},
         {length_key("fem.mesh_unit", R"("1 mm")", "length of 1 in that file",
                     {.default_value = R"("1 m")", .needs = "fem.mesh"}),
-         [](Case& c) { return c.fem.mesh ? Field(&c.fem.mesh_unit) : Field(); }},
+         [](Case& c) {
+             return c.of<fem::Settings>().mesh ? Field(&c.of<fem::Settings>().mesh_unit) : Field();
+         }},
         {number_key("fem.growth", {1.05, 3}, "1.8",
                     "ratio of neighbouring elements outwards from the contact patch",
                     {.default_value = "1.8"}),
-         at<&Case::fem, &Fem::growth>},
+         kept<&Elements::growth>},
         {choice_key(
-             "fem.sides", {choice("free", Case::Sides::free), choice("fixed", Case::Sides::fixed)},
+             "fem.sides", {choice("free", fem::Sides::free), choice("fixed", fem::Sides::fixed)},
              R"("free")", "how the sides of the block are held", {.default_value = R"("free")"}),
-         at<&Case::fem, &Fem::sides>},
+         kept<&Elements::sides>},
         {number_key("fem.tolerance", {1e-14, 1e-2, false, true}, "1e-6",
                     "relative tolerance of the contact solvers", {.default_value = "1e-06"}),
-         at<&Case::fem, &Fem::tolerance>},
+         kept<&Elements::tolerance>},
         {text_key("fem.cache", R"("condensed")",
                   "folder that keeps condensed layers for later runs; `\"\"`: that of "
                   "the user, `\"none\"`: nothing is kept",
                   {.default_value = "\"\""}),
-         at<&Case::fem, &Fem::cache>},
+         kept<&Elements::cache>},
         {choice_key("output.vtk",
                     {choice("none", Vtk::none), choice("quarters", Vtk::quarters),
                      choice("frames", Vtk::frames), choice("all", Vtk::all)},
@@ -101,14 +109,15 @@ std::vector<CaseKey> model_keys() {
                     "surfaces written for ParaView: none; the loaded contact and each quarter "
                     "period; pressing, loading and frames_per_period; all steps",
                     {.default_value = R"("frames")"}),
-         at<&Case::output, &Output::vtk>},
+         kept<&Output::vtk>},
         {integer_key("output.frames_per_period", {4, 10000}, "40",
                      "at most, of the steps that are computed: by turning points four; of a "
                      "prescribed path: from row to row; of rolling on: in each half length a of "
                      "the way",
                      {.default_value = "40"}),
          [](Case& c) {
-             return c.output.vtk == Vtk::frames ? Field(&c.output.frames_per_period) : Field();
+             return c.of<Output>().vtk == Vtk::frames ? Field(&c.of<Output>().frames_per_period)
+                                                      : Field();
          }},
         {choice_key("output.volume",
                     {choice("none", Volume::none), choice("last", Volume::last),
@@ -117,11 +126,11 @@ std::vector<CaseKey> model_keys() {
                     "interior written for ParaView where a model computes it: none, the last "
                     "state, each quarter period",
                     {.default_value = R"("none")"}),
-         at<&Case::output, &Output::volume>},
+         kept<&Output::volume>},
         {length_key("output.volume_depth", R"("10 mm")",
                     "how deep the volumes of bem and bem-layer reach, at most through the "
                     "layers; without it 3 contact radii (Hertz)"),
-         at<&Case::output, &Output::volume_depth>}};
+         kept<&Boundary::volume_depth>}};
 }
 
 }  // namespace

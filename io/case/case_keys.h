@@ -48,4 +48,13 @@ Field if_relaxing(contact::Case& c) {
     return c.relaxation ? in(c, members...) : Field();
 }
 
+/// The place of a key of what is kept with the case under the type that has the first member.
+template <auto first, auto... members>
+Field kept(contact::Case& c) {
+    const auto place = [&]<class Kept, class Value>(Value Kept::*) {
+        return in(c.of<Kept>(), first, members...);
+    };
+    return place(first);
+}
+
 }  // namespace tricontact::io

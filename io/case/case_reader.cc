@@ -4,7 +4,10 @@
 
 #include <filesystem>
 
+#include "bem/settings.h"
+#include "fem/settings.h"
 #include "io/case/case_checks.h"
+#include "io/case/case_input.h"
 #include "io/case/case_keys.h"
 #include "io/case/rig_file.h"
 #include "io/case/rig_keys.h"
@@ -21,10 +24,10 @@ void make_optional_parts(Case& c, const Document& document) {
     if (document.find("indenter.young")) c.indenter.material = contact::Material{};
     if (document.find_section("indenter.roughness")) c.indenter.roughness = contact::Roughness{};
     if (document.find_section("substrate.relaxation")) c.relaxation = contact::Relaxation{};
-    if (document.find_section("lower_layer")) c.lower_layers_input = Case::LowerLayersInput{};
+    if (document.find_section("lower_layer")) c.of<LayersInput>().lower.emplace();
     if (document.find_section("ground")) c.layer.ground = contact::Material{};
     if (document.find_section("tractive_rolling")) c.tractive_rolling = Case::TractiveRolling{};
-    if (document.find_section("path")) c.path_input = Case::PathInput{};
+    if (document.find_section("path")) c.of<PathInput>();
     if (!document.find_section("rolling")) return;
     c.rolling = Case::Rolling{};
     if (document.find("rolling.speed")) c.rolling->speed = 1;
@@ -48,15 +51,18 @@ void make_paths_absolute(Case& c, const Document& document) {
     const auto make_absolute = [&](std::optional<std::string>& path, const char* key) {
         if (path) path = absolute_path(*path, *document.find(key), document);
     };
-    make_absolute(c.fem.mesh, "fem.mesh");
-    make_absolute(c.bem.influence, "bem.influence");
-    if (!c.fem.cache.empty() && c.fem.cache != "none")
-        c.fem.cache = absolute_path(c.fem.cache, *document.find("fem.cache"), document);
+    auto& mesh = c.of<fem::Settings>().mesh;
+    auto& influence = c.of<bem::Settings>().influence;
+    make_absolute(mesh, "fem.mesh");
+    make_absolute(influence, "bem.influence");
+    std::string& cache = c.of<fem::Settings>().cache;
+    if (!cache.empty() && cache != "none")
+        cache = absolute_path(cache, *document.find("fem.cache"), document);
     make_absolute(c.indenter.file, "indenter.file");
-    if (c.path_input) make_absolute(c.path_input->file, "path.file");
-    make_absolute(c.relaxation_input.dma, "substrate.relaxation.dma");
-    make_absolute(c.relaxation_input.test, "substrate.relaxation.test");
-    for (const auto* file : {&c.fem.mesh, &c.bem.influence})  // the models read them
+    if (c.kept.find<PathInput>()) make_absolute(c.of<PathInput>().file, "path.file");
+    make_absolute(c.of<RelaxationInput>().dma, "substrate.relaxation.dma");
+    make_absolute(c.of<RelaxationInput>().test, "substrate.relaxation.test");
+    for (const auto* file : {&mesh, &influence})  // the models read them
         if (*file) note_input_file(**file);
 }
 
@@ -76,6 +82,7 @@ Case resolve(const Document& document) {
     resolve_relaxation(c, document);
     resolve_indenter_file(c, document);
     resolve_thickness(c, document);
+    c.kept.reset<LayersInput>();
     check_case(c, document);
     return c;
 }

@@ -2,7 +2,8 @@
 #include <cmath>
 
 #include "contact/load_path.h"
-#include "contact/substrates/relaxing_case.h"
+#include "contact/relaxing_case.h"
+#include "fem/settings.h"
 #include "io/case/case_checks.h"
 
 namespace tricontact::io {
@@ -96,21 +97,22 @@ double n_graded(double length, double h, double growth) {
 double n_along(const Case& c, double h) {
     if (c.is_line_contact()) return 1;
     return std::ceil(4 * c.indenter.chamfer / h) +
-           n_graded(c.indenter.length / 2, h / 4, c.fem.growth);
+           n_graded(c.indenter.length / 2, h / 4, c.of<fem::Settings>().growth);
 }
 
 // Of the block that the patch, its elements and their growth ask for; not narrower than 6 b.
 double n_elements(const Case& c, const Patch& patch, double h) {
     const double b = c.layer.total_thickness();
+    const double growth = c.of<fem::Settings>().growth;
     const auto across = [&](double half, const std::optional<double>& side) {
         const double outside = (side ? *side / 2 : std::max(6 * b, half)) - half;
-        return 2 * (std::ceil(half / h) + n_graded(outside, h, c.fem.growth));
+        return 2 * (std::ceil(half / h) + n_graded(outside, h, growth));
     };
     // In depth neighbours grow by less.
     const double n_y = c.is_line_contact()  ? 1
-                       : c.is_cylindrical() ? n_along(c, h) + n_graded(6 * b, h / 4, c.fem.growth)
+                       : c.is_cylindrical() ? n_along(c, h) + n_graded(6 * b, h / 4, growth)
                                             : across(patch.y, c.layer.depth);
-    return across(patch.x, c.layer.width) * n_y * n_graded(b, h, std::pow(c.fem.growth, 0.8));
+    return across(patch.x, c.layer.width) * n_y * n_graded(b, h, std::pow(growth, 0.8));
 }
 
 // Three per node, two nodes per element and direction. Load and rolling along one line: one half
@@ -125,7 +127,7 @@ double n_unknowns(const Case& c, const Patch& patch, double h) {
 
 void check_size(const Case& c, const Patch& patch, double largest_radius, double steps,
                 const Document& document) {
-    const double h = *c.fem.size;
+    const double h = *c.of<fem::Settings>().size;
     if (largest_radius < fewest_elements * h)
         refuse(document, "fem.size",
                "fewer than " + rounded(fewest_elements) +
@@ -213,9 +215,10 @@ void check_fem(const Case& c, double steps, const Document& document) {
     const Patch patch = patch_of(c, a.low);
     check_extent(c, patch, a, document);
     check_indentation(c, document);
-    if (c.fem.mesh) check_file_there(document, "fem.mesh", *c.fem.mesh, "name a gmsh file");
+    const auto& elements = c.of<fem::Settings>();
+    if (elements.mesh) check_file_there(document, "fem.mesh", *elements.mesh, "name a gmsh file");
     const double pressing = c.load.press == Case::Press::friction ? c.load.press_steps : 1;
-    if (c.fem.size) check_size(c, patch, a.high, steps + pressing, document);
+    if (elements.size) check_size(c, patch, a.high, steps + pressing, document);
 }
 
 }  // namespace tricontact::io

@@ -1,5 +1,6 @@
 #include <numbers>
 
+#include "io/case/case_input.h"
 #include "io/case/case_keys.h"
 
 namespace tricontact::io {
@@ -14,7 +15,7 @@ using Reference = Case::AmplitudeReference;
 using Steps = Case::Steps;
 using Until = Case::Until;
 using Tractive = Case::TractiveRolling;
-using Path = Case::PathInput;
+using Path = PathInput;
 using Centre = contact::CentreOfRotation;
 
 constexpr double full_turn = 2 * std::numbers::pi;
@@ -29,12 +30,17 @@ Field in_steps(Case& c) {
 /// Loads of a case without [path], whose rows prescribe them.
 template <auto... members>
 Field unless_prescribed(Case& c) {
-    return c.path_input ? Field() : in(c, members...);
+    return c.kept.find<Path>() ? Field() : in(c, members...);
+}
+
+template <auto... members>
+Field of_path(Case& c) {
+    return c.kept.find<Path>() ? in(c.of<Path>(), members...) : Field();
 }
 
 template <std::size_t axis>
 Field centre_coordinate(Case& c) {
-    return c.path_input ? Field(&c.path_input->centre.place[axis]) : Field();
+    return c.kept.find<Path>() ? Field(&c.of<Path>().centre.place[axis]) : Field();
 }
 
 }  // namespace
@@ -196,15 +202,15 @@ std::vector<CaseKey> path_keys() {
              "path.file", R"("path.csv")",
              "table of loads and motions, row by row, instead of those of [load] and [rolling]",
              {.alternative = path_rows}),
-         at<&Case::path_input, &Path::file>},
+         of_path<&Path::file>},
         {text_key("path.table", R"("normal_force [N], shift_x [um]\n20, 0\n20, 5")",
                   "the same table in the case file itself", {.alternative = path_rows}),
-         at<&Case::path_input, &Path::table>},
+         of_path<&Path::table>},
         {integer_key("path.steps", {0, 100000}, "10",
                      "equal steps from one row to the next, where the table has no column `steps`; "
                      "0: one step whose loads and motions act at once, as in CONTACT",
                      {.default_value = "10"}),
-         at<&Case::path_input, &Path::steps>},
+         of_path<&Path::steps>},
         {choice_key("path.centre_of_rotation",
                     {choice("indenter", Centre::Frame::indenter),
                      choice("substrate", Centre::Frame::substrate)},
@@ -213,7 +219,7 @@ std::vector<CaseKey> path_keys() {
                     "indenter, centre_x and centre_y from its lowest point, or one at rest in the "
                     "substrate's coordinates, in which the offsets are",
                     {.default_value = R"("indenter")"}),
-         at<&Case::path_input, &Path::centre, &Centre::frame>},
+         of_path<&Path::centre, &Centre::frame>},
         {quantity_key("path.centre_x", Dimension::length, {-1e6, 1e6}, R"("0.4 mm")",
                       "place of the centre of rotation along x", {.default_value = R"("0 m")"}),
          centre_coordinate<0>},

@@ -4,6 +4,7 @@
 
 #include "contact/load_path.h"
 #include "io/case/case_checks.h"
+#include "io/case/case_input.h"
 #include "io/tables/path_table.h"
 
 namespace tricontact::io {
@@ -81,7 +82,7 @@ void check_motions(const Case& c, const Document& document) {
             refuse(document, key, "a cylinder or roller rolls across its axis, along x, only",
                    "omit offset_y, or take a body of revolution");
     }
-    if (c.bem.period && path.twists())
+    if (c.period && path.twists())
         refuse(document, key,
                "a periodic contact cannot be twisted: its images would turn about other points",
                "omit rotation, or bem.period");
@@ -118,8 +119,8 @@ std::string path_key(const Document& document) {
 }
 
 void resolve_path(Case& c, const Document& document) {
-    if (!c.path_input) return;
-    const Case::PathInput& input = *c.path_input;
+    if (!c.kept.find<PathInput>()) return;
+    const PathInput& input = c.of<PathInput>();
     told_at(document, path_key(document), [&] {
         c.prescribed_path = input.file ? read_path_file(*input.file, input.steps)
                                        : read_path_text(*input.table, "table", input.steps);

@@ -3,9 +3,11 @@
 #include <numeric>
 #include <utility>
 
-#include "contact/substrates/relaxing_case.h"
+#include "contact/relaxing_case.h"
 #include "io/case/case_checks.h"
+#include "io/case/case_input.h"
 #include "io/case/case_keys.h"
+#include "io/results/output.h"
 #include "io/tables/body_tables.h"
 
 namespace tricontact::io {
@@ -14,7 +16,7 @@ namespace {
 
 using contact::Case;
 using contact::Relaxation;
-using Input = Case::RelaxationInput;
+using Input = RelaxationInput;
 
 const std::string prefix = "substrate.relaxation.";
 
@@ -31,7 +33,7 @@ double sum_of(const std::vector<double>& values) {
 }
 
 bool is_unrelaxed(const Case& c) {
-    return c.relaxation_input.modulus == Input::Modulus::unrelaxed;
+    return c.of<Input>().modulus == Input::Modulus::unrelaxed;
 }
 
 Series of_moduli(const Case& c, Series series, const Document& document) {
@@ -48,7 +50,7 @@ Series of_moduli(const Case& c, Series series, const Document& document) {
 }
 
 Series of_relative(const Case& c, const Document& document) {
-    const Input& input = c.relaxation_input;
+    const Input& input = c.of<Input>();
     Series series{prefix + "relative_moduli", input.relative_moduli, input.times};
     const double sum = sum_of(input.relative_moduli), given = c.substrate.shear_modulus();
     if (!(sum < 1))
@@ -74,30 +76,31 @@ Series of_fit(const Case& c, Series series, const Relaxation& fit) {
 }
 
 Series of_dma(Case& c, const Document& document) {
-    const std::string& table = *c.relaxation_input.dma;
+    const std::string& table = *c.of<Input>().dma;
     const Series series{prefix + "dma", {}, {}};
     check_file_there(document, series.key, table, "name a table");
-    told_at(document, series.key, [&] { c.dma_fit = contact::fit_prony(read_dma_table(table)); });
-    return of_fit(c, series, c.dma_fit->relaxation);
+    auto& fit = c.of<RelaxationFits>().dma;
+    told_at(document, series.key, [&] { fit = contact::fit_prony(read_dma_table(table)); });
+    return of_fit(c, series, fit->relaxation);
 }
 
 Series of_test(Case& c, const Document& document) {
-    const std::string& table = *c.relaxation_input.test;
+    const std::string& table = *c.of<Input>().test;
     const Series series{prefix + "test", {}, {}};
     check_file_there(document, series.key, table, "name a table");
-    told_at(document, series.key,
-            [&] { c.test_fit = contact::fit_prony(read_relaxation_test(table)); });
-    if (c.test_fit->table.is_young && c.relaxation->bulk == Relaxation::Bulk::elastic &&
+    auto& fit = c.of<RelaxationFits>().test;
+    told_at(document, series.key, [&] { fit = contact::fit_prony(read_relaxation_test(table)); });
+    if (fit->table.is_young && c.relaxation->bulk == Relaxation::Bulk::elastic &&
         c.substrate.poisson < .5)
         refuse(document, prefix + "bulk",
-               "E(t) of " + c.test_fit->table.name +
+               "E(t) of " + fit->table.name +
                    " relaxes otherwise than G(t) where the bulk modulus does not relax",
                "give a table of G(t), or bulk = \"proportional\"");
-    return of_fit(c, series, c.test_fit->relaxation);
+    return of_fit(c, series, fit->relaxation);
 }
 
 Series series_of(Case& c, const Document& document) {
-    const Input& input = c.relaxation_input;
+    const Input& input = c.of<Input>();
     if (!input.times.empty() && (input.maxwell_modulus || input.dma || input.test))
         refuse(document, prefix + "times",
                "has no effect without moduli or relative_moduli, which are missing",
@@ -139,14 +142,14 @@ void check_lists(const Series& series, const Document& document) {
 void check_branches(const Case& c, const std::string& key, const Document& document) {
     const Range& times = find_key("substrate.relaxation.times")->range;
     const Range& moduli = find_key("substrate.relaxation.moduli")->range;
-    for (std::size_t i = 0; i < c.relaxation_input.moduli.size(); ++i) {
+    for (std::size_t i = 0; i < c.of<Input>().moduli.size(); ++i) {
         const auto [ratio, time] = c.relaxation->branches[i];
         if (!times.contains(time))
             refuse(document, key, "the relaxation time " + rounded(time) + " s is out of range",
                    "check the units of moduli, viscosity and times");
-        if (!moduli.contains(c.relaxation_input.moduli[i]) || !(ratio > 0) || !std::isfinite(ratio))
+        if (!moduli.contains(c.of<Input>().moduli[i]) || !(ratio > 0) || !std::isfinite(ratio))
             refuse(document, key,
-                   "the modulus " + rounded(c.relaxation_input.moduli[i]) +
+                   "the modulus " + rounded(c.of<Input>().moduli[i]) +
                        " Pa is out of range or out of proportion to the relaxed shear modulus " +
                        rounded(c.substrate.shear_modulus()) + " Pa",
                    "check the units of the moduli and of substrate.young");
@@ -154,8 +157,7 @@ void check_branches(const Case& c, const std::string& key, const Document& docum
 }
 
 Relaxation::Branch branch(const Case& c, std::size_t i) {
-    return {c.relaxation_input.moduli[i] / c.substrate.shear_modulus(),
-            c.relaxation_input.times[i]};
+    return {c.of<Input>().moduli[i] / c.substrate.shear_modulus(), c.of<Input>().times[i]};
 }
 
 void refuse_for_mdr(const std::string& model, contact::Unrelaxed stays, bool ground,
@@ -197,18 +199,18 @@ void resolve_relaxation(Case& c, const Document& document) {
     Series series = series_of(c, document);
     check_lists(series, document);
     if (is_unrelaxed(c)) take_relaxed(c, series.relaxed_share);
-    c.relaxation_input = {.moduli = std::move(series.moduli), .times = std::move(series.times)};
-    for (std::size_t i = 0; i < c.relaxation_input.moduli.size(); ++i)
+    c.of<Input>() = {.moduli = std::move(series.moduli), .times = std::move(series.times)};
+    for (std::size_t i = 0; i < c.of<Input>().moduli.size(); ++i)
         c.relaxation->branches.push_back(branch(c, i));
     check_branches(c, series.key, document);
 }
 
 void state_relaxation(Case& c) {
-    if (!c.relaxation || says(c.relaxation_input, c)) return;
-    c.relaxation_input = {};
+    if (!c.relaxation || says(c.of<Input>(), c)) return;
+    c.of<Input>() = {};
     for (const auto& [ratio, time] : c.relaxation->branches) {
-        c.relaxation_input.moduli.push_back(ratio * c.substrate.shear_modulus());
-        c.relaxation_input.times.push_back(time);
+        c.of<Input>().moduli.push_back(ratio * c.substrate.shear_modulus());
+        c.of<Input>().times.push_back(time);
     }
 }
 
@@ -224,7 +226,7 @@ void check_relaxation(const Case& c, const Document& document) {
             contact::what_stays(kind.is_half_space() ? contact::without_layer(c) : c);
         if (stays == contact::Unrelaxed::nothing) continue;
         if (kind.is_on_line()) refuse_for_mdr(model, stays, c.layer.ground.has_value(), document);
-        if (c.output.volume != Case::VolumeOutput::none)
+        if (c.of<Output>().volume != Output::Volume::none)
             refuse(document, "output.volume",
                    "fields inside are not known where a part of the stiffness relaxes",
                    "leave output.volume out");

@@ -5,8 +5,10 @@
 #include <numbers>
 #include <utility>
 
+#include "contact/cells.h"
 #include "contact/load_path.h"
 #include "io/case/case_checks.h"
+#include "mdr/settings.h"
 
 namespace tricontact::io {
 
@@ -65,15 +67,17 @@ void check_tells_sliding(const Case& c, const std::string& key, double ratio,
 double coarsest_cell(const Case& c, const HalfSpaceScales& s) {
     double coarsest = 0;
     const double path = contact::rolling_amplitude(*c.rolling, s.contact_radius) / s.contact_radius;
+    const auto& cells = c.of<contact::Cells>();
     for (const std::string& model : c.models) {
         const ModelKind& kind = contact::model_kind(model);
         if (kind.is_on_line())
-            coarsest = std::max(coarsest, kind.is_independent() ? 2 * (1 + path) / c.mdr.springs
-                                                                : 1 / layer_elements);
+            coarsest = std::max(coarsest, kind.is_independent()
+                                              ? 2 * (1 + path) / c.of<mdr::Settings>().springs
+                                              : 1 / layer_elements);
         if (kind.is_on_cells())
-            coarsest = std::max(coarsest, std::max(1., c.bem.cell_ratio.value_or(1)) *
-                                              (c.bem.spacing ? *c.bem.spacing / s.contact_radius
-                                                             : 1 / *c.bem.cells_per_radius));
+            coarsest = std::max(coarsest, std::max(1., cells.ratio.value_or(1)) *
+                                              (cells.spacing ? *cells.spacing / s.contact_radius
+                                                             : 1 / *cells.per_radius));
     }
     return coarsest;
 }

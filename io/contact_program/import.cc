@@ -7,8 +7,8 @@
 #include <cmath>
 #include <filesystem>
 
-#include "contact/bodies/half_space_scales.h"
-#include "contact/error.h"
+#include "contact/base/error.h"
+#include "contact/half_space_scales.h"
 #include "io/case/case_reader.h"
 #include "io/contact_program/case_parts.h"
 #include "io/contact_program/sequence.h"

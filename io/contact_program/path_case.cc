@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "contact/bodies/half_space_scales.h"
+#include "contact/half_space_scales.h"
 #include "io/case/case_reader.h"
 #include "io/contact_program/sequence_case.h"
 #include "io/keys/messages.h"

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "contact/vector2.h"
+#include "contact/base/vector2.h"
 #include "io/contact_program/case_digits.h"
 
 namespace tricontact::io {

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "bem/settings.h"
 #include "contact/solvers/contact_region.h"
 #include "io/keys/messages.h"
 
@@ -94,7 +95,8 @@ struct SequenceWriter {
         append_digits(step, before == nullptr, moved, starts_rolling);
         if (!before)
             text_ += fmt::format(" {} {} {}   MAXGS, MAXIN, MAXNR, MAXOUT, EPS\n", inner_iterations,
-                                 is_coupled_ ? turns_if_coupled : 1, case_.bem.tolerance);
+                                 is_coupled_ ? turns_if_coupled : 1,
+                                 case_.of<bem::Settings>().tolerance);
         append_loads(step);
         if (!before) {
             text_ += fmt::format(" {0} {0}   FSTAT, FKIN\n", case_.friction_coefficient);

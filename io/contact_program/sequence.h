@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "contact/case.h"
+#include "contact/compliances/compliance.h"
 #include "contact/load_path.h"
-#include "contact/solvers/compliance.h"
 
 namespace tricontact::io {
 

@@ -2,7 +2,9 @@
 #include <cmath>
 #include <utility>
 
-#include "contact/bodies/half_space_scales.h"
+#include "contact/cells.h"
+#include "contact/half_space_scales.h"
+#include "io/case/case_input.h"
 #include "io/contact_program/sequence.h"
 #include "io/keys/messages.h"
 
@@ -29,7 +31,7 @@ void check_bodies(const Case& c, bool is_coupled) {
     if (c.relaxation)
         fail("substrate.relaxation", "", "CONTACT takes relaxing bodies in steady rolling alone",
              "such a case cannot be written for it");
-    if (c.bem.period) fail("bem.period", "", "CONTACT has no periodic contacts", "omit it");
+    if (c.period) fail("bem.period", "", "CONTACT has no periodic contacts", "omit it");
     if (is_coupled && !c.contact.coupling)
         fail("contact.coupling", "", "CONTACT always couples such bodies", "omit it");
     const auto out_of_range = [](const contact::Material& m) { return m.poisson < 0; };
@@ -41,7 +43,7 @@ void check_bodies(const Case& c, bool is_coupled) {
 using Kind = TangentialControl::Kind;
 
 std::string path_key(const Case& c) {
-    return c.path_input && c.path_input->file ? "path.file" : "path.table";
+    return c.of<PathInput>().file ? "path.file" : "path.table";
 }
 
 /// Forces are over mu F_N there, and of x and y the force of x comes first.
@@ -176,9 +178,7 @@ std::vector<SequenceStep> sequence_of(const Case& c, bool is_coupled) {
     check_loads(c);
     StepWriter steps(c);
     if (c.tractive_rolling) {
-        steps.roll_on(c.bem.spacing
-                          ? *c.bem.spacing
-                          : half_space_scales(c).contact_radius / *c.bem.cells_per_radius);
+        steps.roll_on(contact::cell_side(c));
         return steps.steps;
     }
     const double radius = c.rolling ? half_space_scales(c).contact_radius : 0;

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "contact/error.h"
+#include "contact/base/error.h"
 #include "io/keys/field_reader.h"
 #include "io/keys/messages.h"
 

@@ -9,8 +9,8 @@
 #include <charconv>
 #include <vector>
 
-#include "contact/error.h"
-#include "contact/plain_text.h"
+#include "contact/base/error.h"
+#include "contact/base/plain_text.h"
 
 namespace tricontact::io {
 

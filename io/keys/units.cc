@@ -9,7 +9,7 @@
 #include <memory>
 #include <mutex>
 
-#include "contact/error.h"
+#include "contact/base/error.h"
 #include "io/keys/messages.h"
 #include "io/keys/number_text.h"
 

@@ -4,7 +4,7 @@
 #include <system_error>
 #include <utility>
 
-#include "contact/state_bytes.h"
+#include "contact/base/state_bytes.h"
 
 namespace tricontact::io {
 

@@ -44,6 +44,7 @@ class JournalledModel final : public contact::Model {
 
     std::string name() const override { return model_->name(); }
     bool is_coupled() const override { return model_->is_coupled(); }
+    double step_accuracy() const override { return model_->step_accuracy(); }
     contact::Scales scales() const override { return model_->scales(); }
     contact::Surface surface() const override { return model_->surface(); }
     std::vector<contact::ContactState> contact_states() const override {

@@ -5,7 +5,7 @@
 #include <system_error>
 #include <utility>
 
-#include "contact/error.h"
+#include "contact/base/error.h"
 #include "io/keys/messages.h"
 #include "io/results/atomic_file.h"
 #include "io/results/journal_file.h"

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "contact/solvers/interior.h"
+#include "contact/compliances/interior.h"
 #include "contact/surface.h"
 
 namespace tricontact::io {

@@ -11,7 +11,7 @@
 #include <memory>
 #include <stdexcept>
 
-#include "contact/error.h"
+#include "contact/base/error.h"
 #include "files/regular_file.h"
 #include "io/keys/input_file.h"
 #include "io/keys/messages.h"

@@ -15,14 +15,15 @@ complain() {
 rooms=(app bem comparisons contact experiments fem files io mdr meshes papers python report rolling runs statistics studies
     theory verification walking atlas)
 
-# may_include FOLDER OTHERS...: files of a folder and its subfolders include their own and these.
+# may_include FOLDER OTHERS...: files of a folder and its subfolders include their own and these, and these $headers.
+headers=none
 may_include() {
     local folder=$1 allowed include
     allowed=$(IFS='|' && echo "$*")
     [ -d "$folder" ] || complain "no folder $folder"
     while read -r include; do
         complain "$include: not for $folder"
-    done < <(grep -rHnE --include='*.h' --include='*.cc' '^ *#include "' "$folder" | grep -vE "#include \"($allowed)/")
+    done < <(grep -rHnE --include='*.h' --include='*.cc' '^ *#include "' "$folder" | grep -vE "#include \"(($allowed)/|$headers\")")
 }
 # Core.
 may_include files
@@ -34,9 +35,10 @@ may_include meshes contact files
 may_include mdr contact theory
 may_include bem contact theory files
 may_include fem contact meshes files
-# Services.
-may_include io contact statistics files
+# Services; above the models their settings are known, and nothing else of them.
 may_include report contact statistics
+headers='(bem|mdr|fem)/settings.h'
+may_include io contact statistics files
 may_include comparisons contact theory statistics io report
 # Features, which do not know each other.
 may_include atlas contact theory statistics io report comparisons files
@@ -47,6 +49,15 @@ may_include experiments contact theory statistics io report comparisons files
 for room in papers runs studies verification; do may_include "$room" "${rooms[@]}"; done
 may_include app "${rooms[@]}"
 may_include python "${rooms[@]}"
+
+# Of two folders one stands below the other; nor do several include each other in a circle.
+arrows=$(find "${rooms[@]}" \( -name '*.h' -o -name '*.cc' \) -exec grep -oE '^ *#include "[^"]+/' {} + |
+    sed -E 's|/[^/:]*: *#include "| |; s|/$||' | sort -u | awk '$1 != $2')
+while read -r one other; do
+    complain "$one and $other include each other"
+done < <(awk '($2 " " $1) in seen { print $2, $1 } { seen[$0] }' <<<"$arrows")
+circle=$(tsort <<<"$arrows" 2>&1 >/dev/null | sed 's/^tsort: //' | paste -sd' ') || true
+[ -z "$circle" ] || complain "folders include each other in a circle: $circle"
 
 # Who looks for a unit reads thirty names at the most.
 while read -r n folder; do

@@ -4,7 +4,7 @@
 #include <cstdio>
 
 #include "contact/load_path.h"
-#include "fem/model.h"
+#include "fem/case/model.h"
 #include "io/case/case_reader.h"
 #include "theory/layer/elastic_layer.h"
 

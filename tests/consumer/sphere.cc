@@ -5,7 +5,7 @@
 #include <cstdio>
 
 #include "bem/model.h"
-#include "contact/error.h"
+#include "contact/base/error.h"
 #include "contact/run.h"
 #include "io/case/case_reader.h"
 #include "theory/cattaneo_mindlin.h"

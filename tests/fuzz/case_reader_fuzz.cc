@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "contact/error.h"
+#include "contact/base/error.h"
 #include "io/case/case_reader.h"
 #include "io/keys/input_file.h"
 #include "walking/input/walk_reader.h"

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "contact/error.h"
+#include "contact/base/error.h"
 #include "io/case/case_reader.h"
 #include "io/contact_program/import.h"
 #include "io/contact_program/written_case.h"

@@ -14,7 +14,7 @@
 #include <fstream>
 #include <map>
 
-#include "contact/error.h"
+#include "contact/base/error.h"
 #include "experiments/records/experiment_evaluation.h"
 #include "tests/random/record_damages.h"
 #include "tests/random/seeded_main.h"

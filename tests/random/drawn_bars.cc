@@ -6,7 +6,12 @@
 #include <array>
 #include <cmath>
 
+#include "contact/cells.h"
+#include "fem/settings.h"
+#include "io/case/case_input.h"
 #include "io/case/case_reader.h"
+#include "io/results/output.h"
+#include "mdr/settings.h"
 #include "tests/random/random_rig.h"
 
 namespace tricontact::random_cases {
@@ -40,9 +45,9 @@ class Drawing {
         c_.contact.coupling = !springs && chance(.7);
         c_.load.press_steps = whole(2, 6);
         c_.load.tangential_force = {};
-        c_.mdr.springs = 4 * whole(20, 100);
-        c_.bem.cells_per_radius = between(random_, {3.5, 5.5});
-        c_.output.vtk = Case::VtkOutput::none;
+        c_.of<mdr::Settings>().springs = 4 * whole(20, 100);
+        c_.of<contact::Cells>().per_radius = between(random_, {3.5, 5.5});
+        c_.of<io::Output>().vtk = io::Output::Vtk::none;
         if (model_ == "fem") mesh_coarsely();
         radius_ = contact::half_space_scales(c_).contact_radius;
         const double kind = between(random_, {0, 1});
@@ -94,16 +99,16 @@ class Drawing {
 
     /// Some on a frictionless base, some with elements of the model's own choice.
     void mesh_coarsely() {
-        c_.fem.cache = "none";
+        c_.of<fem::Settings>().cache = "none";
         if (chance(.3)) {
             c_.layer.base = Case::Base::frictionless;
-            c_.fem.sides = Case::Sides::fixed;
+            c_.of<fem::Settings>().sides = fem::Sides::fixed;
             body_ += " on a gliding layer";
         }
         if (chance(.1)) return;
         const auto half = contact::half_space_scales(c_).half_widths;
-        c_.fem.size = (c_.is_cylindrical() ? half[0] : std::min(half[0], half[1])) /
-                      between(random_, {3.5, 5.5});
+        c_.of<fem::Settings>().size = (c_.is_cylindrical() ? half[0] : std::min(half[0], half[1])) /
+                                      between(random_, {3.5, 5.5});
     }
 
     void load(double kind) {
@@ -131,8 +136,9 @@ class Drawing {
     /// A standard solid, rolled over at a speed that it feels.
     void relax(double amplitude) {
         const double time = between(random_, {.1, 1});
-        c_.relaxation_input.moduli = {c_.substrate.shear_modulus() * between(random_, {.2, 2})};
-        c_.relaxation_input.times = {time};
+        c_.of<io::RelaxationInput>().moduli = {c_.substrate.shear_modulus() *
+                                               between(random_, {.2, 2})};
+        c_.of<io::RelaxationInput>().times = {time};
         c_.rolling->speed = amplitude / time * between(random_, {.1, 10});
         body_ += " on rubber";
         closed_form_ = false;
@@ -170,7 +176,7 @@ class Drawing {
                            contact::half_space_scales(c_).indentation;
         }
         c_.prescribed_path = path;
-        c_.path_input = Case::PathInput{.table = table_of(path)};
+        c_.of<io::PathInput>() = {.table = table_of(path)};
         c_.load.normal_force.reset();
     }
 

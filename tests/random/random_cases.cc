@@ -15,7 +15,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "contact/error.h"
+#include "contact/base/error.h"
 #include "contact/run.h"
 #include "io/case/case_reader.h"
 #include "tests/random/case_generator.h"

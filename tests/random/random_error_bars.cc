@@ -11,7 +11,7 @@
 #include <random>
 
 #include "comparisons/quantities/quantities.h"
-#include "contact/error.h"
+#include "contact/base/error.h"
 #include "io/case/case_reader.h"
 #include "runs/case_run.h"
 #include "tests/random/bar_tally.h"

@@ -11,7 +11,9 @@
 #include <stdexcept>
 
 #include "comparisons/quantities/quantities.h"
-#include "contact/error.h"
+#include "contact/base/error.h"
+#include "contact/cells.h"
+#include "fem/settings.h"
 #include "runs/case_run.h"
 #include "tests/random/bar_tally.h"
 #include "tests/random/drawn_bars.h"
@@ -61,7 +63,7 @@ void compare(int i, const DrawnRun& drawn, Tallies& tallies) {
     }
     Case other = drawn.c;
     other.models = {"bem-layer"};
-    other.bem.cells_per_radius = cells_per_radius;
+    other.of<contact::Cells>().per_radius = cells_per_radius;
     const auto beside = with_error(other, "bem-layer");
     if (!beside) return;
     const BarTally::Place overlap{i, "fem beside bem-layer", drawn.body, drawn.loading};
@@ -98,7 +100,7 @@ int check(std::uint64_t seed, int n) {
         DrawnRun drawn;
         try {
             drawn = random_cases::drawn_fem_run(seed + static_cast<std::uint64_t>(i));
-            drawn.c.fem.cache = kept.folder();
+            drawn.c.of<fem::Settings>().cache = kept.folder();
             compare(i, drawn, tallies);
         } catch (const contact::InputError& e) {
             fmt::print("{} {}: refused: {}\n", i, drawn.text(), e.what());

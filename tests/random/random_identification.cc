@@ -16,7 +16,7 @@
 #include <random>
 
 #include "app/identification_models.h"
-#include "contact/error.h"
+#include "contact/base/error.h"
 #include "experiments/identification/identification_report.h"
 #include "tests/random/random_rig.h"
 #include "tests/random/seeded_main.h"

@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-#include "contact/error.h"
+#include "contact/base/error.h"
 #include "meshes/gmsh_session.h"
 #include "meshes/layer_mesh.h"
 #include "meshes/mesh_file.h"

@@ -7,7 +7,7 @@
 #include "mdr/layer_model.h"
 #include "mdr/model.h"
 #ifdef TRICONTACT_WITH_FEM
-#include "fem/model.h"
+#include "fem/case/model.h"
 #endif
 
 namespace tricontact::random_cases {

@@ -21,7 +21,7 @@
 #include <vector>
 
 #include "app/record_predictions.h"
-#include "contact/error.h"
+#include "contact/base/error.h"
 #include "contact/load_path.h"
 #include "experiments/records/experiment_evaluation.h"
 #include "io/case/case_reader.h"

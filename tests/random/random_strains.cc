@@ -15,9 +15,10 @@
 #include <random>
 #include <string>
 
-#include "contact/error.h"
+#include "contact/base/error.h"
 #include "contact/load_path.h"
-#include "fem/mesh_choice.h"
+#include "fem/case/mesh_choice.h"
+#include "fem/settings.h"
 #include "io/case/case_reader.h"
 
 namespace tricontact::random_strains {
@@ -49,10 +50,10 @@ Case drawn_case(std::uint64_t seed, std::uint64_t index) {
     c.load.normal_force = scale(2, 168);
     c.load.tangential_ratio = uniform(0, .99);
     c.load.press_steps = 2;
-    c.fem.cache = "none";
+    c.of<fem::Settings>().cache = "none";
     fem::LayerCondenser condenser(c, {});
     const double radius = fem::probe_radius(c, contact::press_step(c).normal, condenser);
-    c.fem.size = radius / uniform(5.5, 7.5);
+    c.of<fem::Settings>().size = radius / uniform(5.5, 7.5);
     c.rolling.emplace();
     c.rolling->amplitude = radius * uniform(.1, .6);
     c.rolling->steps_per_quarter = 2;
@@ -121,8 +122,8 @@ void print(std::uint64_t index, const Case& c, const Outcome& outcome) {
         "most {:3} {:5.1f} s {} {}\n",
         index, c.law == Case::Law::neo_hookean ? "neo" : "mooney", 1e3 * c.indenter.radius,
         1e3 * *c.layer.thickness, *c.load.normal_force, c.substrate.poisson, c.friction_coefficient,
-        *c.load.tangential_ratio, *c.rolling->amplitude / *c.fem.size, most, outcome.seconds,
-        outcome.kind, outcome.why);
+        *c.load.tangential_ratio, *c.rolling->amplitude / *c.of<fem::Settings>().size, most,
+        outcome.seconds, outcome.kind, outcome.why);
     std::fflush(stdout);
 }
 

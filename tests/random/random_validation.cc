@@ -16,7 +16,7 @@
 
 #include "atlas/prediction.h"
 #include "comparisons/quantities/quantities.h"
-#include "contact/error.h"
+#include "contact/base/error.h"
 #include "experiments/validation/comparison_error.h"
 #include "experiments/validation/run_scatter.h"
 #include "experiments/validation/series_error.h"

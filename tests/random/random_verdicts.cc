@@ -15,10 +15,12 @@
 #include <string>
 #include <vector>
 
-#include "contact/error.h"
+#include "contact/base/error.h"
 #include "contact/run.h"
 #include "contact/verdict.h"
+#include "fem/settings.h"
 #include "io/case/case_reader.h"
+#include "mdr/settings.h"
 #include "tests/random/case_generator.h"
 #include "tests/random/random_models.h"
 
@@ -51,9 +53,9 @@ Case case_of(const std::string& text, [[maybe_unused]] std::uint64_t index) {
 #ifdef TRICONTACT_WITH_FEM
     if (c.layer.thickness && index % 16 == 15) {
         c.models = {"fem"};
-        c.fem.size = half_space_scales(c).contact_radius / 2;
-        c.fem.accuracy.reset();
-        c.fem.cache = "none";
+        c.of<fem::Settings>().size = half_space_scales(c).contact_radius / 2;
+        c.of<fem::Settings>().accuracy.reset();
+        c.of<fem::Settings>().cache = "none";
         c = io::parse_case(io::write_case(c), "case.toml");
     }
 #endif
@@ -63,7 +65,8 @@ Case case_of(const std::string& text, [[maybe_unused]] std::uint64_t index) {
 class Trial {
   public:
     Trial(Case c, int n) : case_(std::move(c)) {
-        case_.mdr.springs = std::min(case_.mdr.springs, most_springs);
+        case_.of<mdr::Settings>().springs =
+            std::min(case_.of<mdr::Settings>().springs, most_springs);
         case_.rolling->run_all = true;
         for (const int periods : {n, 2 * n, 4 * n}) {
             case_.rolling->periods = periods;
@@ -113,7 +116,7 @@ class Trial {
     }
 
     contact::Judged known() const {
-        return judged(case_, runs_.back().model, false, runs_.back().amplitude, 0);
+        return judged(case_, make_model(case_)->step_accuracy(), false, runs_.back().amplitude, 0);
     }
 
     static double last_increment(const History& h) {

@@ -3,8 +3,9 @@
 #include <string_view>
 #include <vector>
 
-#include "contact/bodies/half_space_scales.h"
 #include "contact/case.h"
+#include "contact/cells.h"
+#include "contact/half_space_scales.h"
 
 namespace tricontact::verification {
 
@@ -59,7 +60,7 @@ inline contact::Case body_case(contact::Case::Shape shape, double exponent) {
     c.contact.coupling = false;
     c.load.normal_force = 21.1;
     c.load.tangential_ratio = .3;
-    c.bem.cells_per_radius = 22.5;
+    c.of<contact::Cells>().per_radius = 22.5;
     return c;
 }
 

@@ -9,6 +9,7 @@
 
 #include "bem/model.h"
 #include "contact/case.h"
+#include "contact/cells.h"
 #include "contact/run.h"
 #include "mdr/layer_model.h"
 #include "tests/verification/bodies_cases.h"
@@ -26,7 +27,7 @@ using contact::History;
 Case layer_case(const verification::Body& body) {
     Case c = verification::body_case(body.shape, body.exponent);
     c.layer.thickness = 4e-3;
-    c.bem.cells_per_radius = 16;
+    c.of<contact::Cells>().per_radius = 16;
     c.load.tangential_ratio = .4;
     return c;
 }
@@ -114,8 +115,8 @@ INSTANTIATE_TEST_SUITE_P(Models, LayerBodies, testing::ValuesIn(of_revolution())
 // A paraboloid as an ellipsoid of equal radii, and as a map of heights: the paraboloid.
 TEST(LayerBodies, ThatAreParaboloidsInDisguise) {
     Case round = layer_case({"", Case::Shape::paraboloid, 0});
-    round.bem.cells_per_radius.reset();
-    round.bem.spacing = .3e-3;
+    round.of<contact::Cells>().per_radius.reset();
+    round.of<contact::Cells>().spacing = .3e-3;
     const History due = by_bem(round);
     Case ellipsoid = round;
     ellipsoid.indenter.shape = Case::Shape::ellipsoid;

@@ -6,7 +6,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "contact/error.h"
+#include "contact/base/error.h"
+#include "contact/cells.h"
 #include "contact/own_limit.h"
 #include "mdr/layer_model.h"
 #include "tests/verification/bem/rig.h"
@@ -71,7 +72,7 @@ TEST(LimitFraction, OfMdrAtADepthAndOverItsOwnRadius) {
 TEST(LimitFraction, OfUncoupledBemIsThatOfItsOwnPressures) {
     for (const double angle : {0., 90.}) {
         Case c = bem::rig_case(.4, 0, 20);
-        c.bem.spacing = 4e-4;
+        c.of<contact::Cells>().spacing = 4e-4;
         c.rolling->angle = angle * std::numbers::pi / 180;
         const History found = bem::run_bem(at_fraction(c, .7));
         EXPECT_NEAR(ratio(found), .7 * found.limit_tangential_ratio, 1e-6);
@@ -88,7 +89,7 @@ Case layer_case(double w) {
     Case c = bem::rig_case(w, 0, 12);
     c.indenter.material.reset();
     c.layer.thickness = 8e-3;
-    c.bem.spacing = 4e-4;
+    c.of<contact::Cells>().spacing = 4e-4;
     return c;
 }
 

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "contact/cells.h"
 #include "tests/verification/bem/rig.h"
 #include "tests/verification/mdr/roller.h"
 #include "theory/rolling/oscillating_rolling.h"
@@ -79,7 +80,7 @@ INSTANTIATE_TEST_SUITE_P(Directions, BemLimitSearch,
 
 TEST(LimitSearch, BemInTheAmplitude) {
     contact::Case c = bem::rig_case(.3, .3013255, 10);
-    c.bem.spacing = 4e-4;  // a bed of its own for each amplitude
+    c.of<contact::Cells>().spacing = 4e-4;  // a bed of its own for each amplitude
     LimitQuestion question;
     question.variable = LimitVariable::amplitude;
     question.tolerance = 4e-3;

@@ -9,9 +9,9 @@
 #include <utility>
 #include <vector>
 
-#include "contact/error.h"
-#include "contact/root.h"
-#include "contact/special_values.h"
+#include "contact/base/error.h"
+#include "contact/base/root.h"
+#include "contact/base/special_values.h"
 #include "theory/arguments.h"
 #include "theory/contact_search.h"
 #include "theory/layer/layer_equation.h"

@@ -5,7 +5,7 @@
 #include <limits>
 #include <numbers>
 
-#include "contact/root.h"
+#include "contact/base/root.h"
 
 namespace tricontact::theory {
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "theory/layer/elastic_layer.h"
-#include "theory/line_contact.h"
+#include "theory/layer/line_contact.h"
 
 namespace tricontact::theory {
 

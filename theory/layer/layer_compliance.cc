@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "contact/error.h"
-#include "contact/special_values.h"
+#include "contact/base/error.h"
+#include "contact/base/special_values.h"
 
 namespace tricontact::theory {
 

@@ -7,7 +7,7 @@
 #include <array>
 #include <cmath>
 
-#include "contact/error.h"
+#include "contact/base/error.h"
 
 namespace tricontact::theory {
 

@@ -8,9 +8,9 @@
 #include <stdexcept>
 #include <vector>
 
+#include "contact/base/root.h"
+#include "contact/base/special_values.h"
 #include "contact/bodies/shapes_of_revolution.h"
-#include "contact/root.h"
-#include "contact/special_values.h"
 #include "theory/arguments.h"
 #include "theory/cattaneo_mindlin.h"
 #include "theory/rolling/oscillating_rolling.h"

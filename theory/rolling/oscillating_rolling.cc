@@ -5,7 +5,7 @@
 #include <limits>
 #include <stdexcept>
 
-#include "contact/root.h"
+#include "contact/base/root.h"
 #include "theory/arguments.h"
 #include "theory/cattaneo_mindlin.h"
 

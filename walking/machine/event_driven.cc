@@ -13,8 +13,8 @@
 #include <stdexcept>
 #include <utility>
 
-#include "contact/error.h"
-#include "contact/special_values.h"
+#include "contact/base/error.h"
+#include "contact/base/special_values.h"
 #include "walking/machine/linear_stability.h"
 
 namespace tricontact::walking {

@@ -6,7 +6,6 @@
 #include "walking/machine/energy.h"
 #include "walking/machine/machine.h"
 #include "walking/machine/motion.h"
-#include "walking/run/walk.h"
 
 namespace tricontact::walking {
 

@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "contact/special_values.h"
+#include "contact/base/special_values.h"
 
 namespace tricontact::walking {
 

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "contact/special_values.h"
+#include "contact/base/special_values.h"
 #include "walking/machine/motion.h"
 #include "walking/machine/velocity_verlet.h"
 

@@ -4,10 +4,10 @@
 #include <cmath>
 #include <tuple>
 
-#include "contact/special_values.h"
+#include "contact/base/special_values.h"
 #include "walking/machine/motion.h"
 #include "walking/report/walk_document.h"
-#include "walking/report/walk_readings.h"
+#include "walking/run/walk_readings.h"
 
 namespace tricontact::walking {
 

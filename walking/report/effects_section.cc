@@ -4,7 +4,7 @@
 #include <cmath>
 #include <ranges>
 
-#include "contact/error.h"
+#include "contact/base/error.h"
 #include "report/format.h"
 #include "walking/report/walk_sweep_document.h"
 #include "walking/study/walk_factorial.h"

@@ -10,7 +10,7 @@
 #include <stdexcept>
 #include <tuple>
 
-#include "contact/special_values.h"
+#include "contact/base/special_values.h"
 #include "report/base64.h"
 #include "report/chart_json.h"
 #include "report/figure.h"

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "contact/special_values.h"
+#include "contact/base/special_values.h"
 #include "report/format.h"
 #include "walking/report/walk_document.h"
-#include "walking/report/walk_readings.h"
 #include "walking/run/walk_judge.h"
+#include "walking/run/walk_readings.h"
 
 namespace tricontact::walking {
 

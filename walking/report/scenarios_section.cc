@@ -6,9 +6,9 @@
 #include <utility>
 
 #include "report/format.h"
-#include "walking/report/walk_readings.h"
 #include "walking/report/walk_sweep_document.h"
 #include "walking/run/walk_judge.h"
+#include "walking/run/walk_readings.h"
 
 namespace tricontact::walking {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "contact/special_values.h"
+#include "contact/base/special_values.h"
 #include "report/format.h"
 #include "statistics/regression.h"
 #include "walking/report/walk_sweep_document.h"

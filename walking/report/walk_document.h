@@ -9,8 +9,8 @@
 #include "report/document.h"
 #include "walking/machine/energy.h"
 #include "walking/machine/walk_case.h"
-#include "walking/report/walk_readings.h"
 #include "walking/run/walk.h"
+#include "walking/run/walk_readings.h"
 
 // The report of a run, its sections and files.
 

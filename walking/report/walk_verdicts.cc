@@ -8,8 +8,8 @@
 #include "report/format.h"
 #include "walking/machine/motion.h"
 #include "walking/report/walk_document.h"
-#include "walking/report/walk_readings.h"
 #include "walking/run/walk_judge.h"
+#include "walking/run/walk_readings.h"
 
 namespace tricontact::walking {
 

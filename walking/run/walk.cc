@@ -6,8 +6,8 @@
 #include <limits>
 #include <stdexcept>
 
-#include "contact/interruption.h"
-#include "contact/special_values.h"
+#include "contact/base/interruption.h"
+#include "contact/base/special_values.h"
 #include "walking/machine/velocity_verlet.h"
 #include "walking/run/limit_cycle.h"
 #include "walking/run/lyapunov.h"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "contact/special_values.h"
+#include "contact/base/special_values.h"
 #include "statistics/initial_sequence.h"
 #include "statistics/stationarity.h"
 #include "walking/run/limit_cycle.h"

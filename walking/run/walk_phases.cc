@@ -2,7 +2,7 @@
 #include <cmath>
 #include <utility>
 
-#include "contact/special_values.h"
+#include "contact/base/special_values.h"
 #include "walking/run/walk.h"
 
 namespace tricontact::walking {

@@ -2,7 +2,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "contact/special_values.h"
+#include "contact/base/special_values.h"
 #include "statistics/stationarity.h"
 #include "walking/machine/motion.h"
 #include "walking/run/walk_judge.h"

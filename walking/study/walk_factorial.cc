@@ -7,7 +7,7 @@
 #include <cmath>
 #include <ranges>
 
-#include "contact/special_values.h"
+#include "contact/base/special_values.h"
 #include "report/format.h"
 #include "statistics/regression.h"
 

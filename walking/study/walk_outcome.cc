@@ -7,13 +7,13 @@
 #include <stdexcept>
 #include <type_traits>
 
-#include "contact/special_values.h"
+#include "contact/base/special_values.h"
 #include "report/json_number.h"
 #include "walking/machine/energy.h"
 #include "walking/machine/machine.h"
 #include "walking/machine/motion.h"
-#include "walking/report/walk_readings.h"
 #include "walking/run/walk_judge.h"
+#include "walking/run/walk_readings.h"
 
 namespace tricontact::walking {
 

@@ -6,7 +6,7 @@
 #include <map>
 #include <set>
 
-#include "contact/special_values.h"
+#include "contact/base/special_values.h"
 #include "report/csv.h"
 #include "report/format.h"
 #include "statistics/estimate.h"

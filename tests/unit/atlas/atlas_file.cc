@@ -6,7 +6,7 @@
 #include <string>
 
 #include "atlas/shipped.h"
-#include "contact/error.h"
+#include "contact/base/error.h"
 
 namespace tricontact::atlas::atlas_file_test {
 namespace {

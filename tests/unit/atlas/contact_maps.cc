@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "atlas/shipped.h"
+#include "contact/base/error.h"
 #include "contact/bodies/indenter.h"
-#include "contact/error.h"
 #include "theory/cattaneo_mindlin.h"
 #include "theory/layer/elastic_layer.h"
 #include "theory/rolling/oscillating_rolling.h"

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "atlas/prediction.h"
-#include "contact/error.h"
+#include "contact/base/error.h"
 
 namespace tricontact::atlas::predictable_test {
 namespace {

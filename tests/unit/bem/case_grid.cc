@@ -10,7 +10,8 @@
 #include <vector>
 
 #include "bem/model.h"
-#include "contact/bodies/half_space_scales.h"
+#include "contact/cells.h"
+#include "contact/half_space_scales.h"
 #include "contact/run.h"
 #include "io/case/case_reader.h"
 
@@ -54,11 +55,12 @@ TEST(CaseGrid, TurnsWithTheCase) {
                                    "bem.cell_shift_x=0.5", "bem.cell_shift_y=0.2"});
     Case turned = c;
     std::swap(turned.indenter.radius, turned.indenter.radius_y);
-    turned.bem.spacing = *c.bem.spacing * *c.bem.cell_ratio;
-    turned.bem.cell_ratio = 1 / *c.bem.cell_ratio;
+    turned.of<contact::Cells>().spacing =
+        *c.of<contact::Cells>().spacing * *c.of<contact::Cells>().ratio;
+    turned.of<contact::Cells>().ratio = 1 / *c.of<contact::Cells>().ratio;
     // (x, y) becomes (-y, x).
-    turned.bem.cell_shift_x = -*c.bem.cell_shift_y;
-    turned.bem.cell_shift_y = c.bem.cell_shift_x;
+    turned.of<contact::Cells>().shift_x = -*c.of<contact::Cells>().shift_y;
+    turned.of<contact::Cells>().shift_y = c.of<contact::Cells>().shift_x;
     for (auto& row : turned.prescribed_path->rows) {
         std::swap(row.tangential[0], row.tangential[1]);
         row.tangential[0].value = -row.tangential[0].value;
@@ -81,8 +83,8 @@ TEST(CaseGrid, GivesHertzDepth) {
         for (const double ratio : {1., .5, 1.7}) {
             Case other = c;
             other.contact.coupling = false;
-            other.bem.cell_ratio = ratio;
-            other.bem.cell_shift_x = other.bem.cell_shift_y = shift;
+            other.of<contact::Cells>().ratio = ratio;
+            other.of<contact::Cells>().shift_x = other.of<contact::Cells>().shift_y = shift;
             EXPECT_NEAR(last_step(other).indentation / depth, 1, .01) << shift << ' ' << ratio;
         }
 }

@@ -1,7 +1,7 @@
 // One rule for the point that an indenter twists about: for bodies, height maps, paths and files of
 // the program CONTACT (docs/how-to/path.md). Symmetry, closed forms, and CONTACT's own numbers.
 
-#include "contact/centre_of_rotation.h"
+#include "contact/solvers/centre_of_rotation.h"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,8 @@
 #include <vector>
 
 #include "bem/model.h"
-#include "contact/bodies/half_space_scales.h"
+#include "contact/cells.h"
+#include "contact/half_space_scales.h"
 #include "contact/run.h"
 #include "theory/torsion.h"
 
@@ -37,7 +38,7 @@ Case pressed_steel() {
     c.friction_coefficient = .3;
     c.load.indentation = depth;
     c.load.tangential_force = 0;
-    c.bem.spacing = cell;
+    c.of<contact::Cells>().spacing = cell;
     c.prescribed_path.emplace();
     for (const double d : {0., depth, depth}) {
         PrescribedPath::Row row;

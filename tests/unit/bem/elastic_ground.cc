@@ -10,6 +10,7 @@
 
 #include "bem/influence.h"
 #include "bem/model.h"
+#include "contact/cells.h"
 #include "contact/load_path.h"
 #include "mdr/layer_model.h"
 #include "theory/layer/layer_stack.h"
@@ -121,7 +122,7 @@ Case pressed_case() {
     c.friction_coefficient = .57;
     c.load.normal_force = 21.1;
     c.load.tangential_ratio = .5;
-    c.bem.cells_per_radius = 16;
+    c.of<contact::Cells>().per_radius = 16;
     return c;
 }
 

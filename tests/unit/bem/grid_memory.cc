@@ -9,9 +9,9 @@
 
 #include "bem/grid_limits.h"
 #include "bem/model.h"
-#include "contact/error.h"
+#include "contact/base/error.h"
+#include "contact/base/memory.h"
 #include "contact/load_path.h"
-#include "contact/memory.h"
 #include "contact/run.h"
 #include "io/case/case_reader.h"
 #include "tests/unit/io/sphere_case.h"

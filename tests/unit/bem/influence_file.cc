@@ -8,7 +8,9 @@
 
 #include "bem/grid_compliance.h"
 #include "bem/model.h"
-#include "contact/error.h"
+#include "bem/settings.h"
+#include "contact/base/error.h"
+#include "contact/cells.h"
 #include "contact/run.h"
 
 namespace tricontact::influence_file_test {
@@ -28,7 +30,7 @@ Case layer_case(double nu = .4) {
     c.load.normal_force = 21.1;
     c.load.tangential_ratio = .5;
     c.load.press_steps = 2;
-    c.bem.cells_per_radius = 6;
+    c.of<contact::Cells>().per_radius = 6;
     return c;
 }
 
@@ -84,7 +86,7 @@ TEST_F(InfluenceFile, GivesTheSameRun) {
             Case c = layer_case(nu);
             const auto own = contact::run(c, *bem::make_model(c, 1, body));
             write(bem::influence_text(bem::case_influence(c, 1, body)));
-            c.bem.influence = path_;
+            c.of<bem::Settings>().influence = path_;
             const auto read = contact::run(c, *bem::make_model(c, 1, body));
             ASSERT_EQ(own.steps.size(), read.steps.size());
             for (std::size_t k = 0; k < own.steps.size(); ++k) {
@@ -98,7 +100,7 @@ TEST_F(InfluenceFile, GivesTheSameRun) {
 TEST_F(InfluenceFile, MustFitTheGrid) {
     Case c = layer_case();
     InfluenceTable table = bem::case_influence(c, 1, Body::layer);
-    c.bem.influence = path_;
+    c.of<bem::Settings>().influence = path_;
     const auto refused = [&](const InfluenceTable& other) -> std::string {
         write(bem::influence_text(other));
         try {
@@ -210,7 +212,7 @@ TEST_F(InfluenceFile, RefusesSignsThatNoReciprocalBodiesHave) {
 TEST_F(InfluenceFile, HoldsForOneStateOfTheMaterial) {
     Case c = layer_case();
     write(bem::influence_text(bem::case_influence(c, 1, Body::layer)));
-    c.bem.influence = path_;
+    c.of<bem::Settings>().influence = path_;
     c.relaxation = contact::Relaxation{{{.5, 1}}, contact::Relaxation::Bulk::proportional};
     EXPECT_NO_THROW(bem::make_model(c, 1, Body::layer));
     c.relaxation->bulk = contact::Relaxation::Bulk::elastic;

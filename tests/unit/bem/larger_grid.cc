@@ -7,7 +7,9 @@
 #include <vector>
 
 #include "bem/model.h"
-#include "contact/error.h"
+#include "bem/settings.h"
+#include "contact/base/error.h"
+#include "contact/cells.h"
 #include "contact/run.h"
 #include "contact/surface_model.h"
 
@@ -30,7 +32,7 @@ Case pushed_aside() {
     c.rolling->angle = std::numbers::pi / 2;
     c.rolling->periods = 1;
     c.rolling->steps = Case::Steps::turning_points;
-    c.bem.cells_per_radius = 9.05;
+    c.of<contact::Cells>().per_radius = 9.05;
     return c;
 }
 
@@ -39,7 +41,7 @@ contact::SurfaceModel on_wide_grid(const Case& c) {
             *bem::make_substrate(c, 1, bem::Body::half_space, 1),
             c.make_indenter(),
             c.friction_coefficient,
-            c.bem.tolerance,
+            c.of<bem::Settings>().tolerance,
             c.contact};
 }
 
@@ -68,7 +70,7 @@ void expect_as_on_a_wide_grid(const Case& c) {
     ASSERT_GT(wide.surface().size(), first_size);
     ASSERT_EQ(grown.steps.size(), expected.steps.size());
     const double d = expected.scales.indentation, f = expected.scales.normal_force;
-    const double tolerance = 20 * c.bem.tolerance;
+    const double tolerance = 20 * c.of<bem::Settings>().tolerance;
     ASSERT_LT(expected.steps.size(), 20U);
     for (std::size_t k = 0; k < expected.steps.size(); ++k) {
         const auto &is = grown.steps[k], &should = expected.steps[k];
@@ -91,8 +93,8 @@ TEST(BemLargerGrid, SiblingsHaveOneToo) {
 TEST(BemLargerGrid, WithoutOneTheContactEndsAtTheEdge) {
     const Case c = pushed_aside();
     contact::SurfaceModel model("bem", *bem::make_substrate(c, 1, bem::Body::half_space),
-                                c.make_indenter(), c.friction_coefficient, c.bem.tolerance,
-                                c.contact);
+                                c.make_indenter(), c.friction_coefficient,
+                                c.of<bem::Settings>().tolerance, c.contact);
     EXPECT_THROW(contact::run(c, model), contact::ContactAtEdge);
 }
 

@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "bem/influence.h"
-#include "contact/error.h"
+#include "contact/base/error.h"
 
 namespace tricontact::layer_influence_test {
 namespace {

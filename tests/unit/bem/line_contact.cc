@@ -1,4 +1,4 @@
-#include "theory/line_contact.h"
+#include "theory/layer/line_contact.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,8 @@
 
 #include "bem/influence.h"
 #include "bem/model.h"
-#include "contact/error.h"
+#include "contact/base/error.h"
+#include "contact/cells.h"
 #include "contact/load_path.h"
 #include "contact/solvers/contact_region.h"
 
@@ -29,7 +30,7 @@ Case rig(double cells_per_radius) {
     c.friction_coefficient = .79;
     c.load.normal_force = 32.3;
     c.load.tangential_ratio = .4;
-    c.bem.cells_per_radius = cells_per_radius;
+    c.of<contact::Cells>().per_radius = cells_per_radius;
     return c;
 }
 

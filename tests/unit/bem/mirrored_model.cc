@@ -6,8 +6,10 @@
 
 #include "bem/grid_compliance.h"
 #include "bem/model.h"
+#include "bem/settings.h"
+#include "contact/cells.h"
+#include "contact/compliances/active_operator.h"
 #include "contact/run.h"
-#include "contact/solvers/active_operator.h"
 #include "contact/surface_model.h"
 
 namespace tricontact::mirrored_model_test {
@@ -23,8 +25,8 @@ contact::Case rolling(bool coupled) {
     c.load.tangential_ratio = 0.56;
     c.rolling.emplace();
     c.rolling->amplitude_ratio = 0.24;
-    c.bem.spacing = 5e-4;
-    c.bem.tolerance = 1e-10;
+    c.of<contact::Cells>().spacing = 5e-4;
+    c.of<bem::Settings>().tolerance = 1e-10;
     c.rolling->steps = contact::Case::Steps::per_quarter;
     c.rolling->steps_per_quarter = 3;
     c.rolling->periods = 2;
@@ -44,7 +46,8 @@ TEST(MirroredModel, IsHalfOfTheWholeOne) {
         ASSERT_TRUE(bem::is_mirrored(c));
         const auto body = coupled ? bem::Body::layer : bem::Body::half_space;
         contact::SurfaceModel whole("bem", *bem::make_substrate(c, 1, body), c.make_indenter(),
-                                    c.friction_coefficient, c.bem.tolerance, c.contact);
+                                    c.friction_coefficient, c.of<bem::Settings>().tolerance,
+                                    c.contact);
         const auto half = bem::make_model(c, 1, body);
         const auto a = contact::run(c, whole), b = contact::run(c, *half);
         ASSERT_EQ(a.steps.size(), b.steps.size());

@@ -8,7 +8,8 @@
 #include <string>
 
 #include "bem/grid_compliance.h"
-#include "contact/error.h"
+#include "contact/base/error.h"
+#include "contact/cells.h"
 #include "contact/run.h"
 #include "contact/surface_model.h"
 
@@ -24,7 +25,7 @@ Case small_case() {
     c.friction_coefficient = .57;
     c.load.normal_force = 21.1;
     c.load.tangential_ratio = .5;
-    c.bem.cells_per_radius = 8;
+    c.of<contact::Cells>().per_radius = 8;
     c.rolling.emplace();
     c.rolling->amplitude_ratio = .4;
     c.rolling->periods = 1;
@@ -118,8 +119,8 @@ TEST(BemModel, GridFitsContactAndPath) {
 
 TEST(BemModel, SpacingAsGiven) {
     Case c = small_case();
-    c.bem.cells_per_radius.reset();
-    c.bem.spacing = 7e-4;
+    c.of<contact::Cells>().per_radius.reset();
+    c.of<contact::Cells>().spacing = 7e-4;
     EXPECT_EQ(pressed_surface(c).spacing, (contact::Vector2{7e-4, 7e-4}));
 }
 
@@ -154,7 +155,7 @@ TEST(BemModel, AmplitudeInTheModelsOwnRadius) {
 
 TEST(BemModel, RefusesGridsBeyondMemory) {
     Case c = small_case();
-    c.bem.cells_per_radius = 1e4 + .1;  // 14800.1 and 10801.1 cells either side
+    c.of<contact::Cells>().per_radius = 1e4 + .1;  // 14800.1 and 10801.1 cells either side
     try {
         bem::make_model(c, 1);
         FAIL() << "no error";

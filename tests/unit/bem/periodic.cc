@@ -14,7 +14,9 @@
 #include "bem/influence.h"
 #include "bem/model.h"
 #include "bem/periodic_compliance.h"
-#include "contact/error.h"
+#include "bem/settings.h"
+#include "contact/base/error.h"
+#include "contact/cells.h"
 #include "contact/load_path.h"
 #include "contact/solvers/contact_region.h"
 #include "contact/solvers/normal_solver.h"
@@ -231,7 +233,7 @@ Case pressed_case() {
     c.friction_coefficient = .57;
     c.load.normal_force = 21.1;
     c.load.tangential_ratio = .5;
-    c.bem.spacing = .5e-3;
+    c.of<contact::Cells>().spacing = .5e-3;
     return c;
 }
 
@@ -261,10 +263,10 @@ TEST(BemPeriodic, NeighboursFadeExponentially) {
     for (const double nu : {.3, .5}) {
         Case c = pressed_case();
         c.substrate.poisson = nu;
-        c.bem.tolerance = 1e-11;
+        c.of<bem::Settings>().tolerance = 1e-11;
         const auto alone = pressed(c);
         const auto with_neighbours = [&](double period) {
-            c.bem.period = period * b;
+            c.period = period * b;
             return pressed(c);
         };
         const auto one = with_neighbours(near), other = with_neighbours(far);
@@ -291,9 +293,9 @@ std::string message(const Case& c, Body body = Body::layer) {
 // Cells fill the period, but only those of the contact are in the grid.
 TEST(BemPeriodic, SpacingDividesThePeriod) {
     Case c = pressed_case();
-    c.bem.period = 40.5e-3;
-    c.bem.spacing.reset();
-    c.bem.cells_per_radius = 9;
+    c.period = 40.5e-3;
+    c.of<contact::Cells>().spacing.reset();
+    c.of<contact::Cells>().per_radius = 9;
     const auto model = bem::make_model(c, 1, Body::layer);
     model->advance(contact::press_step(c));
     const auto s = model->surface();
@@ -308,10 +310,10 @@ TEST(BemPeriodic, SpacingDividesThePeriod) {
 TEST(BemPeriodic, CellsOfTheContactStandForThePeriod) {
     for (const double period : {14e-3, 14.5e-3, 24e-3}) {
         Case c = pressed_case();
-        c.bem.period = period;
-        c.bem.tolerance = 1e-10;
+        c.period = period;
+        c.of<bem::Settings>().tolerance = 1e-10;
         const auto part = pressed(c);
-        const auto n = static_cast<int>(std::round(period / *c.bem.spacing));
+        const auto n = static_cast<int>(std::round(period / *c.of<contact::Cells>().spacing));
         const PeriodicCompliance whole({{{c.substrate, 8e-3}}, LayerBase::bonded, {}},
                                        period_grid(period, n), 1);
         const auto height = contact::heights_over(whole.points(), *c.make_indenter(), {0, 0});
@@ -327,7 +329,7 @@ TEST(BemPeriodic, CellsOfTheContactStandForThePeriod) {
 
 TEST(BemPeriodic, RefusesWhatHasNoMeanOrNoRoom) {
     Case c = pressed_case();
-    c.bem.period = 40e-3;
+    c.period = 40e-3;
     EXPECT_EQ(message(c), "no error");
     EXPECT_EQ(message(c, Body::half_space),
               "bem: under a periodic load the half-space gives way without bound, its compliance "
@@ -344,7 +346,7 @@ TEST(BemPeriodic, RefusesWhatHasNoMeanOrNoRoom) {
               "bem-layer: under a periodic load an elastic half-space gives way without bound, its "
               "compliance at k = 0 is infinite; take base = \"bonded\" or omit bem.period");
     other = c;
-    other.bem.period = 40.2e-3;
+    other.period = 40.2e-3;
     EXPECT_EQ(message(other),
               "bem: a period of 0.0402 m is no whole number of cells of 0.0005 m; take a spacing "
               "of 0.0005025 m");
@@ -352,7 +354,7 @@ TEST(BemPeriodic, RefusesWhatHasNoMeanOrNoRoom) {
     for (const double nu : {.3, .5}) {
         other = c;
         other.substrate.poisson = nu;
-        other.bem.period = 10e-3;
+        other.period = 10e-3;
         other.load.normal_force = 2000;
         EXPECT_EQ(message(other),
                   "bem-layer: contact and rolling path reach the edge of the period of 0.01 m, "

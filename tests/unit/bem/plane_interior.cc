@@ -8,7 +8,7 @@
 #include "bem/grid_compliance.h"
 #include "bem/interior_influence.h"
 #include "bem/plane_layer_influence.h"
-#include "contact/error.h"
+#include "contact/base/error.h"
 
 namespace tricontact::bem::plane_interior_test {
 namespace {

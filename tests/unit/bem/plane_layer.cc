@@ -5,7 +5,7 @@
 
 #include "bem/influence.h"
 #include "bem/plane_layer_influence.h"
-#include "contact/error.h"
+#include "contact/base/error.h"
 
 namespace tricontact::plane_layer_test {
 namespace {

@@ -9,7 +9,9 @@
 
 #include "bem/grid_compliance.h"
 #include "bem/model.h"
+#include "bem/settings.h"
 #include "bem/steady_model.h"
+#include "contact/cells.h"
 #include "contact/substrates/substrate.h"
 
 namespace tricontact::steady_compliance_test {
@@ -34,7 +36,7 @@ Case relaxing(double way) {
     c.load.normal_force = 4. / 3 * 3e6 / .91 * std::pow(half_length, 3) / radius;
     c.tractive_rolling.emplace();
     c.tractive_rolling->speed = way * half_length / relaxation_time;
-    c.bem.cells_per_radius = 3;
+    c.of<contact::Cells>().per_radius = 3;
     return c;
 }
 
@@ -116,7 +118,7 @@ double difference(const SurfaceField& one, const ContactPoints& on_one, const Su
 double difference_from_rolling_on(const Case& c, bem::Body body) {
     const auto rolled = bem::make_substrate(c, 1, body, 8);
     const ContactPoints on_rolled = rolled->relaxed().points();
-    const int n_cells = static_cast<int>(30 * *c.bem.cells_per_radius);
+    const int n_cells = static_cast<int>(30 * *c.of<contact::Cells>().per_radius);
     const SurfaceField u = settled(*rolled, c.tractive_rolling->speed, n_cells);
     const auto steady = bem::steady_compliance(c, 1, body);
     return difference(u, on_rolled, displaced(*steady, load_on(steady->points())),
@@ -155,7 +157,7 @@ TEST(SteadyCompliance, OfOneRelaxationIsWhereRollingOnEndsToTheSecondOrder) {
     for (const double cells : {3., 7., 12.}) {
         Case c = cylinder(.5);
         c.relaxation->bulk = contact::Relaxation::Bulk::proportional;
-        c.bem.cells_per_radius = cells;
+        c.of<contact::Cells>().per_radius = cells;
         error.push_back(difference_from_rolling_on(c, bem::Body::half_space));
     }
     EXPECT_LT(error[2], 5e-4);
@@ -204,10 +206,10 @@ TEST(SteadyCompliance, NoTractionsTakeEnergyOutOfTheMaterial) {
 
 TEST(SteadyCompliance, OfAFileOrAPeriodIsNotKnown) {
     Case c = relaxing(1);
-    c.bem.influence = "coefficients.dat";
+    c.of<bem::Settings>().influence = "coefficients.dat";
     EXPECT_EQ(bem::steady_compliance(c, 1, bem::Body::half_space), nullptr);
-    c.bem.influence.reset();
-    c.bem.period = 1;
+    c.of<bem::Settings>().influence.reset();
+    c.period = 1;
     EXPECT_EQ(bem::steady_compliance(c, 1, bem::Body::layer), nullptr);
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "bem/model.h"
+#include "contact/cells.h"
 #include "contact/run.h"
 
 namespace tricontact::bem_threads_test {
@@ -17,7 +18,7 @@ std::vector<double> shifts(int cells_per_radius) {
     c.friction_coefficient = .57;
     c.load.normal_force = 21.1;
     c.load.set_tangential_ratio(.3);
-    c.bem.cells_per_radius = cells_per_radius;
+    c.of<contact::Cells>().per_radius = cells_per_radius;
     const auto model = bem::make_model(c, 1, bem::Body::half_space);
     std::vector<double> values;
     for (const auto& step : contact::run(c, *model).steps) values.push_back(step.shift[0]);

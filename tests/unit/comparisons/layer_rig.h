@@ -1,6 +1,7 @@
 #pragma once
 
 #include "contact/case.h"
+#include "contact/cells.h"
 
 namespace tricontact::synthetic {
 
@@ -16,7 +17,7 @@ inline contact::Case layer_rig() {
     c.load.tangential_ratio = .56;
     c.rolling.emplace();
     c.rolling->amplitude_ratio = .24;
-    c.bem.cells_per_radius = 22.5;
+    c.of<contact::Cells>().per_radius = 22.5;
     return c;
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <numbers>
 
+#include "bem/settings.h"
 #include "comparisons/half_space/deviation_output.h"
 #include "comparisons/half_space/layer_report.h"
 #include "comparisons/quantities/reference.h"
@@ -89,7 +90,7 @@ TEST(ReadingSentences, WhoCouplesIsNotCalledUncoupled) {
 // What a file of coefficients is of, a layer perhaps, the materials of the case do not tell.
 TEST(ReadingSentences, NothingIsSaidOfTheBodiesOfAFileOfInfluenceCoefficients) {
     for (Case c : {coupled(), uncoupled()}) {
-        c.bem.influence = "layer.influence";
+        c.of<bem::Settings>().influence = "layer.influence";
         const std::string text = reading_of(c, {"bem"});
         for (const char* claim : {"as uncoupled", "couples", "the bodies as", "is expected"})
             EXPECT_FALSE(says(text, claim)) << claim << ": " << text;
@@ -98,7 +99,7 @@ TEST(ReadingSentences, NothingIsSaidOfTheBodiesOfAFileOfInfluenceCoefficients) {
     }
     Case rubber = coupled();
     rubber.substrate.poisson = 0.5;
-    rubber.bem.influence = "layer.influence";
+    rubber.of<bem::Settings>().influence = "layer.influence";
     EXPECT_TRUE(couples(rubber, "bem")) << "it may";
 }
 

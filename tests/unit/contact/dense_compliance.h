@@ -4,7 +4,7 @@
 #include <cmath>
 #include <random>
 
-#include "contact/solvers/compliance.h"
+#include "contact/compliances/compliance.h"
 
 namespace tricontact::contact_test {
 

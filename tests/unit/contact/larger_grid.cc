@@ -8,6 +8,7 @@
 #include "comparisons/shakedown/limit_search.h"
 #include "contact/run.h"
 #include "mdr/model.h"
+#include "mdr/settings.h"
 
 namespace tricontact::larger_grid_test {
 namespace {
@@ -47,7 +48,7 @@ Case rolled() {
     c.friction_coefficient = .57;
     c.load.normal_force = 21.1;
     c.load.tangential_ratio = .5;
-    c.mdr.springs = 100;
+    c.of<mdr::Settings>().springs = 100;
     c.rolling.emplace();
     c.rolling->amplitude_ratio = .3;
     c.rolling->periods = 5;

@@ -6,7 +6,7 @@
 #include <numbers>
 #include <string>
 
-#include "contact/error.h"
+#include "contact/base/error.h"
 
 namespace tricontact::load_path_test {
 namespace {

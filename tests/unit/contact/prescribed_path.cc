@@ -4,7 +4,7 @@
 
 #include <numbers>
 
-#include "contact/error.h"
+#include "contact/base/error.h"
 #include "contact/load_path.h"
 
 namespace tricontact::prescribed_path_test {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "contact/error.h"
+#include "contact/base/error.h"
 
 namespace tricontact::run_test {
 namespace {

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "bem/model.h"
+#include "contact/cells.h"
 #include "contact/run.h"
 #include "mdr/model.h"
 #include "theory/rolling/body_rolling.h"
@@ -31,7 +32,7 @@ Case near_limit(double distance, int periods) {
     c.rolling->steps = Case::Steps::turning_points;
     c.rolling->periods = periods;
     c.rolling->until = Case::Until::settled;
-    c.bem.cells_per_radius = 8;
+    c.of<contact::Cells>().per_radius = 8;
     return c;
 }
 

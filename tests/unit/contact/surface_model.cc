@@ -4,6 +4,8 @@
 #include <cmath>
 
 #include "bem/model.h"
+#include "bem/settings.h"
+#include "contact/cells.h"
 #include "contact/load_path.h"
 #include "contact/run.h"
 
@@ -25,7 +27,7 @@ Case layer_case() {
     c.rolling = Case::Rolling{};
     c.rolling->amplitude_ratio = .24;
     c.rolling->steps = Case::Steps::turning_points;
-    c.bem.spacing = 6e-4;
+    c.of<contact::Cells>().spacing = 6e-4;
     return c;
 }
 
@@ -78,7 +80,7 @@ TEST(SurfaceModel, StartsOfTheLastPeriodSaveIterations) {
 // solver is content with little.
 TEST(SurfaceModel, StartsOfTheLastPeriodDoNotDrift) {
     Case c = layer_case();
-    c.bem.tolerance = 1e-5;
+    c.of<bem::Settings>().tolerance = 1e-5;
     c.load.tangential_ratio = .4;
     c.rolling->periods = 40;
     c.rolling->run_all = true;

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "fem/mirror_symmetry.h"
+#include "fem/settings.h"
 #include "fem/whole_body.h"
 #include "tests/unit/fem/layer_problems.h"
 
@@ -94,7 +95,7 @@ std::vector<fem::LayerProblem> mirrored_layers() {
         problems.push_back(mirrored_layer(half));
         problems.push_back(mirrored_layer(half));
         problems.back().base = contact::Case::Base::frictionless;
-        problems.back().sides = contact::Case::Sides::fixed;
+        problems.back().sides = fem::Sides::fixed;
     }
     return problems;
 }

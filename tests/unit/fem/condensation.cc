@@ -6,7 +6,7 @@
 
 #include <memory>
 
-#include "contact/error.h"
+#include "contact/base/error.h"
 #include "fem/condensed_layer.h"
 #include "tests/unit/fem/layer_problems.h"
 

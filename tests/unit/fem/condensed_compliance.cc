@@ -6,7 +6,7 @@
 #include <cmath>
 #include <memory>
 
-#include "contact/solvers/compliance.h"
+#include "contact/compliances/compliance.h"
 #include "contact/substrates/partly_relaxing_substrate.h"
 #include "tests/unit/fem/layer_problems.h"
 

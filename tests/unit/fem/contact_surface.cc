@@ -5,7 +5,7 @@
 #include <Eigen/Dense>
 #include <numeric>
 
-#include "contact/error.h"
+#include "contact/base/error.h"
 #include "tests/unit/fem/box_mesh.h"
 
 namespace tricontact::contact_surface_test {

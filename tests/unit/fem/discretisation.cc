@@ -4,7 +4,8 @@
 
 #include <functional>
 
-#include "contact/error.h"
+#include "contact/base/error.h"
+#include "fem/settings.h"
 #include "tests/unit/fem/layer_problems.h"
 
 namespace tricontact::discretisation_test {
@@ -58,7 +59,7 @@ TEST(FemDiscretisation, SymmetryPlaneHoldsYOnly) {
 
 TEST(FemDiscretisation, BaseAndSidesHoldWhatTheySay) {
     auto problem = test::small_layer();
-    problem.sides = Case::Sides::fixed;
+    problem.sides = fem::Sides::fixed;
     EXPECT_EQ(Discretisation(problem).unknowns.n, 3 * 7 * 11 * 6);
     problem.base = Case::Base::frictionless;  // x and y of the base are free as well
     EXPECT_EQ(Discretisation(problem).unknowns.n, 3 * 7 * 11 * 6 + 2 * 7 * 11);
@@ -71,7 +72,7 @@ TEST(FemDiscretisation, RigidMotionsAreRefused) {
     for (auto& face : problem.mesh.faces)
         if (face.boundary == meshes::Boundary::base) face.boundary = meshes::Boundary::sides;
     EXPECT_NE(refusal(problem).find("nothing holds the layer"), std::string::npos);
-    problem.sides = Case::Sides::fixed;
+    problem.sides = fem::Sides::fixed;
     EXPECT_EQ(refusal(problem), "");
 }
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "contact/solvers/focused_compliance.h"
+#include "contact/compliances/focused_compliance.h"
 #include "contact/surface_model.h"
 #include "fem/dense_compliance.h"
 

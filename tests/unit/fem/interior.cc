@@ -1,4 +1,4 @@
-#include "contact/solvers/interior.h"
+#include "contact/compliances/interior.h"
 
 #include <gtest/gtest.h>
 

@@ -14,8 +14,9 @@
 #include <iterator>
 #include <string>
 
-#include "contact/error.h"
+#include "contact/base/error.h"
 #include "fem/layer_file.h"
+#include "fem/settings.h"
 #include "files/partial_file.h"
 #include "tests/unit/fem/box_mesh.h"
 
@@ -368,7 +369,7 @@ TEST(FemLayerKey, ChangesWithEverythingThatMatters) {
     EXPECT_TRUE(changed([](LayerProblem& p) { p.materials[0].young += 1; }));
     EXPECT_TRUE(changed([](LayerProblem& p) { p.materials[1].poisson = .49; }));
     EXPECT_TRUE(changed([](LayerProblem& p) { p.base = contact::Case::Base::frictionless; }));
-    EXPECT_TRUE(changed([](LayerProblem& p) { p.sides = contact::Case::Sides::fixed; }));
+    EXPECT_TRUE(changed([](LayerProblem& p) { p.sides = fem::Sides::fixed; }));
     EXPECT_TRUE(changed([](LayerProblem& p) { p.largest_bulk_ratio = 1e5; }));
 }
 

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "contact/error.h"
+#include "contact/base/error.h"
 #include "fem/condensed_layer.h"
 #include "tests/unit/fem/box_mesh.h"
 #include "tests/unit/memory_probe.h"

@@ -9,7 +9,7 @@
 #include <numeric>
 #include <set>
 
-#include "contact/error.h"
+#include "contact/base/error.h"
 #include "tests/unit/fem/box_mesh.h"
 
 namespace tricontact::q2_space_test {

@@ -12,7 +12,7 @@
 #include <sstream>
 #include <string>
 
-#include "contact/error.h"
+#include "contact/base/error.h"
 
 namespace tricontact::io {
 

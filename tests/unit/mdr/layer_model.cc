@@ -7,7 +7,7 @@
 #include <numbers>
 #include <string>
 
-#include "contact/error.h"
+#include "contact/base/error.h"
 #include "contact/run.h"
 
 namespace tricontact::layer_model_test {

@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "contact/error.h"
+#include "contact/base/error.h"
 #include "contact/solvers/normal_solver.h"
 
 namespace tricontact::layer_springs_test {

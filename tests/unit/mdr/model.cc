@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "contact/error.h"
+#include "contact/base/error.h"
 #include "mdr/spring_bed.h"
 #include "tests/verification/mdr/roller.h"
 

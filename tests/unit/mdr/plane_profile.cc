@@ -6,7 +6,7 @@
 #include <cmath>
 #include <vector>
 
-#include "contact/error.h"
+#include "contact/base/error.h"
 #include "tests/unit/mdr/profiles.h"
 
 namespace tricontact::plane_profile_test {

@@ -13,6 +13,7 @@
 #include "contact/case.h"
 #include "contact/run.h"
 #include "mdr/model.h"
+#include "mdr/settings.h"
 
 namespace tricontact::mdr_prescribed_path_test {
 namespace {
@@ -27,7 +28,7 @@ class Sphere {
         case_.indenter.radius = .04;
         case_.substrate = {5.2e6, .5};
         case_.friction_coefficient = mu;
-        case_.mdr.springs = 20'000;
+        case_.of<mdr::Settings>().springs = 20'000;
     }
     /// Of the rows {F_N, F_T}, both in N.
     contact::History follow(const std::vector<std::array<double, 2>>& loads, int steps = 1) {

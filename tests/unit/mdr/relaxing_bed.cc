@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "contact/error.h"
+#include "contact/base/error.h"
 #include "mdr/model.h"
 #include "mdr/spring_bed.h"
 #include "tests/verification/mdr/roller.h"

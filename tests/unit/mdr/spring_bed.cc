@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "contact/error.h"
+#include "contact/base/error.h"
 #include "mdr/plane_profile.h"
 
 namespace tricontact::spring_bed_test {

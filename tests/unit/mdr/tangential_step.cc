@@ -8,7 +8,7 @@
 #include <cmath>
 #include <vector>
 
-#include "contact/error.h"
+#include "contact/base/error.h"
 
 namespace tricontact::tangential_step_test {
 namespace {

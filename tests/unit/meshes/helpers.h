@@ -13,7 +13,7 @@
 #include <sstream>
 #include <string>
 
-#include "contact/error.h"
+#include "contact/base/error.h"
 #include "meshes/gmsh_session.h"
 #include "meshes/hex_mesh.h"
 #include "meshes/layer_mesh.h"

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "theory/rolling/creep_law.h"
+#include "theory/creep_law.h"
 #include "theory/rolling/kalker.h"
 
 namespace tricontact::rolling_test {

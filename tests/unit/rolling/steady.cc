@@ -5,8 +5,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "contact/error.h"
-#include "contact/substrates/relaxing_case.h"
+#include "contact/base/error.h"
+#include "contact/relaxing_case.h"
 #include "contact/substrates/substrate.h"
 #include "rolling/linear_creep.h"
 #include "rolling/run.h"

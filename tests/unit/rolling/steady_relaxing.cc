@@ -8,6 +8,7 @@
 #include "bem/model.h"
 #include "bem/steady_compliance.h"
 #include "bem/steady_model.h"
+#include "contact/cells.h"
 #include "tests/unit/rolling/problems.h"
 
 namespace tricontact::steady_relaxing_test {
@@ -98,7 +99,7 @@ TEST(SteadyRelaxing, IsWhereRollingOnEnds) {
     c.load.normal_force = rig.sphere_force();
     c.tractive_rolling.emplace();
     c.tractive_rolling->speed = .5 * rig.half_length / relaxation_time;
-    c.bem.cells_per_radius = rig.n;
+    c.of<contact::Cells>().per_radius = rig.n;
 
     RollingProblem problem = rig.sphere(.4);
     problem.drive.creepage[1] = .2 * rig.creepage();

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "contact/error.h"
+#include "contact/base/error.h"
 #include "statistics/joint_covariance.h"
 
 namespace tricontact::statistics::bounded_least_squares_test {

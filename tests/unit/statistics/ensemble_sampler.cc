@@ -6,7 +6,7 @@
 #include <limits>
 #include <stdexcept>
 
-#include "contact/error.h"
+#include "contact/base/error.h"
 #include "statistics/latin_hypercube.h"
 
 namespace tricontact::statistics::ensemble_sampler_test {

@@ -6,7 +6,7 @@
 #include <numeric>
 #include <random>
 
-#include "contact/error.h"
+#include "contact/base/error.h"
 
 namespace tricontact::statistics::regression_test {
 namespace {

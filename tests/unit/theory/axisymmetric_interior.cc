@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "contact/solvers/interior.h"
+#include "contact/compliances/interior.h"
 #include "theory/half_space_interior.h"
 #include "theory/hertz.h"
 

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "contact/cells.h"
 #include "contact/load_path.h"
 #include "tests/verification/bem/rig.h"
 #include "tests/verification/bodies_cases.h"
@@ -36,7 +37,7 @@ TEST_P(BemBodies, ArePressedAsTheClosedFormsSay) {
     for (const double nu : {0., .5}) {
         Case c = verification::body_case(GetParam().shape, GetParam().exponent);
         c.substrate.poisson = nu;
-        c.bem.cells_per_radius = 22.5;
+        c.of<contact::Cells>().per_radius = 22.5;
         const Errors e = errors_of(c);
         // 0.2 % are demanded.
         EXPECT_NEAR(e.indentation, 0, 1e-3);
@@ -50,7 +51,7 @@ double mean_error(Case c, double cells_per_radius) {
     constexpr int n_grids = 6;
     double squares = 0;
     for (int k = 0; k < n_grids; ++k) {
-        c.bem.cells_per_radius = cells_per_radius * (1 + k / 48.);
+        c.of<contact::Cells>().per_radius = cells_per_radius * (1 + k / 48.);
         const double e = errors_of(c).indentation;
         squares += e * e / n_grids;
     }

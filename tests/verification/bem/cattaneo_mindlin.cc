@@ -20,6 +20,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "bem/settings.h"
+#include "contact/cells.h"
 #include "contact/load_path.h"
 #include "contact/surface_model.h"
 #include "tests/verification/bem/rig.h"
@@ -32,8 +34,8 @@ contact::Case equal_bodies(double nu, double f, double cells_per_radius) {
     c.rolling.reset();
     c.substrate.poisson = nu;
     c.indenter.material = c.substrate;
-    c.bem.spacing.reset();
-    c.bem.cells_per_radius = cells_per_radius;
+    c.of<contact::Cells>().spacing.reset();
+    c.of<contact::Cells>().per_radius = cells_per_radius;
     return c;
 }
 
@@ -248,7 +250,8 @@ TEST(BemCattaneoMindlin, TurningTheForceTurnsTheAnswer) {
     auto shift_under = [&](contact::Vector2 f) {
         // Of the whole contact, which is not symmetric under a force across.
         contact::SurfaceModel model("bem", *bem::make_substrate(c, 1, bem::Body::half_space),
-                                    c.make_indenter(), c.friction_coefficient, c.bem.tolerance);
+                                    c.make_indenter(), c.friction_coefficient,
+                                    c.of<bem::Settings>().tolerance);
         model.advance(contact::press_step(c));
         for (int d = 0; d < 2; ++d) step.tangential[d].value = f[d];
         return model.advance(step).shift;

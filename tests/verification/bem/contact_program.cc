@@ -9,6 +9,7 @@
 
 #include "bem/grid_compliance.h"
 #include "bem/model.h"
+#include "contact/cells.h"
 #include "contact/load_path.h"
 #include "contact/solvers/contact_region.h"
 #include "contact/surface_model.h"
@@ -71,7 +72,7 @@ TEST(BemContactProgram, Cattaneo) {
     EXPECT_NEAR(c.indenter.radius, 50 * mm, 1e-12);
     const auto model = bem::make_model(c, 1);
     const StepRecord last = load(c, *model).back();
-    const double h = *c.bem.spacing;
+    const double h = *c.of<contact::Cells>().spacing;
     EXPECT_EQ(cells(last.contact_area, h), 177);
     EXPECT_EQ(cells(last.stick_area, h), 45);
     EXPECT_EQ(cells(last.slip_area, h), 132);

@@ -10,6 +10,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "bem/settings.h"
+#include "contact/cells.h"
 #include "contact/load_path.h"
 #include "tests/verification/bem/rig.h"
 
@@ -22,8 +24,8 @@ contact::Case static_case(double cells_per_radius) {
     contact::Case c = rig_case(.2, .5, 1);
     c.rolling.reset();
     c.contact.coupling = false;  // no friction in Hertz' theory
-    c.bem.spacing.reset();
-    c.bem.cells_per_radius = cells_per_radius;
+    c.of<contact::Cells>().spacing.reset();
+    c.of<contact::Cells>().per_radius = cells_per_radius;
     return c;
 }
 
@@ -122,8 +124,9 @@ TEST(BemHertz, Orders) {
 TEST(BemHertz, IndentationControlIsForceControl) {
     for (const double n : {11.3, across_45}) {
         contact::Case c = static_case(n);
-        c.bem.spacing = contact::half_space_scales(c).contact_radius / n;  // the same for both
-        c.bem.cells_per_radius.reset();
+        c.of<contact::Cells>().spacing =
+            contact::half_space_scales(c).contact_radius / n;  // the same for both
+        c.of<contact::Cells>().per_radius.reset();
         const auto by_force = make_model(c, 1);
         const auto f = by_force->advance(contact::press_step(c));
         c.load.indentation = f.indentation;
@@ -208,7 +211,7 @@ TEST(BemHertz, SurfaceAroundTheContact) {
 // A grid large enough to be worth threads: the same bits.
 TEST(BemHertz, ThreadsDoNotChangeABit) {
     contact::Case c = static_case(150);
-    c.bem.tolerance = 1e-5;
+    c.of<bem::Settings>().tolerance = 1e-5;
     auto run = [&](int threads) {
         const auto model = make_model(c, threads);
         contact::run(c, *model);

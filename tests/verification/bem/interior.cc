@@ -1,7 +1,7 @@
 // Below contacts of boundary elements: Hertz, sliding spheres, line contact, and what passes
 // through a layer.
 
-#include "contact/solvers/interior.h"
+#include "contact/compliances/interior.h"
 
 #include <gtest/gtest.h>
 
@@ -10,6 +10,7 @@
 #include <numbers>
 
 #include "bem/grid_interior.h"
+#include "contact/cells.h"
 #include "tests/verification/bem/rig.h"
 #include "theory/half_space_interior.h"
 
@@ -28,8 +29,8 @@ Case pressed_case(double cells_per_radius) {
     c.substrate = {5.2e6, .3};
     c.rolling.reset();
     c.contact.coupling = false;  // Hertz' theory has no friction
-    c.bem.spacing.reset();
-    c.bem.cells_per_radius = cells_per_radius;
+    c.of<contact::Cells>().spacing.reset();
+    c.of<contact::Cells>().per_radius = cells_per_radius;
     return c;
 }
 

@@ -9,6 +9,7 @@
 
 #include "bem/model.h"
 #include "comparisons/run/peer_shifts.h"
+#include "contact/cells.h"
 #include "contact/run.h"
 #include "tests/verification/bem/rig.h"
 #include "theory/layer/elastic_layer.h"
@@ -84,7 +85,7 @@ TEST(BemLayer, OrderInTheCellSize) {
     const auto mean_error = [&](double spacing) {
         double sum = 0;
         for (const double factor : {.94, .97, 1., 1.03, 1.06}) {
-            c.bem.spacing = factor * spacing;
+            c.of<contact::Cells>().spacing = factor * spacing;
             sum += std::abs(pressed(c).indentation / reference.indentation - 1) / 5;
         }
         return sum;

@@ -5,6 +5,7 @@
 #include <array>
 
 #include "bem/model.h"
+#include "contact/cells.h"
 #include "contact/run.h"
 #include "mdr/layer_model.h"
 #include "mdr/model.h"
@@ -19,7 +20,7 @@ contact::Case rubber(double nu = .5) {
     c.indenter.radius = .04;
     c.substrate = {4.5e6, nu};
     c.friction_coefficient = .5;
-    c.bem.cells_per_radius = 12;
+    c.of<contact::Cells>().per_radius = 12;
     return relaxing(c);
 }
 

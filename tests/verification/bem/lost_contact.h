@@ -7,8 +7,8 @@
 #include <optional>
 #include <string>
 
+#include "contact/base/error.h"
 #include "contact/case.h"
-#include "contact/error.h"
 #include "contact/model.h"
 
 namespace tricontact::lost_contact_test {

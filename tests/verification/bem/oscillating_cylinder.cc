@@ -9,9 +9,10 @@
 #include <numbers>
 
 #include "bem/model.h"
-#include "contact/bodies/half_space_scales.h"
+#include "contact/cells.h"
+#include "contact/half_space_scales.h"
 #include "contact/run.h"
-#include "theory/line_contact.h"
+#include "theory/layer/line_contact.h"
 
 namespace tricontact::bem_oscillating_cylinder_test {
 namespace {
@@ -34,7 +35,7 @@ Case long_cylinder(double w, double f, double cells) {
     c.rolling->amplitude_ratio = w;
     c.rolling->steps = Case::Steps::turning_points;
     c.rolling->periods = 200;
-    c.bem.cells_per_radius = cells;
+    c.of<contact::Cells>().per_radius = cells;
     return c;
 }
 

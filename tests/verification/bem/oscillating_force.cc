@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "contact/cells.h"
 #include "contact/run.h"
 #include "mdr/model.h"
 #include "tests/verification/bem/rig.h"
@@ -25,8 +26,8 @@ Case oscillating(double w, int steps_per_quarter, double mean = .3, double part 
     c.rolling->steps_per_quarter = steps_per_quarter;
     c.load.tangential_amplitude_ratio = part;
     c.load.tangential_phase = std::numbers::pi / 2;
-    c.bem.spacing.reset();
-    c.bem.cells_per_radius = 12;
+    c.of<contact::Cells>().spacing.reset();
+    c.of<contact::Cells>().per_radius = 12;
     return c;
 }
 

@@ -11,6 +11,7 @@
 #include <string>
 
 #include "comparisons/run/peer_shifts.h"
+#include "contact/cells.h"
 #include "tests/verification/bem/rig.h"
 
 namespace tricontact::bem::bem_oscillating_rolling_test {
@@ -96,7 +97,7 @@ TEST(BemSteps, TurningPointsSettleWhereFineStepsDo) {
 // all. Above it the indenter moves on over all points, and slips back and forth on the way.
 TEST(BemSlipPath, GoesToZeroInShakedownAndBeyondTheIncrementInRatcheting) {
     contact::Case c = rig_case(.24, .56, 40);
-    c.bem.spacing = 5e-4;
+    c.of<contact::Cells>().spacing = 5e-4;
     const contact::History settled = run_bem(c);
     const auto& path = settled.slip_path_per_period;
     ASSERT_EQ(path.size(), settled.shift_per_period.size());
@@ -105,7 +106,7 @@ TEST(BemSlipPath, GoesToZeroInShakedownAndBeyondTheIncrementInRatcheting) {
     EXPECT_EQ(path.back(), 0);
     EXPECT_EQ(settled.friction_work_per_period.back(), 0);
     c = rig_case(.24, .8, 6);
-    c.bem.spacing = 5e-4;
+    c.of<contact::Cells>().spacing = 5e-4;
     const contact::History ratchets = run_bem(c);
     EXPECT_GT(ratchets.slip_path_per_period.back(),
               increment_ratio(ratchets) * ratchets.scales.unit_shift);

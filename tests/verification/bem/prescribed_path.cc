@@ -8,6 +8,7 @@
 
 #include <cmath>
 
+#include "contact/cells.h"
 #include "mdr/model.h"
 #include "tests/verification/bem/rig.h"
 #include "theory/torsion.h"
@@ -31,8 +32,8 @@ Row row(double normal_force) {
 Case following(std::vector<Row> rows, double cells_per_radius, int steps) {
     Case c = rig_case(0, .1, 1);
     c.rolling.reset();
-    c.bem.spacing.reset();
-    c.bem.cells_per_radius = cells_per_radius;
+    c.of<contact::Cells>().spacing.reset();
+    c.of<contact::Cells>().per_radius = cells_per_radius;
     for (Row& row : rows) row.steps = steps;
     c.load.tangential_ratio.reset();
     c.load.tangential_force = 0;

@@ -7,7 +7,8 @@
 #include <vector>
 
 #include "bem/model.h"
-#include "contact/bodies/half_space_scales.h"
+#include "contact/cells.h"
+#include "contact/half_space_scales.h"
 #include "contact/run.h"
 #include "theory/oscillating_cylinder.h"
 
@@ -34,7 +35,7 @@ Case rig(double w, double f, int cells, int steps_per_quarter) {
     c.rolling->periods = 12;
     c.rolling->run_all = true;
     c.contact.coupling = false;
-    c.bem.cells_per_radius = cells;
+    c.of<contact::Cells>().per_radius = cells;
     return c;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "bem/model.h"
+#include "contact/cells.h"
 #include "contact/run.h"
 
 namespace tricontact::bem {
@@ -18,7 +19,7 @@ inline contact::Case rig_case(double w, double tangential_ratio, int periods) {
     c.rolling->amplitude_ratio = w;
     c.rolling->periods = periods;
     c.rolling->steps = contact::Case::Steps::turning_points;
-    c.bem.spacing = 2e-4;
+    c.of<contact::Cells>().spacing = 2e-4;
     return c;
 }
 

@@ -10,6 +10,8 @@
 #include <vector>
 
 #include "bem/model.h"
+#include "bem/settings.h"
+#include "contact/cells.h"
 #include "contact/run.h"
 
 namespace tricontact::bem_rim_slip_test {
@@ -40,7 +42,7 @@ Case ball_on_layer() {
     c.rolling->angle = 23 * std::numbers::pi / 180;
     c.rolling->periods = 24;  // the work of what comes to rest halves in each
     c.rolling->run_all = true;
-    c.bem.spacing = 1.6e-4;
+    c.of<contact::Cells>().spacing = 1.6e-4;
     return c;
 }
 
@@ -98,7 +100,7 @@ TEST(BemRimSlip, FallsWithTheSquareOfTheStep) {
 TEST(BemRimSlip, IsNotTheTolerance) {
     Case c = ball_on_layer();
     const double usual = last_period(c).work;
-    c.bem.tolerance = 1e-9;
+    c.of<bem::Settings>().tolerance = 1e-9;
     EXPECT_NEAR(last_period(c).work / usual, 1, 1e-2);
 }
 

@@ -10,9 +10,10 @@
 
 #include "bem/model.h"
 #include "comparisons/quantities/roller_ends.h"
+#include "contact/cells.h"
 #include "contact/load_path.h"
 #include "contact/run.h"
-#include "theory/line_contact.h"
+#include "theory/layer/line_contact.h"
 
 namespace tricontact::bem_roller_test {
 namespace {
@@ -31,7 +32,7 @@ Case roller(double length, double cells, double chamfer = 0) {
     c.friction_coefficient = .79;
     c.load.normal_force = 32.3 * length / 80e-3;
     c.contact.coupling = false;
-    c.bem.cells_per_radius = cells;
+    c.of<contact::Cells>().per_radius = cells;
     return c;
 }
 

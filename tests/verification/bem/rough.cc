@@ -11,6 +11,7 @@
 #include "bem/periodic_compliance.h"
 #include "contact/bodies/height_map.h"
 #include "contact/bodies/roughness.h"
+#include "contact/cells.h"
 #include "contact/run.h"
 #include "contact/solvers/contact_region.h"
 #include "contact/solvers/normal_solver.h"
@@ -104,8 +105,8 @@ contact::Case rolled_plane(double tangential_ratio) {
     c.rolling->steps_per_quarter = 2;
     c.rolling->periods = 30;
     c.rolling->run_all = true;
-    c.bem.period = 1e-3;
-    c.bem.spacing = 1e-3 / 48;
+    c.period = 1e-3;
+    c.of<contact::Cells>().spacing = 1e-3 / 48;
     return c;
 }
 

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "bem/model.h"
+#include "contact/cells.h"
 #include "contact/load_path.h"
 #include "theory/friction_pressing.h"
 
@@ -27,7 +28,7 @@ Pressed press(double nu, double friction, int n_steps, double cells_per_radius) 
     c.friction_coefficient = friction;
     c.load.normal_force = 20;
     c.load.tangential_force = 0;
-    c.bem.cells_per_radius = cells_per_radius;
+    c.of<contact::Cells>().per_radius = cells_per_radius;
     const auto model = bem::make_model(c, 1);
     EXPECT_TRUE(model->is_coupled());
     contact::LoadStep step = contact::press_step(c);

@@ -9,8 +9,9 @@
 #include <vector>
 
 #include "bem/model.h"
+#include "contact/cells.h"
 #include "contact/load_path.h"
-#include "contact/substrates/relaxing_case.h"
+#include "contact/relaxing_case.h"
 #include "tests/verification/bem/rig.h"
 
 namespace tricontact::bem_viscoelastic_test {
@@ -31,7 +32,7 @@ Case rubber(double cells_per_radius = 15) {
     c.friction_coefficient = .5;
     c.load.indentation = 4e-4;
     c.load.tangential_force = 0;
-    c.bem.cells_per_radius = cells_per_radius;
+    c.of<contact::Cells>().per_radius = cells_per_radius;
     return c;
 }
 
@@ -240,8 +241,8 @@ TEST(BemViscoelastic, LeeAndRadokWhereShearRelaxesAlone) {
 // solvers' tolerance and the interpolation, over several steps.
 TEST(BemViscoelastic, ElasticLimitsWhereAPartRelaxes) {
     Case c = shear_alone(8);
-    c.bem.spacing = 4e-4;
-    c.bem.cells_per_radius.reset();
+    c.of<contact::Cells>().spacing = 4e-4;
+    c.of<contact::Cells>().per_radius.reset();
     c.layer.thickness = 4e-3;
     c.load.normal_force = 20;
     c.load.indentation.reset();
@@ -270,7 +271,7 @@ TEST(BemViscoelastic, ElasticLimitsWhereAPartRelaxes) {
     on_ground.layer.base = Case::Base::half_space;
     on_ground.layer.ground = contact::Material{4e6, .4};
     Case periodic = c;
-    periodic.bem.period = 40e-3;
+    periodic.period = 40e-3;
     for (Case part : {c, on_ground, periodic}) {
         const double relaxed = shift(with_relaxing_ratio(part, 1));
         const double glassy = shift(with_relaxing_ratio(part, 1 + ratio));

@@ -5,6 +5,7 @@
 #include <array>
 
 #include "bem/model.h"
+#include "contact/cells.h"
 #include "contact/run.h"
 #include "tests/verification/fem/rig.h"
 
@@ -36,7 +37,7 @@ Case rolling_case(const Point& at, double size) {
     c.rolling->steps_per_quarter = 1;
     c.rolling->periods = 6;
     c.rolling->run_all = true;
-    c.bem.spacing = 2e-4;
+    c.of<contact::Cells>().spacing = 2e-4;
     return c;
 }
 

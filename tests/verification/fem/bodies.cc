@@ -6,7 +6,9 @@
 #include <string>
 
 #include "bem/model.h"
+#include "contact/cells.h"
 #include "contact/run.h"
+#include "fem/settings.h"
 #include "tests/verification/bodies_cases.h"
 #include "tests/verification/fem/rig.h"
 
@@ -29,10 +31,10 @@ TEST_P(FemBodies, AgreeWithBoundaryElements) {
     c.rolling->amplitude = .3 * contact::half_space_scales(c).contact_radius;
     c.rolling->steps_per_quarter = 1;
     c.rolling->periods = 1;
-    c.bem.cells_per_radius = 16;
+    c.of<contact::Cells>().per_radius = 16;
     const auto half = contact::half_space_scales(c).half_widths;
-    c.fem.size = std::min(half[0], half[1]) / 4.5;
-    c.fem.cache = TRICONTACT_LAYER_CACHE;
+    c.of<fem::Settings>().size = std::min(half[0], half[1]) / 4.5;
+    c.of<fem::Settings>().cache = TRICONTACT_LAYER_CACHE;
     const History fem = contact::run(c, *make_layer_model(c));
     const History bem = contact::run(c, *bem::make_model(c, 1, bem::Body::layer));
     // Some five elements in the contact radius, whose edge cuts them.

@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "fem/condensed_layer.h"
+#include "fem/settings.h"
 #include "tests/unit/fem/box_mesh.h"
 #include "theory/layer/layer_compliance.h"
 
@@ -193,7 +194,7 @@ TEST(FemCondensation, FrictionlessBase) {
         const auto exact = exact_normal({{young, nu}, thickness, LayerBase::frictionless});
         auto problem = coarse_layer(nu, 2, 200e-3);
         problem.base = Case::Base::frictionless;
-        problem.sides = Case::Sides::fixed;
+        problem.sides = fem::Sides::fixed;
         const auto error = errors(problem, exact);
         EXPECT_LT(error.normal, 3e-3) << nu;  // of the bonded layer at the same size: 1.5e-3
         EXPECT_LT(error.centre, 5e-2) << nu;
@@ -228,7 +229,7 @@ TEST(FemCondensation, LowerLayers) {
 TEST(FemCondensation, FarSidesDoNotMatter) {
     auto problem = coarse_layer(.5, 1);
     const auto free = computed(fem::condense(problem));
-    problem.sides = Case::Sides::fixed;
+    problem.sides = fem::Sides::fixed;
     const auto fixed = computed(fem::condense(problem));
     EXPECT_NEAR(fixed.normal / free.normal, 1, 1e-4);
     EXPECT_NEAR(fixed.tangential / free.tangential, 1, 1e-4);

@@ -11,9 +11,9 @@
 #include <fstream>
 #include <string>
 
+#include "fem/case/layer_condenser.h"
+#include "fem/case/model.h"
 #include "fem/layer_cache.h"
-#include "fem/layer_condenser.h"
-#include "fem/model.h"
 #include "io/case/case_reader.h"
 
 namespace tricontact::fem_distributed_test {

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "contact/error.h"
+#include "contact/base/error.h"
 #include "tests/verification/fem/strained_rig.h"
 
 namespace tricontact::fem::finite_strain_balance_test {

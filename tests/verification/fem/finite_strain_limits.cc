@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "fem/settings.h"
 #include "tests/verification/fem/strained_rig.h"
 
 namespace tricontact::fem::finite_strain_limits_test {
@@ -25,7 +26,7 @@ Case rolled_case(double size) {
     c.rolling->periods = 1;
     c.rolling->run_all = true;
     c.rolling->steps_per_quarter = 2;
-    c.fem.tolerance = 1e-8;
+    c.of<fem::Settings>().tolerance = 1e-8;
     return c;
 }
 
@@ -59,7 +60,7 @@ void expect_equal(const History& a, const History& b, double allowed) {
 Case flat(Case c) {
     c.indenter.radius *= 1e6;
     c.load.normal_force = 1e-6 * *c.load.normal_force;
-    c.fem.tolerance = 1e-6;
+    c.of<fem::Settings>().tolerance = 1e-6;
     return c;
 }
 
@@ -67,7 +68,7 @@ TEST(FiniteStrainLimits, SmallStrainsAreTheLinearLayer) {
     Case c = flat(rolled_case(1.2e-3));
     const History strained = run(c);
     c.law = Case::Law::linear;
-    c.fem.tolerance = 1e-9;
+    c.of<fem::Settings>().tolerance = 1e-9;
     expect_equal(strained, run(c), 1e-6);
 }
 
@@ -79,7 +80,7 @@ TEST(FiniteStrainLimits, SmallStrainsOfARelaxingLayerAreTheLinearOne) {
     c.load.hold = 2;
     const History strained = run(c);
     c.law = Case::Law::linear;
-    c.fem.tolerance = 1e-9;
+    c.of<fem::Settings>().tolerance = 1e-9;
     expect_equal(strained, run(c), 1e-6);
 }
 
@@ -91,7 +92,7 @@ std::vector<contact::StepRecord> timed(const Case& c, const meshes::HexMesh& mes
                          .indenter = c.make_indenter(),
                          .rolling_radius = c.indenter.radius,
                          .friction_coefficient = c.friction_coefficient,
-                         .tolerance = of_fem_tolerance * c.fem.tolerance,
+                         .tolerance = of_fem_tolerance * c.of<fem::Settings>().tolerance,
                          .relaxation = c.relaxation.value_or(contact::Relaxation{})});
     std::vector<contact::StepRecord> records;
     for (const auto* steps : {&path.pressing, &path.loading, &path.period})

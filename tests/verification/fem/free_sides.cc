@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 
+#include "fem/settings.h"
 #include "tests/verification/fem/line_rig.h"
 
 namespace tricontact::fem::fem_free_sides_test {
@@ -57,7 +58,7 @@ TEST_P(FemFreeSides, AddWhatIsEstimated) {
     c.layer.thickness = 2 * hertz * GetParam().thickness_ratio;
     const theory::LayerContact exact = exact_contact(c);
     const double a = exact.contact_radius;
-    c.fem.size = a / 4;
+    c.of<fem::Settings>().size = a / 4;
     const double unbounded = indentation(c, 0);
     // Squares, a bar, and a contact that has rolled to the side of a square.
     for (const Block& block : {Block{1, 1, 0}, {2, 2, 0}, {1, 6, 0}, {1, 2, 1}}) {
@@ -85,7 +86,7 @@ TEST_P(FemFreeSides, OfAStripAddWhatIsEstimated) {
     c.layer.thickness = 2 * hertz * GetParam().thickness_ratio;
     const theory::LineContact exact = exact_line(c);
     const double a = exact.half_width;
-    c.fem.size = a / 6;
+    c.of<fem::Settings>().size = a / 6;
     const double unbounded = indentation(c, 0);
     for (const Block& block : {Block{1.5, 0, 0}, {2, 0, 0}, {4, 0, 0}, {1, 0, 2}, {1, 0, 6}}) {
         Case bounded = c;

@@ -10,7 +10,9 @@
 
 #include "bem/grid_compliance.h"
 #include "bem/model.h"
+#include "contact/cells.h"
 #include "contact/load_path.h"
+#include "fem/settings.h"
 #include "tests/verification/fem/rig.h"
 #include "theory/layer/layer_stack.h"
 
@@ -81,11 +83,11 @@ TEST(FemInterior, BelowTheContactIsThatOfBoundaryElements) {
     for (const double size : {2e-3, 1e-3}) {
         Case c = layer_case(size, .4);
         // Elements grow into the depth: all of them are to be halved.
-        if (size < 2e-3) c.fem.growth = std::sqrt(c.fem.growth);
+        if (size < 2e-3) c.of<fem::Settings>().growth = std::sqrt(c.of<fem::Settings>().growth);
         c.load.tangential_force.reset();
         c.load.tangential_ratio = .6;
         c.load.press = Case::Press::frictionless;
-        c.bem.spacing = .25e-3;
+        c.of<contact::Cells>().spacing = .25e-3;
         const auto fem = loaded(make_layer_model(c), c);
         const auto bem = loaded(bem::make_model(c, 1, bem::Body::layer), c);
         const Axis of_fem = axis_of(*fem->interior());

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "comparisons/run/peer_shifts.h"
+#include "fem/settings.h"
 #include "tests/verification/fem/rig.h"
 #include "theory/cattaneo_mindlin.h"
 
@@ -86,7 +87,8 @@ INSTANTIATE_TEST_SUITE_P(Rig, FemRolling, ::testing::ValuesIn(comparisons::layer
 TEST(FemFriction, AThickLayerApproachesHertzCattaneoAndMindlin) {
     Case c = loaded(.56);
     c.layer.thickness = .1;  // 11 contact diameters
-    c.fem.growth = 2.5;      // far below the contact: 0.1 % at the most, in a quarter of the time
+    c.of<fem::Settings>().growth =
+        2.5;  // far below the contact: 0.1 % at the most, in a quarter of the time
     const contact::HalfSpaceScales hertz = half_space_scales(c);
     const theory::LayerContact exact = exact_contact(c);
     const History history = run(c);
@@ -105,13 +107,13 @@ TEST(FemFriction, AThickLayerApproachesHertzCattaneoAndMindlin) {
 // A half model is the symmetric part of the whole; the whole one is symmetric by itself.
 TEST(FemFriction, HalfAndWholeModelAgree) {
     Case c = loaded(.5);
-    c.fem.size = 1.2e-3;
+    c.of<fem::Settings>().size = 1.2e-3;
     c.load.press_steps = 3;
     c.rolling = Case::Rolling{};
     c.rolling->amplitude = 1e-3;
     c.rolling->periods = 1;
     c.rolling->steps_per_quarter = 2;
-    c.fem.tolerance = 1e-8;  // what both are compared to is far above it
+    c.of<fem::Settings>().tolerance = 1e-8;  // what both are compared to is far above it
     const History half = run(c);
     c.rolling->angle = 1e-9;  // no plane of symmetry any more, for the program
     const auto model = make_layer_model(c);

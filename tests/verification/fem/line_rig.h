@@ -1,7 +1,7 @@
 #pragma once
 
 #include "tests/verification/fem/rig.h"
-#include "theory/line_contact.h"
+#include "theory/layer/line_contact.h"
 
 namespace tricontact::fem {
 

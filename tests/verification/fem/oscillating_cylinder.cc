@@ -6,6 +6,7 @@
 #include <functional>
 
 #include "bem/model.h"
+#include "contact/cells.h"
 #include "tests/verification/fem/line_rig.h"
 
 namespace tricontact::fem::fem_oscillating_cylinder_test {
@@ -36,7 +37,7 @@ History by_elements(const Case& c) {
 
 /// Cells of a hundredth of the half width.
 History by_waves(Case c) {
-    c.bem.spacing = 2e-5;
+    c.of<contact::Cells>().spacing = 2e-5;
     return contact::run(c, *bem::make_model(c, 1, bem::Body::layer));
 }
 

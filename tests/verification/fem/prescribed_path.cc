@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "bem/model.h"
+#include "contact/cells.h"
 #include "contact/run.h"
 #include "tests/verification/fem/rig.h"
 
@@ -33,7 +34,7 @@ TEST(FemPrescribedPath, IsThatOfTheBoundaryElements) {
         row.steps = 3;
     }
     c.prescribed_path = path;
-    c.bem.spacing = 3e-4;
+    c.of<contact::Cells>().spacing = 3e-4;
     const auto fem = contact::run(c, *make_layer_model(c));
     const auto bem = contact::run(c, *bem::make_model(c, 1, bem::Body::layer));
     ASSERT_EQ(fem.steps.size(), bem.steps.size());
@@ -63,7 +64,7 @@ TEST(FemPrescribedPath, ForcesThatRiseTogetherNeedNoSmallSteps) {
         path.rows[1].tangential[0].value = .2 * c.friction_coefficient * path.rows[1].normal.value;
         path.rows[1].steps = steps;
         c.prescribed_path = path;
-        c.bem.spacing = 3e-4;
+        c.of<contact::Cells>().spacing = 3e-4;
         const auto model = is_fem ? make_layer_model(c) : bem::make_model(c, 1, bem::Body::layer);
         return contact::run(c, *model).steps.back().shift[0];
     };

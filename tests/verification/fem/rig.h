@@ -3,7 +3,8 @@
 #include <cmath>
 
 #include "contact/run.h"
-#include "fem/model.h"
+#include "fem/case/model.h"
+#include "fem/settings.h"
 #include "theory/layer/elastic_layer.h"
 
 namespace tricontact::fem {
@@ -17,8 +18,8 @@ inline contact::Case layer_case(double size, double nu = .5) {
     c.friction_coefficient = 0.57;
     c.load.normal_force = 21.1;
     c.load.tangential_force = 0;
-    c.fem.size = size;
-    c.fem.cache = TRICONTACT_LAYER_CACHE;  // tests share what one of them condensed
+    c.of<fem::Settings>().size = size;
+    c.of<fem::Settings>().cache = TRICONTACT_LAYER_CACHE;  // tests share what one of them condensed
     return c;
 }
 

@@ -1,8 +1,9 @@
 #pragma once
 
 #include "contact/surface_model.h"
+#include "fem/case/layer_condenser.h"
 #include "fem/finite_strain/strained_model.h"
-#include "fem/layer_condenser.h"
+#include "fem/settings.h"
 #include "tests/verification/fem/rig.h"
 
 namespace tricontact::fem {
@@ -19,13 +20,14 @@ struct BothModels {
     explicit BothModels(const contact::Case& c)
         : layer(LayerCondenser(c, {}).make(make_mesh(c, {}))) {
         linear = std::make_unique<contact::SurfaceModel>(
-            "fem", layer, c.make_indenter(), c.friction_coefficient, c.fem.tolerance, c.contact);
+            "fem", layer, c.make_indenter(), c.friction_coefficient,
+            c.of<fem::Settings>().tolerance, c.contact);
         strained = std::make_unique<StrainedModel>(
             StrainedModel::Setup{.layer = layer,
                                  .indenter = c.make_indenter(),
                                  .rolling_radius = c.indenter.radius,
                                  .friction_coefficient = c.friction_coefficient,
-                                 .tolerance = of_fem_tolerance * c.fem.tolerance,
+                                 .tolerance = of_fem_tolerance * c.of<fem::Settings>().tolerance,
                                  .c01_ratio = {c.c01_ratio.value_or(0), c.c01_ratio.value_or(0)},
                                  .relaxation = {}});
     }

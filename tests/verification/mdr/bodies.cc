@@ -6,6 +6,7 @@
 #include <cmath>
 #include <string>
 
+#include "mdr/settings.h"
 #include "tests/verification/bodies_cases.h"
 #include "tests/verification/mdr/roller.h"
 #include "theory/rolling/body_rolling.h"
@@ -20,7 +21,7 @@ class MdrBodies : public testing::TestWithParam<verification::Body> {};
 // The midpoint rule's error at 20000 springs, (dx/a)^2/12 = 1e-9; a body's kinks cost ten times it.
 TEST_P(MdrBodies, PressesAndShiftsAsTheClosedFormsSay) {
     Case c = verification::body_case(GetParam().shape, GetParam().exponent);
-    c.mdr.springs = 20000;
+    c.of<mdr::Settings>().springs = 20000;
     c.rolling = Case::Rolling{};  // of amplitude 0
     c.rolling->amplitude_ratio = 0;
     for (const double f : {.3, .9}) {
@@ -36,7 +37,7 @@ TEST_P(MdrBodies, PressesAndShiftsAsTheClosedFormsSay) {
 
 TEST_P(MdrBodies, SettlesWhereTheClosedFormSays) {
     Case c = verification::body_case(GetParam().shape, GetParam().exponent);
-    c.mdr.springs = 20000;
+    c.of<mdr::Settings>().springs = 20000;
     c.rolling = Case::Rolling{};
     c.rolling->steps_per_quarter = 1;
     for (const double w : {.15, .4}) {

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "bem/model.h"
+#include "contact/cells.h"
 #include "contact/run.h"
 #include "contact/solvers/normal_solver.h"
 #include "mdr/layer_model.h"
@@ -107,7 +108,7 @@ TEST(MdrLayer, Rig) {
 TEST(MdrLayer, StaticShiftIsThatOfBoundaryElements) {
     Case c = rig();
     c.contact.coupling = false;
-    c.bem.spacing = .2e-3;
+    c.of<contact::Cells>().spacing = .2e-3;
     for (const double thickness : {8e-3, 4e-3})
         for (const auto& [f, allowed] : {std::pair{.09, 1e-3}, {.24, 1.5e-3}, {.56, 3e-3}}) {
             c.layer.thickness = thickness;
@@ -125,7 +126,7 @@ TEST(MdrLayer, StaticShiftIsThatOfBoundaryElements) {
 TEST(MdrLayer, RollingOverestimatesTheShift) {
     Case c = rig();
     c.contact.coupling = false;
-    c.bem.spacing = .2e-3;
+    c.of<contact::Cells>().spacing = .2e-3;
     c.rolling.emplace();
     c.rolling->amplitude_ratio = .24;
     c.rolling->amplitude_reference = Case::AmplitudeReference::model;

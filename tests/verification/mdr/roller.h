@@ -5,6 +5,7 @@
 
 #include "contact/load_path.h"
 #include "mdr/model.h"
+#include "mdr/settings.h"
 
 namespace tricontact::mdr_test {
 
@@ -20,7 +21,7 @@ inline contact::Case sphere_rig(double w, double f, int springs, int steps_per_q
     c.rolling.emplace();
     c.rolling->amplitude_ratio = w;
     c.rolling->steps_per_quarter = steps_per_quarter;
-    c.mdr.springs = springs;
+    c.of<mdr::Settings>().springs = springs;
     return c;
 }
 

@@ -8,9 +8,11 @@
 #include <string>
 
 #include "bem/model.h"
+#include "contact/cells.h"
 #include "contact/load_path.h"
 #include "contact/run.h"
 #include "mdr/model.h"
+#include "mdr/settings.h"
 
 namespace tricontact::properties {
 
@@ -45,8 +47,8 @@ inline contact::Case random_case() {
     c.rolling->periods = 2;
     c.rolling->run_all = true;
     c.rolling->steps_per_quarter = *rc::gen::inRange(1, 4);
-    c.bem.cells_per_radius = drawn(5, 8);
-    c.mdr.springs = 300;
+    c.of<contact::Cells>().per_radius = drawn(5, 8);
+    c.of<mdr::Settings>().springs = 300;
     return c;
 }
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "contact/cells.h"
 #include "tests/verification/properties/cases.h"
 
 namespace tricontact::properties::properties_physics_test {
@@ -192,7 +193,7 @@ TEST(PropertiesPhysics, DissipationIsFirstOrderInTheStep) {
         c.rolling->angle = angle;
         c.rolling->periods = 2;
         c.rolling->run_all = true;
-        c.bem.cells_per_radius = 12;
+        c.of<contact::Cells>().per_radius = 12;
         const double coarse = energy_defect(c, 4), medium = energy_defect(c, 8),
                      fine = energy_defect(c, 16);
         // The traction at the end of the step stands for that on the way.

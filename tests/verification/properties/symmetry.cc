@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "contact/cells.h"
 #include "tests/verification/properties/cases.h"
 
 namespace tricontact::properties::properties_symmetry_test {
@@ -121,7 +122,7 @@ TEST(PropertiesScaling, RatiosDoMatter) {
     c.load.tangential_ratio = .4;
     c.rolling.emplace();
     c.rolling->amplitude_ratio = .3;
-    c.bem.cells_per_radius = 8;
+    c.of<contact::Cells>().per_radius = 8;
     auto last = [](const Case& one) { return shift_ratios(run("bem", one)).back()[0]; };
     const double reference = last(c);
     Case f = c, w = c, nu = c;
@@ -150,7 +151,8 @@ RC_GTEST_PROP(PropertiesRepetition, SameInputSameBits, ()) {
 /// Shift after two periods over U_max, the whole path moved by parts of a cell.
 double shift_moved_by(const Case& c, double x, double y) {
     const auto model = bem::make_model(c, 1);
-    const double h = contact::half_space_scales(c).contact_radius / *c.bem.cells_per_radius;
+    const double h =
+        contact::half_space_scales(c).contact_radius / *c.of<contact::Cells>().per_radius;
     const Vector2 move = {x * h, y * h};
     double shift = 0;
     auto take = [&](contact::LoadStep step) {
@@ -170,7 +172,7 @@ RC_GTEST_PROP(PropertiesGrid, WhereTheCellsLieHardlyMatters, ()) {
     Case c = random_case();
     c.load.tangential_ratio = drawn(.05, .8);
     const int cells = *rc::gen::element(8, 12, 16);
-    c.bem.cells_per_radius = cells;
+    c.of<contact::Cells>().per_radius = cells;
     const double here = shift_moved_by(c, 0, 0);
     const double there = shift_moved_by(c, drawn(-.5, .5), drawn(-.5, .5));
     // Second order in the cell, whatever its size: what stepped edges do to a pressure that

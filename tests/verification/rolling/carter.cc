@@ -8,7 +8,7 @@
 
 #include "rolling/run.h"
 #include "tests/unit/rolling/problems.h"
-#include "theory/rolling/creep_law.h"
+#include "theory/creep_law.h"
 
 namespace tricontact::rolling_carter_test {
 namespace {

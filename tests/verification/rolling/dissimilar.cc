@@ -10,8 +10,8 @@
 #include "rolling/linear_creep.h"
 #include "rolling/run.h"
 #include "tests/unit/rolling/problems.h"
+#include "theory/creep_law.h"
 #include "theory/layer/layer_stack.h"
-#include "theory/rolling/creep_law.h"
 
 namespace tricontact::rolling_dissimilar_test {
 namespace {

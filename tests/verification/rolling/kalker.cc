@@ -12,6 +12,7 @@
 
 #include "bem/grid_compliance.h"
 #include "bem/model.h"
+#include "contact/cells.h"
 #include "rolling/creep_theory.h"
 #include "rolling/linear_creep.h"
 #include "rolling/run.h"
@@ -86,7 +87,7 @@ TEST(RollingKalker, CoefficientsOfEllipses) {
 /// Force over creepage of a pressed ellipsoid that creeps so little that all sticks, over Kalker's.
 double stiffness_ratio(const contact::Case& given, double cells) {
     contact::Case c = given;
-    c.bem.cells_per_radius = cells;
+    c.of<contact::Cells>().per_radius = cells;
     const auto theories = rolling::creep_theories(c);
     const auto linear = std::ranges::find(theories, "kalker_linear", &rolling::CreepTheory::key);
     const double friction = c.friction_coefficient * *c.load.normal_force;

@@ -10,7 +10,7 @@
 
 #include "bem/steady_compliance.h"
 #include "contact/bodies/cylinder.h"
-#include "contact/substrates/relaxing_case.h"
+#include "contact/relaxing_case.h"
 #include "rolling/run.h"
 #include "tests/unit/rolling/problems.h"
 #include "theory/rolling/relaxing_rolling.h"

@@ -4,7 +4,7 @@
 #include <functional>
 
 #include "atlas/map_coordinates.h"
-#include "contact/bodies/half_space_scales.h"
+#include "contact/half_space_scales.h"
 #include "formula_table.h"
 #include "theory/layer/line_layer_forms.h"
 #include "theory/oscillating_cylinder.h"

@@ -1,6 +1,6 @@
 // Tangential stiffness of a sticking disc against boundary elements of the same disc.
 
-#include "theory/sticking_contact.h"
+#include "theory/layer/sticking_contact.h"
 
 #include <gtest/gtest.h>
 

@@ -8,7 +8,7 @@
 #include <string>
 
 #include "comparisons/half_space/deviation_output.h"
-#include "contact/error.h"
+#include "contact/base/error.h"
 #include "io/case/case_reader.h"
 #include "tests/unit/comparisons/layer_rig.h"
 #include "theory/rolling/oscillating_rolling.h"

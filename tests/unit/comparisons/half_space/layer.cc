@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bem/settings.h"
 #include "comparisons/half_space/layer_report.h"
 #include "comparisons/quantities/results.h"
 #include "comparisons/run/report.h"
@@ -135,9 +136,9 @@ TEST(Layer, WhereTheoryIsSilentItSaysWhy) {
     ground.layer.base = Case::Base::half_space;
     ground.layer.ground = contact::Material{70e9, .3};
     Case periodic = rig();
-    periodic.bem.period = 80e-3;
+    periodic.period = 80e-3;
     Case others = rig();
-    others.bem.influence = "influence.txt";
+    others.of<bem::Settings>().influence = "influence.txt";
     for (const auto& [c, why] :
          {std::pair(two, "one layer"), std::pair(elastic, "rigid"),
           std::pair(thin, "exceeds 32 thicknesses"), std::pair(ground, "rigid ground"),

@@ -62,7 +62,7 @@ TEST(LeftOut, LawIndenterAndPeriod) {
     EXPECT_EQ(keys(c, "fem"), "indenter.young ");
     EXPECT_EQ(keys(c, "bem-layer"), "");
     c.indenter.material.reset();
-    c.bem.period = .08;
+    c.period = .08;
     EXPECT_EQ(keys(c, "fem"), "bem.period ");
     EXPECT_EQ(keys(c, "bem-layer"), "");
 }

@@ -60,7 +60,7 @@ TEST(MapBorder, IsOfMapsThatEnd) {
     contact::History history;
     history.snapshots = {{0, surface_of(5, 1)}};
     contact::Case periodic = case_of(5);
-    periodic.bem.period = 5e-3;
+    periodic.period = 5e-3;
     EXPECT_FALSE(border_force_share(periodic, history));
     EXPECT_FALSE(border_force_share(contact::Case{}, history));
     EXPECT_FALSE(border_force_share(case_of(5), contact::History{}));

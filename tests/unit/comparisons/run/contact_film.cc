@@ -7,8 +7,10 @@
 #include <span>
 
 #include "bem/model.h"
+#include "contact/cells.h"
 #include "contact/run.h"
 #include "mdr/model.h"
+#include "mdr/settings.h"
 #include "report/player_json.h"
 
 namespace tricontact::comparisons {
@@ -29,7 +31,7 @@ contact::Case rolling_case() {
     c.rolling->periods = 3;
     c.rolling->run_all = true;
     c.rolling->steps_per_quarter = 2;
-    c.bem.cells_per_radius = 8;
+    c.of<contact::Cells>().per_radius = 8;
     return c;
 }
 
@@ -117,7 +119,7 @@ TEST(ContactFilm, BytesAreTheSurface) {
 TEST(ContactFilm, LinesOfSprings) {
     contact::Case c = rolling_case();
     c.models = {"mdr"};
-    c.mdr.springs = 200;
+    c.of<mdr::Settings>().springs = 200;
     c.rolling->angle = .5;
     const auto model = mdr::make_model(c);
     ContactFilm film(c);
@@ -220,7 +222,7 @@ TEST(ContactFilm, SectionsAreTheStresses) {
 TEST(ContactFilm, LongPeriodsAreThinned) {
     contact::Case c = rolling_case();
     c.models = {"mdr"};
-    c.mdr.springs = 60;
+    c.of<mdr::Settings>().springs = 60;
     c.rolling->steps_per_quarter = 75;
     const auto model = mdr::make_model(c);
     ContactFilm film(c);
@@ -241,7 +243,7 @@ TEST(ContactFilm, LongPeriodsAreThinned) {
 // Fine grids and long paths stay below the size of a page: 600 kB a model, five in 3 MB.
 TEST(ContactFilm, StaysSmall) {
     contact::Case c = rolling_case();
-    c.bem.cells_per_radius = 40;  // more than 96 across
+    c.of<contact::Cells>().per_radius = 40;  // more than 96 across
     c.rolling->periods = 1;
     c.rolling->steps_per_quarter = 1;
     const Played fine = played(c);

@@ -11,6 +11,7 @@
 #include "comparisons/run/reading.h"
 #include "comparisons/run/relaxation_report.h"
 #include "comparisons/run/report.h"
+#include "io/case/case_input.h"
 #include "tests/unit/comparisons/document.h"
 #include "tests/unit/comparisons/history.h"
 
@@ -296,7 +297,7 @@ TEST(RelaxationReport, DmaFitIsToldAndDrawn) {
         measured.storage.push_back(modulus.real());
         measured.loss.push_back(modulus.imag());
     }
-    c.dma_fit = contact::fit_prony(measured);
+    c.of<io::RelaxationFits>().dma = contact::fit_prony(measured);
     const auto figures = modulus_figures(c, without);
     ASSERT_EQ(figures.size(), 2u);
     EXPECT_EQ(figures[0].curves.back().name, "G″, measured");

@@ -4,6 +4,7 @@
 
 #include "comparisons/run/figures.h"
 #include "contact/bodies/height_map.h"
+#include "contact/cells.h"
 #include "tests/unit/comparisons/history.h"
 
 namespace tricontact::comparisons::rough_figures_test {
@@ -22,8 +23,8 @@ contact::Case rough_case() {
                                               .seed = 1};
     c.load.indentation.reset();
     c.load.normal_force = .4;
-    c.bem.period = 2;
-    c.bem.spacing = 2. / 32;
+    c.period = 2;
+    c.of<contact::Cells>().spacing = 2. / 32;
     return c;
 }
 
@@ -73,7 +74,7 @@ TEST(RoughFigures, ARoughBallHasNoNominalArea) {
     contact::Case c = rough_case();
     c.indenter.shape = contact::Case::Shape::paraboloid;
     c.indenter.radius = 50;
-    c.bem.period.reset();
+    c.period.reset();
     ASSERT_EQ(rough_figures(c, pressed()).size(), 1U);
     EXPECT_TRUE(rough_figures(synthetic::unit_case(), synthetic::two_models()).empty());
 }

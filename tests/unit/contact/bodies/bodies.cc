@@ -8,12 +8,12 @@
 #include <numbers>
 #include <vector>
 
+#include "contact/base/error.h"
 #include "contact/bodies/ellipsoid.h"
 #include "contact/bodies/indenter.h"
 #include "contact/bodies/profile_curve.h"
 #include "contact/bodies/shapes_of_revolution.h"
 #include "contact/case.h"
-#include "contact/error.h"
 
 namespace tricontact::bodies_test {
 namespace {

@@ -9,7 +9,7 @@
 #include <limits>
 #include <random>
 
-#include "contact/error.h"
+#include "contact/base/error.h"
 
 namespace tricontact::height_map_test {
 namespace {

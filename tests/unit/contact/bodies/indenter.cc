@@ -5,8 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "contact/base/error.h"
 #include "contact/case.h"
-#include "contact/error.h"
 #include "contact/solvers/contact_region.h"
 
 namespace tricontact::indenter_test {

@@ -4,9 +4,9 @@
 #include <numbers>
 #include <string>
 
+#include "contact/base/error.h"
 #include "contact/bodies/indenter.h"
 #include "contact/bodies/shapes_of_revolution.h"
-#include "contact/error.h"
 #include "tests/unit/mdr/profiles.h"
 
 namespace tricontact::profile_transform_test {

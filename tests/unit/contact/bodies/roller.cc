@@ -3,8 +3,8 @@
 #include <cmath>
 #include <limits>
 
+#include "contact/base/error.h"
 #include "contact/bodies/cylinder.h"
-#include "contact/error.h"
 
 namespace tricontact::roller_test {
 namespace {

@@ -9,7 +9,7 @@
 #include <numbers>
 #include <string>
 
-#include "contact/error.h"
+#include "contact/base/error.h"
 
 namespace tricontact::roughness_test {
 namespace {

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "bem/model.h"
+#include "bem/settings.h"
 #include "comparisons/quantities/left_out.h"
 #include "comparisons/quantities/reference.h"
 #include "contact/load_path.h"
@@ -161,22 +162,11 @@ TEST(ModelKinds, OnALineHaveLines) {
 
 TEST(ModelKinds, AreAsAccurateAsTheirSettings) {
     Case c = layer_case(8e-3);
-    c.bem.tolerance = 3e-5;
-    c.fem.tolerance = 7e-4;
-    for (const ModelKind& kind : model_kinds()) {
-        const double step = kind.step_accuracy(c), bar = kind.tolerance(c);
-        if (kind.is_on_cells()) {
-            EXPECT_EQ(step, c.bem.tolerance);
-            EXPECT_EQ(bar, c.bem.tolerance);
-        }
-        if (kind.is_meshed()) {
-            EXPECT_EQ(step, c.fem.tolerance);
-            EXPECT_EQ(bar, c.fem.tolerance);
-        }
-        if (kind.is_on_line()) {
-            EXPECT_LE(step, bar);
-            EXPECT_LE(bar, contact::layer_springs_accuracy);
-        }
+    c.of<bem::Settings>().tolerance = 3e-5;
+    for (const ModelKind& kind : linked()) {
+        const double step = made(kind.name, c)->step_accuracy();
+        if (kind.is_on_cells()) EXPECT_EQ(step, c.of<bem::Settings>().tolerance);
+        if (kind.is_on_line()) EXPECT_LE(step, contact::layer_springs_accuracy);
     }
 }
 

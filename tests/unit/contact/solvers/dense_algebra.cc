@@ -6,8 +6,8 @@
 #include <random>
 #include <utility>
 
-#include "contact/solvers/cholesky.h"
-#include "contact/solvers/dense_products.h"
+#include "contact/compliances/cholesky.h"
+#include "contact/compliances/dense_products.h"
 
 namespace tricontact::dense_algebra_test {
 namespace {

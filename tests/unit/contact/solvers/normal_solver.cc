@@ -7,7 +7,7 @@
 #include <limits>
 #include <vector>
 
-#include "contact/error.h"
+#include "contact/base/error.h"
 #include "tests/unit/contact/dense_compliance.h"
 
 namespace tricontact::normal_solver_test {

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "contact/solvers/interior.h"
+#include "contact/compliances/interior.h"
 
 namespace tricontact::contact::subsurface_test {
 namespace {

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "contact/error.h"
+#include "contact/base/error.h"
 #include "contact/solvers/projected_gradient.h"
 #include "tests/unit/contact/dense_compliance.h"
 

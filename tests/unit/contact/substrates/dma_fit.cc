@@ -8,7 +8,7 @@
 #include <random>
 #include <string>
 
-#include "contact/error.h"
+#include "contact/base/error.h"
 
 namespace tricontact::contact::dma_fit_test {
 namespace {

@@ -6,7 +6,7 @@
 #include <limits>
 #include <string>
 
-#include "contact/error.h"
+#include "contact/base/error.h"
 
 namespace tricontact::material_test {
 namespace {

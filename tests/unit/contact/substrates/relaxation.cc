@@ -6,7 +6,7 @@
 #include <limits>
 #include <string>
 
-#include "contact/error.h"
+#include "contact/base/error.h"
 
 namespace tricontact::contact::relaxation_test {
 namespace {

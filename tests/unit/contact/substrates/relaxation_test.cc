@@ -5,7 +5,7 @@
 #include <cmath>
 #include <string>
 
-#include "contact/error.h"
+#include "contact/base/error.h"
 
 namespace tricontact::contact::relaxation_fit_test {
 namespace {

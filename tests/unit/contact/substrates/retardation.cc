@@ -3,7 +3,7 @@
 #include <cmath>
 #include <random>
 
-#include "contact/error.h"
+#include "contact/base/error.h"
 #include "contact/substrates/relaxation.h"
 
 namespace tricontact::retardation_test {

@@ -4,8 +4,9 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "contact/special_values.h"
-#include "contact/substrates/relaxing_case.h"
+#include "contact/base/special_values.h"
+#include "contact/relaxing_case.h"
+#include "fem/settings.h"
 
 namespace tricontact::stieltjes_interpolation_test {
 namespace {
@@ -109,7 +110,7 @@ TEST(StieltjesInterpolation, LayersAreBodiesOfAnyPoles) {
     layer.relaxation->branches = {{.5, .1}};
     EXPECT_GT(worst_error(contact::interpolation_of(layer), 1.5), 1e-3);
     contact::Case meshed = layer;
-    meshed.fem.mesh = "block.msh";
+    meshed.of<fem::Settings>().mesh = "block.msh";
     layer.layer.thickness = 8e-3;
     for (const contact::Case& c : {layer, meshed}) {
         const StieltjesInterpolation interpolation = contact::interpolation_of(c);

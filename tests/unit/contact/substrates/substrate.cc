@@ -4,9 +4,9 @@
 
 #include <cmath>
 
-#include "contact/state_bytes.h"
+#include "contact/base/state_bytes.h"
+#include "contact/relaxing_case.h"
 #include "contact/substrates/partly_relaxing_substrate.h"
-#include "contact/substrates/relaxing_case.h"
 #include "tests/unit/contact/dense_compliance.h"
 
 namespace tricontact::substrate_test {

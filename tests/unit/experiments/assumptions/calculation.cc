@@ -4,7 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "contact/error.h"
+#include "contact/base/error.h"
 #include "experiments/assumptions/assumption.h"
 #include "experiments/assumptions/check_rig.h"
 

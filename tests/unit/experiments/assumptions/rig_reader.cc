@@ -4,8 +4,8 @@
 #include <numbers>
 #include <string>
 
-#include "contact/bodies/half_space_scales.h"
-#include "contact/error.h"
+#include "contact/base/error.h"
+#include "contact/half_space_scales.h"
 #include "experiments/assumptions/rig.h"
 #include "experiments/assumptions/rig_report.h"
 #include "tests/unit/experiments/assumptions/rig_reports.h"

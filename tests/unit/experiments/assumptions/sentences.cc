@@ -4,7 +4,7 @@
 #include <numbers>
 #include <set>
 
-#include "contact/error.h"
+#include "contact/base/error.h"
 #include "experiments/assumptions/rolling_parts.h"
 #include "tests/unit/experiments/assumptions/rig_reports.h"
 

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "contact/special_values.h"
+#include "contact/base/special_values.h"
 #include "experiments/design/design_search.h"
 #include "experiments/design/level_line.h"
 #include "experiments/design/planned_comparison.h"

@@ -10,7 +10,7 @@
 #include "experiments/identification/identification.h"
 #include "theory/cattaneo_mindlin.h"
 #include "theory/layer/elastic_layer.h"
-#include "theory/sticking_contact.h"
+#include "theory/layer/sticking_contact.h"
 
 namespace tricontact::experiments::identification_bias_test {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "contact/error.h"
+#include "contact/base/error.h"
 #include "experiments/records/experiment_evaluation.h"
 #include "statistics/estimate.h"
 #include "tests/unit/experiments/records/synthetic_record.h"

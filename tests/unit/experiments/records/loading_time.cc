@@ -5,7 +5,7 @@
 #include <cmath>
 #include <random>
 
-#include "contact/error.h"
+#include "contact/base/error.h"
 #include "experiments/records/experiment_evaluation.h"
 
 namespace tricontact::experiments::loading_time_test {

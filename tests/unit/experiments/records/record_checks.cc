@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "contact/error.h"
+#include "contact/base/error.h"
 #include "experiments/records/experiment_evaluation.h"
 #include "experiments/records/experiment_report.h"
 #include "tests/unit/experiments/records/synthetic_record.h"

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "contact/error.h"
+#include "contact/base/error.h"
 #include "tests/unit/experiments/records/synthetic_record.h"
 
 namespace tricontact::experiments {

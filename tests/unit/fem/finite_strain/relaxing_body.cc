@@ -4,7 +4,7 @@
 #include <limits>
 #include <random>
 
-#include "contact/error.h"
+#include "contact/base/error.h"
 #include "tests/unit/fem/finite_strain/maxwell_reference.h"
 #include "tests/unit/fem/finite_strain/strained_block.h"
 #include "tests/unit/fem/layer_problems.h"

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "contact/error.h"
+#include "contact/base/error.h"
 #include "io/case/case_reader.h"
 #include "tests/unit/io/sphere_case.h"
 #include "walking/input/walk_reader.h"

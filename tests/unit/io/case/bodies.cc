@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "contact/error.h"
+#include "contact/base/error.h"
 #include "io/case/case_reader.h"
 #include "io/tables/body_tables.h"
 #include "tests/unit/io/temporary_folder.h"

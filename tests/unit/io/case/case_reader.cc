@@ -9,7 +9,13 @@
 #include <numbers>
 #include <thread>
 
-#include "contact/error.h"
+#include "bem/settings.h"
+#include "contact/base/error.h"
+#include "contact/cells.h"
+#include "fem/settings.h"
+#include "io/case/case_input.h"
+#include "io/results/output.h"
+#include "mdr/settings.h"
 #include "tests/unit/io/sphere_case.h"
 #include "walking/input/walk_reader.h"
 
@@ -48,10 +54,10 @@ TEST(CaseReader, ReadsTheRigOfTheThesisInSiUnits) {
     EXPECT_EQ(c.rolling->periods, 12);
     EXPECT_EQ(c.rolling->steps, Case::Steps::increment);
     EXPECT_EQ(c.rolling->increment, 0.0002);
-    EXPECT_EQ(c.bem.spacing, 0.0002);
-    EXPECT_FALSE(c.bem.cells_per_radius);
-    EXPECT_EQ(c.bem.tolerance, 1e-7);
-    EXPECT_EQ(c.mdr.springs, 10000);
+    EXPECT_EQ(c.of<contact::Cells>().spacing, 0.0002);
+    EXPECT_FALSE(c.of<contact::Cells>().per_radius);
+    EXPECT_EQ(c.of<bem::Settings>().tolerance, 1e-7);
+    EXPECT_EQ(c.of<mdr::Settings>().springs, 10000);
 }
 
 TEST(CaseReader, EveryCaseOfTheFolderIsAccepted) {
@@ -118,12 +124,12 @@ cache = "none"
     EXPECT_EQ(c.layer.total_thickness(), 0.01);
     EXPECT_FALSE(c.contact.coupling);
     EXPECT_EQ(c.load.press_steps, 7);
-    EXPECT_EQ(c.fem.size, 0.0005);
-    EXPECT_FALSE(c.fem.accuracy);
-    EXPECT_EQ(c.fem.growth, 1.5);
-    EXPECT_EQ(c.fem.tolerance, 1e-5);
-    EXPECT_EQ(c.fem.cache, "none");
-    EXPECT_FALSE(c.fem.mesh);
+    EXPECT_EQ(c.of<fem::Settings>().size, 0.0005);
+    EXPECT_FALSE(c.of<fem::Settings>().accuracy);
+    EXPECT_EQ(c.of<fem::Settings>().growth, 1.5);
+    EXPECT_EQ(c.of<fem::Settings>().tolerance, 1e-5);
+    EXPECT_EQ(c.of<fem::Settings>().cache, "none");
+    EXPECT_FALSE(c.of<fem::Settings>().mesh);
 }
 
 TEST(CaseReader, FileNamesAreMeantFromTheCaseFileAndThoseOfOverridesFromTheWorkingDirectory) {
@@ -134,20 +140,22 @@ cache = "condensed"
 )";
     const auto here = std::filesystem::current_path();
     const Case c = parse_case(text, "/home/me/cases/layer.toml");
-    EXPECT_EQ(c.fem.mesh, "/home/me/meshes/layer.msh");
-    EXPECT_EQ(c.fem.mesh_unit, 1e-3);
-    EXPECT_EQ(c.fem.cache, "/home/me/cases/condensed");
-    EXPECT_FALSE(c.fem.accuracy) << "a mesh has the size of its own";
-    EXPECT_EQ(parse_case(text, "layer.toml").fem.cache, here / "condensed");
+    EXPECT_EQ(c.of<fem::Settings>().mesh, "/home/me/meshes/layer.msh");
+    EXPECT_EQ(c.of<fem::Settings>().mesh_unit, 1e-3);
+    EXPECT_EQ(c.of<fem::Settings>().cache, "/home/me/cases/condensed");
+    EXPECT_FALSE(c.of<fem::Settings>().accuracy) << "a mesh has the size of its own";
+    EXPECT_EQ(parse_case(text, "layer.toml").of<fem::Settings>().cache, here / "condensed");
 
     const Case overridden =
         parse_case(text, "/home/me/cases/layer.toml", {"fem.mesh=a.msh", "fem.cache=/tmp/there"});
-    EXPECT_EQ(overridden.fem.mesh, here / "a.msh");
-    EXPECT_EQ(overridden.fem.cache, "/tmp/there");
+    EXPECT_EQ(overridden.of<fem::Settings>().mesh, here / "a.msh");
+    EXPECT_EQ(overridden.of<fem::Settings>().cache, "/tmp/there");
 
     // Written out they stay where they are, wherever the resolved case stands.
-    EXPECT_EQ(parse_case(write_case(c), "elsewhere/case.toml").fem.mesh, c.fem.mesh);
-    EXPECT_EQ(parse_case(write_case(c), "elsewhere/case.toml").fem.cache, c.fem.cache);
+    EXPECT_EQ(parse_case(write_case(c), "elsewhere/case.toml").of<fem::Settings>().mesh,
+              c.of<fem::Settings>().mesh);
+    EXPECT_EQ(parse_case(write_case(c), "elsewhere/case.toml").of<fem::Settings>().cache,
+              c.of<fem::Settings>().cache);
 }
 
 TEST(CaseReader, OmittedSectionsMeanRigidStaticAndDefaults) {
@@ -155,10 +163,10 @@ TEST(CaseReader, OmittedSectionsMeanRigidStaticAndDefaults) {
     EXPECT_FALSE(c.indenter.material);
     EXPECT_FALSE(c.rolling);
     EXPECT_EQ(c.title, "");
-    EXPECT_EQ(c.bem.cells_per_radius, 22.5);
-    EXPECT_FALSE(c.bem.spacing);
-    EXPECT_EQ(c.output.vtk, Case::VtkOutput::frames);
-    EXPECT_EQ(c.output.frames_per_period, 40);
+    EXPECT_EQ(c.of<contact::Cells>().per_radius, 22.5);
+    EXPECT_FALSE(c.of<contact::Cells>().spacing);
+    EXPECT_EQ(c.of<io::Output>().vtk, io::Output::Vtk::frames);
+    EXPECT_EQ(c.of<io::Output>().frames_per_period, 40);
 }
 
 // The defaults are declared twice: with the keys, for the reference, and in the structure.
@@ -176,20 +184,20 @@ TEST(CaseReader, DeclaredDefaultsAreThoseOfTheStructure) {
     EXPECT_EQ(c.rolling->run_all, rolling_defaults.run_all);
     EXPECT_EQ(c.rolling->steps, rolling_defaults.steps);
     EXPECT_EQ(c.rolling->steps_per_quarter, rolling_defaults.steps_per_quarter);
-    EXPECT_EQ(c.bem.tolerance, Case::Bem().tolerance);
-    EXPECT_EQ(c.mdr.springs, Case::Mdr().springs);
-    EXPECT_EQ(c.output.vtk, Case::Output().vtk);
-    EXPECT_EQ(c.output.volume, Case::Output().volume);
+    EXPECT_EQ(c.of<bem::Settings>().tolerance, bem::Settings().tolerance);
+    EXPECT_EQ(c.of<mdr::Settings>().springs, mdr::Settings().springs);
+    EXPECT_EQ(c.of<io::Output>().vtk, io::Output().vtk);
+    EXPECT_EQ(c.of<io::Output>().volume, io::Output().volume);
     EXPECT_EQ(c.load.press, Case::Load().press);
     EXPECT_EQ(c.load.press_steps, Case::Load().press_steps);
     EXPECT_EQ(c.contact.coupling, Case::Contact().coupling);
-    EXPECT_EQ(c.fem.growth, Case::Fem().growth);
-    EXPECT_EQ(c.fem.sides, Case::Fem().sides);
-    EXPECT_EQ(c.fem.tolerance, Case::Fem().tolerance);
-    EXPECT_EQ(c.fem.cache, Case::Fem().cache);
+    EXPECT_EQ(c.of<fem::Settings>().growth, fem::Settings().growth);
+    EXPECT_EQ(c.of<fem::Settings>().sides, fem::Settings().sides);
+    EXPECT_EQ(c.of<fem::Settings>().tolerance, fem::Settings().tolerance);
+    EXPECT_EQ(c.of<fem::Settings>().cache, fem::Settings().cache);
     const Case layered = parsed({"substrate.thickness=8 mm", "fem.mesh=layer.msh"});
     EXPECT_EQ(layered.layer.base, Case::Layer().base);
-    EXPECT_EQ(layered.fem.mesh_unit, Case::Fem().mesh_unit);
+    EXPECT_EQ(layered.of<fem::Settings>().mesh_unit, fem::Settings().mesh_unit);
 }
 
 TEST(CaseReader, ReadsManyLayersOnAnElasticGround) {
@@ -208,7 +216,7 @@ TEST(CaseReader, ReadsManyLayersOnAnElasticGround) {
     EXPECT_EQ(c.layer.lower[1].thickness, 1e-5);
     EXPECT_EQ(c.layer.lower[1].material.young, 1e6);
     EXPECT_EQ(c.layer.lower[1].material.poisson, 0);
-    EXPECT_FALSE(c.lower_layers_input);
+    EXPECT_FALSE(c.kept.find<io::LayersInput>());
 }
 
 TEST(CaseReader, EveryWordOfAChoiceIsRead) {
@@ -216,12 +224,13 @@ TEST(CaseReader, EveryWordOfAChoiceIsRead) {
     EXPECT_EQ(parsed({}, rolling).rolling->amplitude_reference, Case::AmplitudeReference::model);
     EXPECT_EQ(parsed({"rolling.steps=turning-points"}, rolling).rolling->steps,
               Case::Steps::turning_points);
-    EXPECT_EQ(parsed({"output.vtk=none"}).output.vtk, Case::VtkOutput::none);
-    EXPECT_EQ(parsed({"output.vtk=all"}).output.vtk, Case::VtkOutput::all);
-    EXPECT_EQ(parsed({"output.volume=last"}).output.volume, Case::VolumeOutput::last);
-    EXPECT_EQ(parsed({"output.volume=quarters"}).output.volume, Case::VolumeOutput::quarters);
+    EXPECT_EQ(parsed({"output.vtk=none"}).of<io::Output>().vtk, io::Output::Vtk::none);
+    EXPECT_EQ(parsed({"output.vtk=all"}).of<io::Output>().vtk, io::Output::Vtk::all);
+    EXPECT_EQ(parsed({"output.volume=last"}).of<io::Output>().volume, io::Output::Volume::last);
+    EXPECT_EQ(parsed({"output.volume=quarters"}).of<io::Output>().volume,
+              io::Output::Volume::quarters);
     EXPECT_EQ(parsed({"load.press=frictionless"}).load.press, Case::Press::frictionless);
-    EXPECT_EQ(parsed({"fem.sides=fixed"}).fem.sides, Case::Sides::fixed);
+    EXPECT_EQ(parsed({"fem.sides=fixed"}).of<fem::Settings>().sides, fem::Sides::fixed);
     EXPECT_EQ(parsed({"substrate.base=frictionless", "substrate.thickness=8 mm"}).layer.base,
               Case::Base::frictionless);
 }
@@ -256,13 +265,13 @@ TEST(CaseReader, OverridingOneAlternativeRemovesTheOthersOfTheFile) {
 
     const Case meshed =
         parsed({"fem.size=1 mm"}, "[fem]\nmesh = \"a.msh\"\nmesh_unit = \"1 mm\"\n");
-    EXPECT_EQ(meshed.fem.size, 1e-3);
-    EXPECT_FALSE(meshed.fem.mesh);
-    EXPECT_EQ(meshed.fem.mesh_unit, 1);
+    EXPECT_EQ(meshed.of<fem::Settings>().size, 1e-3);
+    EXPECT_FALSE(meshed.of<fem::Settings>().mesh);
+    EXPECT_EQ(meshed.of<fem::Settings>().mesh_unit, 1);
 
     const Case cells = parsed({"bem.cells_per_radius=11"}, "[bem]\nspacing = \"0.2 mm\"\n");
-    EXPECT_EQ(cells.bem.cells_per_radius, 11);
-    EXPECT_FALSE(cells.bem.spacing);
+    EXPECT_EQ(cells.of<contact::Cells>().per_radius, 11);
+    EXPECT_FALSE(cells.of<contact::Cells>().spacing);
 }
 
 TEST(CaseReader, AnOverrideMayOpenASection) {

@@ -7,8 +7,14 @@
 #include <cstdint>
 #include <numbers>
 
-#include "contact/substrates/relaxing_case.h"
+#include "bem/settings.h"
+#include "contact/cells.h"
+#include "contact/relaxing_case.h"
+#include "fem/settings.h"
+#include "io/case/case_input.h"
 #include "io/case/case_reader.h"
+#include "io/results/output.h"
+#include "mdr/settings.h"
 
 namespace tricontact::io::case_writer_test {
 namespace {
@@ -106,8 +112,8 @@ Case::Layer any_layer(double contact_radius, double amplitude, bool fem) {
     return layer;
 }
 
-Case::Fem any_fem(double contact_radius, bool used) {
-    Case::Fem fem;
+fem::Settings any_fem(double contact_radius, bool used) {
+    fem::Settings fem;
     const int kind = *rc::gen::inRange(0, used ? 2 : 3);  // a mesh that is used must be there
     if (kind == 0) fem.accuracy = between(1e-4, 0.2);
     if (kind == 1) fem.size = between(0.2, 0.4) * contact_radius;
@@ -116,7 +122,7 @@ Case::Fem any_fem(double contact_radius, bool used) {
         fem.mesh_unit = of_magnitude(-6, 3);
     }
     fem.growth = between(1.2, 3);
-    fem.sides = one_of({Case::Sides::free, Case::Sides::fixed});
+    fem.sides = one_of({fem::Sides::free, fem::Sides::fixed});
     fem.tolerance = of_magnitude(-13, -3);
     fem.cache = one_of<std::string>({"", "none", "/a folder/\"quoted\""});
     return fem;
@@ -129,11 +135,11 @@ void relax(Case& c) {
         one_of({contact::Relaxation::Bulk::proportional, contact::Relaxation::Bulk::elastic});
     const int n = *rc::gen::inRange(1, 6);
     for (int i = 0; i < n; ++i) {
-        c.relaxation_input.moduli.push_back(of_magnitude(2, 11));
-        c.relaxation_input.times.push_back(of_magnitude(i - 4, i - 3));
+        c.of<io::RelaxationInput>().moduli.push_back(of_magnitude(2, 11));
+        c.of<io::RelaxationInput>().times.push_back(of_magnitude(i - 4, i - 3));
         c.relaxation->branches.push_back(
-            {c.relaxation_input.moduli.back() / c.substrate.shear_modulus(),
-             c.relaxation_input.times.back()});
+            {c.of<io::RelaxationInput>().moduli.back() / c.substrate.shear_modulus(),
+             c.of<io::RelaxationInput>().times.back()});
     }
     c.load.press_time = between(0, 10);
     c.load.hold = between(0, 1000);
@@ -142,10 +148,10 @@ void relax(Case& c) {
     std::erase(c.models, "mdr");
     if (c.models.empty()) {
         c.models = {"bem"};
-        c.bem.period.reset();
-        c.bem.influence.reset();
+        c.period.reset();
+        c.of<bem::Settings>().influence.reset();
     }
-    c.output.volume = Case::VolumeOutput::none;
+    c.of<io::Output>().volume = io::Output::Volume::none;
 }
 
 // A case that the reader accepts; scales spread over many decades.
@@ -169,29 +175,29 @@ Case any_case() {
     const bool oscillating = c.rolling && c.rolling->steps != Case::Steps::turning_points;
     c.load = any_load(c.friction_coefficient, force, d, oscillating);
     if (*rc::gen::arbitrary<bool>())
-        c.bem.spacing = a * between(0.02, 0.4);
+        c.of<contact::Cells>().spacing = a * between(0.02, 0.4);
     else
-        c.bem.cells_per_radius = between(2, 50);
-    c.bem.tolerance = of_magnitude(-13, -3);
-    c.mdr.springs = *rc::gen::inRange(100, 5000);
-    c.output.vtk = one_of({Case::VtkOutput::none, Case::VtkOutput::quarters,
-                           Case::VtkOutput::frames, Case::VtkOutput::all});
-    if (c.output.vtk == Case::VtkOutput::frames)
-        c.output.frames_per_period = *rc::gen::inRange(4, 10001);
-    c.output.volume =
-        one_of({Case::VolumeOutput::none, Case::VolumeOutput::last, Case::VolumeOutput::quarters});
-    if (*rc::gen::arbitrary<bool>()) c.output.volume_depth = between(.1, 10) * a;
+        c.of<contact::Cells>().per_radius = between(2, 50);
+    c.of<bem::Settings>().tolerance = of_magnitude(-13, -3);
+    c.of<mdr::Settings>().springs = *rc::gen::inRange(100, 5000);
+    c.of<io::Output>().vtk = one_of({io::Output::Vtk::none, io::Output::Vtk::quarters,
+                                     io::Output::Vtk::frames, io::Output::Vtk::all});
+    if (c.of<io::Output>().vtk == io::Output::Vtk::frames)
+        c.of<io::Output>().frames_per_period = *rc::gen::inRange(4, 10001);
+    c.of<io::Output>().volume =
+        one_of({io::Output::Volume::none, io::Output::Volume::last, io::Output::Volume::quarters});
+    if (*rc::gen::arbitrary<bool>()) c.of<bem::Settings>().volume_depth = between(.1, 10) * a;
     const double w = c.rolling ? contact::rolling_amplitude(*c.rolling, a) : 0;
     if (fem || *rc::gen::arbitrary<bool>()) c.layer = any_layer(a, w, fem);
     const bool bem = std::find(c.models.begin(), c.models.end(), "bem") != c.models.end();
-    if (!bem && c.layer.thickness) c.bem.period = between(1, 100) * a;  // kept, but not used
-    if (!bem) c.bem.influence = "/any" + any_title();
+    if (!bem && c.layer.thickness) c.period = between(1, 100) * a;  // kept, but not used
+    if (!bem) c.of<bem::Settings>().influence = "/any" + any_title();
     if (c.models == std::vector<std::string>{"fem"}) c.substrate.poisson = between(-0.9, 0.5);
     const bool between_turning_points =
         c.rolling && c.rolling->steps == Case::Steps::turning_points;
     if (!between_turning_points && *rc::gen::arbitrary<bool>()) relax(c);
     c.contact = {.coupling = *rc::gen::arbitrary<bool>()};
-    c.fem = any_fem(a, fem);
+    c.of<fem::Settings>() = any_fem(a, fem);
     return c;
 }
 
@@ -239,7 +245,7 @@ void same(const Case::Layer& a, const Case::Layer& b) {
     if (a.ground) same(*a.ground, *b.ground);
 }
 
-void same(const Case::Fem& a, const Case::Fem& b) {
+void same(const fem::Settings& a, const fem::Settings& b) {
     same(a.size, b.size);
     same(a.accuracy, b.accuracy);
     same(a.growth, b.growth);
@@ -287,18 +293,18 @@ void same(const Case& a, const Case& b) {
     same(a.load, b.load);
     RC_ASSERT(a.rolling.has_value() == b.rolling.has_value());
     if (a.rolling) same(*a.rolling, *b.rolling);
-    same(a.bem.spacing, b.bem.spacing);
-    same(a.bem.cells_per_radius, b.bem.cells_per_radius);
-    same(a.bem.tolerance, b.bem.tolerance);
-    same(a.bem.period, b.bem.period);
-    RC_ASSERT(a.bem.influence == b.bem.influence);
-    RC_ASSERT(a.mdr.springs == b.mdr.springs);
+    same(a.of<contact::Cells>().spacing, b.of<contact::Cells>().spacing);
+    same(a.of<contact::Cells>().per_radius, b.of<contact::Cells>().per_radius);
+    same(a.of<bem::Settings>().tolerance, b.of<bem::Settings>().tolerance);
+    same(a.period, b.period);
+    RC_ASSERT(a.of<bem::Settings>().influence == b.of<bem::Settings>().influence);
+    RC_ASSERT(a.of<mdr::Settings>().springs == b.of<mdr::Settings>().springs);
     same(a.layer, b.layer);
     RC_ASSERT(a.contact.coupling == b.contact.coupling);
-    same(a.fem, b.fem);
-    RC_ASSERT(a.output.vtk == b.output.vtk);
-    RC_ASSERT(a.output.volume == b.output.volume);
-    same(a.output.volume_depth, b.output.volume_depth);
+    same(a.of<fem::Settings>(), b.of<fem::Settings>());
+    RC_ASSERT(a.of<io::Output>().vtk == b.of<io::Output>().vtk);
+    RC_ASSERT(a.of<io::Output>().volume == b.of<io::Output>().volume);
+    same(a.of<bem::Settings>().volume_depth, b.of<bem::Settings>().volume_depth);
 }
 
 TEST(CaseWriter, ReadingBackGivesTheSameBits) {

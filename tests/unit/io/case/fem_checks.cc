@@ -6,10 +6,10 @@
 #include <cmath>
 #include <cstdio>
 
-#include "contact/error.h"
+#include "contact/base/error.h"
 #include "io/case/case_checks.h"
 #include "io/case/case_reader.h"
-#include "theory/line_contact.h"
+#include "theory/layer/line_contact.h"
 
 namespace tricontact::io::fem_checks_test {
 namespace {

@@ -8,7 +8,8 @@
 #include <numbers>
 #include <string>
 
-#include "contact/error.h"
+#include "contact/base/error.h"
+#include "io/case/case_input.h"
 #include "io/case/case_reader.h"
 
 namespace tricontact::io::relaxation_test {
@@ -130,7 +131,7 @@ TEST(RelaxationInput, StandardSolid) {
     EXPECT_EQ(c.load.hold, 60);
     EXPECT_EQ(c.load.press_time, 0.5);
     EXPECT_EQ(c.rolling->speed, 1e-3);
-    EXPECT_FALSE(c.dma_fit);
+    EXPECT_FALSE(relaxation_fits(c).dma);
 }
 
 TEST(RelaxationInput, PronySeries) {
@@ -280,18 +281,18 @@ class DmaCase : public testing::Test {
 
 TEST_F(DmaCase, TakesTheShapeOfTheTableAndTheModulusOfTheCase) {
     const Case c = read();
-    ASSERT_TRUE(c.dma_fit);
-    EXPECT_EQ(c.dma_fit->table.name, "rubber.csv");
+    ASSERT_TRUE(relaxation_fits(c).dma);
+    EXPECT_EQ(relaxation_fits(c).dma->table.name, "rubber.csv");
     ASSERT_EQ(c.relaxation->branches.size(), 2U);
     // Numbers of 17 digits, recovered as in contact_dma_fit.cc.
-    EXPECT_NEAR(c.dma_fit->relaxed_modulus, 2e6, 2e6 * 1e-9);
+    EXPECT_NEAR(relaxation_fits(c).dma->relaxed_modulus, 2e6, 2e6 * 1e-9);
     EXPECT_NEAR(c.relaxation->branches[0].ratio, 0.7, 1e-9);
     EXPECT_NEAR(c.relaxation->branches[1].ratio, 0.4, 1e-9);
     EXPECT_NEAR(c.relaxation->branches[0].time, 0.05, 1e-10);
     EXPECT_NEAR(c.relaxation->branches[1].time, 2, 1e-9);
     // The case has 1.7 MPa.
-    EXPECT_NEAR(c.relaxation_input.moduli[0], 0.7 * 1.7e6, 1e-2);
-    EXPECT_EQ(contact::remarks(*c.dma_fit, c.substrate.shear_modulus()).size(), 2U);
+    EXPECT_NEAR(c.of<io::RelaxationInput>().moduli[0], 0.7 * 1.7e6, 1e-2);
+    EXPECT_EQ(contact::remarks(*relaxation_fits(c).dma, c.substrate.shear_modulus()).size(), 2U);
 }
 
 TEST_F(DmaCase, ResolvedCaseStandsWithoutTheTable) {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <tuple>
 
-#include "contact/error.h"
+#include "contact/base/error.h"
 #include "io/case/case_reader.h"
 #include "io/case/rig_keys.h"
 #include "io/keys/field_reader.h"

@@ -2,8 +2,9 @@
 
 #include <gtest/gtest.h>
 
-#include "contact/bodies/half_space_scales.h"
-#include "contact/error.h"
+#include "contact/base/error.h"
+#include "contact/half_space_scales.h"
+#include "io/case/case_input.h"
 #include "io/case/case_reader.h"
 #include "tests/unit/io/sphere_case.h"
 
@@ -28,7 +29,7 @@ TEST(ThicknessRatio, IsThatToTheContactDiameterOnTheHalfSpace) {
             EXPECT_DOUBLE_EQ(c.layer.thickness.value(),
                              1.8 * contact::half_space_scales(c).contact_radius)
                 << load;
-            EXPECT_FALSE(c.layer.thickness_ratio);
+            EXPECT_FALSE(c.kept.find<io::LayersInput>());
         }
 }
 

@@ -10,7 +10,7 @@
 #include <fstream>
 #include <ostream>
 
-#include "contact/error.h"
+#include "contact/base/error.h"
 #include "walking/input/walk_keys.h"
 
 namespace tricontact::io::study_reader_test {

@@ -8,7 +8,9 @@
 
 #include "bem/grid_compliance.h"
 #include "bem/model.h"
-#include "contact/error.h"
+#include "bem/settings.h"
+#include "contact/base/error.h"
+#include "contact/cells.h"
 #include "io/case/case_reader.h"
 #include "io/contact_program/import.h"
 #include "io/contact_program/program_case.h"
@@ -77,8 +79,8 @@ void expect_same_back(const std::vector<std::string>& overrides, const std::stri
     EXPECT_NEAR(pair.dundurs_beta(), pair_back.dundurs_beta(), 1e-14);
     EXPECT_EQ(first.c.indenter.material.has_value(), back.indenter.material.has_value());
     EXPECT_EQ(first.c.friction_coefficient, back.friction_coefficient);
-    EXPECT_EQ(first.c.bem.tolerance, back.bem.tolerance);
-    expect_close(first.grid.spacing[0], *back.bem.spacing, "spacing");
+    EXPECT_EQ(first.c.of<bem::Settings>().tolerance, back.of<bem::Settings>().tolerance);
+    expect_close(first.grid.spacing[0], *back.of<contact::Cells>().spacing, "spacing");
     EXPECT_EQ(first.c.is_line_contact(), back.is_line_contact());
     const auto body = first.c.make_indenter(), body_back = back.make_indenter();
     const double y = first.c.is_line_contact() ? 0 : -2e-3;

@@ -13,7 +13,8 @@
 
 #include "bem/grid_compliance.h"
 #include "bem/model.h"
-#include "contact/bodies/half_space_scales.h"
+#include "contact/cells.h"
+#include "contact/half_space_scales.h"
 #include "contact/load_path.h"
 #include "io/case/case_reader.h"
 #include "io/contact_program/input_lines.h"
@@ -74,7 +75,7 @@ TEST(ImportedCases, SteadyRolling) {
     EXPECT_EQ(*cases[1].tractive_rolling->lateral_creepage, -.001);
     EXPECT_DOUBLE_EQ(cases[1].tractive_rolling->spin, .2);
     EXPECT_EQ(*cases[2].load.tangential_ratio, -.4);
-    EXPECT_DOUBLE_EQ(*cases[2].bem.spacing, 2e-4);
+    EXPECT_DOUBLE_EQ(*cases[2].of<contact::Cells>().spacing, 2e-4);
 }
 
 TEST(ImportedCases, RollingFromRest) {

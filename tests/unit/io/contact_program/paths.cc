@@ -12,7 +12,7 @@
 
 #include "bem/grid_compliance.h"
 #include "bem/model.h"
-#include "contact/error.h"
+#include "contact/base/error.h"
 #include "io/case/case_reader.h"
 #include "io/contact_program/import.h"
 #include "io/contact_program/sequence.h"

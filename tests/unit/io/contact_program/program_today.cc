@@ -9,8 +9,9 @@
 
 #include "bem/grid_compliance.h"
 #include "bem/model.h"
-#include "contact/bodies/half_space_scales.h"
-#include "contact/error.h"
+#include "contact/base/error.h"
+#include "contact/cells.h"
+#include "contact/half_space_scales.h"
 #include "io/case/case_reader.h"
 #include "io/contact_program/import.h"
 #include "io/contact_program/program_case.h"
@@ -85,8 +86,8 @@ TEST(ProgramToday, KeepsTheBodyOverNewCells) {
     ASSERT_EQ(found.cases.size(), 2U);
     const Case coarse = parse_case(found.cases[0].text, "a.toml"),
                fine = parse_case(found.cases[1].text, "b.toml");
-    EXPECT_DOUBLE_EQ(*coarse.bem.spacing, 2e-4);
-    EXPECT_DOUBLE_EQ(*fine.bem.spacing, 1e-4);
+    EXPECT_DOUBLE_EQ(*coarse.of<contact::Cells>().spacing, 2e-4);
+    EXPECT_DOUBLE_EQ(*fine.of<contact::Cells>().spacing, 1e-4);
     EXPECT_DOUBLE_EQ(fine.indenter.radius, .5);
     EXPECT_EQ(coarse.indenter.radius, fine.indenter.radius);
     // Heights by a formula are those of the new cells, listed ones are not known there.
@@ -182,10 +183,10 @@ TEST(ProgramToday, RollingKeepsTheCells) {
         const Case c = only_case(text);
         // Centres at -0.4 + 0.2 i and -2 + 0.5 j mm, the lowest point at (0.13, -0.15) mm.
         const double sign = back ? -1 : 1;
-        EXPECT_NEAR(*c.bem.spacing, 2e-4, 1e-15);
-        EXPECT_NEAR(*c.bem.cell_ratio, 2.5, 1e-12);
-        EXPECT_NEAR(*c.bem.cell_shift_x, sign * .07 / .2, 1e-9);
-        EXPECT_NEAR(*c.bem.cell_shift_y, sign * .15 / .5, 1e-9);
+        EXPECT_NEAR(*c.of<contact::Cells>().spacing, 2e-4, 1e-15);
+        EXPECT_NEAR(*c.of<contact::Cells>().ratio, 2.5, 1e-12);
+        EXPECT_NEAR(*c.of<contact::Cells>().shift_x, sign * .07 / .2, 1e-9);
+        EXPECT_NEAR(*c.of<contact::Cells>().shift_y, sign * .15 / .5, 1e-9);
         const auto compliance = bem::case_compliance(c, 1, bem::Body::half_space);
         const auto& grid = compliance->points();
         for (const int axis : {0, 1}) {
@@ -230,11 +231,14 @@ TEST(ProgramToday, RollingOnComesBack) {
             EXPECT_NEAR(read.lateral_creepage.value_or(0), given.lateral_creepage.value_or(0),
                         1e-15);
             EXPECT_NEAR(read.spin, given.spin, 1e-12);
-            EXPECT_NEAR(*back.bem.spacing / compliance->points().spacing[0], 1, 1e-12);
-            EXPECT_NEAR(back.bem.cell_ratio.value_or(1), c.bem.cell_ratio.value_or(1), 1e-12);
-            EXPECT_NEAR(std::abs(back.bem.cell_shift_x.value_or(0)),
-                        std::abs(c.bem.cell_shift_x.value_or(0)), 1e-9);
-            EXPECT_NEAR(back.bem.cell_shift_y.value_or(0), c.bem.cell_shift_y.value_or(0), 1e-9);
+            EXPECT_NEAR(*back.of<contact::Cells>().spacing / compliance->points().spacing[0], 1,
+                        1e-12);
+            EXPECT_NEAR(back.of<contact::Cells>().ratio.value_or(1),
+                        c.of<contact::Cells>().ratio.value_or(1), 1e-12);
+            EXPECT_NEAR(std::abs(back.of<contact::Cells>().shift_x.value_or(0)),
+                        std::abs(c.of<contact::Cells>().shift_x.value_or(0)), 1e-9);
+            EXPECT_NEAR(back.of<contact::Cells>().shift_y.value_or(0),
+                        c.of<contact::Cells>().shift_y.value_or(0), 1e-9);
         }
     }
 }

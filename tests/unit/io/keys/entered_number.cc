@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "contact/error.h"
+#include "contact/base/error.h"
 #include "io/keys/number_text.h"
 #include "io/keys/toml_document.h"
 #include "io/keys/uncertain_number.h"

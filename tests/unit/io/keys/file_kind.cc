@@ -7,7 +7,7 @@
 #include <map>
 #include <set>
 
-#include "contact/error.h"
+#include "contact/base/error.h"
 #include "experiments/identification/identification_reader.h"
 #include "experiments/records/experiment.h"
 #include "io/case/case_reader.h"

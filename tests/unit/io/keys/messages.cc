@@ -5,7 +5,7 @@
 #include <array>
 #include <limits>
 
-#include "contact/error.h"
+#include "contact/base/error.h"
 
 namespace tricontact::io::messages_test {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "contact/error.h"
+#include "contact/base/error.h"
 #include "io/keys/toml_document.h"
 #include "io/keys/toml_text.h"
 

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "contact/error.h"
+#include "contact/base/error.h"
 #include "io/keys/toml_document.h"
 
 namespace tricontact::io::number_text_test {

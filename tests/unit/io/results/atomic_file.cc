@@ -10,7 +10,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "contact/error.h"
+#include "contact/base/error.h"
 #include "tests/unit/io/temporary_folder.h"
 
 namespace tricontact::io::atomic_file_test {

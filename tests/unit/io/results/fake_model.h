@@ -9,7 +9,7 @@
 #include <memory>
 #include <string>
 
-#include "contact/error.h"
+#include "contact/base/error.h"
 #include "contact/model.h"
 
 namespace tricontact::io {

@@ -11,7 +11,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "contact/error.h"
+#include "contact/base/error.h"
 #include "tests/unit/io/results/fake_model.h"
 
 namespace tricontact::io::journal_test {

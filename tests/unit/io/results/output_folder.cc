@@ -14,7 +14,7 @@
 #include <map>
 #include <sstream>
 
-#include "contact/error.h"
+#include "contact/base/error.h"
 #include "io/keys/input_file.h"
 #include "io/results/atomic_file.h"
 #include "io/results/result_store.h"

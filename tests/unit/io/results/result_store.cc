@@ -9,7 +9,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "contact/error.h"
+#include "contact/base/error.h"
 
 namespace tricontact::io::result_store_test {
 namespace {

@@ -12,7 +12,7 @@
 
 #include <cmath>
 
-#include "contact/error.h"
+#include "contact/base/error.h"
 #include "io/results/vtk_files.h"
 #include "tests/unit/io/results/vtk_files.h"
 

@@ -16,8 +16,8 @@
 #include <filesystem>
 #include <limits>
 
+#include "contact/base/error.h"
 #include "contact/bodies/indenter.h"
-#include "contact/error.h"
 #include "io/results/vtk_files.h"
 #include "io/results/vtk_indenter.h"
 #include "tests/unit/io/results/vtk_files.h"

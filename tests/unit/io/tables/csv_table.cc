@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "contact/error.h"
+#include "contact/base/error.h"
 #include "io/keys/messages.h"
 #include "io/tables/divided_text.h"
 

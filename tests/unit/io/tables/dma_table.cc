@@ -5,7 +5,7 @@
 #include <numbers>
 #include <string>
 
-#include "contact/error.h"
+#include "contact/base/error.h"
 #include "io/tables/body_tables.h"
 #include "tests/unit/io/temporary_folder.h"
 

@@ -7,7 +7,7 @@
 #include <functional>
 #include <string>
 
-#include "contact/error.h"
+#include "contact/base/error.h"
 #include "io/tables/height_map_file.h"
 
 namespace tricontact::height_map_test {

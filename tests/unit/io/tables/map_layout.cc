@@ -8,7 +8,7 @@
 #include <functional>
 #include <string>
 
-#include "contact/error.h"
+#include "contact/base/error.h"
 
 namespace tricontact::io::map_layout_test {
 namespace {

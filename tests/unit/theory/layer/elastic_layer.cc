@@ -9,7 +9,7 @@
 #include <numbers>
 #include <vector>
 
-#include "contact/error.h"
+#include "contact/base/error.h"
 #include "tests/unit/mdr/profiles.h"
 #include "tests/unit/theory/layer/layer_cases.h"
 #include "theory/contact_search.h"

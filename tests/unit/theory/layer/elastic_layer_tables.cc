@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "contact/error.h"
+#include "contact/base/error.h"
 #include "tests/unit/theory/layer/layer_cases.h"
 #include "theory/layer/elastic_layer.h"
 

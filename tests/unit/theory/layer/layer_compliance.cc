@@ -8,7 +8,7 @@
 #include <limits>
 #include <string>
 
-#include "contact/error.h"
+#include "contact/base/error.h"
 
 namespace tricontact::layer_compliance_test {
 namespace {

@@ -7,7 +7,7 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "contact/special_values.h"
+#include "contact/base/special_values.h"
 #include "theory/cattaneo_mindlin.h"
 #include "theory/layer/layer_compliance.h"
 #include "theory/layer/wave_numbers.h"

@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-#include "contact/error.h"
+#include "contact/base/error.h"
 
 namespace tricontact::layer_stack_test {
 namespace {

@@ -4,7 +4,7 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "theory/rolling/creep_law.h"
+#include "theory/creep_law.h"
 
 namespace tricontact::theory::carter_test {
 namespace {

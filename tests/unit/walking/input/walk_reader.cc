@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "contact/error.h"
+#include "contact/base/error.h"
 #include "io/case/case_reader.h"
 #include "tests/unit/walking/sets.h"
 #include "walking/input/walk_keys.h"

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "contact/error.h"
+#include "contact/base/error.h"
 #include "tests/unit/walking/sets.h"
 #include "walking/machine/walk_case.h"
 

@@ -8,7 +8,7 @@
 #include "tests/unit/walking/sets.h"
 #include "walking/machine/linear_stability.h"
 #include "walking/machine/velocity_verlet.h"
-#include "walking/report/walk_readings.h"
+#include "walking/run/walk_readings.h"
 
 namespace tricontact::walking::walk_document_test {
 namespace {

@@ -8,7 +8,7 @@
 #include "walking/machine/linear_stability.h"
 #include "walking/machine/motion.h"
 #include "walking/report/walk_document.h"
-#include "walking/report/walk_readings.h"
+#include "walking/run/walk_readings.h"
 
 namespace tricontact::walking::walk_figures_test {
 namespace {

@@ -4,7 +4,7 @@
 #include <functional>
 #include <random>
 
-#include "contact/error.h"
+#include "contact/base/error.h"
 #include "walking/study/walk_factorial.h"
 
 namespace tricontact::walking::factorial_effects_test {
