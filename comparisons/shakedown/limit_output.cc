@@ -1,73 +1,65 @@
+// Limits of shakedown as files and on a terminal.
+
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "comparisons/shakedown/limit.h"
-#include "report/fields.h"
-#include "report/format.h"
+#include "report/json_table.h"
 #include "report/table_text.h"
 
 namespace tricontact::comparisons {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
-using enum report::In;
+using json = nlohmann::ordered_json;
 
-report::Fields<LimitRun, ModelLimit> run_fields(const LimitStudy& study) {
-    return {{"", "model", [](auto&, auto& m) { return report::display_name(m.model); }},
-            {"value", study.varied().symbol + std::string(":8"), &LimitRun::value},
-            {quantities::state.key, "verdict", [](auto& r) { return contact::name_of(r.state); }},
-            {quantities::periods.key, "periods", &LimitRun::periods},
-            {quantities::final_shift.key, "U [µm]:5", &LimitRun::final_shift, 1e-6},
-            {quantities::final_shift_ratio.key, "u [U_max]:5", &LimitRun::final_shift_ratio}};
+json run_json(const LimitRun& run) {
+    return {{"value", run.value},
+            {quantities::state.key, contact::name_of(run.state)},
+            {quantities::periods.key, run.periods},
+            {quantities::final_shift.key, run.final_shift},
+            {quantities::final_shift_ratio.key, run.final_shift_ratio}};
 }
 
-/// NaN where unknown.
-BracketedValue shift_at(const ModelLimit& m) {
-    return m.shift_ratio().value_or(BracketedValue{NAN, NAN, NAN});
-}
-
-Json shift_json(const ModelLimit& m) {
+json to_json(const ModelLimit& m) {
     const auto shift = m.shift_ratio();
-    if (!shift) return nullptr;
-    return {{"value", shift->value}, {"low", shift->low}, {"high", shift->high}};
+    return {{"limit", m.bracket.centre()},
+            {"last_shakedown", m.bracket.last_shakedown},
+            {"first_ratcheting", m.bracket.first_ratcheting},
+            {"undecided", m.bracket.undecided},
+            {"limit_by_pressures", m.by_pressures},
+            {"exact_uncoupled_limit", m.exact},
+            {"final_shift_ratio_at_limit",
+             shift ? json{{"value", shift->value}, {"low", shift->low}, {"high", shift->high}}
+                   : json()},
+            {"coupled", m.coupled},
+            {"periods_at_most", m.periods_at_most},
+            {quantities::border_force_share.key, m.border_force_share},
+            {"runs", report::list_of(m.runs, run_json)}};
 }
 
-report::Fields<ModelLimit, LimitStudy> model_fields() {
-    return {
-        {"model", [](auto& m) { return m.model; }, csv},
-        {"", "model", [](auto& m) { return report::display_name(m.model); }},
-        {"limit_of", [](auto&, auto& study) { return study.varied().key; }, csv},
-        {"limit", "limit:7", [](auto& m) { return m.bracket.centre(); }, 1,
-         [](auto& m) { return m.bracket.half_width(); }},
-        {"last_shakedown", "last shakedown:8", [](auto& m) { return m.bracket.last_shakedown; }},
-        {"first_ratcheting", "first ratcheting:8",
-         [](auto& m) { return m.bracket.first_ratcheting; }},
-        {"undecided", [](auto& m) { return m.bracket.undecided; }, json},
-        {"limit_by_pressures", "by pressures:8", [](auto& m) { return m.by_pressures; }},
-        {"exact_uncoupled_limit", "exact, uncoupled:8", [](auto& m) { return m.exact; }},
-        {"final_shift_ratio_at_limit", [](auto& m) { return shift_json(m); }, json},
-        {"final_shift_ratio_at_limit", "u at the limit:4",
-         [](auto& m) { return shift_at(m).value; }, 1,
-         [](auto& m) { return shift_at(m).value - shift_at(m).low; }, csv},
-        {"final_shift_ratio_low", [](auto& m) { return shift_at(m).low; }, csv},
-        {"final_shift_ratio_high", [](auto& m) { return shift_at(m).high; }, csv},
-        {"coupled", [](auto& m) { return m.coupled; }, json},
-        {"periods_at_most", [](auto& m) { return m.periods_at_most; }, json},
-        {quantities::border_force_share.key, [](auto& m) { return m.border_force_share; }, json},
-        {"runs",
-         [](auto& m, auto& study) {
-             const auto fields = run_fields(study);
-             return report::list_of(m.runs, [&](auto& r) { return report::json_of(fields, r, m); });
-         },
-         json}};
+/// What the table and limit.csv have of each model.
+json rows_of(const LimitStudy& study) {
+    return report::list_of(study.models, [&](const ModelLimit& m) {
+        json row = to_json(m);
+        const auto [value, low, high] = m.shift_ratio().value_or(BracketedValue{NAN, NAN, NAN});
+        row.update({{"model", m.model},
+                    {"limit_of", study.varied().key},
+                    {"half_width", m.bracket.half_width()},
+                    {"final_shift_ratio_at_limit", value},
+                    {"final_shift_ratio_low", low},
+                    {"final_shift_ratio_high", high},
+                    {"final_shift_ratio_error", value - low}});
+        return row;
+    });
 }
 
 }  // namespace
 
-Json limit_json(const std::string& version, const LimitStudy& study) {
-    Json models = Json::object();
-    for (const ModelLimit& m : study.models)
-        models[m.model] = report::json_of(model_fields(), m, study);
+json limit_json(const std::string& version, const LimitStudy& study) {
+    json models = json::object();
+    for (const ModelLimit& m : study.models) models[m.model] = to_json(m);
     return {{"version", version},
             {"limit_of", study.varied().key},
             {study.fixed().key, study.given},
@@ -76,7 +68,10 @@ Json limit_json(const std::string& version, const LimitStudy& study) {
 }
 
 std::string limit_csv(const LimitStudy& study) {
-    return report::csv_of(model_fields(), study.models, study);
+    return report::csv_of(rows_of(study), {"model", "limit_of", "limit", "last_shakedown",
+                                           "first_ratcheting", "limit_by_pressures",
+                                           "exact_uncoupled_limit", "final_shift_ratio_at_limit",
+                                           "final_shift_ratio_low", "final_shift_ratio_high"});
 }
 
 report::DocumentTable limit_table(const LimitStudy& study) {
@@ -90,7 +85,14 @@ report::DocumentTable limit_table(const LimitStudy& study) {
              "Hertz' that of the half-space, 1 - 3/2 w + 1/2 w³ of a paraboloid, or the exact "
              "layer. u at the limit: shift over U_max where the first ratcheting run was slowest, "
              "its error the distance to the last shakedown."},
-        model_fields(), study.models, study);
+        rows_of(study),
+        {{"model", "model"},
+         {"limit", "limit:7", 1, "half_width"},
+         {"last_shakedown", "last shakedown:8"},
+         {"first_ratcheting", "first ratcheting:8"},
+         {"limit_by_pressures", "by pressures:8"},
+         {"exact_uncoupled_limit", "exact, uncoupled:8"},
+         {"final_shift_ratio_at_limit", "u at the limit:4", 1, "final_shift_ratio_error"}});
     if (!study.thesis) return table;
     table.rows.push_back({"thesis", *study.thesis});
     table.rows.back().resize(table.columns.size(), report::number_cell({}));
@@ -98,15 +100,23 @@ report::DocumentTable limit_table(const LimitStudy& study) {
 }
 
 report::DocumentTable limit_run_table(const LimitStudy& study) {
-    report::DocumentTable table{
-        .id = "runs",
-        .title = "All runs",
-        .note = "Shift after the last period, in micrometres and over each model's own U_max."};
-    const auto fields = run_fields(study);
-    report::add_columns(table, fields);
+    json rows = json::array();
     for (const ModelLimit& m : study.models)
-        for (const LimitRun& run : m.runs) report::add_row(table, fields, run, m);
-    return table;
+        for (const LimitRun& run : m.runs) {
+            rows.push_back(run_json(run));
+            rows.back()["model"] = m.model;
+        }
+    return report::table_of(
+        {.id = "runs",
+         .title = "All runs",
+         .note = "Shift after the last period, in micrometres and over each model's own U_max."},
+        rows,
+        {{"model", "model"},
+         {"value", study.varied().symbol + std::string(":8")},
+         {quantities::state.key, "verdict"},
+         {quantities::periods.key, "periods"},
+         {quantities::final_shift.key, "U [µm]:5", 1e-6},
+         {quantities::final_shift_ratio.key, "u [U_max]:5"}});
 }
 
 std::string limit_text(const LimitStudy& study) {
