@@ -44,15 +44,12 @@ struct DocumentTable {
     bool stacks = false;  ///< on a phone each row is a paragraph, its cells lines
 };
 
-/// The columns of a table by their headings, each with the significant digits of its numbers behind
-/// a colon where these are not four: "w:3".
+/// A column by its heading, with the significant digits of its numbers behind a colon where these
+/// are not four: "w:3".
+DocumentTable::Column column(const std::string& text);
+/// The columns of a table.
 template <class... Texts>
 std::vector<DocumentTable::Column> columns(const Texts&... texts) {
-    const auto column = [](const std::string& text) -> DocumentTable::Column {
-        const auto colon = text.rfind(':');
-        if (colon == std::string::npos) return {text};
-        return {text.substr(0, colon), std::stoi(text.substr(colon + 1))};
-    };
     return {column(texts)...};
 }
 

@@ -142,12 +142,6 @@ class Writer {
     bool is_math_ = false;
 };
 
-std::string cell_text(const Cell& cell, const ColumnStyle& style) {
-    if (const auto* words = std::get_if<std::string>(&cell)) return latex_text(*words);
-    if (const auto* link = std::get_if<Link>(&cell)) return latex_text(link->text);
-    return latex_text(number_text(cell, style));
-}
-
 /// A line of cells. Behind the end of a line a bracket or a star would belong to it.
 std::string row_of(const std::vector<std::string>& cells) {
     const std::string text = fmt::format("{}", fmt::join(cells, " & "));
@@ -179,7 +173,8 @@ std::string latex_table(const DocumentTable& table, const std::string& provenanc
     const std::string heading = row_of(cells);
     for (const std::vector<Cell>& row : table.rows) {
         cells.clear();
-        for (std::size_t i = 0; i < row.size(); ++i) cells.push_back(cell_text(row[i], styles[i]));
+        for (std::size_t i = 0; i < row.size(); ++i)
+            cells.push_back(latex_text(cell_text(row[i], styles[i])));
         rows += row_of(cells);
     }
     return comment(provenance) + comment(table.title) + comment(table.note) +

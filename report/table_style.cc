@@ -6,6 +6,12 @@
 
 namespace tricontact::report {
 
+DocumentTable::Column column(const std::string& text) {
+    const auto colon = text.rfind(':');
+    if (colon == std::string::npos) return {text};
+    return {text.substr(0, colon), std::stoi(text.substr(colon + 1))};
+}
+
 bool is_text(const Cell& content) {
     return std::holds_alternative<std::string>(content) || std::holds_alternative<Link>(content);
 }
@@ -34,6 +40,12 @@ std::string number_text(const Cell& cell, const ColumnStyle& style) {
         return text.substr(0, text.find(' '));
     }
     return style.whole ? as_given(number) : significant(number, style.digits);
+}
+
+std::string cell_text(const Cell& cell, const ColumnStyle& style) {
+    if (const auto* words = std::get_if<std::string>(&cell)) return *words;
+    if (const auto* link = std::get_if<Link>(&cell)) return link->text;
+    return number_text(cell, style);
 }
 
 }  // namespace tricontact::report

@@ -22,5 +22,7 @@ ColumnStyle style_of(const DocumentTable& table, std::size_t column);
 bool is_text(const Cell& cell);
 /// A number, a count or a number with its error as people read it.
 std::string number_text(const Cell& cell, const ColumnStyle& style);
+/// The same, or the words.
+std::string cell_text(const Cell& cell, const ColumnStyle& style);
 
 }  // namespace tricontact::report

@@ -1,9 +1,13 @@
 #pragma once
 
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "report/document.h"
+#include "rolling/creep_theory.h"
 #include "rolling/rolling_report.h"
 
 namespace tricontact::rolling {
@@ -22,7 +26,20 @@ std::string history_csv(const RollingRun& run);
 /// stand at the same creepages as the first model that has a curve.
 std::string creep_csv(const RollingReport& report);
 
-/// The steady state of each model as a table.
+/// The steady state of each model; the same in summary.json.
+report::DocumentTable steady_table(const RollingReport& report);
+
+/// Closed forms at the first model's creepage the force ratio, else at its force the creepage,
+/// empty where it slides; none where something else drives, too.
+std::vector<std::pair<CreepTheory, std::optional<double>>> theory_values(
+    const RollingReport& report);
+/// These, and what they are over each model's.
+report::DocumentTable theory_table(const RollingReport& report);
+
+/// Both tables for the terminal.
+std::string steady_text(const RollingReport& report);
+
+/// Both tables.
 report::DocumentSection steady_section(const RollingReport& report);
 
 /// What a relaxing substrate resists, beside closed forms; empty of elastic ones.

@@ -1,6 +1,10 @@
+#include <fmt/format.h>
+
 #include "comparisons/quantities/quantities.h"
 #include "report/csv.h"
-#include "report/json_number.h"
+#include "report/format.h"
+#include "report/json_table.h"
+#include "report/table_text.h"
 #include "rolling/creep_theory.h"
 #include "rolling/rolling_document.h"
 
@@ -10,60 +14,39 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// What a state has in the files, in their order.
-struct Column {
-    enum class In { both, history, summary };
-
-    const char* name;
-    Json (*value)(const RollingState&, double friction_coefficient);
-    In in = In::both;
-};
-using In = Column::In;
-
-const Column columns[] = {
-    {"longitudinal_creepage", [](auto& s, double) -> Json { return s.creepage.longitudinal; }},
-    {"lateral_creepage", [](auto& s, double) -> Json { return s.creepage.lateral; }},
-    {"spin_per_m", [](auto& s, double) -> Json { return s.creepage.spin; }},
-    {"tangential_force_N", [](auto& s, double) { return report::numbers(s.force); }, In::summary},
-    {"tangential_force_x_N", [](auto& s, double) -> Json { return s.force[0]; }, In::history},
-    {"tangential_force_y_N", [](auto& s, double) -> Json { return s.force[1]; }, In::history},
-    {"force_ratio", [](auto& s, double mu) -> Json { return force_ratio(s, mu); }, In::summary},
-    {"spin_moment_Nm", [](auto& s, double) -> Json { return s.spin_moment; }},
-    {comparisons::quantities::normal_force.key,
-     [](auto& s, double) -> Json { return s.normal_force; }},
-    {comparisons::quantities::indentation.key,
-     [](auto& s, double) -> Json { return s.indentation; }},
-    {"half_length_m", [](auto& s, double) -> Json { return s.half_length; }},
-    {"half_width_m", [](auto& s, double) -> Json { return s.half_width; }},
-    {comparisons::quantities::peak_pressure.key,
-     [](auto& s, double) -> Json { return s.peak_pressure; }},
-    {"contact_area_m2", [](auto& s, double) -> Json { return s.contact_area; }},
-    {"stick_area_m2", [](auto& s, double) -> Json { return s.stick_area; }, In::history},
-    {"slip_area_m2", [](auto& s, double) -> Json { return s.slip_area; }, In::history},
-    {"stick_share", [](auto& s, double) -> Json { return s.stick_area / s.contact_area; },
-     In::summary},
-    {"dissipation_J_per_m", [](auto& s, double) -> Json { return s.dissipation; }},
-    {"material_dissipation_J_per_m",
-     [](auto& s, double) -> Json { return s.material_dissipation; }},
-    {"resistance_N", [](auto& s, double) -> Json { return s.resistance; }},
-    {"energy_error", [](auto& s, double) -> Json { return energy_error(s); }, In::summary},
-    {"pressure_lead_m", [](auto& s, double) -> Json { return s.pressure_lead; }},
-    {"iterations", [](auto& s, double) -> Json { return s.iterations; }, In::summary},
-    {"residual", [](auto& s, double) -> Json { return s.residual; }}};
-
-std::string row(const std::string& first, const RollingState& state) {
-    std::vector<std::string> fields{first};
-    for (const Column& column : columns)
-        if (column.in != In::summary)
-            fields.push_back(report::csv_field(column.value(state, 0).get<double>()));
-    return report::csv_line(fields);
+/// What a state has in summary.json.
+Json state_json(const RollingState& s, double friction_coefficient) {
+    return {{"longitudinal_creepage", s.creepage.longitudinal},
+            {"lateral_creepage", s.creepage.lateral},
+            {"spin_per_m", s.creepage.spin},
+            {"tangential_force_N", report::numbers(s.force)},
+            {"force_ratio", force_ratio(s, friction_coefficient)},
+            {"spin_moment_Nm", s.spin_moment},
+            {comparisons::quantities::normal_force.key, s.normal_force},
+            {comparisons::quantities::indentation.key, s.indentation},
+            {"half_length_m", s.half_length},
+            {"half_width_m", s.half_width},
+            {comparisons::quantities::peak_pressure.key, s.peak_pressure},
+            {"contact_area_m2", s.contact_area},
+            {"stick_share", s.stick_area / s.contact_area},
+            {"dissipation_J_per_m", s.dissipation},
+            {"material_dissipation_J_per_m", s.material_dissipation},
+            {"resistance_N", s.resistance},
+            {"energy_error", energy_error(s)},
+            {"pressure_lead_m", s.pressure_lead},
+            {"iterations", s.iterations},
+            {"residual", s.residual}};
 }
 
-Json steady_json(const RollingState& state, double friction_coefficient) {
-    Json json = Json::object();
-    for (const Column& column : columns)
-        if (column.in != In::history) json[column.name] = column.value(state, friction_coefficient);
-    return json;
+/// The same in history.csv.
+Json row_json(const RollingState& s) {
+    Json row = state_json(s, 1);
+    row.update({{"distance_m", s.distance},
+                {"tangential_force_x_N", s.force[0]},
+                {"tangential_force_y_N", s.force[1]},
+                {"stick_area_m2", s.stick_area},
+                {"slip_area_m2", s.slip_area}});
+    return row;
 }
 
 Json run_json(const RollingReport& report, const RollingRun& run) {
@@ -73,23 +56,16 @@ Json run_json(const RollingReport& report, const RollingRun& run) {
                 {"force_ratio", force_ratio(s, mu)}};
     };
     return {{"model", run.model},
-            {"steady", steady_json(run.history.steady, mu)},
+            {"steady", state_json(run.history.steady, mu)},
             {"rolled_steps", run.history.transient.size() - 1},
             {"steady_after", steady_after(report, run)},
             {"creep_curve", report::list_of(run.creep_curve, point)}};
 }
 
-/// Creepage that each theory gives at the force of the case, or the force at its creepage.
 Json theories_json(const RollingReport& report) {
-    if (!straight(report.c) || report.runs.empty()) return Json::array();
-    const RollingState& steady = report.runs.front().history.steady;
-    const double f = force_ratio(steady, report.c.friction_coefficient);
-    const double xi = steady.creepage.longitudinal;
-    return report::list_of(creep_theories(report.c), [&](const CreepTheory& theory) -> Json {
-        if (by_creepage(report.c))
-            return {{"theory", theory.key}, {"force_ratio", theory.force_ratio(xi)}};
-        return {{"theory", theory.key},
-                {"longitudinal_creepage", std::abs(f) < 1 ? Json(theory.creepage(f)) : Json()}};
+    const char* quantity = by_creepage(report.c) ? "force_ratio" : "longitudinal_creepage";
+    return report::list_of(theory_values(report), [&](const auto& one) -> Json {
+        return {{"theory", one.first.key}, {quantity, one.second}};
     });
 }
 
@@ -102,13 +78,70 @@ Json closed_forms_json(const std::vector<ClosedForm>& forms, const char* quantit
 }  // namespace
 
 std::string history_csv(const RollingRun& run) {
-    std::vector<std::string> names{"distance_m"};
-    for (const Column& column : columns)
-        if (column.in != In::summary) names.emplace_back(column.name);
-    std::string text = report::csv_line(names);
-    for (const RollingState& state : run.history.transient)
-        text += row(report::csv_field(state.distance), state);
-    return text + row("", run.history.steady);
+    Json rows = report::list_of(run.history.transient, row_json);
+    rows.push_back(row_json(run.history.steady));
+    return report::csv_of(rows, {"distance_m",
+                                 "longitudinal_creepage",
+                                 "lateral_creepage",
+                                 "spin_per_m",
+                                 "tangential_force_x_N",
+                                 "tangential_force_y_N",
+                                 "spin_moment_Nm",
+                                 comparisons::quantities::normal_force.key,
+                                 comparisons::quantities::indentation.key,
+                                 "half_length_m",
+                                 "half_width_m",
+                                 comparisons::quantities::peak_pressure.key,
+                                 "contact_area_m2",
+                                 "stick_area_m2",
+                                 "slip_area_m2",
+                                 "dissipation_J_per_m",
+                                 "material_dissipation_J_per_m",
+                                 "resistance_N",
+                                 "pressure_lead_m",
+                                 "residual"});
+}
+
+report::DocumentTable steady_table(const RollingReport& report) {
+    const double mu = report.c.friction_coefficient, unit = creepage_unit(report.c);
+    const auto row_of = [&](const RollingRun& run) {
+        const RollingState& s = run.history.steady;
+        Json row = state_json(s, mu);
+        row["model"] = run.model;
+        row["lateral_force_ratio"] = s.force[1] / (mu * s.normal_force);
+        row["moment_ratio"] = s.spin_moment / (mu * s.normal_force) / s.half_length;
+        return row;
+    };
+    return report::table_of(
+        {.id = "steady",
+         .title = "Steady rolling",
+         .note = fmt::format(
+             "Forces are friction's on the substrate. Creepages ξ and η are in units of {}; a and "
+             "b are half length and half width of the contact, along and across the rolling, by "
+             "cells. Energy: what friction and a relaxing material dissipate less what creepage, "
+             "spin and resistance work, over that work at the friction limit.",
+             report::significant(unit, 4))},
+        report::list_of(report.runs, row_of),
+        {{"model", "model"},
+         {"longitudinal_creepage", "ξ [unit]", unit},
+         {"lateral_creepage", "η [unit]", unit},
+         {"force_ratio", "F_x/(μ F_N)"},
+         {"lateral_force_ratio", "F_y/(μ F_N)"},
+         {"stick_share", "stick [share of area]:3"},
+         {"moment_ratio", "M_z/(μ F_N a)"},
+         {"half_length_m", "a [mm]", 1e-3},
+         {"half_width_m", "b [mm]", 1e-3},
+         {comparisons::quantities::peak_pressure.key, "p_0 [MPa]", 1e6},
+         {"dissipation_J_per_m", "dissipation [J/m]"},
+         {"energy_error", "energy [-]:2"},
+         {"residual", "residual [-]:2"}});
+}
+
+std::string steady_text(const RollingReport& report) {
+    constexpr std::size_t up_to_stick = 6;
+    const report::DocumentTable theories = theory_table(report);
+    return report::table_text(steady_table(report), up_to_stick) +
+           (theories.rows.empty() ? "" : report::table_text(theories));
 }
 
 std::string creep_csv(const RollingReport& report) {

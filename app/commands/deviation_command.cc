@@ -5,6 +5,7 @@
 #include "comparisons/half_space/deviation_output.h"
 #include "comparisons/quantities/left_out.h"
 #include "contact/models/model_kind.h"
+#include "report/table_text.h"
 #include "studies/study_kind.h"
 
 namespace tricontact::app {
@@ -67,7 +68,7 @@ void compare_with_half_space(DeviationOptions options) {
                      if (options.runs) add_runs(options, deviation);
                      write(options, c, deviation);
                  });
-    options.out() << deviation_text(deviation)
+    options.out() << report::table_text(deviation_table(deviation))
                   << comparisons::left_out_lines(c, {contact::models::bem_layer});
     for (const auto& verdict : deviation_verdicts(deviation))
         options.out() << verdict.sentence << '\n';

@@ -12,7 +12,6 @@
 #include "io/results/progress.h"
 #include "io/results/vtk_files.h"
 #include "report/format.h"
-#include "rolling/creep_theory.h"
 #include "rolling/rolling_document.h"
 #include "runs/shown_states.h"
 
@@ -115,29 +114,6 @@ std::vector<std::pair<std::string, std::string>> files_of(const Case& c) {
     return files;
 }
 
-/// A row per model, and what closed forms say.
-std::string table_of(const RollingReport& report) {
-    const double mu = report.c.friction_coefficient;
-    std::string text = fmt::format("{:<22} {:>12} {:>12} {:>12} {:>8}\n", "", "xi", "F_x/(mu F_N)",
-                                   "F_y/(mu F_N)", "stick");
-    for (const rolling::RollingRun& run : report.runs) {
-        const auto& s = run.history.steady;
-        text += fmt::format("{:<22} {:>12.5g} {:>12.5g} {:>12.5g} {:>8.4f}\n", run.model,
-                            s.creepage.longitudinal, rolling::force_ratio(s, mu),
-                            s.force[1] / (mu * s.normal_force), s.stick_area / s.contact_area);
-    }
-    if (!rolling::straight(report.c)) return text;
-    const auto& first = report.runs.front().history.steady;
-    const double f = rolling::force_ratio(first, mu), xi = first.creepage.longitudinal;
-    for (const auto& theory : rolling::creep_theories(report.c))
-        if (rolling::by_creepage(report.c))
-            text +=
-                fmt::format("{:<22} {:>12.5g} {:>12.5g}\n", theory.key, xi, theory.force_ratio(xi));
-        else if (std::abs(f) < 1)
-            text += fmt::format("{:<22} {:>12.5g} {:>12.5g}\n", theory.key, theory.creepage(f), f);
-    return text;
-}
-
 void write(const RollingReport& report, const std::string& resolved,
            const RunCommandOptions& options) {
     options.write("summary.json", roll_summary(report, resolved));
@@ -152,7 +128,7 @@ void roll_models(const Case& c, const RunCommandOptions& options) {
     RollingReport report{.c = c, .runs = {}, .files = files_of(c), .version = files::version};
     for (const std::string& model : c.models) report.runs.push_back(roll_model(model, c, options));
     write(report, resolved, options);
-    options.out() << table_of(report) << comparisons::left_out_lines(c, c.models);
+    options.out() << rolling::steady_text(report) << comparisons::left_out_lines(c, c.models);
 }
 
 }  // namespace

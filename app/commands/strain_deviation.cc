@@ -9,6 +9,7 @@
 #include "comparisons/quantities/left_out.h"
 #include "contact/models/model_kind.h"
 #include "fem/settings.h"
+#include "report/table_text.h"
 #include "studies/study_kind.h"
 
 namespace tricontact::app {
@@ -70,7 +71,7 @@ void compare_with_finite_strains(CommandOptions options, double elements) {
             deviation = computed(options, contact, points);
             write(options, deviation, elements);
         });
-    options.out() << strain_text(deviation)
+    options.out() << report::table_text(strain_table(deviation))
                   << comparisons::left_out_lines(c, {contact::models::fem});
     if (c.of<fem::Settings>().mesh)
         options.out() << "fem leaves out fem.mesh: at each force and thickness it has a mesh of "

@@ -1,12 +1,9 @@
 #include "comparisons/finite_strain/strain_output.h"
-#include "contact/base/special_values.h"
 #include "report/format.h"
 
 namespace tricontact::comparisons {
 
-namespace {
-
-report::DocumentTable own_table(const StrainDeviation& deviation) {
+report::DocumentTable strain_table(const StrainDeviation& deviation) {
     report::DocumentTable table{
         .id = "here",
         .title = "This case, and the loads from which on the linear law is off",
@@ -28,28 +25,7 @@ report::DocumentTable own_table(const StrainDeviation& deviation) {
     return table;
 }
 
-report::DocumentTable all_points(const StrainDeviation& deviation) {
-    report::DocumentTable table{
-        .id = "points",
-        .title = "All points: deviation [%]",
-        .note =
-            "Level 1: elements smaller by sqrt(2), twice the steps of pressing. Empty: not "
-            "rolled, does not settle, or the run failed.",
-        .columns = report::columns("F_N [N]", "b [mm]", "f_T:3", "rolled", "level"),
-        .folded = true};
-    for (const Quantity* q : strain_quantities) table.columns.push_back({q->symbol, 3});
-    for (const StrainPair& pair : deviation.pairs) {
-        auto& row = table.rows.emplace_back();
-        for (const double value :
-             {pair.point.normal_force, 1e3 * pair.point.thickness, pair.point.tangential_ratio})
-            row.emplace_back(value);
-        row.emplace_back(pair.point.rolled ? "yes" : "no");
-        row.emplace_back(pair.point.level);
-        for (const Quantity* q : strain_quantities)
-            row.push_back(100 * pair.deviation(q).value_or(contact::undefined));
-    }
-    return table;
-}
+namespace {
 
 report::DocumentSection strain_method(const StrainDeviation& deviation) {
     const StrainContact& contact = deviation.contact;
@@ -95,11 +71,11 @@ report::Document strain_document(const StrainDeviation& deviation) {
                      {"F_N", report::quantity(own.normal_force, "N")},
                      {"f_T", report::significant(own.tangential_ratio, 3)},
                      {"mu", report::as_given(c.friction_coefficient)}},
-        .sections = {{.id = "here", .heading = "This case", .tables = {own_table(deviation)}},
+        .sections = {{.id = "here", .heading = "This case", .tables = {strain_table(deviation)}},
                      {.id = "maps",
                       .heading = "Other loads and layers",
                       .figures = strain_maps(deviation),
-                      .tables = {all_points(deviation)}},
+                      .tables = {strain_points_table(deviation)}},
                      {.id = "curves",
                       .heading = "Over the forces",
                       .figures = strain_curves(deviation)},

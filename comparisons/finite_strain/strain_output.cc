@@ -1,9 +1,6 @@
 #include "comparisons/finite_strain/strain_output.h"
 
-#include <nlohmann/json.hpp>
-
-#include "report/csv.h"
-#include "report/json_number.h"
+#include "report/json_table.h"
 
 namespace tricontact::comparisons {
 
@@ -39,45 +36,72 @@ json row_json(const StrainDeviation& deviation, const StrainRow& row) {
              thresholds_json(deviation, row.quantity, StrainAxis::tangential_ratio)}};
 }
 
-json pair_json(const StrainContact& contact, const StrainPair& pair) {
-    const StrainPoint& point = pair.point;
-    json values = json::object();
-    for (const Quantity* q : strain_quantities) {
-        const double *linear = found(pair.linear, q), *finite = found(pair.finite, q);
-        if (!linear && !finite) continue;
-        values[q->key] = {{"linear", linear ? json(*linear) : json()},
-                          {"finite_strains", finite ? json(*finite) : json()},
-                          {"deviation", pair.deviation(q)}};
-    }
+json point_json(const StrainContact& contact, const StrainPoint& point) {
     return {
         {quantities::normal_force.key, point.normal_force},
         {"thickness_m", point.thickness},
         {quantities::tangential_ratio.key, point.tangential_ratio},
         {"linear_contact_radius_m", contact.contact_radius(point.normal_force, point.thickness)},
         {"rolled", point.rolled},
-        {"level", point.level},
-        {"values", values}};
+        {"level", point.level}};
+}
+
+json value_json(const StrainPair& pair, const Quantity* q) {
+    const auto in = [q](const ByQuantity<double>& values) {
+        const double* value = found(values, q);
+        return value ? json(*value) : json();
+    };
+    return {{"linear", in(pair.linear)},
+            {"finite_strains", in(pair.finite)},
+            {"deviation", pair.deviation(q)}};
+}
+
+json pair_json(const StrainContact& contact, const StrainPair& pair) {
+    json values = json::object();
+    for (const Quantity* q : strain_quantities)
+        if (found(pair.linear, q) || found(pair.finite, q)) values[q->key] = value_json(pair, q);
+    json result = point_json(contact, pair.point);
+    result["values"] = values;
+    return result;
 }
 
 }  // namespace
 
 std::string strain_csv(const StrainDeviation& deviation) {
-    std::string text =
-        report::csv_line({quantities::normal_force.key, "thickness_m",
-                          quantities::tangential_ratio.key, "linear_contact_radius_m", "rolled",
-                          "level", "quantity", "linear", "finite_strains", "deviation"});
-    const auto value = [](const double* v) { return v ? std::optional(*v) : std::nullopt; };
-    for (const StrainPair& pair : deviation.pairs) {
-        const StrainPoint& point = pair.point;
-        const double radius = deviation.contact.contact_radius(point.normal_force, point.thickness);
-        for (const Quantity* q : strain_quantities)
-            if (const auto one = pair.deviation(q))
-                text += report::csv_row(
-                    point.normal_force, point.thickness, point.tangential_ratio, radius,
-                    point.rolled ? "true" : "false", static_cast<double>(point.level), q->key,
-                    value(found(pair.linear, q)), value(found(pair.finite, q)), one);
-    }
-    return text;
+    json rows = json::array();
+    for (const StrainPair& pair : deviation.pairs)
+        for (const Quantity* q : strain_quantities) {
+            if (!pair.deviation(q)) continue;
+            rows.push_back(point_json(deviation.contact, pair.point));
+            rows.back()["quantity"] = q->key;
+            rows.back().update(value_json(pair, q));
+        }
+    return report::csv_of(
+        rows, {quantities::normal_force.key, "thickness_m", quantities::tangential_ratio.key,
+               "linear_contact_radius_m", "rolled", "level", "quantity", "linear", "finite_strains",
+               "deviation"});
+}
+
+report::DocumentTable strain_points_table(const StrainDeviation& deviation) {
+    std::vector<report::ValueColumn> columns{{quantities::normal_force.key, "F_N [N]"},
+                                             {"thickness_m", "b [mm]", 1e-3},
+                                             {quantities::tangential_ratio.key, "f_T:3"},
+                                             {"rolled", "rolled"},
+                                             {"level", "level"}};
+    for (const Quantity* q : strain_quantities)
+        columns.push_back({q->key, q->symbol + std::string(":3"), .01});
+    const auto row = [&](const StrainPair& pair) {
+        json point = point_json(deviation.contact, pair.point);
+        for (const Quantity* q : strain_quantities) point[q->key] = pair.deviation(q);
+        return point;
+    };
+    return report::table_of(
+        {.id = "points",
+         .title = "All points: deviation [%]",
+         .note = "Level 1: elements smaller by sqrt(2), twice the steps of "
+                 "pressing. Empty: not rolled, does not settle, or the run failed.",
+         .folded = true},
+        report::list_of(deviation.pairs, row), columns);
 }
 
 std::string strain_json(const std::string& version, const std::string& case_text,

@@ -27,8 +27,9 @@ std::string strain_json(const std::string& version, const std::string& case_text
 /// What the linear law means for the case, in sentences with numbers.
 std::vector<report::Verdict> strain_verdicts(const StrainDeviation& deviation);
 
-/// Lines for the console: the case's own point by quantity, with the forces for 1, 2, 5 %.
-std::string strain_text(const StrainDeviation& deviation);
+/// The case's own point by quantity, with the forces for 1, 2, 5 %; and all points.
+report::DocumentTable strain_table(const StrainDeviation& deviation);
+report::DocumentTable strain_points_table(const StrainDeviation& deviation);
 
 /// Maps over F_N and b, one per quantity; curves over F_N and over f_T.
 std::vector<report::Figure> strain_maps(const StrainDeviation& deviation);

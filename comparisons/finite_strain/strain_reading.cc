@@ -121,22 +121,4 @@ std::vector<report::Verdict> strain_verdicts(const StrainDeviation& deviation) {
     return verdicts;
 }
 
-std::string strain_text(const StrainDeviation& deviation) {
-    std::string text =
-        fmt::format("{:<38}{:>13}{:>13}{:>9}{:>9}   F_N for 1 %, 2 %, 5 %\n",
-                    "linear and at finite strains", "linear", "finite", "off/%", "error/%");
-    for (const StrainRow& row : strain_rows(deviation)) {
-        std::vector<std::string> forces;
-        for (const auto& threshold : row.forces)
-            forces.push_back(threshold_text(threshold, 0, row.largest_force, "N"));
-        const Quantity& q = *row.quantity;
-        text += fmt::format(
-            "{:<38}{:>13}{:>13}{:>+9.2f}{:>9}   {}\n",
-            fmt::format("{} ({})", ratio_key(q), q.symbol), report::quantity(row.linear, q.unit),
-            report::quantity(row.finite, q.unit), 100 * row.deviation,
-            row.error ? fmt::format("{:.2f}", 100 * *row.error) : "-", fmt::join(forces, ", "));
-    }
-    return text;
-}
-
 }  // namespace tricontact::comparisons

@@ -21,26 +21,6 @@ std::vector<report::Cell> with_needed(std::vector<report::Cell> row,
     return row;
 }
 
-report::DocumentTable here_table(const HalfSpaceDeviation& deviation) {
-    report::DocumentTable table{
-        .id = "layer",
-        .title = "This layer, and how thick it would have to be",
-        .note =
-            "Deviation: the layer's value over the half-space's under the same force, minus 1. "
-            "Thicknesses: b/D_c from which on the quantity deviates by less; of computed ones "
-            "with the interval of their numerical error.",
-        .columns =
-            report::columns("quantity", "symbol", "by", "deviation [%]:3", "1 %", "2 %", "5 %")};
-    for (const DeviationRow& r : rows_here(deviation))
-        table.rows.push_back(with_needed({r.quantity->name, r.quantity->symbol,
-                                          r.computed ? "boundary elements" : "exact theory",
-                                          !r.ratio     ? report::Cell(contact::undefined)
-                                          : r.computed ? percent_cell(*r.ratio)
-                                                       : report::Cell(100 * (r.ratio->value - 1))},
-                                         r.needed, r.thinnest));
-    return table;
-}
-
 report::DocumentTable needed_table(const HalfSpaceDeviation& deviation) {
     report::DocumentTable table{
         .id = "needed",
@@ -164,6 +144,26 @@ std::vector<std::pair<std::string, std::string>> settings(const HalfSpaceDeviati
 
 }  // namespace
 
+report::DocumentTable deviation_table(const HalfSpaceDeviation& deviation) {
+    report::DocumentTable table{
+        .id = "layer",
+        .title = "This layer, and how thick it would have to be",
+        .note =
+            "Deviation: the layer's value over the half-space's under the same force, minus 1. "
+            "Thicknesses: b/D_c from which on the quantity deviates by less; of computed ones "
+            "with the interval of their numerical error.",
+        .columns =
+            report::columns("quantity", "symbol", "by", "deviation [%]:3", "1 %", "2 %", "5 %")};
+    for (const DeviationRow& r : rows_here(deviation))
+        table.rows.push_back(with_needed({r.quantity->name, r.quantity->symbol,
+                                          r.computed ? "boundary elements" : "exact theory",
+                                          !r.ratio     ? report::Cell(contact::undefined)
+                                          : r.computed ? percent_cell(*r.ratio)
+                                                       : report::Cell(100 * (r.ratio->value - 1))},
+                                         r.needed, r.thinnest));
+    return table;
+}
+
 report::Document deviation_document(const HalfSpaceDeviation& deviation) {
     return {
         .kind = "Half-space deviation",
@@ -176,7 +176,7 @@ report::Document deviation_document(const HalfSpaceDeviation& deviation) {
         .sections = {{.id = "this_layer",
                       .heading = "This layer",
                       .figures = thickness_figures(deviation),
-                      .tables = {here_table(deviation)}},
+                      .tables = {deviation_table(deviation)}},
                      rolled_section(deviation),
                      {.id = "maps",
                       .heading = "Any layer: thickness and Poisson's ratio",

@@ -39,8 +39,8 @@ std::string deviation_json(const std::string& version, const std::string& case_t
 /// What the case's layer means, in sentences with numbers.
 std::vector<report::Verdict> deviation_verdicts(const HalfSpaceDeviation& deviation);
 
-/// Lines for the console: the case's layer by quantity, with the needed thicknesses.
-std::string deviation_text(const HalfSpaceDeviation& deviation);
+/// The case's layer by quantity, with the needed thicknesses.
+report::DocumentTable deviation_table(const HalfSpaceDeviation& deviation);
 
 /// Verdicts, the case's layer, maps, curves, needed thicknesses, how it was computed.
 report::Document deviation_document(const HalfSpaceDeviation& deviation);

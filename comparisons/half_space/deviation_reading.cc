@@ -117,24 +117,6 @@ std::vector<report::Verdict> deviation_verdicts(const HalfSpaceDeviation& deviat
     return verdicts;
 }
 
-std::string deviation_text(const HalfSpaceDeviation& deviation) {
-    std::string text = fmt::format("{:<34}{:>10}{:>11}   b/D_c for {}\n", "layer over half-space",
-                                   "ratio", "error", "1 %, 2 %, 5 %");
-    for (const DeviationRow& row : rows_here(deviation)) {
-        std::vector<std::string> needed;
-        if (row.needed)
-            for (const NeededThickness& n : *row.needed)
-                needed.push_back(needed_text(n, row.thinnest));
-        text += fmt::format(
-            "{:<34}{:>10}{:>11}   {}\n",
-            fmt::format("{} ({})", ratio_key(*row.quantity), row.quantity->symbol),
-            row.ratio ? fmt::format("{:.4f}", row.ratio->value) : "-",
-            !row.computed ? "exact" : (row.ratio ? fmt::format("{:.4f}", row.ratio->error) : "-"),
-            needed.empty() ? "-" : fmt::format("{}", fmt::join(needed, ", ")));
-    }
-    return text;
-}
-
 std::vector<DeviationRow> rows_here(const HalfSpaceDeviation& deviation) {
     std::vector<DeviationRow> rows;
     const ExactCurve& exact = deviation.curves.front();

@@ -11,6 +11,7 @@
 #include "report/csv.h"
 #include "report/format.h"
 #include "report/json_number.h"
+#include "report/table_text.h"
 
 namespace tricontact::comparisons {
 
@@ -34,56 +35,10 @@ json to_json(const RefinedQuantity& q) {
             {"wide_block_change", report::number(q.wide_change())}};
 }
 
-/// Characters, not bytes.
-std::size_t width_of(const std::string& text) {
-    return static_cast<std::size_t>(std::ranges::count_if(text, [](char c) {
-        return (static_cast<unsigned char>(c) & 0xC0) != 0x80;  // not a continuation in UTF-8
-    }));
-}
-
 /// Of lengths and forces with a prefix; ratios have none.
 report::Unit unit_for(const RefinedQuantity& q) {
     if (*q.quantity->unit == '\0') return {1, unit_of(*q.quantity)};
     return report::fitting_unit(q.values.back(), q.quantity->unit);
-}
-
-using TextRow = std::vector<std::string>;
-
-TextRow text_row(const RefinedQuantity& q, bool with_exact, bool with_wide) {
-    const report::Unit unit = unit_for(q);
-    const auto shown = [&](std::optional<double> value) {
-        return report::significant(value.value_or(NAN) / unit.factor, 6);
-    };
-    const bool ordered = q.limit.convergence == Convergence::ordered;
-    TextRow row{q.quantity->symbol, unit.symbol};
-    for (const double value : q.values) row.push_back(shown(value));
-    row.push_back(report::significant(q.limit.order, 3));
-    row.push_back(shown(ordered ? q.limit.value : NAN));
-    row.push_back(relative(q.limit.error, q.values.back()));
-    if (with_exact) row.push_back(shown(q.exact));
-    if (with_wide) row.push_back(report::percent(1 + q.wide_change().value_or(NAN)));
-    row.push_back(ordered ? "" : name_of(q.limit.convergence));
-    return row;
-}
-
-/// Columns two spaces apart: words at the left, the numbers between them at the right.
-std::string aligned(const std::vector<TextRow>& rows) {
-    std::vector<std::size_t> widths(rows.front().size(), 0);
-    for (const TextRow& row : rows)
-        for (std::size_t k = 0; k < row.size(); ++k)
-            widths[k] = std::max(widths[k], width_of(row[k]));
-    std::string text;
-    for (const TextRow& row : rows) {
-        std::string line;
-        for (std::size_t k = 0; k < row.size(); ++k) {
-            const std::string space(widths[k] - width_of(row[k]), ' ');
-            const bool left = k < 2 || k + 1 == row.size();
-            line += (k > 0 ? "  " : "") + (left ? row[k] + space : space + row[k]);
-        }
-        line.erase(line.find_last_not_of(' ') + 1);
-        text += line + '\n';
-    }
-    return text;
 }
 
 std::string error_sentence(const Refinement& r) {
@@ -249,17 +204,7 @@ std::string refinement_csv(const Refinement& r) {
 }
 
 std::string refinement_text(const Refinement& r) {
-    const bool with_exact = has_exact(r), with_wide = r.wide_factor > 0;
-    TextRow head{r.key + ", mm", ""};
-    for (const double size : r.sizes) head.push_back(report::significant(1e3 * size));
-    for (const char* name : {"order", "limit", "error"}) head.emplace_back(name);
-    if (with_exact) head.push_back(r.exact_name);
-    if (with_wide) head.emplace_back("wide block");
-    head.emplace_back();
-    std::vector<TextRow> rows{head};
-    for (const RefinedQuantity& q : r.quantities)
-        rows.push_back(text_row(q, with_exact, with_wide));
-    return aligned(rows);
+    return report::table_text(refinement_table(r));
 }
 
 }  // namespace tricontact::comparisons

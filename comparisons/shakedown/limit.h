@@ -83,9 +83,12 @@ std::optional<double> exact_limit(const contact::Case& c, LimitVariable variable
 /// substrates that relax.
 std::optional<double> thesis_limit(const contact::Case& c, LimitVariable variable);
 
-/// limit.json, limit.csv (a row per model), what the terminal shows, and the report's content.
+/// limit.json, limit.csv and a table (a row per model), what the terminal shows of it, all runs,
+/// and the report's content.
 nlohmann::ordered_json limit_json(const std::string& version, const LimitStudy& study);
 std::string limit_csv(const LimitStudy& study);
+report::DocumentTable limit_table(const LimitStudy& study);
+report::DocumentTable limit_run_table(const LimitStudy& study);
 std::string limit_text(const LimitStudy& study);
 report::Document limit_document(LimitStudy study);
 

@@ -88,31 +88,6 @@ void add_thesis(const LimitStudy& study, const char* symbol,
                                     off.empty() ? " agrees" : " lies ", off)});
 }
 
-report::DocumentTable limit_table(const LimitStudy& study) {
-    report::DocumentTable table{.id = "limits",
-                                .title = fmt::format("Limits in {}", study.varied().symbol)};
-    table.columns = report::columns("model", "limit:7", "last shakedown:8", "first ratcheting:8",
-                                    "by pressures:8", "exact, uncoupled:8", "u at the limit:4");
-    table.note =
-        "limit: middle of the bracket and its half width, of the model at its resolution. "
-        "by pressures: where (1/F_N) ∫ min p dA over the path is f_T, the exact limit of uncoupled "
-        "contact at the same resolution. exact: the same of the continuous body, Hertz' "
-        "that of the half-space, 1 - 3/2 w + 1/2 w³ of a paraboloid, or the exact layer. u at the "
-        "limit: shift over U_max where the first "
-        "ratcheting run was slowest, its error the distance to the last shakedown.";
-    for (const ModelLimit& m : study.models) {
-        const auto shift = m.shift_ratio();
-        table.rows.push_back(
-            {report::display_name(m.model),
-             report::WithError{m.bracket.centre(), m.bracket.half_width()},
-             m.bracket.last_shakedown, m.bracket.first_ratcheting, m.by_pressures,
-             m.exact ? report::Cell{*m.exact} : report::Cell{"–"},
-             shift ? report::Cell{report::WithError{shift->value, shift->value - shift->low}}
-                   : report::Cell{"–"}});
-    }
-    return table;
-}
-
 /// u of MDR over what is varied, up to its limit: (3.2.16) with kappa = 3/2.
 report::Curve settled_shift_of_mdr(const LimitStudy& study) {
     constexpr int n = 200;
@@ -185,19 +160,6 @@ report::Figure period_figure(const LimitStudy& study) {
     return figure;
 }
 
-report::DocumentTable run_table(const LimitStudy& study) {
-    report::DocumentTable table{.id = "runs", .title = "All runs"};
-    table.columns = report::columns("model", study.varied().symbol + std::string(":8"), "verdict",
-                                    "periods:6", "U [um]:5", "u [U_max]:5");
-    table.note = "Shift after the last period, in micrometres and over each model's own U_max.";
-    for (const ModelLimit& m : study.models)
-        for (const LimitRun& run : m.runs)
-            table.rows.push_back({report::display_name(m.model), run.value,
-                                  contact::name_of(run.state), static_cast<double>(run.periods),
-                                  1e6 * run.final_shift, run.final_shift_ratio});
-    return table;
-}
-
 }  // namespace
 
 report::Document limit_document(LimitStudy study) {
@@ -231,7 +193,7 @@ report::Document limit_document(LimitStudy study) {
               "when the periods are over stays undecided, and the "
               "limit lies anywhere in the band of such values."},
          .figures = {period_figure(study)},
-         .tables = {run_table(study)}}};
+         .tables = {limit_run_table(study)}}};
     return document;
 }
 

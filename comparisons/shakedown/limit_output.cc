@@ -5,9 +5,8 @@
 #include <cmath>
 
 #include "comparisons/shakedown/limit.h"
-#include "report/csv.h"
-#include "report/format.h"
-#include "report/json_number.h"
+#include "report/json_table.h"
+#include "report/table_text.h"
 
 namespace tricontact::comparisons {
 
@@ -40,6 +39,22 @@ json to_json(const ModelLimit& m) {
             {"runs", report::list_of(m.runs, run_json)}};
 }
 
+/// What the table and limit.csv have of each model.
+json rows_of(const LimitStudy& study) {
+    return report::list_of(study.models, [&](const ModelLimit& m) {
+        json row = to_json(m);
+        const auto [value, low, high] = m.shift_ratio().value_or(BracketedValue{NAN, NAN, NAN});
+        row.update({{"model", m.model},
+                    {"limit_of", study.varied().key},
+                    {"half_width", m.bracket.half_width()},
+                    {"final_shift_ratio_at_limit", value},
+                    {"final_shift_ratio_low", low},
+                    {"final_shift_ratio_high", high},
+                    {"final_shift_ratio_error", value - low}});
+        return row;
+    });
+}
+
 }  // namespace
 
 json limit_json(const std::string& version, const LimitStudy& study) {
@@ -53,30 +68,61 @@ json limit_json(const std::string& version, const LimitStudy& study) {
 }
 
 std::string limit_csv(const LimitStudy& study) {
-    std::string text = report::csv_line({"model", "limit_of", "limit", "last_shakedown",
-                                         "first_ratcheting", "limit_by_pressures",
-                                         "exact_uncoupled_limit", "final_shift_ratio_at_limit",
-                                         "final_shift_ratio_low", "final_shift_ratio_high"});
-    for (const ModelLimit& m : study.models) {
-        const auto [value, low, high] = m.shift_ratio().value_or(BracketedValue{NAN, NAN, NAN});
-        text += report::csv_row(m.model, study.varied().key, m.bracket.centre(),
-                                m.bracket.last_shakedown, m.bracket.first_ratcheting,
-                                m.by_pressures, m.exact, value, low, high);
-    }
-    return text;
+    return report::csv_of(rows_of(study), {"model", "limit_of", "limit", "last_shakedown",
+                                           "first_ratcheting", "limit_by_pressures",
+                                           "exact_uncoupled_limit", "final_shift_ratio_at_limit",
+                                           "final_shift_ratio_low", "final_shift_ratio_high"});
+}
+
+report::DocumentTable limit_table(const LimitStudy& study) {
+    report::DocumentTable table = report::table_of(
+        {.id = "limits",
+         .title = fmt::format("Limits in {}", study.varied().symbol),
+         .note =
+             "limit: middle of the bracket and its half width, of the model at its resolution. "
+             "by pressures: where (1/F_N) ∫ min p dA over the path is f_T, the exact limit of "
+             "uncoupled contact at the same resolution. exact: the same of the continuous body, "
+             "Hertz' that of the half-space, 1 - 3/2 w + 1/2 w³ of a paraboloid, or the exact "
+             "layer. u at the limit: shift over U_max where the first ratcheting run was slowest, "
+             "its error the distance to the last shakedown."},
+        rows_of(study),
+        {{"model", "model"},
+         {"limit", "limit:7", 1, "half_width"},
+         {"last_shakedown", "last shakedown:8"},
+         {"first_ratcheting", "first ratcheting:8"},
+         {"limit_by_pressures", "by pressures:8"},
+         {"exact_uncoupled_limit", "exact, uncoupled:8"},
+         {"final_shift_ratio_at_limit", "u at the limit:4", 1, "final_shift_ratio_error"}});
+    if (!study.thesis) return table;
+    table.rows.push_back({"thesis", *study.thesis});
+    table.rows.back().resize(table.columns.size(), report::number_cell({}));
+    return table;
+}
+
+report::DocumentTable limit_run_table(const LimitStudy& study) {
+    json rows = json::array();
+    for (const ModelLimit& m : study.models)
+        for (const LimitRun& run : m.runs) {
+            rows.push_back(run_json(run));
+            rows.back()["model"] = m.model;
+        }
+    return report::table_of(
+        {.id = "runs",
+         .title = "All runs",
+         .note = "Shift after the last period, in micrometres and over each model's own U_max."},
+        rows,
+        {{"model", "model"},
+         {"value", study.varied().symbol + std::string(":8")},
+         {quantities::state.key, "verdict"},
+         {quantities::periods.key, "periods"},
+         {quantities::final_shift.key, "U [µm]:5", 1e-6},
+         {quantities::final_shift_ratio.key, "u [U_max]:5"}});
 }
 
 std::string limit_text(const LimitStudy& study) {
-    std::string text =
-        fmt::format("limit of shakedown in {} at {} = {:.6g}\n{:<10} {:>11} {:>11} {:>11} {:>11}\n",
-                    study.varied().symbol, study.fixed().symbol, study.given, "", "shakes down",
-                    "ratchets", "pressures", "exact");
-    for (const ModelLimit& m : study.models)
-        text += fmt::format("{:<10} {:>11.7g} {:>11.7g} {:>11.7g} {:>11}\n", m.model,
-                            m.bracket.last_shakedown, m.bracket.first_ratcheting, m.by_pressures,
-                            m.exact ? fmt::format("{:.7g}", *m.exact) : "-");
-    if (study.thesis) text += fmt::format("{:<10} {:>23.7g}\n", "thesis", *study.thesis);
-    return text;
+    return fmt::format("limit of shakedown in {} at {} = {:.6g}\n", study.varied().symbol,
+                       study.fixed().symbol, study.given) +
+           report::table_text(limit_table(study));
 }
 
 }  // namespace tricontact::comparisons

@@ -243,7 +243,7 @@ report::DocumentSection criteria_section(const ExperimentEvaluation& e) {
                        "The thesis takes the sign of a parabola's curvature. Steady ratcheting has "
                        "none: the sign is then that of the noise, or of the transient before it."},
         .figures = {criterion_figure(e)},
-        .tables = {criteria_table(e)}};
+        .tables = {stages_table(e)}};
 }
 
 }  // namespace

@@ -4,16 +4,7 @@
 #include "comparisons/quantities/quantities.h"
 #include "contact/base/special_values.h"
 #include "experiments/records/experiment_report.h"
-#include "report/json_number.h"
-
-namespace tricontact::statistics {
-
-static void to_json(nlohmann::ordered_json& to, const Estimate& e) {
-    to = {
-        {"value", e.value}, {"standard_error", e.standard_error}, {"low", e.low}, {"high", e.high}};
-}
-
-}  // namespace tricontact::statistics
+#include "report/json_table.h"
 
 namespace tricontact::experiments {
 
@@ -46,6 +37,12 @@ static json comparison_json(const Deviation& d) {
             {"covariance_m2", d.error.covariance}};
 }
 
+json deviation_json(const Deviation& d) {
+    return {{"quantity", d.quantity},           {"measured_m", d.measured},
+            {"predicted_m", predicted_json(d)}, {"measured_over_predicted", d.ratio()},
+            {"comparison", comparison_json(d)}, {"differs", d.differs()}};
+}
+
 static json range_json(const RecordedPath::Range& range) {
     if (!range.is_recorded) return nullptr;
     return {{"low", range.low}, {"mean", range.mean}, {"high", range.high}};
@@ -57,7 +54,7 @@ static json loads_json(const std::optional<RecordedLoads>& loads) {
             {"tangential_force_N", range_json(loads->as_recorded.tangential_force)}};
 }
 
-static json series_json(const SeriesDeviation& d) {
+json series_json(const SeriesDeviation& d) {
     std::vector<double> differences, half_widths;
     for (std::size_t n = 0; n < d.error.values.size(); ++n) {
         differences.push_back(d.error.values[n].difference());
@@ -114,22 +111,22 @@ static void to_json(json& to, const RecordFinding& finding) {
           {"spoils", finding.spoils}};
 }
 
-static void to_json(json& to, const RunEvaluation& run) {
-    to = {{"name", run.name},
-          {"findings", run.findings},
-          {"loading_s", run.rest_is_whole ? json(run.loading) : json()},
-          {"noise_m", run.noise.standard_deviation},
-          {"resolution_m", run.noise.resolution},
-          {"correlated_samples", run.noise.correlated_samples},
-          {"drift_before_m_per_s", drift_json(run.before)},
-          {"drift_after_m_per_s", run.after ? drift_json(*run.after) : json()},
-          {"drift_m_per_s", drift_json(run.drift)},
-          {"drift_changes", run.drift_changes},
-          {"wobble_ratio", run.wobble},
-          {"stages", run.stages}};
+json run_json(const RunEvaluation& run) {
+    return {{"name", run.name},
+            {"findings", run.findings},
+            {"loading_s", run.rest_is_whole ? json(run.loading) : json()},
+            {"noise_m", run.noise.standard_deviation},
+            {"resolution_m", run.noise.resolution},
+            {"correlated_samples", run.noise.correlated_samples},
+            {"drift_before_m_per_s", drift_json(run.before)},
+            {"drift_after_m_per_s", run.after ? drift_json(*run.after) : json()},
+            {"drift_m_per_s", drift_json(run.drift)},
+            {"drift_changes", run.drift_changes},
+            {"wobble_ratio", run.wobble},
+            {"stages", run.stages}};
 }
 
-static void to_json(json& to, const LimitReading& limit) {
+void to_json(json& to, const LimitReading& limit) {
     to = {{"last_shakedown_m", limit.amplitude_low},
           {"first_ratcheting_m", limit.amplitude_high},
           {"intersection_time_s", limit.lines.time},
@@ -145,7 +142,7 @@ static json limits_json(const ExperimentEvaluation& e) {
             {"shift_m", e.limit_shift}};
 }
 
-static json normalised_json(const NormalisedResults& n) {
+json normalised_json(const NormalisedResults& n) {
     return {{names::tangential_ratio.key, uncertain(n.tangential_ratio)},
             {names::amplitude_ratio.key, uncertain(n.amplitude_ratio)},
             {names::unit_shift.key, uncertain(n.unit_shift)},
@@ -162,13 +159,7 @@ static json models_json(const ExperimentEvaluation& e) {
         const auto series = std::ranges::find(e.series, p.model, &SeriesDeviation::model);
         json deviations = json::array();
         for (const Deviation& d : e.deviations)
-            if (d.model == p.model)
-                deviations.push_back({{"quantity", d.quantity},
-                                      {"measured_m", d.measured},
-                                      {"predicted_m", predicted_json(d)},
-                                      {"measured_over_predicted", d.ratio()},
-                                      {"comparison", comparison_json(d)},
-                                      {"differs", d.differs()}});
+            if (d.model == p.model) deviations.push_back(deviation_json(d));
         models.push_back(
             {{"model", p.model},
              {names::state.key, contact::name_of(p.state)},
@@ -206,7 +197,7 @@ std::string experiment_json(const std::string& version, const ExperimentEvaluati
                         {"normalised", e.normalised ? normalised_json(*e.normalised) : json()},
                         {"rolled_as", rolled_json(e)},
                         {"models", models_json(e)},
-                        {"runs", e.runs}};
+                        {"runs", report::list_of(e.runs, run_json)}};
     return document.dump(2) + '\n';
 }
 

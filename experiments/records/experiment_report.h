@@ -1,5 +1,6 @@
 #pragma once
 
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 
@@ -26,6 +27,13 @@ Estimate walk_of_runs(const ExperimentEvaluation& e);
 /// non-finite numbers as null.
 std::string experiment_json(const std::string& version, const ExperimentEvaluation& e);
 
+/// Parts of it, of which the tables are made.
+nlohmann::ordered_json run_json(const RunEvaluation& run);
+nlohmann::ordered_json deviation_json(const Deviation& d);
+nlohmann::ordered_json series_json(const SeriesDeviation& d);
+nlohmann::ordered_json normalised_json(const NormalisedResults& n);
+void to_json(nlohmann::ordered_json& to, const LimitReading& limit);
+
 /// The report: verdicts, records, values over the periods with the models, criteria, tables. Title,
 /// command, version and files are left to the caller.
 report::Document experiment_document(const ExperimentEvaluation& e);
@@ -48,8 +56,8 @@ inline constexpr double um = 1e6, nm = 1e9, mm = 1e3;
 // Tables of an experiment's report, those of a section each.
 /// u_stat, u_sd, Du; over Hertz' scales; of the models.
 std::vector<report::DocumentTable> values_tables(const ExperimentEvaluation& e);
-/// Walk and curvature, per run.
-report::DocumentTable criteria_table(const ExperimentEvaluation& e);
+/// Walk and curvature, per run and amplitude.
+report::DocumentTable stages_table(const ExperimentEvaluation& e);
 /// Verdict per amplitude and run, W_lim and U_lim per run, over Hertz' scales, the models'
 /// verdicts.
 std::vector<report::DocumentTable> limit_tables(const ExperimentEvaluation& e);

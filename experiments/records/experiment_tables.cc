@@ -1,10 +1,14 @@
 #include <fmt/format.h>
 
-#include "contact/base/special_values.h"
+#include "comparisons/quantities/quantities.h"
 #include "experiments/records/experiment_report.h"
 #include "report/format.h"
+#include "report/json_table.h"
 
 namespace tricontact::experiments {
+
+using json = nlohmann::ordered_json;
+namespace names = comparisons::quantities;
 
 namespace {
 
@@ -12,11 +16,6 @@ constexpr std::size_t most_open_rows = 12;
 
 report::WithError with_half_width(const Estimate& e, double factor) {
     return {factor * e.value, factor * e.half_width()};
-}
-
-std::string interval(const Estimate& e, double factor) {
-    return report::significant(factor * e.low, 3) + " to " +
-           report::significant(factor * e.high, 3);
 }
 
 report::WithError with_standard_error(const Estimate& e, double factor) {
@@ -56,7 +55,7 @@ report::DocumentTable values_table(const ExperimentEvaluation& e) {
 }
 
 report::DocumentTable normalised_table(const ExperimentEvaluation& e) {
-    const NormalisedResults& n = *e.normalised;
+    const json n = normalised_json(*e.normalised);
     const bool limit = e.kind == Experiment::Kind::limit;
     report::DocumentTable table{
         .id = "normalised",
@@ -68,75 +67,77 @@ report::DocumentTable normalised_table(const ExperimentEvaluation& e) {
             "; F_T and W are what the rig sets. Uncertain numbers of the case: " +
             numbers_with_errors(e) + ".",
         .columns = report::columns("quantity", "value")};
-    const auto add = [&](const char* name, const Estimate& u, double factor = 1) {
-        // An error of 0 is one that was not stated.
-        table.rows.push_back({name, u.standard_error == 0
-                                        ? report::Cell(factor * u.value)
-                                        : report::Cell(with_standard_error(u, factor))});
+    const auto add = [&](const char* name, const char* key, double unit = 1) {
+        table.rows.push_back({name, report::cell_of(n.at(key), unit)});
     };
-    add("f_T = F_T/(μ F_N)", n.tangential_ratio);
+    add("f_T = F_T/(μ F_N)", names::tangential_ratio.key);
     if (limit) {
-        if (e.limit_amplitude) add("w_lim = W_lim/a", n.amplitude_ratio);
-        add("w_lim, exact for half-spaces", n.exact_limit);
-        add("w_lim of the thesis, 1 - f_T", n.thesis_limit);
-    } else if (n.amplitude_ratio.value > 0) {
-        add("w = W/a", n.amplitude_ratio);
+        if (e.limit_amplitude) add("w_lim = W_lim/a", names::amplitude_ratio.key);
+        add("w_lim, exact for half-spaces", "exact_amplitude_limit");
+        add("w_lim of the thesis, 1 - f_T", "thesis_amplitude_limit");
+    } else if (e.normalised->amplitude_ratio.value > 0) {
+        add("w = W/a", names::amplitude_ratio.key);
     }
-    add("U_max [µm]", n.unit_shift, um);
-    add("U_stat/U_max", n.static_ratio);
-    if (!limit || e.limit_shift) add(limit ? "U_lim/U_max" : "U_sd/U_max", n.final_ratio);
-    if (!limit) add("ΔU/U_max", n.increment_ratio);
+    add("U_max [µm]", names::unit_shift.key, 1 / um);
+    add("U_stat/U_max", names::static_shift_ratio.key);
+    if (!limit || e.limit_shift)
+        add(limit ? "U_lim/U_max" : "U_sd/U_max", names::final_shift_ratio.key);
+    if (!limit) add("ΔU/U_max", "increment_ratio");
     return table;
 }
 
 report::DocumentTable deviations_table(const ExperimentEvaluation& e) {
-    report::DocumentTable table{
-        .id = "deviations",
-        .title = "Measured minus computed",
-        .note =
-            "After ASME V&V 20-2009: half width of the interval of 95 % behind ±, by the "
-            "record, the uncertain numbers of the case (" +
-            numbers_with_errors(e) +
-            ") and the mesh. Resolution: the least deviation of the computed value that would "
-            "have been called a disagreement in 95 of 100 such comparisons.",
-        .columns = report::columns("model", "quantity", "measured [µm]", "computed [µm]",
-                                   "difference [µm]", "resolution [%]:2", "verdict")};
-    for (const Deviation& d : e.deviations)
-        table.rows.push_back({report::display_name(d.model), d.quantity, um * d.error.measured,
-                              um * d.error.computed,
-                              d.has_errors
-                                  ? report::Cell(report::WithError{um * d.error.difference(),
-                                                                   um * d.error.half_width()})
-                                  : report::Cell(um * d.error.difference()),
-                              d.has_errors ? report::Cell(100 * d.error.resolution())
-                                           : report::Cell(contact::undefined),
-                              agrees(d.differs())});
-    return table;
+    const auto row_of = [](const Deviation& d) {
+        json row = deviation_json(d);
+        row["model"] = d.model;
+        row["verdict"] = agrees(d.differs());
+        return row;
+    };
+    return report::table_of(
+        {.id = "deviations",
+         .title = "Measured minus computed",
+         .note = "After ASME V&V 20-2009: half width of the interval of 95 % behind ±, by the "
+                 "record, the uncertain numbers of the case (" +
+                 numbers_with_errors(e) +
+                 ") and the mesh. Resolution: the least deviation of the computed value that would "
+                 "have been called a disagreement in 95 of 100 such comparisons."},
+        report::list_of(e.deviations, row_of),
+        {{"model", "model"},
+         {"quantity", "quantity"},
+         {"/measured_m/value", "measured [µm]", 1 / um},
+         {"/predicted_m/value", "computed [µm]", 1 / um},
+         {"/comparison/difference_m", "difference [µm]", 1 / um,
+          "/comparison/half_width_95_percent_m"},
+         {"/comparison/resolution", "resolution [%]:2", .01},
+         {"verdict", "verdict"}});
 }
 
 report::DocumentTable series_table(const ExperimentEvaluation& e) {
-    report::DocumentTable table{
-        .id = "series",
-        .title = "Measured minus computed, all periods together",
-        .note =
-            "Where the series is furthest off, in half widths that hold for all periods at once "
-            "(95 %); widening: of the interval that this period has by itself. Resolution: the "
-            "least relative deviation, the same in all periods, that would have been called a "
-            "disagreement in 95 of 100 such comparisons.",
-        .columns = report::columns("model", "furthest at n", "difference [µm]", "widening:3",
-                                   "resolution [%]:2", "verdict")};
-    for (const SeriesDeviation& d : e.series) {
+    const auto row_of = [](const SeriesDeviation& d) {
+        json row = series_json(d);
         const std::size_t n = d.error.furthest();
-        const double difference = um * d.error.values[n].difference();
-        table.rows.push_back({report::display_name(d.model), static_cast<int>(n), difference,
-                              contact::undefined, contact::undefined, agrees(d.differs())});
-        if (!d.has_errors) continue;
-        auto& row = table.rows.back();
-        row[2] = report::WithError{difference, um * d.error.half_width(n)};
-        row[3] = d.error.widening;
-        row[4] = 100 * d.error.resolution;
-    }
-    return table;
+        row.update({{"model", d.model},
+                    {"furthest", n},
+                    {"difference", row["difference_m"][n]},
+                    {"half_width", d.has_errors ? row["half_width_95_percent_m"][n] : json()},
+                    {"verdict", agrees(d.differs())}});
+        return row;
+    };
+    return report::table_of(
+        {.id = "series",
+         .title = "Measured minus computed, all periods together",
+         .note =
+             "Where the series is furthest off, in half widths that hold for all periods at once "
+             "(95 %); widening: of the interval that this period has by itself. Resolution: the "
+             "least relative deviation, the same in all periods, that would have been called a "
+             "disagreement in 95 of 100 such comparisons."},
+        report::list_of(e.series, row_of),
+        {{"model", "model"},
+         {"furthest", "furthest at n"},
+         {"difference", "difference [µm]", 1 / um, "half_width"},
+         {"widening", "widening:3"},
+         {"resolution", "resolution [%]:2", .01},
+         {"verdict", "verdict"}});
 }
 
 report::DocumentTable contributions_table(const ExperimentEvaluation& e) {
@@ -170,37 +171,23 @@ report::DocumentTable contributions_table(const ExperimentEvaluation& e) {
     return table;
 }
 
-report::DocumentTable stages_table(const ExperimentEvaluation& e) {
-    report::DocumentTable table{
-        .id = "stages",
-        .title = "Verdict per amplitude",
-        .note = "Walk and curvature: intervals at " + level(verdict_confidence) + ".",
-        .columns = report::columns("run", "W [mm]", "periods", "walk ΔU [µm]",
-                                   "verdict by the walk", "curvature", "verdict by it")};
-    for (const RunEvaluation& run : e.runs)
-        for (const StageEvaluation& s : run.stages)
-            table.rows.push_back({run.name, mm * s.amplitude, double(s.periods()),
-                                  interval(s.settling.increment, um), word(s.by_walk),
-                                  interval(s.curvature, 1), word(s.by_curvature)});
-    return table;
-}
-
 report::DocumentTable limits_table(const ExperimentEvaluation& e) {
-    report::DocumentTable table{
-        .id = "limits",
-        .title = "Limit per run",
-        .note = "U_lim: where the lines meet, half width of its interval behind ±.",
-        .columns =
-            report::columns("run", "last shakedown [mm]", "first ratcheting [mm]", "U_lim [µm]")};
+    json rows = json::array();
     for (std::size_t i = 0; i < e.runs.size(); ++i) {
-        table.rows.push_back(
-            {e.runs[i].name, contact::undefined, contact::undefined, contact::undefined});
-        if (const auto& limit = e.limits[i])
-            table.rows.back() = {e.runs[i].name, mm * limit->amplitude_low,
-                                 mm * limit->amplitude_high,
-                                 with_half_width(limit->lines.shift, um)};
+        rows.push_back(e.limits[i].value_or(LimitReading{}));
+        if (!e.limits[i])
+            for (json& value : rows.back()) value = nullptr;
+        rows.back()["run"] = e.runs[i].name;
     }
-    return table;
+    return report::table_of(
+        {.id = "limits",
+         .title = "Limit per run",
+         .note = "U_lim: where the lines meet, half width of its interval behind ±."},
+        rows,
+        {{"run", "run"},
+         {"last_shakedown_m", "last shakedown [mm]", 1 / mm},
+         {"first_ratcheting_m", "first ratcheting [mm]", 1 / mm},
+         {"intersection_shift_m", "U_lim [µm]", 1 / um}});
 }
 
 report::DocumentTable model_stages_table(const ExperimentEvaluation& e) {
@@ -237,27 +224,23 @@ report::DocumentTable wobble_table(const ExperimentEvaluation& e) {
 }
 
 report::DocumentTable noise_table(const ExperimentEvaluation& e) {
-    report::DocumentTable table{
-        .id = "noise",
-        .title = "Noise, drift and the table's wobble",
-        .note =
-            "Noise: standard deviation in the rest before rolling; so many neighbouring samples "
-            "count as one. Drift: slope of the rest, one standard error behind ±; the mean is "
-            "subtracted. Wobble: what the shift follows the drive by, dU/dW = Δh/R (5.1.11), half "
-            "width of its interval behind ±; it vanishes upright. It holds what the contact itself "
-            "does in step with the drive.",
-        .columns =
-            report::columns("run", "resolution [nm]:3", "noise [nm]:3", "correlated samples:2",
-                            "drift before [nm/s]:3", "drift after [nm/s]:3", "wobble [µm/mm]:3")};
-    for (const RunEvaluation& run : e.runs) {
-        const Estimate after = run.after.value_or(Estimate{contact::undefined, contact::undefined});
-        table.rows.push_back({run.name, nm * run.noise.resolution,
-                              nm * run.noise.standard_deviation, run.noise.correlated_samples,
-                              with_standard_error(run.before, nm), with_standard_error(after, nm),
-                              run.wobble ? report::Cell(with_half_width(*run.wobble, um / mm))
-                                         : report::Cell(contact::undefined)});
-    }
-    return table;
+    return report::table_of(
+        {.id = "noise",
+         .title = "Noise, drift and the table's wobble",
+         .note =
+             "Noise: standard deviation in the rest before rolling; so many neighbouring samples "
+             "count as one. Drift: slope of the rest, one standard error behind ±; the mean is "
+             "subtracted. Wobble: what the shift follows the drive by, dU/dW = Δh/R (5.1.11), half "
+             "width of its interval behind ±; it vanishes upright. It holds what the contact "
+             "itself does in step with the drive."},
+        report::list_of(e.runs, run_json),
+        {{"name", "run"},
+         {"resolution_m", "resolution [nm]:3", 1 / nm},
+         {"noise_m", "noise [nm]:3", 1 / nm},
+         {"correlated_samples", "correlated samples:2"},
+         {"drift_before_m_per_s", "drift before [nm/s]:3", 1 / nm},
+         {"drift_after_m_per_s", "drift after [nm/s]:3", 1 / nm},
+         {"wobble_ratio", "wobble [µm/mm]:3", mm / um}});
 }
 
 }  // namespace
@@ -273,25 +256,36 @@ std::vector<report::DocumentTable> values_tables(const ExperimentEvaluation& e) 
     return tables;
 }
 
-report::DocumentTable criteria_table(const ExperimentEvaluation& e) {
-    report::DocumentTable table{
-        .id = "criteria_by_run",
-        .title = "Both criteria",
-        .note = "Intervals at " + level(verdict_confidence) +
-                ". Residual: of the values upright about transient and walk; noise: what their "
-                "errors explain. Curvature of all samples: as the thesis takes it, without an "
-                "interval, since neighbours in the record are not independent.",
-        .columns = report::columns("run", "walk ΔU [µm]", "verdict by the walk", "q:2",
-                                   "residual [µm]:2", "noise [µm]:2", "curvature", "verdict by it",
-                                   "curvature of all samples:3")};
-    for (const RunEvaluation& run : e.runs) {
-        const StageEvaluation& s = run.stages.front();
-        table.rows.push_back({run.name, interval(s.settling.increment, um), word(s.by_walk),
-                              s.settling.ratio, um * s.settling.residual_deviation,
-                              um * s.shift_error[s.shift_error.size() / 2],
-                              interval(s.curvature, 1), word(s.by_curvature), s.sampled_curvature});
-    }
-    return table;
+report::DocumentTable stages_table(const ExperimentEvaluation& e) {
+    json rows = json::array();
+    for (const RunEvaluation& run : e.runs)
+        for (json stage : run_json(run)["stages"]) {
+            const json& errors = stage["shift_standard_error_m"];
+            stage["noise_m"] = errors[errors.size() / 2];
+            stage["run"] = run.name;
+            stage["periods"] = errors.size() - 1;
+            rows.push_back(stage);
+        }
+    return report::table_of(
+        {.id = "stages",
+         .title = "Verdicts by both criteria, per run and amplitude",
+         .note = "Walk and curvature: half widths of the intervals at " +
+                 level(verdict_confidence) +
+                 " behind ±. Residual: of the values upright about transient and walk; noise: what "
+                 "their errors explain. Curvature of all samples: as the thesis takes it, without "
+                 "an interval, since neighbours in the record are not independent."},
+        rows,
+        {{"run", "run"},
+         {names::amplitude.key, "W [mm]", 1 / mm},
+         {"periods", "periods"},
+         {"steady_walk_m", "walk ΔU [µm]", 1 / um},
+         {"state_by_walk", "verdict by the walk"},
+         {"transient_ratio", "q:2"},
+         {"residual_deviation_m", "residual [µm]:2", 1 / um},
+         {"noise_m", "noise [µm]:2", 1 / um},
+         {"curvature", "curvature"},
+         {"state_by_curvature", "verdict by it"},
+         {"curvature_of_samples", "curvature of all samples:3"}});
 }
 
 std::vector<report::DocumentTable> limit_tables(const ExperimentEvaluation& e) {

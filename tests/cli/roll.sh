@@ -8,14 +8,26 @@ sphere=$source_dir/examples/cases/rolling_sphere.toml
 coarse=(--set bem.cells_per_radius=8 --set mdr.springs=400 --set tractive_rolling.distance=5
     --points 3 --threads 1 --quiet)
 
-"$program" run "$sphere" "${coarse[@]}" --output once >table.txt 2>&1 || complain "$(cat table.txt)"
+"$program" run "$sphere" "${coarse[@]}" --output once >out 2>&1 || complain "$(cat out)"
 for file in summary.json creep.csv case.toml report.html mdr/history.csv bem/history.csv \
     bem/surface.pvd bem/steady.pvd mdr/steady.pvd; do
     [ -s "once/$file" ] || complain "no $file"
 done
-grep -q '^vermeulen_johnson ' table.txt || complain "the table lacks a theory"
+grep -q '^Vermeulen and Johnson ' out || complain "the terminal lacks a theory: $(cat out)"
 
-# creepage MODEL: of its steady state, from the table.
+# numbers FOLDER: name, creepage and force over mu F_N of each model, and of each closed form.
+numbers() {
+    "$python" - "$1/summary.json" <<'END'
+import json, sys
+found = json.load(open(sys.argv[1]))
+for model in found["models"]:
+    print(model["model"], model["steady"]["longitudinal_creepage"], model["steady"]["force_ratio"])
+for form in found["theories"]:
+    print(form["theory"], form["longitudinal_creepage"], found["models"][0]["steady"]["force_ratio"])
+END
+}
+numbers once >table.txt
+# creepage MODEL: of its steady state.
 creepage() { awk -v model="$1" '$1 == model { print $2 }' table.txt; }
 # Springs rolled on follow their closed form to the spacing of 400 of them: 34 in the radius.
 awk -v bed="$(creepage mdr)" -v exact="$(creepage mdr_closed_form)" \
@@ -41,7 +53,8 @@ done
 
 # Driven instead of braked: the mirror image without coupling.
 "$program" run "$sphere" "${coarse[@]}" --set load.tangential_ratio=-0.56 --output driven \
-    >driven.txt 2>&1 || complain "driven: $(cat driven.txt)"
+    >out 2>&1 || complain "driven: $(cat out)"
+numbers driven >driven.txt
 for model in mdr bem; do
     awk -v model=$model '$1 == model { if (NR == FNR) { xi = $2; f = $3 } else { found = 1
         if ((xi / $2 + 1) ^ 2 > 1e-10 || (f / $3 + 1) ^ 2 > 1e-10) bad = 1 } } END { exit !found || bad }' \
@@ -51,7 +64,8 @@ done
 awk -F, '$1 == "bem" || $1 == "mdr" || $1 == "vermeulen_johnson" { n++; if ($2 > 0 || $3 > 0 || $3 < -1.000001) bad = 1 }
     END { exit bad || n < 9 }' driven/creep.csv || complain "the creep curve is not the driven one: $(cat driven/creep.csv)"
 "$program" run "$sphere" "${coarse[@]}" --set load.tangential_ratio=1e-7 --no-report --output small \
-    >small.txt 2>&1 || complain "a small force: $(cat small.txt)"
+    >out 2>&1 || complain "a small force: $(cat out)"
+numbers small >small.txt
 awk '$1 == "mdr" || $1 == "bem" || $1 == "vermeulen_johnson" { n++; if (($3 / 1e-7 - 1) ^ 2 > 1e-4) bad = 1 }
     END { exit bad || n != 3 }' small.txt || complain "a small force is not told: $(cat small.txt)"
 
