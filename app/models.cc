@@ -4,6 +4,7 @@
 #include <iterator>
 
 #include "bem/model.h"
+#include "comparisons/resolution/fineness.h"
 #include "contact/error.h"
 #include "mdr/layer_model.h"
 #include "mdr/model.h"
@@ -55,22 +56,16 @@ MeshBlock block_of([[maybe_unused]] const Case& c, [[maybe_unused]] const Say& s
 CoarserModel make_coarser_model(const std::string& name, const Case& c, double factor,
                                 int n_threads, const Say& say) {
     CoarserModel coarser{.c = c, .model = {}};
-    Case& to = coarser.c;
     if (name == contact::models::mdr_layer) {
         coarser.model = mdr::make_layer_model(c, mdr::usual_elements_per_radius, factor);
         return coarser;
     }
-    if (name == contact::models::fem) {
-        if (c.fem.mesh)
-            throw contact::InputError("the mesh is a file's; run another one beside it");
-        to.fem.size = factor * (c.fem.size ? *c.fem.size : block_of(c, silent).size);
-        to.fem.accuracy.reset();
-    }
-    if (c.bem.spacing) *to.bem.spacing *= factor;
-    if (c.bem.cells_per_radius) *to.bem.cells_per_radius /= factor;
-    // Halves whose springs stand where the whole has some agree with it by accident.
-    to.mdr.springs = std::max(static_cast<int>(c.mdr.springs / factor) - 1, 10);
-    coarser.model = make_model(name, to, n_threads, say);
+    const contact::ModelKind& kind = contact::model_kind(name);
+    if (kind.is_meshed() && c.fem.mesh)
+        throw contact::InputError("the mesh is a file's; run another one beside it");
+    if (kind.is_meshed() && !c.fem.size) coarser.c.fem.size = block_of(c, silent).size;
+    comparisons::change_resolution(coarser.c, kind, {.coarser = factor});
+    coarser.model = make_model(name, coarser.c, n_threads, say);
     return coarser;
 }
 

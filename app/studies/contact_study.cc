@@ -8,6 +8,7 @@
 #include "app/studies/study_kind.h"
 #include "atlas/prediction.h"
 #include "atlas/shipped.h"
+#include "comparisons/resolution/fineness.h"
 #include "contact/models/model_kind.h"
 #include "io/case/case_reader.h"
 #include "report/format.h"
@@ -17,31 +18,6 @@ namespace tricontact::app {
 namespace {
 
 using io::Study;
-
-std::string metres_text(double value) {
-    return fmt::format("\"{} m\"", value);
-}
-
-/// The resolution of a model on level k, as overrides; see RefinementPlan, which does the same.
-std::vector<std::string> finer(const std::string& model, const Case& c, int k) {
-    const double factor = std::pow(2., k / 2.);
-    const contact::ModelKind& kind = contact::model_kind(model);
-    const std::string key = kind.resolution;
-    if (key.empty())
-        throw contact::InputError("levels: " + model + ' ' + kind.why_no_levels +
-                                  "; omit levels, or leave it out");
-    if (kind.is_on_line()) return {fmt::format("{}={}", key, std::lround(c.mdr.springs * factor))};
-    if (kind.is_on_cells())
-        return {c.bem.spacing
-                    ? key + '=' + metres_text(*c.bem.spacing / factor)
-                    : fmt::format("bem.cells_per_radius={}", *c.bem.cells_per_radius * factor)};
-    if (!c.fem.size)
-        throw contact::InputError(
-            "levels: fem is refined from fem.size, which is not given; give it, or omit levels");
-    constexpr double least_growth = 1.05;  // that a case file may ask for
-    const double growth = std::max(std::pow(c.fem.growth, 1 / factor), least_growth);
-    return {key + '=' + metres_text(*c.fem.size / factor), fmt::format("fem.growth={}", growth)};
-}
 
 void check_models(const Study& study) {
     for (const std::string& name : study.models)
@@ -137,12 +113,6 @@ class ContactKind : public StudyKind {
                     "\"frames\" in the case or in [set], or omit --vtk");
     }
 
-    std::vector<Places> lots(const StudyPoints&, const Places& open) const override {
-        std::vector<Places> lots;
-        for (const std::size_t i : open) lots.push_back({i});
-        return lots;
-    }
-
     std::string compute(const StudyPoints& points, const Places& lot,
                         const std::string& folder) const override {
         const StudyPoint& point = points[lot.front()];
@@ -150,14 +120,7 @@ class ContactKind : public StudyKind {
         const contact::History history = folder.empty()
                                              ? history_of(point.model, point.contact(), 1, silent)
                                              : history_with_files(point, folder);
-        return json{{"results", comparisons::stored_results({point.contact(), history})},
-                    {"cpu_s", history.cpu_s},
-                    {"wall_s", history.wall_s}}
-            .dump();
-    }
-
-    std::string memory_remedy() const override {
-        return "use fewer --jobs or a coarser resolution";
+        return outcome_text(point.contact(), history);
     }
 
     std::vector<std::string> result_names() const override {
@@ -193,6 +156,18 @@ const StudyKind& contact_kind() {
     return kind;
 }
 
+std::string key_of(Case c, const std::string& model) {
+    c.fem.cache.clear();  // where things are kept changes no number
+    return point_key(io::write_case(c) + other_digests(c, model));
+}
+
+std::string outcome_text(const Case& c, const contact::History& history) {
+    return json{{"results", comparisons::stored_results({c, history})},
+                {"cpu_s", history.cpu_s},
+                {"wall_s", history.wall_s}}
+        .dump();
+}
+
 StudyPoint make_point(const Case& c, const std::string& model, int level, const std::string& name) {
     Case of_point = c;
     of_point.title.clear();
@@ -200,15 +175,15 @@ StudyPoint make_point(const Case& c, const std::string& model, int level, const 
     of_point.output = {};
     of_point.output.vtk = Case::VtkOutput::none;
     if (level > 0)
-        of_point = io::parse_case(io::write_case(of_point), name, finer(model, of_point, level));
-    Case content = of_point;
-    content.fem.cache.clear();  // where things are kept changes no number
+        of_point = io::parse_case(io::write_case(of_point), name,
+                                  comparisons::level_keys(of_point, contact::model_kind(model),
+                                                          {.finer = std::pow(2., level / 2.)}));
     return {.model = model,
             .level = level,
             .c = of_point,
             .output = c.output,
             .resolved = io::write_case(of_point),
-            .key = point_key(io::write_case(content) + other_digests(content, model))};
+            .key = key_of(of_point, model)};
 }
 
 std::string surface_file(const StudyPoint& point) {
