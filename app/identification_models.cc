@@ -1,4 +1,4 @@
-#include "app/identification_models.h"
+#include "experiments/identification/identification_models.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,7 @@
 #include <optional>
 #include <variant>
 
-#include "app/identification_tables.h"
+#include "experiments/identification/identification_tables.h"
 #include "io/case/measurement_models.h"
 
 namespace tricontact::app {

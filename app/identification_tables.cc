@@ -1,4 +1,4 @@
-#include "app/identification_tables.h"
+#include "experiments/identification/identification_tables.h"
 
 #include <algorithm>
 #include <boost/math/interpolators/barycentric_rational.hpp>

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "app/identification_models.h"
+#include "experiments/identification/identification_models.h"
 #include "app/models/make_model.h"
 #include "contact/base/special_values.h"
 #include "report/lazy_table.h"

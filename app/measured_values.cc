@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/identification_models.h"
+#include "experiments/identification/identification_models.h"
 #include "atlas/prediction.h"
 #include "atlas/shipped.h"
 #include "comparisons/half_space/layer.h"

@@ -1,11 +1,11 @@
-#include "app/record_predictions.h"
+#include "experiments/predictions/record_predictions.h"
 
 #include <fmt/format.h>
 
 #include <cmath>
 
 #include "app/models/roll_models.h"
-#include "app/uncertain_case.h"
+#include "experiments/predictions/uncertain_case.h"
 #include "contact/base/error.h"
 #include "contact/load_path.h"
 #include "contact/verdict.h"

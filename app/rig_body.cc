@@ -1,4 +1,4 @@
-#include "app/rig_body.h"
+#include "experiments/predictions/rig_body.h"
 
 #include <cmath>
 

@@ -1,4 +1,4 @@
-#include "app/rig_design.h"
+#include "experiments/design/rig_design.h"
 
 #include <fmt/format.h>
 
@@ -6,9 +6,9 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "app/rig_body.h"
-#include "app/rig_growth.h"
-#include "app/uncertain_case.h"
+#include "experiments/predictions/rig_body.h"
+#include "experiments/predictions/rig_growth.h"
+#include "experiments/predictions/uncertain_case.h"
 #include "atlas/prediction.h"
 #include "contact/base/error.h"
 #include "contact/base/interruption.h"

@@ -1,4 +1,4 @@
-#include "app/rig_growth.h"
+#include "experiments/predictions/rig_growth.h"
 
 #include <cmath>
 

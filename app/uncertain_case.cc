@@ -1,4 +1,4 @@
-#include "app/uncertain_case.h"
+#include "experiments/predictions/uncertain_case.h"
 
 #include <fmt/format.h>
 
@@ -6,7 +6,7 @@
 #include <cmath>
 #include <optional>
 
-#include "app/identification_models.h"
+#include "experiments/identification/identification_models.h"
 #include "contact/base/error.h"
 #include "contact/load_path.h"
 

@@ -1,4 +1,4 @@
-#include "app/uncertain_prediction.h"
+#include "experiments/predictions/uncertain_prediction.h"
 
 #include <algorithm>
 #include <cmath>

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "app/uncertain_case.h"
+#include "experiments/predictions/uncertain_case.h"
 #include "atlas/prediction.h"
 #include "statistics/sobol_indices.h"
 

@@ -104,12 +104,13 @@ std::optional<NumericalError> numerical_error(const Case& c, const contact::Hist
         error.coarsest = resolved(coarsest.c, *coarsest.model);
     });
     if (!contact::model_kind(name).sees_sides) return error;
-    try {
+    const std::string why = contact::why_it_stopped([&] {
         if (const auto wide = with_wider_block(coarser.c, wider, silent))
             error.wide_block = resolved(*wide, *make_model(name, *wide, n_threads, silent));
-    } catch (const std::exception& e) {  // half widths without it would leave the sides out
+    });
+    if (!why.empty()) {  // half widths without it would leave the sides out
         error.coarser.reset();
-        error.why_none = fmt::format("in a wider block, {}", e.what());
+        error.why_none = "in a wider block, " + why;
     }
     return error;
 }

@@ -6,6 +6,7 @@
 #include "atlas/prediction.h"
 #include "atlas/shipped.h"
 #include "bem/settings.h"
+#include "comparisons/resolution/fineness.h"
 #include "contact/cells.h"
 #include "contact/models/model_kind.h"
 #include "fem/settings.h"
@@ -22,33 +23,6 @@ namespace tricontact::app {
 namespace {
 
 using io::Study;
-
-std::string metres_text(double value) {
-    return fmt::format("\"{} m\"", value);
-}
-
-/// The resolution of a model on level k, as overrides; see RefinementPlan, which does the same.
-std::vector<std::string> finer(const std::string& model, const Case& c, int k) {
-    const double factor = std::pow(2., k / 2.);
-    const contact::ModelKind& kind = contact::model_kind(model);
-    const std::string key = kind.resolution;
-    if (key.empty())
-        throw contact::InputError("levels: " + model + ' ' + kind.why_no_levels +
-                                  "; omit levels, or leave it out");
-    if (kind.is_on_line())
-        return {fmt::format("{}={}", key, std::lround(c.of<mdr::Settings>().springs * factor))};
-    const auto& cells = c.of<contact::Cells>();
-    if (kind.is_on_cells())
-        return {cells.spacing ? key + '=' + metres_text(*cells.spacing / factor)
-                              : fmt::format("bem.cells_per_radius={}", *cells.per_radius * factor)};
-    const auto& elements = c.of<fem::Settings>();
-    if (!elements.size)
-        throw contact::InputError(
-            "levels: fem is refined from fem.size, which is not given; give it, or omit levels");
-    constexpr double least_growth = 1.05;  // that a case file may ask for
-    const double growth = std::max(std::pow(elements.growth, 1 / factor), least_growth);
-    return {key + '=' + metres_text(*elements.size / factor), fmt::format("fem.growth={}", growth)};
-}
 
 void check_models(const Study& study) {
     for (const std::string& name : study.models)
@@ -139,16 +113,10 @@ class ContactKind : public StudyKind {
 
     void require_files(const StudyPoints& points) const override {
         for (const StudyPoint& point : points)
-            if (point.output.vtk == io::Output::Vtk::none)
+            if (point.of<io::Output>().vtk == io::Output::Vtk::none)
                 throw contact::InputError(
                     "--vtk: output.vtk = \"none\" leaves nothing to write; set output.vtk = "
                     "\"frames\" in the case or in [set], or omit --vtk");
-    }
-
-    std::vector<Places> lots(const StudyPoints&, const Places& open) const override {
-        std::vector<Places> lots;
-        for (const std::size_t i : open) lots.push_back({i});
-        return lots;
     }
 
     std::string compute(const StudyPoints& points, const Places& lot,
@@ -158,14 +126,7 @@ class ContactKind : public StudyKind {
         const contact::History history = folder.empty()
                                              ? history_of(point.model, point.contact(), 1, silent)
                                              : history_with_files(point, folder);
-        return json{{"results", comparisons::stored_results({point.contact(), history})},
-                    {"cpu_s", history.cpu_s},
-                    {"wall_s", history.wall_s}}
-            .dump();
-    }
-
-    std::string memory_remedy() const override {
-        return "use fewer --jobs or a coarser resolution";
+        return outcome_text(point.contact(), history);
     }
 
     std::vector<std::string> result_names() const override {
@@ -201,6 +162,18 @@ const StudyKind& contact_kind() {
     return kind;
 }
 
+std::string key_of(Case c, const std::string& model) {
+    c.of<fem::Settings>().cache.clear();  // where things are kept changes no number
+    return point_key(io::write_case(c) + other_digests(c, model));
+}
+
+std::string outcome_text(const Case& c, const contact::History& history) {
+    return json{{"results", comparisons::stored_results({c, history})},
+                {"cpu_s", history.cpu_s},
+                {"wall_s", history.wall_s}}
+        .dump();
+}
+
 StudyPoint make_point(const Case& c, const std::string& model, int level, const std::string& name) {
     Case of_point = c;
     of_point.title.clear();
@@ -208,16 +181,16 @@ StudyPoint make_point(const Case& c, const std::string& model, int level, const 
     of_point.of<io::Output>() = {.vtk = io::Output::Vtk::none};
     of_point.of<bem::Settings>().volume_depth.reset();
     if (level > 0)
-        of_point = io::parse_case(io::write_case(of_point), name, finer(model, of_point, level));
-    Case content = of_point;
-    content.of<fem::Settings>().cache.clear();  // where things are kept changes no number
+        of_point = io::parse_case(io::write_case(of_point), name,
+                                  comparisons::level_keys(of_point, contact::model_kind(model),
+                                                          {.finer = std::pow(2., level / 2.)}));
     return {.model = model,
             .level = level,
             .c = of_point,
             .output = c.of<io::Output>(),
             .volume_depth = c.of<bem::Settings>().volume_depth,
             .resolved = io::write_case(of_point),
-            .key = point_key(io::write_case(content) + other_digests(content, model))};
+            .key = key_of(of_point, model)};
 }
 
 std::string surface_file(const StudyPoint& point) {

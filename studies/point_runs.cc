@@ -35,13 +35,16 @@ Places missing(const StudyPoints& points, const io::ResultStore& store, const Po
 }
 
 /// Results, times or error in a line of text.
-std::string compute_lot(const StudyKind& kind, const StudyPoints& points, const Places& lot,
+std::string compute_lot(const PointKind& kind, const StudyPoints& points, const Places& lot,
                         const std::string& folder) noexcept {
-    const auto failed = [](const std::string& what) {
-        return json{{"error", what}}.dump(-1, ' ', false, json::error_handler_t::replace);
+    const auto failed = [](const std::string& what, bool refused = false) {
+        return json{{"error", what}, {"refused", refused}}.dump(-1, ' ', false,
+                                                                json::error_handler_t::replace);
     };
     try {
         return kind.compute(points, lot, folder);
+    } catch (const contact::InputError& error) {
+        return failed(error.what(), true);
     } catch (const std::bad_alloc&) {
         return failed("not enough memory; " + kind.memory_remedy());
     } catch (const std::exception& error) {
@@ -50,8 +53,8 @@ std::string compute_lot(const StudyKind& kind, const StudyPoints& points, const 
 }
 
 /// What that line, or the end of the process that should have written it, says of the points.
-std::vector<io::PointOutcome> outcomes_of(const StudyPoints& points, const Places& lot,
-                                          const WorkerReport& report) {
+std::vector<io::PointOutcome> outcomes_of(const PointKind& kind, const StudyPoints& points,
+                                          const Places& lot, const WorkerReport& report) {
     const json line =
         report.failure.empty() ? json::parse(report.text) : json{{"error", report.failure}};
     std::vector<io::PointOutcome> outcomes;
@@ -62,6 +65,7 @@ std::vector<io::PointOutcome> outcomes_of(const StudyPoints& points, const Place
         if (line.contains("error")) {
             outcome.error = line.at("error").get<std::string>();
             if (report.killed) *outcome.error += "; perhaps for want of memory";
+            kind.failed(point, *outcome.error, line.value("refused", false));
             continue;
         }
         const json& results = line.at("results");
@@ -74,6 +78,16 @@ std::vector<io::PointOutcome> outcomes_of(const StudyPoints& points, const Place
 
 }  // namespace
 
+std::vector<Places> PointKind::lots(const StudyPoints&, const Places& open) const {
+    std::vector<Places> lots;
+    for (const std::size_t i : open) lots.push_back({i});
+    return lots;
+}
+
+std::string PointKind::memory_remedy() const {
+    return "use fewer --jobs or a coarser resolution";
+}
+
 io::ResultStore open_results(const std::string& folder) {
     const std::string path = folder + '/' + io::result_store_name;
     io::ResultStore store(path);
@@ -83,7 +97,7 @@ io::ResultStore open_results(const std::string& folder) {
     return store;
 }
 
-void compute_missing(const StudyKind& kind, const StudyPoints& points, io::ResultStore& store,
+void compute_missing(const PointKind& kind, const StudyPoints& points, io::ResultStore& store,
                      const PointRuns& runs) {
     // Threads of BLAS beside other points would only be in each other's way.
     ::setenv("OPENBLAS_NUM_THREADS", "1", 1);
@@ -95,13 +109,13 @@ void compute_missing(const StudyKind& kind, const StudyPoints& points, io::Resul
     const std::vector<Places> lots = kind.lots(points, open);
     Places all(lots.size());
     std::iota(all.begin(), all.end(), 0);
-    io::ProgressBar bar = runs.options.progress_bar(runs.name, "point");
+    io::ProgressBar bar = runs.options.progress_bar(runs.name, runs.noun);
     int n_done = 0;
     const auto task = [&](std::size_t i) {
         return compute_lot(kind, points, lots[i], runs.folder);
     };
     const auto keep = [&](std::size_t i, const WorkerReport& report) {
-        store.add(outcomes_of(points, lots[i], report));
+        store.add(outcomes_of(kind, points, lots[i], report));
         bar.update(n_done += static_cast<int>(lots[i].size()), static_cast<int>(open.size()));
     };
     run_in_processes(all, runs.options.threads, task, keep, contact::interruption_check);

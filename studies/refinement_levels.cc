@@ -8,6 +8,7 @@
 
 #include "app/models/make_model.h"
 #include "app/models/roll_models.h"
+#include "comparisons/resolution/fineness.h"
 #include "contact/cells.h"
 #include "contact/models/model_kind.h"
 #include "fem/settings.h"
@@ -19,20 +20,19 @@ namespace {
 
 using Overrides = std::vector<std::string>;
 
-constexpr double least_growth = 1.05;  // that a case file may ask for
-
-std::string length(double metres) {
-    return fmt::format("\"{} m\"", metres);
-}
-
-double start_size(const Case& c, const RefineOptions& options, const Say& say) {
-    if (!contact::model_kind(options.model).is_meshed()) return contact::cell_side(c);
-    const auto& elements = c.of<fem::Settings>();
-    if (elements.mesh)
-        options.refuse("fem.mesh = " + *elements.mesh +
+/// The case at the resolution of the coarsest level.
+Case coarsest_case(Case c, const contact::ModelKind& kind, const RefineOptions& options,
+                   const Say& say) {
+    if (kind.is_on_cells() && !c.of<contact::Cells>().spacing)
+        c.of<contact::Cells>().spacing =
+            contact::half_space_scales(c).contact_radius / *c.of<contact::Cells>().per_radius;
+    if (!kind.is_meshed()) return c;
+    if (c.of<fem::Settings>().mesh)
+        options.refuse("fem.mesh = " + *c.of<fem::Settings>().mesh +
                        ": a mesh from a file cannot be refined; give fem.size or fem.accuracy "
                        "instead");
-    return elements.size ? *elements.size : 2 * block_of(c, say).size;
+    if (!c.of<fem::Settings>().size) c.of<fem::Settings>().size = 2 * block_of(c, say).size;
+    return c;
 }
 
 /// The case for the model alone.
@@ -50,54 +50,53 @@ Case case_of(const RefineOptions& options) {
 
 /// The case with further keys set, checked like any case file.
 Level make_level(const Case& c, const std::string& name, const std::string& what, double size,
-                 Overrides overrides, const std::string& case_file) {
+                 Overrides overrides, const RefineOptions& options) {
     // The folders of a level hold numbers; fields are for runs.
     overrides.insert(overrides.end(), {"output.vtk=none", "output.volume=none"});
     try {
-        const Case level = io::parse_case(io::write_case(c), case_file, overrides);
-        return {name, what, level, io::write_case(level), size};
+        const Case level = io::parse_case(io::write_case(c), options.file, overrides);
+        return {name, what,
+                StudyPoint{.model = options.model,
+                           .c = level,
+                           .resolved = io::write_case(level),
+                           .key = key_of(level, options.model)},
+                size};
     } catch (const contact::InputError& error) {
         throw contact::InputError(
-            fmt::format("{}: {} ({}): {}", case_file, name, what, error.what()));
+            fmt::format("{}: {} ({}): {}", options.file, name, what, error.what()));
     }
 }
 
-Overrides resolution(const Case& c, const contact::ModelKind& kind, double size, int k) {
-    Overrides result{std::string(kind.resolution) + "=" + length(size)};
-    if (kind.is_meshed()) {
-        const double growth = std::pow(c.of<fem::Settings>().growth, std::pow(2., -k / 2.));
-        result.push_back(fmt::format("fem.growth={}", std::max(growth, least_growth)));
-    }
-    return result;
-}
-
-Level wider(const Level& level, double factor, const std::string& case_file, const Say& say) {
-    const MeshBlock block = block_of(level.c, say);
-    Overrides sides{"substrate.width=" + length(factor * block.width)};
+Level wider(const Level& level, double factor, const RefineOptions& options, const Say& say) {
+    using comparisons::length_key;
+    const MeshBlock block = block_of(level.c(), say);
+    Overrides sides{length_key("substrate.width", factor * block.width)};
     // Where a roller's substrate ends along y is part of the problem; a cylinder's does not.
-    if (!level.c.is_cylindrical())
-        sides.push_back("substrate.depth=" + length(factor * block.depth));
-    return make_level(level.c, "wide",
+    if (!level.c().is_cylindrical())
+        sides.push_back(length_key("substrate.depth", factor * block.depth));
+    return make_level(level.c(), "wide",
                       fmt::format("{}, block {} times as wide", level.what, factor), level.size,
-                      std::move(sides), case_file);
+                      std::move(sides), options);
 }
 
 }  // namespace
 
 RefinementPlan plan_refinement(const RefineOptions& options, const Say& say) {
-    const Case c = case_of(options);
-    const double coarsest = start_size(c, options, say);
-    RefinementPlan plan;
     const contact::ModelKind& kind = contact::model_kind(options.model);
+    const Case c = case_of(options), start = coarsest_case(c, kind, options, say);
+    RefinementPlan plan;
     plan.key = kind.resolution;
     for (int k = 0; k < options.levels; ++k) {
-        const double size = coarsest * std::pow(2., -k / 2.);
-        plan.levels.push_back(make_level(c, fmt::format("level_{}", k),
-                                         fmt::format("{} = {:.4g} mm", plan.key, 1e3 * size), size,
-                                         resolution(c, kind, size, k), options.file));
+        const double ratio = std::pow(2., -k / 2.);
+        const double size = (kind.is_meshed() ? *start.of<fem::Settings>().size
+                                              : *start.of<contact::Cells>().spacing) *
+                            ratio;
+        plan.levels.push_back(make_level(
+            c, fmt::format("level_{}", k), fmt::format("{} = {:.4g} mm", plan.key, 1e3 * size),
+            size, comparisons::level_keys(start, kind, {.coarser = ratio}), options));
     }
     if (kind.sees_sides)
-        plan.wide = wider(plan.levels[plan.levels.size() - 2], plan.wide_factor, options.file, say);
+        plan.wide = wider(plan.levels[plan.levels.size() - 2], plan.wide_factor, options, say);
     return plan;
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "app/models/make_model.h"
+#include "studies/study_kind.h"
 #include "contact/models/model_kind.h"
 
 namespace tricontact::app {
@@ -12,15 +13,17 @@ namespace tricontact::app {
 struct RefineOptions : CommandOptions {
     std::string model = contact::models::fem;  ///< or bem-layer, bem
     int levels = 3;                            ///< 3 to 8
+    int jobs = 1;                              ///< levels side by side, but for the finest
 };
 
-/// One level of a refinement: a case of its own.
+/// One level of a refinement: a case of its own, a point like one of a sweep.
 struct Level {
     std::string name;  ///< of its folder
     std::string what;  ///< for people: "fem.size = 0.5 mm"
-    Case c;
-    std::string resolved;  ///< text of the case
-    double size = 0;       ///< [m]
+    StudyPoint point;
+    double size = 0;  ///< [m]
+
+    const Case& c() const { return point.contact(); }
 };
 
 /// What a refinement computes.
@@ -31,10 +34,9 @@ struct RefinementPlan {
     double wide_factor = 1.5;   ///< of its width and depth
 };
 
-/// From the case's own resolution, h 2^(-k/2) on level k, elements growing outwards by
-/// growth^(2^(-k/2)) so that the whole mesh is refined. A finite element case that gives an
-/// accuracy starts at twice the size that follows from it. All levels pass the checks of case
-/// files. Throws InputError.
+/// From the case's own resolution, h 2^(-k/2) on level k (comparisons::level_keys). A finite
+/// element case that gives an accuracy starts at twice the size that follows from it. All levels
+/// pass the checks of case files. Throws InputError.
 RefinementPlan plan_refinement(const RefineOptions& options, const Say& say);
 
 }  // namespace tricontact::app

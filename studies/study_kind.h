@@ -40,25 +40,34 @@ using StudyPoints = std::vector<StudyPoint>;
 /// Some of a vector of points.
 using Places = std::vector<std::size_t>;
 
-/// What studies of contacts and of walking machines differ in.
-class StudyKind {
+/// How points are computed.
+class PointKind {
   public:
-    virtual ~StudyKind() = default;
+    virtual ~PointKind() = default;
 
+    /// Points that a process computes together: each alone, unless said otherwise.
+    virtual std::vector<Places> lots(const StudyPoints& points, const Places& open) const;
+    /// Computes a lot: results and times as JSON. With the folder of a sweep it also writes the
+    /// points' files: resolved case, history, ParaView.
+    virtual std::string compute(const StudyPoints& points, const Places& lot,
+                                const std::string& folder) const = 0;
+    /// What helps where memory is short.
+    virtual std::string memory_remedy() const;
+    /// Hears of a point that failed before it is stored; may throw to end all. `refused`: by its
+    /// input.
+    virtual void failed(const StudyPoint&, const std::string&,
+                        [[maybe_unused]] bool refused) const {}
+};
+
+/// What studies of contacts and of walking machines differ in.
+class StudyKind : public PointKind {
+  public:
     /// All combinations of the study's lists, ranges and sample, the last axis fastest, each with
     /// all models and levels. All cases pass the checks of case files: the first that does not is
     /// named with its values. Throws contact::InputError.
     virtual StudyPoints points(const io::Study& study) const = 0;
     /// Throws contact::InputError if the points cannot write files for ParaView.
     virtual void require_files(const StudyPoints& points) const = 0;
-    /// Points that a process computes together.
-    virtual std::vector<Places> lots(const StudyPoints& points, const Places& open) const = 0;
-    /// Computes a lot, on one thread: results and times as JSON. With the folder of a sweep it also
-    /// writes the points' files: resolved case, history, ParaView.
-    virtual std::string compute(const StudyPoints& points, const Places& lot,
-                                const std::string& folder) const = 0;
-    /// What helps where memory is short.
-    virtual std::string memory_remedy() const = 0;
     /// Columns of the table.
     virtual std::vector<std::string> result_names() const = 0;
     /// Without files, command and version, which are the command's; pages of its own go into
@@ -78,6 +87,12 @@ StudyPoint make_point(const contact::Case& c, const std::string& model, int leve
 
 /// Where the files for ParaView of a point belong, from the folder of its sweep.
 std::string surface_file(const StudyPoint& point);
+
+/// What the results of a case by a model depend on.
+std::string key_of(contact::Case c, const std::string& model);
+
+/// What a point of a contact came to, as PointKind::compute gives it.
+std::string outcome_text(const contact::Case& c, const contact::History& history);
 
 /// What a point of a contact gave; empty if it failed or has not been computed.
 std::optional<comparisons::Results> results_of(const std::optional<io::PointOutcome>& outcome);
@@ -115,6 +130,7 @@ struct PointRuns {
     const CommandOptions& options;  ///< processes side by side, who hears of progress
     bool retry_failed = false;      ///< points whose failure the store has
     std::string folder = {};        ///< of the sweep, if points write files of their own (ParaView)
+    std::string noun = "point";
 };
 
 /// The store in the folder of a sweep, for writing; says on standard error if rows of it were
@@ -123,8 +139,9 @@ io::ResultStore open_results(const std::string& folder);
 
 /// Computes the points that the store has not yet, or whose files are asked for and not there, in
 /// processes side by side, each lot stored as it ends; prints how far it is. The BLAS of the
-/// processes has one thread each. Throws contact::InputError if the store cannot be written.
-void compute_missing(const StudyKind& kind, const StudyPoints& points, io::ResultStore& store,
+/// processes has one thread each. Throws contact::InputError if the store cannot be written, and
+/// what `kind` throws of failures.
+void compute_missing(const PointKind& kind, const StudyPoints& points, io::ResultStore& store,
                      const PointRuns& runs);
 
 /// What models compute without at some of the points, each once.

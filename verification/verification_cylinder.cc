@@ -81,22 +81,20 @@ Case line_layer_case() {
 void verify_fem_line(const Say& say, Verification& all) {
     Case c = line_layer_case();
     c.of<fem::Settings>().cache = "none";
-    const double hertz_width = contact::half_space_scales(c).contact_radius;
-    const Resolution sizes{
-        [](Case& level, int factor) { level.of<fem::Settings>().size = 4e-4 / factor; },
-        [&](const Case& level) { return *level.of<fem::Settings>().size / hertz_width; }};
+    c.of<fem::Settings>().size = 4e-4;
     // Edges fall between nodes, a tenth of a tributary length of which is seen.
-    add_layer(run_levels(contact::models::fem, c, sizes, say), c, {{3e-3}, {1e-3}}, all);
+    add_layer(run_levels(contact::models::fem, c, say), c, {{3e-3}, {1e-3}}, all);
 }
 
 void verify_cylinder(bool brief, const Say& say, Verification& all) {
     const double coarser = brief ? 8 : 1;
-    const Resolution cells = cells_in_radius(brief ? 10 : 40);
+    const double cells = brief ? 10 : 40;
     // Second order but for edges between cells.
     const LineTolerances allowed{{5e-4 * coarser}, {2e-4 * coarser}};
-    const Case c = line_layer_case();
-    add_half_space(run_levels(contact::models::bem, cylinder_case(), cells, say), allowed, all);
-    add_layer(run_levels(contact::models::bem_layer, c, cells, say), c, allowed, all);
+    const Case c = with_cells(line_layer_case(), cells);
+    add_half_space(run_levels(contact::models::bem, with_cells(cylinder_case(), cells), say),
+                   allowed, all);
+    add_layer(run_levels(contact::models::bem_layer, c, say), c, allowed, all);
 }
 
 }  // namespace tricontact::app

@@ -68,10 +68,11 @@ double cycle_dissipation(contact::Model& model, const Case& c, double f) {
     return dissipation_to(-f) + dissipation_to(f);
 }
 
-void add_cycle(const std::string& model, const Resolution& resolution, const Allowed& allowed,
-               const Say& say, Verification& all) {
+/// `base`: on the coarsest level.
+void add_cycle(const std::string& model, Case base, const Allowed& allowed, const Say& say,
+               Verification& all) {
     const double f = 0.6;
-    const Case base = rolling_case(amplitude, f);
+    base.load.tangential_ratio = f;
     const double exact =
         theory::cycle_dissipation({base.friction_coefficient, *base.load.normal_force,
                                    base.materials().effective_shear_modulus(),
@@ -80,8 +81,8 @@ void add_cycle(const std::string& model, const Resolution& resolution, const All
              "Mindlin and Deresiewicz (1953); Johnson, Contact Mechanics (1985), eq. 7.57",
              exact * 1e3, allowed.error, allowed.order},
             all, [&](int factor) -> LevelValue {
-                const Case c = resolution.refined(base, factor);
-                return {resolution.size(c),
+                const Case c = refined(model, base, factor);
+                return {relative_size(model, c),
                         cycle_dissipation(*make_model(model, c, 1, say), c, f) * 1e3};
             });
 }
@@ -96,20 +97,19 @@ void add_settled_mdr(const Levels& levels, double w, double f, double tolerance,
 
 void verify_mdr(bool brief, const Say& say, Verification& all) {
     const int springs = brief ? 500 : 2500;
-    const Resolution resolution{
-        [&](Case& c, int factor) { c.of<mdr::Settings>().springs = springs * factor; },
-        // Of the bed: the contact and the path on both sides.
-        [](const Case& c) {
-            return 2 * (1 + *c.rolling->amplitude_ratio) / c.of<mdr::Settings>().springs;
-        }};
+    const auto coarsest = [&](double w, double f) {
+        Case c = rolling_case(w, f);
+        c.of<mdr::Settings>().springs = springs;
+        return c;
+    };
     const auto run = [&](double w, double f) {
-        return run_levels(contact::models::mdr, rolling_case(w, f), resolution, say);
+        return run_levels(contact::models::mdr, coarsest(w, f), say);
     };
     const Levels levels = run(amplitude, force);
     const double tolerance = brief ? 2.5e-5 : 1e-6;  // of the second order
     const Allowed allowed{tolerance};
     add_closed_forms(levels, {allowed, allowed, {brief ? 5e-3 : 1e-3}}, all);
-    add_cycle(contact::models::mdr, resolution, {10 * tolerance}, say, all);
+    add_cycle(contact::models::mdr, coarsest(amplitude, force), {10 * tolerance}, say, all);
     add_settled_mdr(levels, amplitude, force, tolerance, all);
     if (brief) return;
     // Kinks of the line load cost the more the less the shift is.
@@ -122,13 +122,12 @@ void verify_mdr(bool brief, const Say& say, Verification& all) {
 void verify_half_space(bool brief, const Say& say, Verification& all) {
     verify_mdr(brief, say, all);
     const double coarser = brief ? 4 : 1;
-    const Resolution cells = cells_in_radius(brief ? 5 : 8);
+    const Case c = with_cells(rolling_case(amplitude, force), brief ? 5 : 8);
     // Second order but for edges between cells.
     const Allowed allowed{2e-4 * coarser, brief ? 0 : 1.2};
-    const Levels levels =
-        run_levels(contact::models::bem, rolling_case(amplitude, force), cells, say);
+    const Levels levels = run_levels(contact::models::bem, c, say);
     add_closed_forms(levels, {allowed, {5e-4 * coarser, allowed.order}, {.02 * coarser}}, all);
-    add_cycle(contact::models::bem, cells, {2e-3 * coarser, allowed.order}, say, all);
+    add_cycle(contact::models::bem, c, {2e-3 * coarser, allowed.order}, say, all);
 }
 
 }  // namespace tricontact::app

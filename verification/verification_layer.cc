@@ -70,11 +70,8 @@ void verify_fem_layer(const Say& say, Verification& all) {
     Case base = layer_case();
     base.rolling.reset();
     base.of<fem::Settings>().cache = "none";
-    const double hertz_radius = contact::half_space_scales(base).contact_radius;
-    const Resolution sizes{
-        [](Case& c, int factor) { c.of<fem::Settings>().size = 2.8e-3 / factor; },
-        [&](const Case& c) { return *c.of<fem::Settings>().size / hertz_radius; }};
-    const Levels levels = run_levels(contact::models::fem, base, sizes, say);
+    base.of<fem::Settings>().size = 2.8e-3;
+    const Levels levels = run_levels(contact::models::fem, base, say);
     // Pressures of nodes come from row sums.
     add_pressed(levels, {{5e-3}, {8e-3}, {2e-3}, {}}, all);
     Rows(levels, "Layer b = 1.8 a, f_T = 0.56", all)
@@ -90,10 +87,6 @@ Case rig_case(double f) {
     c.contact.coupling = true;
     c.of<contact::Cells>().spacing = 2e-4;
     return c;
-}
-
-double cell_size(const Case& c) {
-    return *c.of<contact::Cells>().spacing / contact::half_space_scales(c).contact_radius;
 }
 
 /// Rolled along F_T and across.
@@ -116,7 +109,8 @@ void verify_half_space_shifts(const Say& say, Verification& all) {
             c.rolling->angle = angle;
             c.rolling->steps = Case::Steps::turning_points;
             c.rolling->periods = 60;
-            const Levels level = run_level(contact::models::bem, c, cell_size(c), say);
+            const Levels level =
+                run_level(contact::models::bem, c, relative_size(contact::models::bem, c), say);
             // Those programs place their grids differently under the contact.
             add_settled(level, "Settled shift", angle, row, 2e-3, settled_ratio.of, all);
         }
@@ -136,7 +130,9 @@ void verify_layer_static(const Say& say, Verification& all) {
     };
     const auto add = [&](const std::string& how, double shift, const Case& c) {
         // Both programs to 1e-5 mm.
-        add_row(run_level(contact::models::bem_layer, c, cell_size(c), say), how, shift, 2e-4);
+        add_row(run_level(contact::models::bem_layer, c,
+                          relative_size(contact::models::bem_layer, c), say),
+                how, shift, 2e-4);
     };
     Case c = layer_case(.56);
     for (const auto& pressing : comparisons::layer_peer_pressings) {
@@ -163,7 +159,8 @@ void verify_layer_shifts(const Say& say, Verification& all) {
             c.rolling->steps = Case::Steps::increment;
             c.rolling->increment = 4e-4;
             c.rolling->periods = 60;
-            const Levels level = run_level(contact::models::bem_layer, c, cell_size(c), say);
+            const Levels level = run_level(contact::models::bem_layer, c,
+                                           relative_size(contact::models::bem_layer, c), say);
             // The references have four digits and steps of their own.
             add_settled(
                 level, "Layer b = 1.8 a, settled shift", angle, row, 3e-3,
@@ -184,15 +181,11 @@ void verify_fem(const Say& say, Verification& all) {
 
 void verify_layer(bool brief, const Say& say, Verification& all) {
     verify_mdr_layer(say, all);
-    const double hertz_radius = contact::half_space_scales(layer_case()).contact_radius;
     const double cells = brief ? 5 : 8, coarser = brief ? 4 : 1, order = brief ? 0 : 1.2;
-    const Resolution spacings{
-        [&](Case& c, int factor) {
-            c.of<contact::Cells>().spacing = hertz_radius / (cells * factor);
-        },
-        [&](const Case& c) { return *c.of<contact::Cells>().spacing / hertz_radius; }};
+    Case c = layer_case();
+    c.of<contact::Cells>().spacing = contact::half_space_scales(c).contact_radius / cells;
     const Allowed allowed{2e-4 * coarser, order};
-    add_layer(run_levels(contact::models::bem_layer, layer_case(), spacings, say),
+    add_layer(run_levels(contact::models::bem_layer, c, say),
               {{5e-4 * coarser, order}, allowed, allowed, allowed}, all);
 }
 

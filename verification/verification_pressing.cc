@@ -41,8 +41,8 @@ std::vector<StepRecord> press(const Case& c, int n_steps, const Say& say) {
 void add_pressing(VerificationRow row, const Case& base, int cells, int steps, const Say& say,
                   Verification& all, double (*value)(const Case&, const std::vector<StepRecord>&)) {
     add_row(std::move(row), all, [&](int factor) -> LevelValue {
-        const Case c = cells_in_radius(cells).refined(base, factor);
-        return {cell_in_radius(c), value(c, press(c, steps * factor, say))};
+        const Case c = with_cells(base, cells * factor);
+        return {relative_size(contact::models::bem, c), value(c, press(c, steps * factor, say))};
     });
 }
 
@@ -148,7 +148,8 @@ void verify_subsurface(bool brief, const Say& say, Verification& all) {
             const auto model = make_model(contact::models::bem, c, 1, say);
             contact::run(c, *model);
             const auto inside = contact::subsurface_of(*model->interior(), 0, {0, 0});
-            return {cell_in_radius(c), inside.peak_von_mises / model->scales().peak_pressure};
+            return {relative_size(contact::models::bem, c),
+                    inside.peak_von_mises / model->scales().peak_pressure};
         });
 }
 

@@ -86,7 +86,7 @@ void verify_carter(bool brief, const Say& say, Verification& all) {
                          const auto steady =
                              steady_state(c, (brief ? 10 : 40) * factor, "rolling cylinder", say);
                          return std::pair(
-                             cell_in_radius(c),
+                             relative_size(contact::models::bem, c),
                              std::array{steady.creepage.longitudinal / rolling::creepage_unit(c),
                                         steady.stick_area / steady.contact_area});
                      });
@@ -121,10 +121,10 @@ void verify_kalker(const Say& say, Verification& all) {
                             "twice the size of cells",
                             expected[i], half_digit});
         add_extrapolated(std::move(rows), all, [&](int factor) {
-            const Case c = cells_in_radius(8).refined(rolling_on(nu), factor);
+            const Case c = with_cells(rolling_on(nu), 8 * factor);
             say(fmt::format("bem, creep without slip, nu = {}, {} cells", nu,
                             *c.of<contact::Cells>().per_radius));
-            return std::pair(cell_in_radius(c), coefficients(c));
+            return std::pair(relative_size(contact::models::bem, c), coefficients(c));
         });
     }
 }
@@ -144,7 +144,8 @@ void verify_hunter(bool brief, const Say& say, Verification& all) {
          contact::models::bem, "Hunter (1961), J. Appl. Mech. 28, 611", exact, brief ? 1e-2 : 2e-3},
         all, [&](int factor) -> LevelValue {
             const auto steady = steady_state(c, (brief ? 6 : 10) * factor, "relaxing", say);
-            return {cell_in_radius(c), 1e3 * steady.resistance / *c.load.normal_force};
+            return {relative_size(contact::models::bem, c),
+                    1e3 * steady.resistance / *c.load.normal_force};
         });
 }
 
@@ -162,8 +163,9 @@ void verify_free_rolling(bool brief, const Say& say, Verification& all) {
              theory::smooth_free_creepage(.5), brief ? 2e-2 : 5e-3},
             all, [&](int factor) -> LevelValue {
                 const auto steady = steady_state(c, 15 * factor, "dissimilar cylinders", say);
-                return {cell_in_radius(c), steady.creepage.longitudinal * c.indenter.radius /
-                                               contact::half_space_scales(c).contact_radius};
+                return {relative_size(contact::models::bem, c),
+                        steady.creepage.longitudinal * c.indenter.radius /
+                            contact::half_space_scales(c).contact_radius};
             });
 }
 

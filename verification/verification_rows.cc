@@ -3,8 +3,13 @@
 #include <iterator>
 #include <utility>
 
+#include "comparisons/resolution/fineness.h"
 #include "contact/cells.h"
+#include "contact/half_space_scales.h"
+#include "contact/models/model_kind.h"
 #include "contact/run.h"
+#include "fem/settings.h"
+#include "mdr/settings.h"
 
 namespace tricontact::app {
 
@@ -27,18 +32,33 @@ auto loaded(const History& h) {
 
 }  // namespace
 
-Case Resolution::refined(const Case& base, int factor) const {
-    Case c = base;
-    refine(c, factor);
+Case refined(const std::string& model, Case c, int factor) {
+    comparisons::change_resolution(c, contact::model_kind(model),
+                                   {.finer = static_cast<double>(factor)});
     return c;
 }
 
-Levels run_levels(const std::string& model, const Case& base, const Resolution& resolution,
-                  const Say& say) {
+double relative_size(const std::string& model, const Case& c) {
+    const contact::ModelKind& kind = contact::model_kind(model);
+    if (kind.is_on_line())
+        return 2 * (1 + *c.rolling->amplitude_ratio) / c.of<mdr::Settings>().springs;
+    if (kind.is_on_cells() && c.of<contact::Cells>().per_radius)
+        return 1 / *c.of<contact::Cells>().per_radius;
+    return (kind.is_meshed() ? *c.of<fem::Settings>().size : *c.of<contact::Cells>().spacing) /
+           contact::half_space_scales(c).contact_radius;
+}
+
+Case with_cells(Case c, double cells_per_radius) {
+    c.of<contact::Cells>().spacing.reset();
+    c.of<contact::Cells>().per_radius = cells_per_radius;
+    return c;
+}
+
+Levels run_levels(const std::string& model, const Case& coarsest, const Say& say) {
     Levels levels{model, {}, {}};
     for (const int factor : {1, 2, 4}) {
-        const Case c = resolution.refined(base, factor);
-        add_level(levels, c, resolution.size(c), say);
+        const Case c = refined(model, coarsest, factor);
+        add_level(levels, c, relative_size(model, c), say);
     }
     return levels;
 }
@@ -47,14 +67,6 @@ Levels run_level(const std::string& model, const Case& c, double size, const Say
     Levels levels{model, {}, {}};
     add_level(levels, c, size, say);
     return levels;
-}
-
-Resolution cells_in_radius(double cells) {
-    return {[cells](Case& c, int factor) { c.of<contact::Cells>().per_radius = cells * factor; },
-            cell_in_radius};
-}
-double cell_in_radius(const Case& c) {
-    return 1 / *c.of<contact::Cells>().per_radius;
 }
 
 void add_row(VerificationRow row, Verification& all,

@@ -23,23 +23,17 @@ struct Levels {
     std::vector<contact::History> histories;
 };
 
-/// How a case is made finer by a factor, and the size of its cells or the like over Hertz' radius.
-struct Resolution {
-    std::function<void(Case&, int factor)> refine;
-    std::function<double(const Case&)> size;
+/// On cells, elements or springs of 1/factor the size.
+Case refined(const std::string& model, Case c, int factor);
+/// Their size over Hertz' radius; springs stand over the contact and the path on both sides.
+double relative_size(const std::string& model, const Case& c);
+/// With so many cells in Hertz' radius.
+Case with_cells(Case c, double cells_per_radius);
 
-    Case refined(const Case& base, int factor) const;
-};
-/// By cells in Hertz' radius, `cells` on the coarsest level.
-Resolution cells_in_radius(double cells);
-
-/// Three levels, each twice as fine as the one before.
-Levels run_levels(const std::string& model, const Case& base, const Resolution& resolution,
-                  const Say& say);
+/// Three levels, the first as the case is, each twice as fine as the one before.
+Levels run_levels(const std::string& model, const Case& coarsest, const Say& say);
 /// As the case is: beside numbers that hold for its resolution.
 Levels run_level(const std::string& model, const Case& c, double size, const Say& say);
-
-double cell_in_radius(const Case& c);  ///< its size over Hertz' radius
 
 /// A level computed by itself.
 struct LevelValue {

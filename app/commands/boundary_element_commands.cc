@@ -9,8 +9,8 @@
 #include "comparisons/quantities/left_out.h"
 #include "comparisons/run/input_reading.h"
 #include "contact/models/model_kind.h"
-#include "io/contact_program/sequence.h"
-#include "io/contact_program/written_case.h"
+#include "contact_program/sequence.h"
+#include "contact_program/written_case.h"
 
 namespace tricontact::app {
 

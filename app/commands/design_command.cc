@@ -1,7 +1,7 @@
 #include <filesystem>
 
 #include "app/commands/command.h"
-#include "app/rig_design.h"
+#include "experiments/design/rig_design.h"
 #include "comparisons/quantities/left_out.h"
 #include "contact/models/model_kind.h"
 #include "io/case/rig_file.h"

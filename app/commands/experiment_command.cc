@@ -1,5 +1,5 @@
 #include "app/commands/command.h"
-#include "app/record_predictions.h"
+#include "experiments/predictions/record_predictions.h"
 #include "comparisons/quantities/left_out.h"
 #include "experiments/records/experiment.h"
 #include "experiments/records/experiment_report.h"

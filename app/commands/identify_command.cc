@@ -4,7 +4,7 @@
 #include <tuple>
 
 #include "app/commands/command.h"
-#include "app/identification_models.h"
+#include "experiments/identification/identification_models.h"
 #include "experiments/identification/identification_checks.h"
 #include "io/case/measurement_models.h"
 #include "io/case/rig_file.h"

@@ -6,8 +6,8 @@
 #include "bem/contact_program_influence.h"
 #include "bem/grid_compliance.h"
 #include "bem/model.h"
-#include "io/contact_program/import.h"
-#include "io/contact_program/written_case.h"
+#include "contact_program/import.h"
+#include "contact_program/written_case.h"
 #include "io/keys/input_file.h"
 
 namespace tricontact::app {

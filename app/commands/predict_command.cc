@@ -1,6 +1,6 @@
 #include "app/commands/command.h"
 #include "app/models/roll_models.h"
-#include "app/uncertain_prediction.h"
+#include "experiments/predictions/uncertain_prediction.h"
 #include "atlas/page/atlas_page.h"
 #include "atlas/prediction_json.h"
 #include "io/case/rig_file.h"

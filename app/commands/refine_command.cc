@@ -1,16 +1,15 @@
+#include <algorithm>
 #include <cstdint>
 #include <filesystem>
-#include <nlohmann/json.hpp>
+#include <stdexcept>
 
 #include "app/commands/command.h"
-#include "app/models.h"
+#include "app/models/make_model.h"
 #include "comparisons/quantities/left_out.h"
 #include "comparisons/resolution/refined_values.h"
 #include "comparisons/run/input_reading.h"
 #include "contact/models/model_kind.h"
-#include "files/digest.h"
 #include "files/regular_file.h"
-#include "io/keys/json_text.h"
 #include "runs/case_run.h"
 #include "runs/point_key.h"
 #include "studies/refinement_levels.h"
@@ -20,16 +19,9 @@ namespace tricontact::app {
 namespace {
 
 using comparisons::Results;
-using json = nlohmann::ordered_json;
 
 const std::vector<std::string> level_results{resolved_case_name, "report.html", "refinement.csv",
                                              "refinement.json", "plots/"};
-
-/// The numbers of a finished level.
-struct Finished {
-    Results values;
-    double cpu_s = 0;
-};
 
 /// Empty if it cannot be read.
 std::string read_text(const std::string& path) {
@@ -41,58 +33,47 @@ std::string read_text(const std::string& path) {
     }
 }
 
-/// What a level.json holds: nothing of it is believed unless all of it is what belongs to its
-/// numbers.
-json document_of(const Level& level, const Finished& done) {
-    json document{
-        {"version", files::version}, {"numerics", numerics_digest()},
-        {"case", level.resolved},    {"files", file_digests(level.c)},
-        {"cpu_s", done.cpu_s},       {"values", comparisons::stored_results(done.values)}};
-    document["digest"] = files::digest_of(document.dump());
-    return document;
+/// Runs a level, with its history in a folder of its own, where a run that is killed goes on.
+contact::History run_level(const Level& level, const RefineOptions& options,
+                           comparisons::LoadingStudy* study = nullptr) {
+    options.say(fmt::format("{}: {}", level.name, level.what));
+    RunOptions own{options};
+    own.output = options.output + '/' + level.name;
+    io::make_output_folder(own.output);
+    io::remove_old_results(own.output + '/' + options.model, model_results);
+    return run_model(options.model, level.c(), level.point.resolved, own, study);
 }
 
-/// Levels in the folders of a refinement. A level that is finished is not computed again as long as
-/// program and case are the same, and its file is as it was written.
-struct FinishedLevels {
+/// Levels as points of a sweep.
+class LevelKind : public PointKind {
+  public:
+    LevelKind(const RefineOptions& options, std::vector<Level> levels)
+        : options_(options), levels_(std::move(levels)) {}
+
+    StudyPoints points() const {
+        StudyPoints points;
+        for (const Level& level : levels_) points.push_back(level.point);
+        return points;
+    }
+    std::string compute(const StudyPoints&, const Places& lot, const std::string&) const override {
+        const Level& level = levels_[lot.front()];
+        RefineOptions own = options_;
+        // In a process of its own: no one there hears it, and several would speak at once.
+        own.quiet = own.quiet || own.listener || own.jobs > 1;
+        own.listener.reset();
+        return outcome_text(level.c(), run_level(level, own));
+    }
+    void failed(const StudyPoint& point, const std::string& why, bool refused) const override {
+        const auto of_point = [&](const Level& level) { return level.point.key == point.key; };
+        const Level& level = *std::ranges::find_if(levels_, of_point);
+        const std::string text = fmt::format("{} ({}): {}", level.name, level.what, why);
+        if (refused) throw contact::InputError(text);
+        throw std::runtime_error(text);
+    }
+
+  private:
     const RefineOptions& options_;
-
-    Finished finish(const Level& level) const {
-        if (const auto found = find(level)) return *found;
-        return keep(level, run(level));
-    }
-    contact::History run(const Level& level, comparisons::LoadingStudy* study = nullptr) const {
-        options_.say(fmt::format("{}: {}", level.name, level.what));
-        io::make_output_folder(folder(level));
-        // Those of an earlier call must not seem to be of this one while it is unfinished.
-        io::remove_old_results(options_.output, level_results);
-        io::remove_old_results(folder(level), {"level.json"});
-        io::remove_old_results(folder(level) + '/' + options_.model, model_results);
-        RunOptions options{options_};
-        options.output = folder(level);
-        return run_model(options_.model, level.c, level.resolved, options, study);
-    }
-    Finished keep(const Level& level, const contact::History& history) const {
-        const Finished done{Results(level.c, history), history.cpu_s};
-        io::write_file(file(level), document_of(level, done).dump(2) + "\n");
-        return done;
-    }
-    std::optional<Finished> find(const Level& level) const {
-        const json found = io::parsed_json(read_text(file(level)));
-        if (found.is_discarded() || !found.is_object()) return {};
-        try {
-            const Finished done{comparisons::read_stored_results(found.at("values")),
-                                found.at("cpu_s").get<double>()};
-            if (found != document_of(level, done)) return {};
-            options_.say(fmt::format("{}: {}: taken from {}", level.name, level.what, file(level)));
-            return done;
-        } catch (const json::exception&) {  // not of our making
-            return {};
-        }
-    }
-
-    std::string folder(const Level& level) const { return options_.output + "/" + level.name; }
-    std::string file(const Level& level) const { return folder(level) + "/level.json"; }
+    std::vector<Level> levels_;
 };
 
 std::optional<comparisons::PressedValues> theory_of(const Case& c, bool layer) {
@@ -110,7 +91,7 @@ std::optional<comparisons::PressedValues> theory_of(const Case& c, bool layer) {
 comparisons::RefinedLevels start_of(const RefinementPlan& plan, const RefineOptions& options) {
     const contact::ModelKind& kind = contact::model_kind(options.model);
     const bool layer = kind.is_layer();
-    const Case& c = plan.levels.front().c;
+    const Case& c = plan.levels.front().c();
     comparisons::RefinedLevels result;
     result.model = options.model;
     result.key = plan.key;
@@ -122,46 +103,78 @@ comparisons::RefinedLevels start_of(const RefinementPlan& plan, const RefineOpti
     return result;
 }
 
-void add(const Level& level, const Finished& done, comparisons::RefinedLevels& refined) {
+void add(const Level& level, const io::PointOutcome& outcome, comparisons::RefinedLevels& refined) {
     refined.sizes.push_back(level.size);
-    refined.values.push_back(done.values);
-    refined.cpu_s.push_back(done.cpu_s);
+    refined.values.push_back(*results_of(outcome));
+    refined.cpu_s.push_back(outcome.cpu_s);
+}
+
+/// What the store has of a level.
+std::optional<io::PointOutcome> find(const Level& level, const io::ResultStore& store,
+                                     const RefineOptions& options) {
+    auto found = store.find(level.point.key);
+    if (!found || !found->results) return {};
+    options.say(fmt::format("{}: {}: taken from {}/{}", level.name, level.what, options.output,
+                            io::result_store_name));
+    return found;
+}
+
+/// Computes those of the levels that the store has not.
+void compute(const std::vector<Level>& levels, io::ResultStore& store,
+             const RefineOptions& options) {
+    std::vector<Level> open;
+    for (const Level& level : levels)
+        if (!find(level, store, options)) open.push_back(level);
+    if (open.empty()) return;
+    // Those of an earlier call must not seem to be of this one while it is unfinished.
+    io::remove_old_results(options.output, level_results);
+    CommandOptions processes = options;
+    processes.threads = options.jobs;
+    processes.quiet = options.quiet || (options.jobs == 1 && !options.listener);
+    const LevelKind kind(options, std::move(open));
+    compute_missing(
+        kind, kind.points(), store,
+        {.name = "refine", .options = processes, .retry_failed = true, .noun = "level"});
 }
 
 /// Adds the finest level, which comes last; it counts as finished when the report, which needs its
 /// surfaces, is written.
-comparisons::Refinement finish_last(const Level& finest, const FinishedLevels& levels,
+comparisons::Refinement finish_last(const Level& finest, io::ResultStore& store,
                                     comparisons::RefinedLevels& refined,
                                     const RefineOptions& options) {
     const std::string& output = options.output;
     const std::string report = output + "/report.html", numbers = output + "/refinement.json";
-    if (const auto found = levels.find(finest)) {
-        comparisons::RefinedLevels all = refined;
-        add(finest, *found, all);
-        const comparisons::Refinement result = make_refinement(all);
+    const auto found = find(finest, store, options);
+    if (found) {
+        add(finest, *found, refined);
+        comparisons::Refinement result = make_refinement(refined);
         if (std::filesystem::exists(report) &&
-            read_text(numbers) == refinement_json(files::version, result)) {
-            refined = all;
+            read_text(numbers) == refinement_json(files::version, result))
             return result;
-        }
         options.say(finest.name + ": once more, for the report");
     }
+    io::remove_old_results(output, level_results);
     comparisons::ReportExtras extras;
-    const contact::History history = levels.run(finest, &extras.study);
-    const Finished done{Results(finest.c, history), history.cpu_s};
-    add(finest, done, refined);
+    const contact::History history = run_level(finest, options, &extras.study);
+    io::PointOutcome outcome{finest.point.key, std::string(files::version), options.model,
+                             finest.point.resolved};
+    outcome.results = comparisons::stored_results({finest.c(), history}).dump();
+    outcome.cpu_s = history.cpu_s;
+    outcome.wall_s = history.wall_s;
+    if (!found) add(finest, outcome, refined);
     extras.refinement = make_refinement(refined);
-    options.write(resolved_case_name, finest.resolved);
-    write_run_report({finest.c, finest.resolved, {history}, extras}, options);
+    options.write(resolved_case_name, finest.point.resolved);
+    write_run_report({finest.c(), finest.point.resolved, {history}, extras}, options);
     options.write("refinement.csv", refinement_csv(*extras.refinement));
     io::write_file(numbers, refinement_json(files::version, *extras.refinement));
-    levels.keep(finest, history);
+    store.add(outcome);
     return *extras.refinement;
 }
 
-// Results stay until a level has to be computed (Levels::run).
+// Results stay until a level has to be computed.
 io::OutputNames names_of(const RefinementPlan& plan) {
     io::OutputNames names{{}, level_results};
+    for (const std::string& name : io::result_store_files()) names.kept.push_back(name);
     for (const Level& level : plan.levels) names.kept.push_back(level.name + '/');
     if (plan.wide) names.kept.push_back(plan.wide->name + '/');
     return names;
@@ -169,23 +182,30 @@ io::OutputNames names_of(const RefinementPlan& plan) {
 
 void refine_case(RefineOptions options) {
     options.choose_folder("_refined");
-    const FinishedLevels levels{options};
     const RefinementPlan plan = plan_refinement(options, options.sayer());
-    for (const std::string& sentence : comparisons::input_sentences(plan.levels.front().c))
+    for (const std::string& sentence : comparisons::input_sentences(plan.levels.front().c()))
         options.say(sentence);
     comparisons::RefinedLevels refined = start_of(plan, options);
     comparisons::Refinement result;
     options.fill(names_of(plan), [&] {
-        for (std::size_t k = 0; k + 1 < plan.levels.size(); ++k)
-            add(plan.levels[k], levels.finish(plan.levels[k]), refined);
-        if (plan.wide) refined.wide = levels.finish(*plan.wide).values;
-        result = finish_last(plan.levels.back(), levels, refined, options);
+        io::ResultStore store = open_results(options.output);
+        std::vector<Level> coarser(plan.levels.begin(), plan.levels.end() - 1);
+        if (plan.wide) coarser.push_back(*plan.wide);
+        compute(coarser, store, options);
+        for (const Level& level : coarser) {
+            const io::PointOutcome outcome = store.find(level.point.key).value();
+            if (plan.wide && level.name == plan.wide->name)
+                refined.wide = results_of(outcome);
+            else
+                add(level, outcome, refined);
+        }
+        result = finish_last(plan.levels.back(), store, refined, options);
     });
 
     options.out() << refinement_text(result);
     for (const std::string& sentence : refinement_sentences(result))
         options.out() << sentence << '\n';
-    options.out() << comparisons::left_out_lines(plan.levels.back().c, {options.model});
+    options.out() << comparisons::left_out_lines(plan.levels.back().c(), {options.model});
     if (const auto warning = comparisons::border_warning(refined.values.back()); !warning.empty())
         options.out() << "warning: " << warning << '\n';
     options.say(options.where());
@@ -203,6 +223,8 @@ Command refine_command() {
         .output("Folder (results/<case>_refined)")
         .exports()
         .threads()
+        .number("--jobs", &RefineOptions::jobs, "Levels side by side, but for the finest (1)", 1,
+                1024)
         .quiet("No progress");
 }
 

@@ -1,8 +1,8 @@
 #include <filesystem>
 
 #include "app/commands/command.h"
-#include "app/rig_body.h"
-#include "app/rig_growth.h"
+#include "experiments/predictions/rig_body.h"
+#include "experiments/predictions/rig_growth.h"
 #include "comparisons/quantities/left_out.h"
 #include "comparisons/quantities/quantities.h"
 #include "comparisons/run/input_reading.h"

@@ -5,6 +5,7 @@
 
 #include "bem/model.h"
 #include "bem/settings.h"
+#include "comparisons/resolution/fineness.h"
 #include "contact/base/error.h"
 #include "contact/cells.h"
 #include "fem/settings.h"
@@ -65,25 +66,17 @@ MeshBlock block_of([[maybe_unused]] const Case& c, [[maybe_unused]] const Say& s
 CoarserModel make_coarser_model(const std::string& name, const Case& c, double factor,
                                 int n_threads, const Say& say) {
     CoarserModel coarser{.c = c, .model = {}};
-    Case& to = coarser.c;
     if (name == contact::models::mdr_layer) {
         coarser.model = mdr::make_layer_model(c, mdr::usual_elements_per_radius, factor);
         return coarser;
     }
-    if (name == contact::models::fem) {
-        auto& elements = to.of<fem::Settings>();
-        if (elements.mesh)
-            throw contact::InputError("the mesh is a file's; run another one beside it");
-        elements.size = factor * (elements.size ? *elements.size : block_of(c, silent).size);
-        elements.accuracy.reset();
-    }
-    auto& cells = to.of<contact::Cells>();
-    if (cells.spacing) *cells.spacing *= factor;
-    if (cells.per_radius) *cells.per_radius /= factor;
-    // Halves whose springs stand where the whole has some agree with it by accident.
-    int& springs = to.of<mdr::Settings>().springs;
-    springs = std::max(static_cast<int>(springs / factor) - 1, 10);
-    coarser.model = make_model(name, to, n_threads, say);
+    const contact::ModelKind& kind = contact::model_kind(name);
+    if (kind.is_meshed() && c.of<fem::Settings>().mesh)
+        throw contact::InputError("the mesh is a file's; run another one beside it");
+    if (kind.is_meshed() && !c.of<fem::Settings>().size)
+        coarser.c.of<fem::Settings>().size = block_of(c, silent).size;
+    comparisons::change_resolution(coarser.c, kind, {.coarser = factor});
+    coarser.model = make_model(name, coarser.c, n_threads, say);
     return coarser;
 }
 

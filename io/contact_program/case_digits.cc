@@ -1,4 +1,4 @@
-#include "io/contact_program/case_digits.h"
+#include "contact_program/case_digits.h"
 
 #include <fmt/format.h>
 

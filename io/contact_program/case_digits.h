@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "io/contact_program/input_lines.h"
+#include "contact_program/input_lines.h"
 
 namespace tricontact::io {
 

@@ -1,4 +1,4 @@
-#include "io/contact_program/case_parts.h"
+#include "contact_program/case_parts.h"
 
 #include <fmt/format.h>
 
@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-#include "io/contact_program/sequence.h"
+#include "contact_program/sequence.h"
 #include "io/keys/messages.h"
 
 namespace tricontact::io {

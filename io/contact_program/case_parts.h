@@ -4,7 +4,7 @@
 #include <string>
 
 #include "contact/substrates/material.h"
-#include "io/contact_program/program_case.h"
+#include "contact_program/program_case.h"
 
 namespace tricontact::io {
 

@@ -1,4 +1,4 @@
-#include "io/contact_program/distance_reading.h"
+#include "contact_program/distance_reading.h"
 
 #include <fmt/format.h>
 
@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "contact/bodies/ellipsoid.h"
-#include "io/contact_program/case_parts.h"
+#include "contact_program/case_parts.h"
 
 namespace tricontact::io {
 

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "io/contact_program/program_case.h"
+#include "contact_program/program_case.h"
 
 namespace tricontact::io {
 

@@ -1,4 +1,4 @@
-#include "io/contact_program/import.h"
+#include "contact_program/import.h"
 
 #include <fmt/format.h>
 
@@ -10,9 +10,9 @@
 #include "contact/base/error.h"
 #include "contact/half_space_scales.h"
 #include "io/case/case_reader.h"
-#include "io/contact_program/case_parts.h"
-#include "io/contact_program/sequence.h"
-#include "io/contact_program/sequence_case.h"
+#include "contact_program/case_parts.h"
+#include "contact_program/sequence.h"
+#include "contact_program/sequence_case.h"
 #include "io/keys/messages.h"
 
 namespace tricontact::io {

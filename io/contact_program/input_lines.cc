@@ -1,4 +1,4 @@
-#include "io/contact_program/input_lines.h"
+#include "contact_program/input_lines.h"
 
 #include <fmt/format.h>
 

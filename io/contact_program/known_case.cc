@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 
-#include "io/contact_program/case_parts.h"
-#include "io/contact_program/program_case.h"
+#include "contact_program/case_parts.h"
+#include "contact_program/program_case.h"
 #include "io/keys/messages.h"
 
 namespace tricontact::io {

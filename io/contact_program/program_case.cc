@@ -1,10 +1,10 @@
-#include "io/contact_program/program_case.h"
+#include "contact_program/program_case.h"
 
 #include <fmt/format.h>
 
 #include <cmath>
 
-#include "io/contact_program/distance_reading.h"
+#include "contact_program/distance_reading.h"
 
 namespace tricontact::io {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "contact/base/vector2.h"
-#include "io/contact_program/case_digits.h"
+#include "contact_program/case_digits.h"
 
 namespace tricontact::io {
 

@@ -5,7 +5,7 @@
 
 #include "contact/half_space_scales.h"
 #include "io/case/case_reader.h"
-#include "io/contact_program/sequence_case.h"
+#include "contact_program/sequence_case.h"
 #include "io/keys/messages.h"
 
 namespace tricontact::io {

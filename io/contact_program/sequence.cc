@@ -1,4 +1,4 @@
-#include "io/contact_program/sequence.h"
+#include "contact_program/sequence.h"
 
 #include <fmt/format.h>
 

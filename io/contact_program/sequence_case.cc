@@ -1,4 +1,4 @@
-#include "io/contact_program/sequence_case.h"
+#include "contact_program/sequence_case.h"
 
 #include <fmt/format.h>
 
@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "io/case/case_reader.h"
-#include "io/contact_program/sequence.h"
+#include "contact_program/sequence.h"
 #include "io/keys/messages.h"
 
 namespace tricontact::io {

@@ -2,8 +2,8 @@
 
 #include <string>
 
-#include "io/contact_program/case_parts.h"
-#include "io/contact_program/import.h"
+#include "contact_program/case_parts.h"
+#include "contact_program/import.h"
 
 namespace tricontact::io {
 

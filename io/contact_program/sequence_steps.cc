@@ -5,7 +5,7 @@
 #include "contact/cells.h"
 #include "contact/half_space_scales.h"
 #include "io/case/case_input.h"
-#include "io/contact_program/sequence.h"
+#include "contact_program/sequence.h"
 #include "io/keys/messages.h"
 
 namespace tricontact::io {

@@ -1,4 +1,4 @@
-#include "io/contact_program/written_case.h"
+#include "contact_program/written_case.h"
 
 #include <fmt/format.h>
 

@@ -90,11 +90,15 @@ def refine(
     output: Optional[StrPath] = None,
     export: Optional[StrPath] = None,
     threads: Optional[int] = None,
+    jobs: int = 1,
     progress: Progress = None,
 ) -> Outcome:
-    """A case on finer and finer meshes: extrapolated values and their errors."""
+    """A case on finer and finer meshes: extrapolated values and their errors.
+
+    jobs: levels side by side, but for the finest.
+    """
     return _call("refine", case, overrides, output, progress, levels=levels, model=model,
-                 threads=threads, export=export)
+                 threads=threads, jobs=jobs, export=export)
 
 
 def deviation(

@@ -28,6 +28,15 @@ bem() {
         --set "bem.spacing=1 mm" --set rolling.periods=1 --set rolling.steps=turning-points
 }
 
+# resolved FOLDER SIZE: the case text of the level of that size, as the store has it.
+resolved() {
+    python3 - "$1/results.sqlite" "$2" <<'END'
+import sqlite3, sys
+rows = sqlite3.connect(sys.argv[1]).execute("SELECT resolved_case FROM points").fetchall()
+print(*(text for text, in rows if sys.argv[2] in text))
+END
+}
+
 # 1. Another model: its own key, Hertz' theory, no block to widen.
 bem bem
 says "bem.spacing was refined" out
@@ -39,6 +48,20 @@ says "Hertz" out
 grep -Eq '^static shift u_stat +U_max +0\.4' out || complain "u_stat is no ratio: $(grep u_stat out)"
 grep -q "no-studies" bem/report.html && complain "a refinement asks for comparison runs"
 grep -q "What the mesh leaves in it is told by\|the error of the finest mesh" bem/report.html || complain "no error on the page"
+# Levels side by side are the same to the last digit, histories too; only times of computing differ.
+expect 0 "$source_dir/examples/cases/rig_sphere_parallel.toml" --model bem --quiet --output side_by_side --jobs 2 \
+    --set "bem.spacing=1 mm" --set rolling.periods=1 --set rolling.steps=turning-points
+diff -r --exclude=results.sqlite --exclude=refinement.json --exclude=report.html bem side_by_side ||
+    complain "--jobs changes results"
+diff <(sed '/"cpu_s"/,/\]/d' bem/refinement.json) <(sed '/"cpu_s"/,/\]/d' side_by_side/refinement.json) ||
+    complain "--jobs changes refinement.json"
+says "--jobs" <("$program" refine --help)
+# What stops a level is said of it, and nothing of it is kept.
+expect 1 "$source_dir/examples/cases/rig_sphere_parallel.toml" --model bem --quiet --output stopped \
+    --set "bem.spacing=1 mm" --set rolling.periods=1 --set bem.tolerance=1.1e-14
+says "level_0 (bem.spacing = 1 mm): " err
+[ -e stopped/refinement.json ] && complain "a refinement without its levels"
+
 # The layer by boundary elements too; the pressure under a tip has no limit.
 cat >cone.toml <<'END'
 models = ["bem-layer"]
@@ -96,18 +119,17 @@ for text in "quantity" "2.00 mm" "1.41 mm" "1.00 mm" "order" "exact layer" "wide
     "was refined on 3 levels"; do
     says "$text" out
 done
-for file in level_0/level.json level_1/level.json level_2/level.json wide/level.json case.toml \
-    report.html refinement.json refinement.csv plots/shift.svg; do
+for file in level_0/fem/history.csv level_1/fem/history.csv level_2/fem/history.csv wide/fem/history.csv \
+    results.sqlite case.toml report.html refinement.json refinement.csv plots/shift.svg; do
     [ -s "whole/$file" ] || complain "no whole/$file"
 done
 says '<section id="refinement">' whole/report.html
 says '"key": "fem.size"' whole/refinement.json
 # The whole mesh is refined: growth 1.8^(1/sqrt 2) and 1.8^(1/2).
-grep -q "growth = 1.8$" <(sed 's/\\n/\n/g' whole/level_0/level.json) || complain "growth of level 0"
-grep -q "growth = 1.34164" <(sed 's/\\n/\n/g' whole/level_2/level.json) ||
-    complain "growth of level 2"
+resolved whole 'size = "0.002 m"' | grep "growth = 1.8$" >/dev/null || complain "growth of level 0"
+grep -q "growth = 1.34164" whole/case.toml || complain "growth of level 2"
 # 96 mm are the block's own choice, 6 thicknesses to each side.
-says 'width = \"0.144' whole/wide/level.json
+says 'width = "0.144' <(resolved whole 'width = ')
 
 # 4. A second call takes everything over.
 cp -r whole again
@@ -118,7 +140,13 @@ diff -r whole again || complain "a second call changed the results"
 
 # 5. Without its report the finest level is computed once more, a damaged level too, no other.
 rm again/report.html
-echo '{"version": 3' >again/level_1/level.json
+python3 - again/results.sqlite <<'END'
+import sqlite3, sys
+with sqlite3.connect(sys.argv[1]) as store:
+    store.execute("UPDATE points SET results = replace(results, '1', '2') WHERE resolved_case LIKE '%0.00141%m\"%'"
+                  " AND resolved_case NOT LIKE '%width%'")
+    assert store.execute("SELECT changes()").fetchone() == (1,)
+END
 expect 0 "$case_file" "${coarse[@]}" --output again
 [ "$(grep -c 'steps in' err)" -eq 2 ] || complain "not two levels computed: $(cat err)"
 says "level_0: fem.size = 2 mm: taken from" err
@@ -136,7 +164,7 @@ for _ in $(seq 1 3000); do
 done
 kill -9 "$child" || complain "the refinement was over before it could be killed"
 wait "$child" 2>/dev/null
-[ -e killed/level_0/level.json ] || complain "the first level is lost"
+[ -n "$(resolved killed 'size = "0.002 m"')" ] || complain "the first level is lost"
 [ -e killed/refinement.json ] && complain "a refinement of levels that were not computed"
 expect 0 "$case_file" "${coarse[@]}" --output killed
 says "level_0: fem.size = 2 mm: taken from" err
@@ -149,8 +177,8 @@ cmp -s whole/refinement.csv again/refinement.csv && complain "the same numbers f
 
 # 8. A cylinder's substrate has no ends along y: its block is widened along x, from 8 thicknesses on.
 expect 0 "$source_dir/examples/cases/rig_cylinder.toml" "${coarse[@]/2 mm/0.4 mm}" --output line
-says 'width = \"0.12' line/wide/level.json
-grep -q 'depth = ' line/wide/level.json && complain "a line contact in a block with ends"
+says 'width = "0.12' <(resolved line 'width = ')
+resolved line 'width = ' | grep 'depth = ' >/dev/null && complain "a line contact in a block with ends"
 says "fem.size was refined" out
 
 finish

@@ -8,8 +8,8 @@
 
 #include "contact/base/error.h"
 #include "io/case/case_reader.h"
-#include "io/contact_program/import.h"
-#include "io/contact_program/written_case.h"
+#include "contact_program/import.h"
+#include "contact_program/written_case.h"
 
 namespace {
 

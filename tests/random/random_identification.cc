@@ -15,7 +15,7 @@
 #include <map>
 #include <random>
 
-#include "app/identification_models.h"
+#include "experiments/identification/identification_models.h"
 #include "contact/base/error.h"
 #include "experiments/identification/identification_report.h"
 #include "tests/random/random_rig.h"

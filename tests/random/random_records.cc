@@ -20,7 +20,7 @@
 #include <random>
 #include <vector>
 
-#include "app/record_predictions.h"
+#include "experiments/predictions/record_predictions.h"
 #include "contact/base/error.h"
 #include "contact/load_path.h"
 #include "experiments/records/experiment_evaluation.h"

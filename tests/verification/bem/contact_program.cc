@@ -14,7 +14,7 @@
 #include "contact/solvers/contact_region.h"
 #include "contact/surface_model.h"
 #include "io/case/case_reader.h"
-#include "io/contact_program/import.h"
+#include "contact_program/import.h"
 #include "tests/verification/contact_program_prints.h"
 #include "theory/cattaneo_mindlin.h"
 

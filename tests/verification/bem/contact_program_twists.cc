@@ -13,7 +13,7 @@
 #include "bem/model.h"
 #include "contact/run.h"
 #include "io/case/case_reader.h"
-#include "io/contact_program/import.h"
+#include "contact_program/import.h"
 
 namespace tricontact::contact_program_twists_test {
 namespace {

@@ -16,7 +16,7 @@
 #include "contact/load_path.h"
 #include "contact/substrates/substrate.h"
 #include "io/case/case_reader.h"
-#include "io/contact_program/import.h"
+#include "contact_program/import.h"
 #include "rolling/run.h"
 #include "tests/unit/rolling/problems.h"
 #include "tests/verification/contact_program_prints.h"

@@ -12,9 +12,9 @@
 #include "contact/base/error.h"
 #include "contact/cells.h"
 #include "io/case/case_reader.h"
-#include "io/contact_program/import.h"
-#include "io/contact_program/program_case.h"
-#include "io/contact_program/sequence.h"
+#include "contact_program/import.h"
+#include "contact_program/program_case.h"
+#include "contact_program/sequence.h"
 #include "tests/unit/io/sphere_case.h"
 
 namespace tricontact::io::contact_program_test {

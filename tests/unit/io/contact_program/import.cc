@@ -1,6 +1,6 @@
 // What cases of CONTACT become: case files of each kind, and what export writes.
 
-#include "io/contact_program/import.h"
+#include "contact_program/import.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
@@ -17,10 +17,10 @@
 #include "contact/half_space_scales.h"
 #include "contact/load_path.h"
 #include "io/case/case_reader.h"
-#include "io/contact_program/input_lines.h"
-#include "io/contact_program/program_case.h"
-#include "io/contact_program/sequence.h"
-#include "io/contact_program/written_case.h"
+#include "contact_program/input_lines.h"
+#include "contact_program/program_case.h"
+#include "contact_program/sequence.h"
+#include "contact_program/written_case.h"
 #include "tests/unit/io/sphere_case.h"
 
 namespace tricontact::io::import_test {

@@ -14,8 +14,8 @@
 #include "bem/model.h"
 #include "contact/base/error.h"
 #include "io/case/case_reader.h"
-#include "io/contact_program/import.h"
-#include "io/contact_program/sequence.h"
+#include "contact_program/import.h"
+#include "contact_program/sequence.h"
 
 namespace tricontact::io::contact_path_test {
 namespace {

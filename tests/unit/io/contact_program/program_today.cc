@@ -13,9 +13,9 @@
 #include "contact/cells.h"
 #include "contact/half_space_scales.h"
 #include "io/case/case_reader.h"
-#include "io/contact_program/import.h"
-#include "io/contact_program/program_case.h"
-#include "io/contact_program/sequence.h"
+#include "contact_program/import.h"
+#include "contact_program/program_case.h"
+#include "contact_program/sequence.h"
 
 namespace tricontact::io::program_today_test {
 namespace {

@@ -1,0 +1,71 @@
+#include "comparisons/resolution/fineness.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "contact/base/error.h"
+#include "contact/cells.h"
+#include "fem/settings.h"
+#include "mdr/settings.h"
+
+namespace tricontact::comparisons {
+
+namespace {
+
+constexpr double least_growth = 1.05;  // that a case file may ask for
+constexpr int fewest_springs = 10;
+
+int springs_of(int springs, const Fineness& by) {
+    if (by.coarser == 1) return static_cast<int>(std::lround(springs * by.finer));
+    // Halves whose springs stand where the whole has some agree with it by accident.
+    return std::max(static_cast<int>(springs / by.coarser) - 1, fewest_springs);
+}
+
+}  // namespace
+
+void change_resolution(contact::Case& c, const contact::ModelKind& kind, const Fineness& by) {
+    const auto scale = [&](std::optional<double>& length) {
+        if (length) length = *length * by.coarser / by.finer;
+    };
+    if (kind.is_independent())
+        c.of<mdr::Settings>().springs = springs_of(c.of<mdr::Settings>().springs, by);
+    if (kind.is_on_cells()) {
+        scale(c.of<contact::Cells>().spacing);
+        if (c.of<contact::Cells>().per_radius)
+            c.of<contact::Cells>().per_radius =
+                *c.of<contact::Cells>().per_radius * by.finer / by.coarser;
+    }
+    if (!kind.is_meshed()) return;
+    scale(c.of<fem::Settings>().size);
+    c.of<fem::Settings>().accuracy.reset();
+}
+
+std::vector<std::string> level_keys(const contact::Case& c, const contact::ModelKind& kind,
+                                    const Fineness& by) {
+    const std::string key = kind.resolution;
+    if (key.empty())
+        throw contact::InputError(fmt::format("levels: {} {}; omit levels, or leave it out",
+                                              kind.name, kind.why_no_levels));
+    if (kind.is_meshed() && !c.of<fem::Settings>().size)
+        throw contact::InputError(
+            "levels: fem is refined from fem.size, which is not given; give it, or omit levels");
+    contact::Case level = c;
+    change_resolution(level, kind, by);
+    if (kind.is_on_line()) return {fmt::format("{}={}", key, level.of<mdr::Settings>().springs)};
+    if (kind.is_on_cells())
+        return {
+            level.of<contact::Cells>().spacing
+                ? length_key(key, *level.of<contact::Cells>().spacing)
+                : fmt::format("bem.cells_per_radius={}", *level.of<contact::Cells>().per_radius)};
+    const double growth = std::pow(c.of<fem::Settings>().growth, by.coarser / by.finer);
+    return {length_key(key, *level.of<fem::Settings>().size),
+            fmt::format("fem.growth={}", std::max(growth, least_growth))};
+}
+
+std::string length_key(const std::string& key, double metres) {
+    return fmt::format("{}=\"{} m\"", key, metres);
+}
+
+}  // namespace tricontact::comparisons
