@@ -13,6 +13,7 @@
 #include "contact/error.h"
 #include "contact/interruption.h"
 #include "contact/special_values.h"
+#include "experiments/assumptions/rig_quantities.h"
 
 namespace tricontact::app {
 
@@ -27,7 +28,8 @@ using experiments::RigReport;
 /// By the values: their uncertainties would be propagated through every formula.
 experiments::Rig rig_of_values(const io::RigFile& file) {
     experiments::Rig rig = rig_with_body(file);
-    for (auto& [symbol, number] : rig.data) number.standard_error = 0;
+    for (const auto& one : experiments::rig_quantities(rig.kind))
+        (rig.*one.number).standard_error = 0;
     return rig;
 }
 
