@@ -173,34 +173,31 @@ std::vector<std::string> rig_parts(const Study& study) {
     return parts_of(document);
 }
 
-namespace {
+bool states_unrelaxed(const Document& document) {
+    const Entry* modulus = document.find("substrate.relaxation.modulus");
+    return modulus && std::get<std::string>(modulus->value) == "unrelaxed";
+}
 
-/// The uncertainty of what the case holds: of a relaxed modulus where the file states the unrelaxed
-/// one.
-void take_relaxed_errors(RigFile& rig) {
-    const Entry* modulus = rig.document.find("substrate.relaxation.modulus");
-    if (!modulus || std::get<std::string>(modulus->value) != "unrelaxed") return;
-    const bool is_in_proportion =
-        rig.c.relaxation->bulk == contact::Relaxation::Bulk::proportional &&
-        !rig.document.find("substrate.relaxation.moduli") &&
-        !rig.document.find("substrate.relaxation.G2");
-    for (UncertainKey& one : rig.uncertain) {
+std::vector<UncertainKey> uncertain_numbers(const Document& document, const contact::Case& c) {
+    std::vector<UncertainKey> uncertain = uncertain_keys(document, case_file_keys());
+    if (!states_unrelaxed(document)) return uncertain;
+    const bool is_in_proportion = c.relaxation->bulk == contact::Relaxation::Bulk::proportional &&
+                                  !document.find("substrate.relaxation.moduli") &&
+                                  !document.find("substrate.relaxation.G2");
+    for (UncertainKey& one : uncertain) {
         const bool is_young = one.key->path == "substrate.young";
         if (!is_young && one.key->path != "substrate.poisson") continue;
         if (!is_in_proportion)
-            fail(
-                one.place, rig.document.find(one.key->path)->subject(),
-                "is that of the unrelaxed substrate, and its uncertainty is carried to the relaxed "
-                "one only where all relaxes in proportion",
-                "give substrate.relaxation.relative_moduli without bulk, or the relaxed modulus");
+            fail(one.place, document.find(one.key->path)->subject(),
+                 "is that of the unrelaxed substrate, and its uncertainty is carried to the "
+                 "relaxed one only where all relaxes in proportion",
+                 "give substrate.relaxation.relative_moduli without bulk, or the relaxed modulus");
         if (!is_young) continue;
-        const double stated = one.number.value.value;
-        one.number.value = {rig.c.substrate.young,
-                            one.number.value.standard_error * rig.c.substrate.young / stated};
+        statistics::Estimate& young = one.number.value;
+        young = {c.substrate.young, young.standard_error * c.substrate.young / young.value};
     }
+    return uncertain;
 }
-
-}  // namespace
 
 std::optional<statistics::Estimate> RigFile::number(std::string_view path) const {
     const Entry* entry = document.find(path);
@@ -218,8 +215,7 @@ RigFile parse_rig_file(std::string_view text, const std::string& name,
                        const std::vector<std::string>& overrides) {
     RigFile rig{.document = case_document(text, name, overrides)};
     rig.c = resolve_case(rig.document, {});
-    rig.uncertain = uncertain_keys(rig.document, case_file_keys());
-    take_relaxed_errors(rig);
+    rig.uncertain = uncertain_numbers(rig.document, rig.c);
     rig.correlations = correlations(rig.document, rig.uncertain);
     return rig;
 }

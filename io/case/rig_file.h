@@ -27,6 +27,12 @@ struct UncertainKey {
 /// its standard error subtracted or added is out of its range.
 std::vector<UncertainKey> uncertain_keys(const Document& document, const KeyList& keys);
 
+/// substrate.young is the unrelaxed modulus.
+bool states_unrelaxed(const Document& document);
+/// Those of a case's file as the case holds them: an unrelaxed modulus as the relaxed one. Throws
+/// contact::InputError also where its uncertainty does not go to that in proportion.
+std::vector<UncertainKey> uncertain_numbers(const Document& document, const contact::Case& c);
+
 /// Correlations of uncertain numbers, from [correlation] with a line
 ///     "substrate.young and friction.coefficient" = -0.5
 /// for each pair. Throws contact::InputError where a key has no uncertainty, a coefficient is not
@@ -67,8 +73,7 @@ std::vector<std::string> rig_parts(const std::string& path,
 /// The same of the case of a study, with what the study sets and varies in it.
 std::vector<std::string> rig_parts(const Study& study);
 
-/// Throws contact::InputError as read_case(), and at an uncertainty of an unrelaxed modulus that
-/// does not go to the relaxed one in proportion.
+/// Throws contact::InputError as read_case() and uncertain_numbers().
 RigFile read_rig_file(const std::string& path, const std::vector<std::string>& overrides = {});
 RigFile parse_rig_file(std::string_view text, const std::string& name,
                        const std::vector<std::string>& overrides = {});
