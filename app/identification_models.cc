@@ -117,14 +117,6 @@ std::vector<experiments::InputContribution> own_contributions(
 
 }  // namespace
 
-double* number_of(const io::CaseKey& key, Case& c) {
-    const io::Field field = io::place_of(key, c);
-    if (auto* const* value = std::get_if<double*>(&field)) return *value;
-    if (auto* const* value = std::get_if<std::optional<double>*>(&field))
-        return *value && **value ? &***value : nullptr;
-    return nullptr;
-}
-
 void check_lengths_scale(const experiments::IdentificationInput& input) {
     if (!input.is_free("indenter.radius") && !input.is_free("substrate.thickness")) return;
     for (const std::string& model : input.models)
@@ -172,7 +164,7 @@ IdentifiedRig rig_with(const experiments::IdentificationInput& input,
         else if (p.key == experiments::zero_depth_key)
             rig.zero_depth = values[k];
         else
-            *number_of(*io::find_key(p.key), c) = values[k];
+            *io::number_of(*io::find_key(p.key), c) = values[k];
     }
     double relaxed_share = 1, last_time = 0;
     for (const double share : relative) relaxed_share -= share;
@@ -208,7 +200,7 @@ std::vector<experiments::InputContribution> input_contributions(
     const IdentifiedRig rig = rig_with(input, found.free, found.best());
     const auto values_at = [&](const io::CaseKey& key, double change) {
         IdentifiedRig other = rig;
-        *number_of(key, other.as_case) += change;
+        *io::number_of(key, other.as_case) += change;
         return values_of_tables(model, input, other, threads);
     };
     std::vector<double> observed;

@@ -9,9 +9,6 @@
 
 namespace tricontact::app {
 
-/// The number of the case that a key stands for; null where the case states another one instead.
-double* number_of(const io::CaseKey& key, contact::Case& c);
-
 /// A rig with what was found of it.
 struct IdentifiedRig {
     contact::Case as_case;

@@ -6,13 +6,14 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "experiments/predictions/rig_body.h"
-#include "experiments/predictions/rig_growth.h"
-#include "experiments/predictions/uncertain_case.h"
 #include "atlas/prediction.h"
 #include "contact/base/error.h"
 #include "contact/base/interruption.h"
 #include "contact/base/special_values.h"
+#include "experiments/assumptions/rig_quantities.h"
+#include "experiments/predictions/rig_body.h"
+#include "experiments/predictions/rig_growth.h"
+#include "experiments/predictions/uncertain_case.h"
 
 namespace tricontact::app {
 
@@ -27,7 +28,8 @@ using experiments::RigReport;
 /// By the values: their uncertainties would be propagated through every formula.
 experiments::Rig rig_of_values(const io::RigFile& file) {
     experiments::Rig rig = rig_with_body(file);
-    for (auto& [symbol, number] : rig.data) number.standard_error = 0;
+    for (const auto& one : experiments::rig_quantities(rig.kind))
+        (rig.*one.number).standard_error = 0;
     return rig;
 }
 

@@ -12,11 +12,11 @@ using contact::Case;
 
 Case sphere_on_layer(const experiments::Rig& rig) {
     Case c;
-    c.indenter.radius = rig["R"].value;
-    c.substrate = {rig["E_2"].value, rig["nu_2"].value};
-    c.layer.thickness = rig["b"].value;
-    c.friction_coefficient = rig["mu"].value;
-    c.load.normal_force = rig["F_N"].value;
+    c.indenter.radius = rig.c.indenter.radius;
+    c.substrate = rig.c.substrate;
+    c.layer.thickness = rig.c.layer.thickness;
+    c.friction_coefficient = rig.c.friction_coefficient;
+    c.load.normal_force = rig.c.load.normal_force;
     c.load.tangential_ratio = experiments::coupling_tangential_ratio;
     return c;
 }
@@ -43,7 +43,7 @@ std::optional<experiments::Growth> rolled_growth(const experiments::Rig& rig) {
     Case c = sphere_on_layer(rig);
     c.rolling.emplace();
     c.rolling->amplitude = amplitude;
-    if (rig.has("alpha")) c.rolling->angle = rig["alpha"].value;
+    if (rig.c.rolling) c.rolling->angle = rig.c.rolling->angle;
     c.load.tangential_ratio.reset();
     c.load.limit_fraction = .5;
     const atlas::Prediction layer = atlas::predict(c, contact::models::bem_layer);

@@ -20,7 +20,7 @@ using experiments::CaseQuantity;
 /// Of an uncertain f_T or w: the force, or the length, that the rig sets.
 std::optional<CaseQuantity> set_quantity(const io::CaseKey& key, double standard_error, Case c,
                                          double normal_force, double amplitude) {
-    const double* stated = number_of(key, c);
+    const double* stated = io::number_of(key, c);
     const std::string name(key.path);
     if (stated && name == "load.tangential_ratio")
         return CaseQuantity{
@@ -44,7 +44,7 @@ UncertainCase uncertain_case(const Case& c, double normal_force, double amplitud
         const io::CaseKey& key = *io::find_key(one.key->path);
         const double error = one.number.value.standard_error;
         auto quantity = set_quantity(key, error, c, normal_force, amplitude);
-        if (!quantity && !number_of(key, result.set))
+        if (!quantity && !io::number_of(key, result.set))
             throw contact::InputError(fmt::format(
                 "{}: {}: an uncertainty of this ratio is not propagated; state the length or the "
                 "force that it stands for",
@@ -53,7 +53,7 @@ UncertainCase uncertain_case(const Case& c, double normal_force, double amplitud
             quantity = CaseQuantity{
                 .name = std::string(key.path),
                 .standard_error = error,
-                .of_case = [&key](Case& any) -> double& { return *number_of(key, any); },
+                .of_case = [&key](Case& any) -> double& { return *io::number_of(key, any); },
                 .largest = key.range.high};
         quantity->distribution = one.number.distribution;
         result.quantities.push_back(std::move(*quantity));

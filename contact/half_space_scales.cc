@@ -53,27 +53,32 @@ Spread spread(const Case::IndenterData& indenter) {
     return sum;
 }
 
-double shift_ratio(const Case& c) {
-    const MaterialPair materials = c.materials();
-    return c.friction_coefficient * materials.effective_modulus() /
+double shift_ratio(const MaterialPair& materials, double friction_coefficient) {
+    return friction_coefficient * materials.effective_modulus() /
            materials.effective_shear_modulus();
+}
+double shift_ratio(const Case& c) {
+    return shift_ratio(c.materials(), c.friction_coefficient);
 }
 
 // Hertz (1882); Johnson (1985), ch. 4: a^2 = R d, F_N = 4/3 E* sqrt(R) d^(3/2).
-HalfSpaceScales hertz_scales(const Case& c) {
-    const double e_star = c.materials().effective_modulus();
-    const double radius = c.indenter.radius;
-    const double d =
-        c.load.indentation
-            ? *c.load.indentation
-            : std::pow(3 * *c.load.normal_force / (4 * e_star * std::sqrt(radius)), 2. / 3);
+HalfSpaceScales hertz_scales_at(double d, double radius, const MaterialPair& materials,
+                                double friction_coefficient) {
+    const double e_star = materials.effective_modulus();
     const double a = std::sqrt(radius * d);
     return {.contact_radius = a,
             .indentation = d,
             .normal_force = 4. / 3 * e_star * std::sqrt(radius) * std::pow(d, 1.5),
             .peak_pressure = 2 / std::numbers::pi * e_star * std::sqrt(d / radius),
-            .unit_shift = shift_ratio(c) * d,
+            .unit_shift = shift_ratio(materials, friction_coefficient) * d,
             .half_widths = {a, a}};
+}
+
+HalfSpaceScales hertz_scales(const Case& c) {
+    const auto d = c.load.indentation;
+    return d ? hertz_scales_at(*d, c.indenter.radius, c.materials(), c.friction_coefficient)
+             : hertz_scales(c.materials(), c.indenter.radius, *c.load.normal_force,
+                            c.friction_coefficient);
 }
 
 // The centre moves under the traction mu p along x by Cerruti's solution, Johnson (1985), section
@@ -177,6 +182,13 @@ HalfSpaceScales rough_scales(const Case& c) {
 }
 
 }  // namespace
+
+HalfSpaceScales hertz_scales(const MaterialPair& materials, double radius, double normal_force,
+                             double friction_coefficient) {
+    const double e_star = materials.effective_modulus();
+    const double d = std::pow(3 * normal_force / (4 * e_star * std::sqrt(radius)), 2. / 3);
+    return hertz_scales_at(d, radius, materials, friction_coefficient);
+}
 
 double line_half_width(double load, double radius, double effective_modulus) {
     return std::sqrt(4 * load * radius / (pi * effective_modulus));

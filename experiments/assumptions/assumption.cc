@@ -51,15 +51,6 @@ std::optional<double> value_if_any(const Calculation& calculation, const Values&
     }
 }
 
-/// Of what goes into a formula; empty: independent.
-statistics::Correlations::Matrix correlation_of(const std::vector<Given>& given) {
-    std::vector<std::string> keys;
-    for (const Given& one : given) keys.push_back(one.key);
-    const auto rig =
-        std::ranges::find_if(given, [](const Given& one) { return !one.correlations.empty(); });
-    return rig == given.end() ? statistics::Correlations::Matrix() : rig->correlations.of(keys);
-}
-
 }  // namespace
 
 Values values_of(const std::vector<Given>& given) {
@@ -69,13 +60,14 @@ Values values_of(const std::vector<Given>& given) {
 }
 
 Calculation calculate(std::string name, std::string symbol, std::string formula, std::string source,
-                      std::string unit, std::vector<Given> given, statistics::Quantity function) {
+                      std::string unit, std::vector<Given> given, statistics::Quantity function,
+                      statistics::Correlations::Matrix correlation) {
     std::vector<Estimate> quantities;
     for (const Given& one : given) quantities.push_back(one.value);
-    const Estimate result =
-        statistics::propagate(function, quantities, correlation_of(given)).result;
-    return {std::move(name), std::move(symbol), std::move(formula),  std::move(source),
-            std::move(unit), std::move(given),  std::move(function), result};
+    const Estimate result = statistics::propagate(function, quantities, correlation).result;
+    return {std::move(name),       std::move(symbol), std::move(formula),  std::move(source),
+            std::move(unit),       std::move(given),  std::move(function), result,
+            std::move(correlation)};
 }
 
 std::vector<Substitute> substitutes(const Calculation& calculation, double wanted) {
@@ -101,7 +93,7 @@ double probability_of_violation(const Criterion& criterion, int n_samples) {
     const bool is_uncertain =
         std::ranges::any_of(given, [](const Given& one) { return one.value.standard_error > 0; });
     if (!is_uncertain) n_samples = 1;
-    const auto root = statistics::triangular_root(correlation_of(given), given.size());
+    const auto root = statistics::triangular_root(criterion.calculation.correlation, given.size());
     int n_defined = 0, n_violated = 0;
     for (int j = 0; j < n_samples; ++j) {
         Values x = values_of(given);

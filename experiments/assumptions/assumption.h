@@ -17,9 +17,7 @@ using statistics::Estimate;
 struct Given {
     std::string symbol;  ///< "W"
     Estimate value;
-    std::string unit;      ///< SI, "1" of pure numbers
-    std::string key = {};  ///< symbol by which the rig's correlations name it; empty: independent
-    statistics::Correlations correlations = {};  ///< those of the rig
+    std::string unit;  ///< SI, "1" of pure numbers
 };
 
 /// One formula with the numbers put in: what a report shows of the arithmetic.
@@ -30,35 +28,19 @@ struct Calculation {
     std::string source;   ///< "(5.1.11)"
     std::string unit;     ///< SI, "1" of pure numbers
     std::vector<Given> given;
-    statistics::Quantity function;  ///< of the values of `given`
-    Estimate result;                ///< first-order error of the given ones
+    statistics::Quantity function;                      ///< of the values of `given`
+    Estimate result;                                    ///< first-order error of the given ones
+    statistics::Correlations::Matrix correlation = {};  ///< of these; empty: independent
 };
 
 /// With its result. Throws what `function` throws.
 Calculation calculate(std::string name, std::string symbol, std::string formula, std::string source,
-                      std::string unit, std::vector<Given> given, statistics::Quantity function);
+                      std::string unit, std::vector<Given> given, statistics::Quantity function,
+                      statistics::Correlations::Matrix correlation = {});
 
 /// Of the quantities that go into a formula, in their order.
 using Values = std::vector<double>;
 Values values_of(const std::vector<Given>& given);
-
-/// A formula of a rig.
-struct Formula {
-    const char *name, *symbol, *formula, *source, *unit;  ///< as Calculation's
-    const char* given;  ///< symbols of the rig's quantities, separated by spaces
-    double (*function)(const Values&);
-
-    constexpr Formula(const char* its_name, const char* its_symbol, const char* text,
-                      const char* its_source, const char* its_unit, const char* keys,
-                      double (*of_values)(const Values&))
-        : name(its_name),
-          symbol(its_symbol),
-          formula(text),
-          source(its_source),
-          unit(its_unit),
-          given(keys),
-          function(of_values) {}
-};
 
 /// A given quantity of a calculation that has the value `wanted` if only this quantity changes.
 struct Substitute {

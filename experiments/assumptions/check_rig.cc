@@ -15,14 +15,14 @@ std::optional<ForceCurves> force_curves(const Rig& rig) {
     if (rig.kind != Rig::Kind::sphere || !roller_is_rigid(rig)) return {};
     constexpr int n_points = 31;
     ForceCurves curves;
-    curves.rig_force = rig["F_N"];
-    if (rig.has("D_c")) curves.measured_diameter = rig["D_c"];
-    Rig loaded = rig;
+    curves.rig_force = rig.F_N;
+    if (rig.D_c.is_known()) curves.measured_diameter = rig.D_c;
+    RigData loaded = rig;
     for (int i = 0; i < n_points; ++i) {
         const double force = curves.rig_force.value * 1.5 * (i + 1) / n_points;
-        loaded.data["F_N"] = {force};
-        const contact::HalfSpaceScales hertz = hertz_of(values_of(given(loaded, hertz_keys)));
-        const theory::LayerContact layer = layer_of(values_of(given(loaded, layer_keys)));
+        loaded.F_N = force;
+        const contact::HalfSpaceScales hertz = hertz_of(loaded);
+        const theory::LayerContact layer = layer_of(loaded);
         curves.force.push_back(force);
         curves.diameter.hertz.push_back(2 * hertz.contact_radius);
         curves.diameter.layer.push_back(2 * layer.contact_radius);

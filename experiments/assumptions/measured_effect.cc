@@ -90,12 +90,12 @@ class MeasuredEffects {
     bool add_static_shift() {
         const auto uncoupled = std::ranges::find(assumptions_, "uncoupled", &Assumption::name);
         const Calculation *unit = find("unit_shift"), *difference = find("unit_shift_difference");
-        if (!unit || !difference || uncoupled == assumptions_.end() || !rig_.has("mu"))
+        if (!unit || !difference || uncoupled == assumptions_.end() || !rig_.mu.is_known())
             return false;
         const Calculation* effect = uncoupled->find("coupling_effect");
         if (!effect) return false;
-        const double on_half_space = unit->result.value * rig_["mu"].value *
-                                     theory::static_shift_ratio(coupling_tangential_ratio);
+        const double on_half_space =
+            unit->result.value * rig_.mu * theory::static_shift_ratio(coupling_tangential_ratio);
         const double ratio = on_half_space / effect->given[1].value.value;
         add(Measured::static_shift, {ratio - 1, ratio * ratio * difference->result.standard_error});
         return true;

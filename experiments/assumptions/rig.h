@@ -1,13 +1,13 @@
 #pragma once
 
-#include <array>
-#include <map>
+#include <cmath>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "contact/substrates/relaxation.h"
+#include "contact/case.h"
+#include "contact/special_values.h"
 #include "io/case/rig_file.h"
 #include "statistics/correlations.h"
 #include "statistics/estimate.h"
@@ -41,8 +41,47 @@ struct BodyContacts {
     Estimate coupled_static_shift;  ///< on the layer [m]
 };
 
+/// A number of a rig; not known until it is stated.
+struct RigNumber : Estimate {
+    RigNumber() : RigNumber(contact::undefined) {}
+    RigNumber(double its_value, double its_error = 0) : Estimate{its_value, its_error} {}
+    RigNumber(const Estimate& estimate) : Estimate(estimate) {}
+    bool is_known() const { return !std::isnan(value); }
+    operator double() const { return value; }
+    explicit operator bool() const = delete;  // zero is known
+};
+
+/// The numbers of a rig by their symbols in its formulas, SI units. Rolling rigs and those of the
+/// micro-walking machine share what both have; their keys: rig_quantities().
+struct RigData {
+    RigNumber R, L;                     ///< radius and length of the roller
+    RigNumber E_1, nu_1, E_2, nu_2;     ///< of roller or disc, and substrate
+    RigNumber b, l_x, l_y;              ///< thickness and sides of the layer
+    RigNumber mu, F_N, F_T, f_T;        ///< f_T = F_T/(mu F_N)
+    RigNumber v, alpha, n, t_rest;      ///< drive: speed, angle to F_T, periods; wait under F_T
+    RigNumber a, D_c;                   ///< radius or half width of the contact; its diameter
+    RigNumber a_reference;              ///< that w and w_pivot are multiples of
+    RigNumber w, W, w_pivot, W_pivot;   ///< least amplitude; that of DU: over a_reference, [m]
+    RigNumber W_x = 0, W_y = 0;         ///< reach of rolling from its middle
+    RigNumber f_0, f_1, DU;             ///< fastest drive, eigenfrequency; wobble of the shift
+    RigNumber f_0_printed, Dh_printed;  ///< f_0, and Dh of the pivot, as published
+    RigNumber rho, eta, G_ratio;        ///< density; standard solid: viscosity, G_2/G_1
+    RigNumber Dgamma, z_0;              ///< work of adhesion, distance of atoms
+    RigNumber h_rms, s_rms;             ///< roughness: heights, slopes
+    RigNumber k_th, c_T, k_w;           ///< conductivity, dE/(E dT), wear
+    RigNumber theta, theta_axis;        ///< tilt of the surface: along F_T, along the axis
+    RigNumber q, delta;                 ///< errors of an estimate and of a fit
+
+    // Micro-walking: b and a are half the width and height of the specimen.
+    RigNumber m, D, l_1, l_2, R_c;                    ///< mass; discs: diameter, lengths, edge
+    RigNumber D_wear, tau;                            ///< of wear spots; characteristic time
+    RigNumber k, k_sensor, l_s, E_s;                  ///< of rod and sensor
+    RigNumber k_x, k_z, k_s;                          ///< of one contact, of spring and sensor
+    RigNumber kappa_8, Omega_exp, omega_sim, f_samp;  ///< see docs/explanation/rig.md
+};
+
 /// An experiment whose evaluation takes something for granted.
-struct Rig {
+struct Rig : RigData {
     /// Sphere, cylinder: a heavy roller that lies on a layer of rubber, bonded to a rigid plate,
     /// and is rolled back and forth by a lever. Micro-walking: an hourglass of a body and two discs
     /// that lies with four contact spots in a prism (two planes at 45 degrees) and is dragged by a
@@ -51,28 +90,13 @@ struct Rig {
 
     Kind kind = Kind::sphere;
     std::string title;
-    std::map<std::string, Estimate> data;  ///< SI units, by symbol; only what the file states
-    std::array<Estimate, 2> reach = {};    ///< of rolling from its middle, along x and y [m]
-    std::vector<PrintedValue> printed;
-    /// Of a substrate with several branches; one alone is eta and G_2/G_1 of the data.
-    std::optional<contact::Relaxation> relaxation = {};
-    std::optional<BodyContacts> body = {};  ///< of Kind::body, by models that the caller has
-    std::vector<Measured> measured;         ///< what the file has records of; empty: anything
-    statistics::Correlations correlations;  ///< of the data, by symbol
-    std::vector<std::string> uncertain;     ///< keys whose numbers have a standard error
-
-    bool has(const std::string& symbol) const { return data.contains(symbol); }
-    /// Throws std::out_of_range.
-    const Estimate& operator[](const std::string& symbol) const { return data.at(symbol); }
+    contact::Case c = {};  ///< of a rolling rig, by the values
+    std::vector<PrintedValue> printed = {};
+    std::optional<BodyContacts> body = {};       ///< of Kind::body, by models that the caller has
+    std::vector<Measured> measured = {};         ///< what the file has records of; empty: anything
+    statistics::Correlations correlations = {};  ///< of the data, by their keys
+    std::vector<std::string> uncertain = {};     ///< keys whose numbers have a standard error
 };
-
-/// A number of a rig in its formulas.
-struct RigSymbol {
-    std::string_view symbol;  ///< with ' behind where another quantity has the same one
-    std::string_view path;    ///< of its key: "indenter.radius"
-    io::Dimension dimension = io::Dimension::none;
-};
-const std::vector<RigSymbol>& rig_symbols(Rig::Kind kind);
 
 /// Young's modulus [Pa] that stands for a rigid indenter: beyond what a file can state.
 inline constexpr double rigid_young = 1e18;

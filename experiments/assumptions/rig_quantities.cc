@@ -1,96 +1,99 @@
 #include "experiments/assumptions/rig_quantities.h"
 
 #include <algorithm>
-#include <ranges>
+#include <cmath>
 #include <string>
+
+#include "io/keys/units.h"
 
 namespace tricontact::experiments {
 
 namespace {
 
-std::vector<std::string> words_of(std::string_view symbols) {
-    std::vector<std::string> words;
-    for (const auto word : std::views::split(symbols, ' '))
-        words.emplace_back(word.begin(), word.end());
-    return words;
+std::vector<Inputs::Member> members_of(const Rig& rig, const Inputs& inputs) {
+    std::vector<Inputs::Member> members(inputs.begin(), inputs.end());
+    if (rig.kind != Rig::Kind::cylinder) std::erase(members, &Rig::L);
+    return members;
 }
 
-const RigSymbol* stated(const Rig& rig, std::string_view symbol) {
-    const auto& symbols = rig_symbols(rig.kind);
-    const auto one = std::ranges::find(symbols, symbol, &RigSymbol::symbol);
-    return one == symbols.end() ? nullptr : &*one;
+const RigQuantity& quantity_of(const Rig& rig, Inputs::Member member) {
+    return *std::ranges::find(rig_quantities(rig.kind), member, &RigQuantity::number);
 }
 
-const DerivedQuantity* derived(const Rig& rig, std::string_view symbol) {
-    const auto& quantities =
-        rig.kind == Rig::Kind::micro_walking ? walking_quantities() : rolling_quantities();
-    const auto one = std::ranges::find(quantities, symbol, &DerivedQuantity::symbol);
-    return one == quantities.end() ? nullptr : &*one;
-}
-
-std::optional<Given> quantity_of(const Rig& rig, const std::string& symbol) {
-    const std::string shown = symbol.substr(0, symbol.find('\''));
-    if (rig.has(symbol))
-        return Given{shown, rig[symbol], std::string(io::si_unit(stated(rig, symbol)->dimension)),
-                     std::string(symbol), rig.correlations};
-    const DerivedQuantity* quantity = derived(rig, symbol);
-    if (!quantity) return {};
-    if (const auto value = quantity->of(rig))
-        return Given{shown, *value, std::string(quantity->unit)};
-    return {};
+bool is_known(const Rig& rig, const Inputs& inputs) {
+    return std::ranges::all_of(members_of(rig, inputs),
+                               [&](auto one) { return number_of(rig, one).is_known(); });
 }
 
 // The keys without which a quantity is not known.
-void add_missing(Assumption& assumption, const Rig& rig, const std::string& symbol) {
-    if (quantity_of(rig, symbol)) return;
-    const DerivedQuantity* quantity = derived(rig, symbol);
-    if (quantity)
-        for (const std::string& other : words_of(quantity->given))
+void add_missing(Assumption& assumption, const Rig& rig, Inputs::Member member) {
+    if (number_of(rig, member).is_known()) return;
+    const RigQuantity& one = quantity_of(rig, member);
+    if (one.formula)
+        for (const auto other : members_of(rig, one.formula->given))
             add_missing(assumption, rig, other);
-    else if (const std::string path(stated(rig, symbol)->path);
-             std::ranges::count(assumption.missing, path) == 0)
-        assumption.missing.push_back(path);
-}
-
-bool is_known(const Rig& rig, const Formula& formula) {
-    return std::ranges::all_of(words_of(formula.given), [&](const std::string& symbol) {
-        return quantity_of(rig, symbol).has_value();
-    });
+    else if (std::ranges::count(assumption.missing, one.path) == 0)
+        assumption.missing.emplace_back(one.path);
 }
 
 }  // namespace
 
-std::vector<Given> given(const Rig& rig, std::string_view symbols) {
-    std::vector<Given> result;
-    for (const std::string& symbol : words_of(symbols))
-        result.push_back(quantity_of(rig, symbol).value());
-    return result;
+RigNumber number_of(const Rig& rig, Inputs::Member member) {
+    if ((rig.*member).is_known()) return rig.*member;
+    const RigQuantity& one = quantity_of(rig, member);
+    if (one.of) return one.of(rig);
+    if (!one.formula || !is_known(rig, one.formula->given)) return {};
+    return calculate(rig, *one.formula).result;
+}
+
+Calculation calculate(const Rig& rig, std::string name, std::string symbol, std::string formula,
+                      std::string source, std::string unit, const Inputs& inputs,
+                      std::function<double(const RigData&)> function,
+                      std::vector<Given> constants) {
+    std::vector<Given> given;
+    std::vector<std::string> paths;
+    std::vector<Inputs::Member> members = members_of(rig, inputs);
+    for (const auto member : members) {
+        const RigQuantity& one = quantity_of(rig, member);
+        given.push_back({std::string(one.symbol), number_of(rig, member),
+                         std::string(io::si_unit(one.dimension))});
+        // What follows is taken as independent of what it follows from.
+        paths.emplace_back((rig.*member).is_known() ? one.path : "");
+    }
+    given.insert(given.end(), constants.begin(), constants.end());
+    paths.resize(given.size());
+    return calculate(
+        std::move(name), std::move(symbol), std::move(formula), std::move(source), std::move(unit),
+        std::move(given),
+        [members = std::move(members), function = std::move(function)](const Values& x) {
+            RigData data;
+            for (std::size_t i = 0; i < members.size(); ++i) data.*members[i] = x[i];
+            return function(data);
+        },
+        rig.correlations.of(paths));
 }
 
 Calculation calculate(const Rig& rig, const Formula& f) {
-    return calculate(f.name, f.symbol, f.formula, f.source, f.unit, given(rig, f.given),
-                     f.function);
+    return calculate(rig, f.name, f.symbol, f.formula, f.source, f.unit, f.given, f.function);
 }
 
-std::optional<Estimate> result_if_known(const Rig& rig, const Formula& formula) {
-    if (!is_known(rig, formula)) return {};
-    return calculate(rig, formula).result;
+Calculation relative_difference(std::string name, std::string symbol, std::string formula,
+                                std::string source, Given with, Given without) {
+    return calculate(std::move(name), std::move(symbol), std::move(formula), std::move(source), "1",
+                     {std::move(with), std::move(without)},
+                     [](const Values& x) { return std::abs(x.front() / x.back() - 1); });
 }
 
 std::vector<Calculation> known(const Rig& rig, const std::vector<const Formula*>& formulas) {
     std::vector<Calculation> result;
     for (const Formula* formula : formulas)
-        if (is_known(rig, *formula)) result.push_back(calculate(rig, *formula));
+        if (is_known(rig, formula->given)) result.push_back(calculate(rig, *formula));
     return result;
 }
 
-bool has_all(Assumption& assumption, const Rig& rig, std::string_view symbols) {
-    bool all = true;
-    for (const std::string& symbol : words_of(symbols)) {
-        all = all && quantity_of(rig, symbol).has_value();
-        add_missing(assumption, rig, symbol);
-    }
-    return all;
+bool has_all(Assumption& assumption, const Rig& rig, const Inputs& inputs) {
+    for (const auto member : members_of(rig, inputs)) add_missing(assumption, rig, member);
+    return is_known(rig, inputs);
 }
 
 bool decide(Assumption& assumption, const Rig& rig, const Formula& formula,

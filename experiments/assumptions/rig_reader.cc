@@ -4,7 +4,7 @@
 
 #include "contact/half_space_scales.h"
 #include "contact/load_path.h"
-#include "experiments/assumptions/rig.h"
+#include "experiments/assumptions/rig_quantities.h"
 #include "io/case/rig_keys.h"
 #include "io/keys/field_reader.h"
 #include "io/keys/key_checks.h"
@@ -82,19 +82,26 @@ void read_printed(Rig& rig, const io::Document& document) {
     for (const auto& section : document.sections)
         if (is_printed_value(section.name))
             rig.printed.push_back(printed_value(document, section, printed_keys(rig.kind)));
+    for (const PrintedValue& one : rig.printed) {
+        if (one.name == "excitation_frequency") rig.f_0_printed = one.value;
+        if (one.name == "pivot_height_error") rig.Dh_printed = one.value;
+    }
 }
 
-void read_symbols(Rig& rig, const io::Document& document, const io::KeyList& keys) {
-    for (const RigSymbol& one : rig_symbols(rig.kind)) {
-        const io::Entry* entry = document.find(one.path);
+/// All numbers of the rig that the file states: `stated` of a key's path.
+template <class Stated>
+void read_numbers(Rig& rig, const io::Document& document, const io::KeyList& keys,
+                  const Stated& stated) {
+    for (const RigQuantity& one : rig_quantities(rig.kind)) {
+        const io::Entry* entry = one.path.empty() ? nullptr : document.find(one.path);
         if (!entry) continue;
         const io::Key& key = *keys.find(one.path);
-        const Estimate number = io::read_uncertain_number(key, *entry).value;
+        const Estimate number = stated(key, *entry);
         // Derivatives are taken to both sides.
         if (!key.range.contains(number.value + number.standard_error))
             io::fail(entry->place, entry->subject(), "with its error it " + io::range_rule(key),
                      "move the value away from the end of the range");
-        rig.data[std::string(one.symbol)] = number;
+        rig.*one.number = number;
     }
 }
 
@@ -148,21 +155,6 @@ void check_covered(const io::RigFile& file) {
                        "omit one of the two");
 }
 
-/// Of the numbers that formulas have.
-statistics::Correlations by_symbols(const statistics::Correlations& of_keys, Rig::Kind kind) {
-    std::vector<std::string> keys, symbols;
-    for (const RigSymbol& one : rig_symbols(kind)) {
-        keys.emplace_back(one.path);
-        symbols.emplace_back(one.symbol);
-    }
-    const auto matrix = of_keys.of(keys);
-    statistics::Correlations result;
-    for (std::size_t i = 0; i < matrix.size(); ++i)
-        for (std::size_t j = 0; j < i; ++j)
-            if (matrix[i][j] != 0) result.add(symbols[i], symbols[j], matrix[i][j]);
-    return result;
-}
-
 /// Its standard error over its value; 0 of a key whose number is certain.
 double relative_error_of_key(const io::RigFile& file, std::string_view path) {
     const auto found = std::ranges::find_if(
@@ -174,33 +166,32 @@ double relative_error_of_key(const io::RigFile& file, std::string_view path) {
 /// What follows from the resolved case where the file has no such key.
 void complete(Rig& rig, const io::RigFile& file) {
     const Case& c = file.c;
-    if (!rig.has("E_1")) {
-        rig.data["E_1"] = {rigid_young};
-        rig.data["nu_1"] = {0.3};
+    if (!rig.E_1.is_known()) {
+        rig.E_1 = rigid_young;
+        rig.nu_1 = 0.3;
     }
-    if (!rig.has("b"))  // by its ratio
-        rig.data["b"] = {
-            *c.layer.thickness,
-            *c.layer.thickness * relative_error_of_key(file, "substrate.thickness_ratio")};
+    if (!rig.b.is_known())  // by its ratio
+        rig.b = {*c.layer.thickness,
+                 *c.layer.thickness * relative_error_of_key(file, "substrate.thickness_ratio")};
     const double radius = contact::half_space_scales(c).contact_radius;
     const contact::Vector2 reach = contact::path_reach(c, radius);
     const double relative = relative_error_of_key(file, "rolling.amplitude") +
                             relative_error_of_key(file, "rolling.amplitude_ratio");  // one of both
-    for (int i : {0, 1}) rig.reach[i] = {reach[i], reach[i] * relative};
-    if (!rig.has("w") && !rig.has("a'") && c.rolling) {
+    rig.W_x = {reach[0], reach[0] * relative};
+    rig.W_y = {reach[1], reach[1] * relative};
+    if (!rig.w.is_known() && !rig.a_reference.is_known() && c.rolling) {
         const double ratio = contact::path_amplitude(c, radius) / radius;
-        rig.data["w"] = {ratio, ratio * relative};
+        rig.w = {ratio, ratio * relative};
     }
     if (const auto& roughness = c.indenter.roughness) {
-        if (!rig.has("h_rms")) rig.data["h_rms"] = {contact::rms_height(*roughness)};
-        if (!rig.has("s_rms")) rig.data["s_rms"] = {roughness->rms_slope};
+        if (!rig.h_rms.is_known()) rig.h_rms = contact::rms_height(*roughness);
+        if (!rig.s_rms.is_known()) rig.s_rms = roughness->rms_slope;
     }
-    if (!rig.has("n") && c.rolling) rig.data["n"] = {static_cast<double>(c.rolling->periods)};
-    if (c.relaxation && c.relaxation->branches.size() > 1) rig.relaxation = c.relaxation;
+    if (!rig.n.is_known() && c.rolling) rig.n = static_cast<double>(c.rolling->periods);
     if (c.relaxation && c.relaxation->branches.size() == 1) {
         const auto [ratio, time] = c.relaxation->branches.front();
-        rig.data["G_2/G_1"] = {ratio};
-        rig.data["eta"] = {ratio * time * c.substrate.shear_modulus()};
+        rig.G_ratio = ratio;
+        rig.eta = ratio * time * c.substrate.shear_modulus();
     }
 }
 
@@ -222,28 +213,34 @@ std::vector<Measured> measured_by(const io::Document& document) {
 }  // namespace
 
 Rig rolling_rig(const io::RigFile& file) {
-    Rig rig{.kind = kind_of(file), .title = file.c.title};
+    Rig rig;
+    rig.kind = kind_of(file);
+    rig.title = file.c.title;
+    rig.c = file.c;
     check_covered(file);
-    read_symbols(rig, file.document, io::case_file_keys());
+    read_numbers(rig, file.document, io::case_file_keys(),
+                 [&](const io::Key& key, const io::Entry&) { return *file.number(key.path); });
     rig.measured = measured_by(file.document);
     complete(rig, file);
-    rig.correlations = by_symbols(file.correlations, rig.kind);
+    rig.correlations = file.correlations;
     for (const io::UncertainKey& one : file.uncertain) rig.uncertain.emplace_back(one.key->path);
     read_printed(rig, file.document);
     return rig;
 }
 
 Rig walking_rig(const io::Document& document, const io::KeyList& keys) {
-    Rig rig{.kind = Rig::Kind::micro_walking};
+    Rig rig;
+    rig.kind = Rig::Kind::micro_walking;
     if (const io::Entry* title = document.find("title"))
         io::read_field(*keys.find("title"), *title, io::Field(&rig.title));
     for (const io::Key& key : io::walking_rig_keys())
         if (key.required) io::required(key, document, keys);
     for (const char* path : {"machine.mass", "contact.diameter", "contact.young"})
         io::required(*keys.find(path), document, keys);
-    read_symbols(rig, document, keys);
-    rig.correlations =
-        by_symbols(io::correlations(document, io::uncertain_keys(document, keys)), rig.kind);
+    read_numbers(rig, document, keys, [](const io::Key& key, const io::Entry& entry) {
+        return io::read_uncertain_number(key, entry).value;
+    });
+    rig.correlations = io::correlations(document, io::uncertain_keys(document, keys));
     read_printed(rig, document);
     return rig;
 }

@@ -13,27 +13,27 @@ namespace {
 using theory::Adhesion;
 
 constexpr double least_of_jkr = 1;  // Tabor's parameter: between the limits of both theories
-constexpr const char* pulled_keys = "R F_N Dgamma";
-constexpr const char* adhesion_keys = "R F_N E_1 nu_1 E_2 nu_2 Dgamma";
+constexpr Inputs pulled_inputs{&Rig::R, &Rig::F_N, &Rig::Dgamma};
+constexpr Inputs adhesion_inputs = hertz_inputs + Inputs{&Rig::Dgamma};
 
 template <Adhesion theory_of>
-double pull_off_ratio(const Values& x) {
-    return theory::pull_off_force(theory_of, x[0], x[2]) / x[1];
+double pull_off_ratio(const RigData& r) {
+    return theory::pull_off_force(theory_of, r.R, r.Dgamma) / r.F_N;
 }
 
 template <Adhesion theory_of>
-double radius_change(const Values& x) {
-    return theory::adhesive_contact_radius(theory_of, x[1], x[0],
-                                           materials_of(x).effective_modulus(), x[6]) /
-               hertz_of(x).contact_radius -
+double radius_change(const RigData& r) {
+    return theory::adhesive_contact_radius(theory_of, r.F_N, r.R,
+                                           materials_of(r).effective_modulus(), r.Dgamma) /
+               hertz_of(r).contact_radius -
            1;
 }
 
 constexpr Formula tabor("tabor_parameter", "mu_T", "(R Dgamma^2/(E*^2 z_0^3))^(1/3)",
-                        "Tabor (1977)", "1", "R F_N E_1 nu_1 E_2 nu_2 Dgamma z_0",
-                        [](const Values& x) {
+                        "Tabor (1977)", "1", adhesion_inputs + Inputs{&Rig::z_0},
+                        [](const RigData& r) {
                             return theory::tabor_parameter(
-                                x[0], x[6], materials_of(x).effective_modulus(), x[7]);
+                                r.R, r.Dgamma, materials_of(r).effective_modulus(), r.z_0);
                         });
 
 struct Forms {
@@ -43,16 +43,16 @@ struct Forms {
 
 constexpr Forms jkr{
     {"pull_off_ratio", "F_off/F_N", "3/2 pi Dgamma R/F_N", "Johnson, Kendall and Roberts (1971)",
-     "1", pulled_keys, pull_off_ratio<Adhesion::jkr>},
+     "1", pulled_inputs, pull_off_ratio<Adhesion::jkr>},
     {"adhesive_radius_change", "a adhesive/a Hertz - 1",
      "a^3 = 3 R/(4 E*) (F_N + 3 pi Dgamma R + sqrt(6 pi Dgamma R F_N + (3 pi Dgamma R)^2))",
-     "Johnson, Kendall and Roberts (1971)", "1", adhesion_keys, radius_change<Adhesion::jkr>},
+     "Johnson, Kendall and Roberts (1971)", "1", adhesion_inputs, radius_change<Adhesion::jkr>},
     "Johnson, Kendall and Roberts"};
 constexpr Forms dmt{
     {"pull_off_ratio", "F_off/F_N", "2 pi Dgamma R/F_N", "Derjaguin, Muller and Toporov (1975)",
-     "1", pulled_keys, pull_off_ratio<Adhesion::dmt>},
+     "1", pulled_inputs, pull_off_ratio<Adhesion::dmt>},
     {"adhesive_radius_change", "a adhesive/a Hertz - 1", "a^3 = 3 R/(4 E*) (F_N + 2 pi Dgamma R)",
-     "Derjaguin, Muller and Toporov (1975)", "1", adhesion_keys, radius_change<Adhesion::dmt>},
+     "Derjaguin, Muller and Toporov (1975)", "1", adhesion_inputs, radius_change<Adhesion::dmt>},
     "Derjaguin, Muller and Toporov"};
 
 }  // namespace
@@ -73,7 +73,7 @@ Assumption no_adhesion(const Rig& rig) {
         "it off takes {}.",
         forms.name, significant(a.background.front().result.value, 2),
         percent_text(a.criteria.back().calculation.result.value, 2),
-        quantity(a.deciding_value() * rig["F_N"].value, "N", 2));
+        quantity(a.deciding_value() * rig.F_N, "N", 2));
     return a;
 }
 

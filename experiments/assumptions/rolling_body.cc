@@ -26,7 +26,7 @@ const BodyQuantity body_quantities[] = {
 Calculation number_of(const BodyQuantity& q, const std::string& name, const Estimate& value,
                       const char* runs) {
     return calculate(name, q.symbol, "a run of the rig's body", runs, q.unit,
-                     {{q.symbol, value, q.unit}}, [](const auto& x) { return x[0]; });
+                     {{q.symbol, value, q.unit}}, [](const auto& x) { return x.front(); });
 }
 
 std::string sentences(const BodyContacts& body) {
@@ -53,12 +53,11 @@ Assumption half_space_of_body(const Rig& rig) {
         if (std::isnan((body.layer.*q.of).value)) continue;
         const std::string name = q.name;
         a.criteria.push_back(
-            {calculate(name + "_difference",
-                       fmt::format("|{0} layer/{0} half-space - 1|", q.symbol),
-                       "runs of the rig's body", "boundary elements", "1",
-                       {{std::string(q.symbol) + " layer", body.layer.*q.of, q.unit},
-                        {std::string(q.symbol) + " half-space", body.half_space.*q.of, q.unit}},
-                       [](const auto& x) { return std::abs(x[0] / x[1] - 1); }),
+            {relative_difference(
+                 name + "_difference", fmt::format("|{0} layer/{0} half-space - 1|", q.symbol),
+                 "runs of the rig's body", "boundary elements",
+                 {std::string(q.symbol) + " layer", body.layer.*q.of, q.unit},
+                 {std::string(q.symbol) + " half-space", body.half_space.*q.of, q.unit}),
              at_most, accepted_difference, accepted_reason});
         a.background.push_back(number_of(q, name, body.half_space.*q.of, half_space_runs));
         a.background.push_back(number_of(q, "layer_" + name, body.layer.*q.of, layer_runs));

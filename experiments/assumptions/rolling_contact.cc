@@ -14,71 +14,53 @@ constexpr const char* hertz_source = "(2.1.8), (2.1.9)";
 
 const ComparedQuantity quantities[] = {
     {"contact_radius", "a", "(3 F_N R/(4 E*))^(1/3), 1/E* = sum (1 - nu_i^2)/E_i", hertz_source,
-     "m", [](const Values& x) { return hertz_of(x).contact_radius; },
-     [](const Values& x) { return layer_of(x).contact_radius; }},
+     "m", [](const RigData& r) { return hertz_of(r).contact_radius; },
+     [](const RigData& r) { return layer_of(r).contact_radius; }},
     {"indentation", "d", "a^2/R", hertz_source, "m",
-     [](const Values& x) { return hertz_of(x).indentation; },
-     [](const Values& x) { return layer_of(x).indentation; }},
+     [](const RigData& r) { return hertz_of(r).indentation; },
+     [](const RigData& r) { return layer_of(r).indentation; }},
     {"peak_pressure", "p_0", "3 F_N/(2 pi a^2)", hertz_source, "Pa",
-     [](const Values& x) { return hertz_of(x).peak_pressure; },
-     [](const Values& x) { return layer_of(x).centre_pressure; }},
+     [](const RigData& r) { return hertz_of(r).peak_pressure; },
+     [](const RigData& r) { return layer_of(r).centre_pressure; }},
     {"unit_shift", "U_max", "mu d E*/G* at mu = 1", hertz_source, "m",
-     [](const Values& x) { return hertz_of(x).unit_shift; },
-     [](const Values& x) { return *layer_of(x).unit_shift; }},
+     [](const RigData& r) { return hertz_of(r).unit_shift; },
+     [](const RigData& r) { return *layer_of(r).unit_shift; }},
     {"normal_stiffness", "k_N", "2 E* a", hertz_source, "N/m",
-     [](const Values& x) {
-         return 2 * materials_of(x).effective_modulus() * hertz_of(x).contact_radius;
+     [](const RigData& r) {
+         return 2 * materials_of(r).effective_modulus() * hertz_of(r).contact_radius;
      },
-     [](const Values& x) { return layer_of(x).normal_stiffness; }},
+     [](const RigData& r) { return layer_of(r).normal_stiffness; }},
 };
-
-std::vector<Given> both_given(const Rig& rig) {
-    std::vector<Given> result = contact_given(rig, hertz_keys);
-    result.push_back(given(rig, "b").front());
-    return result;
-}
-
-/// The layer's over the half-space's, of values in the order of both_given.
-double ratio(const ComparedQuantity& q, const Values& x) {
-    Values layer{x[0], x[1], x.back(), x[4], x[5]};
-    if (x.size() > 7) layer.push_back(x[6]);
-    return q.layer(layer) / q.half_space(x);
-}
-
-double ratio(const ComparedQuantity& q, const Rig& rig) {
-    return ratio(q, values_of(both_given(rig)));
-}
 
 Formula thickness_formula(const Rig& rig) {
     return {"thickness_ratio",
             "b/D_c",
-            rig.has("D_c") ? "b/D_c, D_c as measured" : "b/D_c, D_c = 2 a of Hertz",
+            rig.D_c.is_known() ? "b/D_c, D_c as measured" : "b/D_c, D_c = 2 a of Hertz",
             "(5.1.13)",
             "1",
-            "b D_c",
-            [](const Values& x) { return x[0] / x[1]; }};
+            {&Rig::b, &Rig::D_c},
+            [](const RigData& r) { return r.b / r.D_c; }};
 }
 
 /// E* by Hertz' formulas from what the layer shows, over the true one.
 constexpr Formula modulus_factors[] = {
     Formula("modulus_from_indentation", "E_Hertz/E", "3 F_N/(4 sqrt(R) d^(3/2) E'), d of the layer",
-            "Johnson (1985), ch. 4", "1", layer_keys,
-            [](const Values& x) {
-                return theory::hertz_modulus_from_indentation(x[1], x[0], layer_of(x).indentation) *
-                       (1 - x[4] * x[4]) / x[3];
+            "Johnson (1985), ch. 4", "1", layer_inputs,
+            [](const RigData& r) {
+                return theory::hertz_modulus_from_indentation(r.F_N, r.R, layer_of(r).indentation) *
+                       (1 - r.nu_2 * r.nu_2) / r.E_2;
             }),
     Formula("modulus_from_contact_radius", "E_Hertz/E", "3 F_N R/(4 a^3 E'), a of the layer",
-            "Johnson (1985), ch. 4", "1", layer_keys, [](const Values& x) {
-                return theory::hertz_modulus_from_contact_radius(x[1], x[0],
-                                                                 layer_of(x).contact_radius) *
-                       (1 - x[4] * x[4]) / x[3];
+            "Johnson (1985), ch. 4", "1", layer_inputs, [](const RigData& r) {
+                return theory::hertz_modulus_from_contact_radius(r.F_N, r.R,
+                                                                 layer_of(r).contact_radius) *
+                       (1 - r.nu_2 * r.nu_2) / r.E_2;
             })};
 
 /// Both diameters [m] beside the measured one.
 std::string measured_sentence(const Rig& rig) {
-    const double hertz = 2 * given(rig, "a").front().value.value,
-                 layer = hertz * ratio(quantities[0], rig);
-    const double size = rig["D_c"].value, error = rig["D_c"].standard_error;
+    const double hertz = 2 * half_size(rig), layer = hertz * quantities[0].ratio(rig);
+    const double size = rig.D_c, error = rig.D_c.standard_error;
     if (error == 0)
         return fmt::format(
             "The measured diameter of {}, whose error is not given, stands beside {} on the layer "
@@ -97,14 +79,14 @@ std::string measured_sentence(const Rig& rig) {
 }
 
 std::string layer_sentences(const Rig& rig) {
-    const auto beside = [&](std::size_t i) { return beside_hertz(ratio(quantities[i], rig)); };
-    const std::string measured = rig.has("D_c") ? ' ' + measured_sentence(rig) : "";
+    const auto beside = [&](std::size_t i) { return beside_hertz(quantities[i].ratio(rig)); };
+    const std::string measured = rig.D_c.is_known() ? ' ' + measured_sentence(rig) : "";
     return fmt::format(
         "Indentation is {}: E from force and indentation would be {} times the true one. The "
         "stiffness is {} times Hertz', the peak pressure {}, the unit of shift {}. The contact "
         "radius is {}.{}",
         beside(1), significant(calculate(rig, modulus_factors[0]).result.value, 3),
-        significant(ratio(quantities[4], rig), 3), beside(2), beside(3), beside(0), measured);
+        significant(quantities[4].ratio(rig), 3), beside(2), beside(3), beside(0), measured);
 }
 
 }  // namespace
@@ -126,18 +108,19 @@ Assumption half_space_assumption(const Rig& rig, Calculation thickness_ratio,
                           : "The roller is not rigid beside the substrate, as the layer's theory "
                             "takes it: the two contacts are not compared.";
     for (const ComparedQuantity& q : compared) {
-        a.background.push_back(calculate(q.name, q.symbol, q.formula, q.source, q.unit,
-                                         contact_given(rig, hertz_keys), q.half_space));
+        a.background.push_back(calculate(rig, q.name, q.symbol, q.formula, q.source, q.unit,
+                                         hertz_inputs, q.half_space));
         if (!rigid) continue;
         a.criteria.push_back(
-            {calculate(std::string(q.name) + "_difference",
+            {calculate(rig, std::string(q.name) + "_difference",
                        fmt::format("|{0} layer/{0} Hertz - 1|", q.symbol),
                        "the layer's over the half-space's, from the same data", theory.source, "1",
-                       both_given(rig), [&q](const auto& x) { return std::abs(ratio(q, x) - 1); }),
+                       hertz_inputs + Inputs{&Rig::b},
+                       [&q](const RigData& r) { return std::abs(q.ratio(r) - 1); }),
              at_most, accepted_difference, accepted_reason});
-        a.background.push_back(calculate(
-            std::string("layer_") + q.name, std::string(q.symbol) + ", layer", theory.formula,
-            theory.source, q.unit, contact_given(rig, layer_keys), q.layer));
+        a.background.push_back(calculate(rig, std::string("layer_") + q.name,
+                                         std::string(q.symbol) + ", layer", theory.formula,
+                                         theory.source, q.unit, layer_inputs, q.layer));
     }
     return a;
 }

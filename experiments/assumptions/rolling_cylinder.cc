@@ -15,53 +15,51 @@ using std::numbers::pi;
 
 constexpr ComparedQuantity line_quantities[] = {
     {"contact_width", "2a", "2 sqrt(4 R F_N/(pi E* L))", "(3.5.2)", "m",
-     [](const Values& x) { return 2 * line_half_width_of(x); },
-     [](const Values& x) { return 2 * layer_line_of(x).half_width; }},
+     [](const RigData& r) { return 2 * line_half_width_of(r); },
+     [](const RigData& r) { return 2 * layer_line_of(r).half_width; }},
     {"peak_pressure", "p_0", "2 F_N/(pi a L)", "(3.5.2)", "Pa",
-     [](const Values& x) { return 2 * x[1] / (pi * line_half_width_of(x) * x[6]); },
-     [](const Values& x) { return layer_line_of(x).centre_pressure; }},
+     [](const RigData& r) { return 2 * r.F_N / (pi * line_half_width_of(r) * r.L); },
+     [](const RigData& r) { return layer_line_of(r).centre_pressure; }},
     {"indentation", "d", "2 F_N/(pi E* L) [(1 + ln 4)/2 + ln(L/a)]", "(3.5.3)", "m",
-     [](const Values& x) {
-         return 2 * x[1] / (pi * materials_of(x).effective_modulus() * x[6]) *
-                ((1 + std::log(4.)) / 2 + std::log(x[6] / line_half_width_of(x)));
+     [](const RigData& r) {
+         return 2 * r.F_N / (pi * materials_of(r).effective_modulus() * r.L) *
+                ((1 + std::log(4.)) / 2 + std::log(r.L / line_half_width_of(r)));
      },
-     [](const Values& x) { return layer_line_of(x).indentation; }}};
+     [](const RigData& r) { return layer_line_of(r).indentation; }}};
 
 constexpr Formula line_thickness_ratio("thickness_ratio", "b/D_c", "b/(2 a)", "(5.1.13)", "1",
-                                       "b a", [](const Values& x) { return x[0] / (2 * x[1]); });
+                                       {&Rig::b, &Rig::a},
+                                       [](const RigData& r) { return r.b / (2 * r.a); });
 
-constexpr Formula length_ratio("length_ratio", "L/a", "L/a", "section 5.1.5", "1", "L a",
-                               [](const Values& x) { return x[0] / x[1]; });
+constexpr Formula length_ratio("length_ratio", "L/a", "L/a", "section 5.1.5", "1",
+                               {&Rig::L, &Rig::a}, [](const RigData& r) { return r.L / r.a; });
 
 constexpr Formula end_pressure("end_pressure_ratio", "p_0'/p_0",
                                "1 - nu_2^2, ends of roller and substrate flush", "(5.1.14)", "1",
-                               "nu_2", [](const Values& x) { return 1 - x[0] * x[0]; });
+                               {&Rig::nu_2}, [](const RigData& r) { return 1 - r.nu_2 * r.nu_2; });
 
 constexpr Formula edge_exponent(
     "edge_exponent", "lambda - 1",
     "p ~ y^(lambda - 1) at an edge of 90 degrees, lambda of Dundurs' alpha",
-    "Dundurs and Lee (1972)", "1", "E_1 nu_1 E_2 nu_2", [](const Values& x) {
-        const double roller = x[0] / (1 - x[1] * x[1]), substrate = x[2] / (1 - x[3] * x[3]);
+    "Dundurs and Lee (1972)", "1", materials, [](const RigData& r) {
+        const double roller = r.E_1 / (1 - r.nu_1 * r.nu_1),
+                     substrate = r.E_2 / (1 - r.nu_2 * r.nu_2);
         return theory::edge_pressure_exponent(pi / 2, (roller - substrate) / (roller + substrate));
     });
 
 constexpr Formula moved_load("end_load_share", "dF/F_N",
                              "nu_2^2 2 (2 a)/L: a contact width at each end loses nu_2^2 p",
-                             "(5.1.14)", "1", "nu_2 a L",
-                             [](const Values& x) { return x[0] * x[0] * 4 * x[1] / x[2]; });
+                             "(5.1.14)", "1", {&Rig::nu_2, &Rig::a, &Rig::L},
+                             [](const RigData& r) { return r.nu_2 * r.nu_2 * 4 * r.a / r.L; });
 
 std::string line_sentence(const Rig& rig) {
-    const Values half_space = values_of(contact_given(rig, hertz_keys)),
-                 layer = values_of(contact_given(rig, layer_keys));
-    const auto beside = [&](const ComparedQuantity& q) {
-        return beside_hertz(q.layer(layer) / q.half_space(half_space));
-    };
+    const auto beside = [&](const ComparedQuantity& q) { return beside_hertz(q.ratio(rig)); };
     const auto& [width, pressure, indentation] = line_quantities;
     return fmt::format(
         "The contact width is {}, the peak pressure {}. The indentation is {}; a half-space has "
         "none of its own in plane strain, the formula of a block of length L on it says {}.",
-        beside(width), beside(pressure), quantity(indentation.layer(layer), "m", 3),
-        quantity(indentation.half_space(half_space), "m", 3));
+        beside(width), beside(pressure), quantity(indentation.layer(rig), "m", 3),
+        quantity(indentation.half_space(rig), "m", 3));
 }
 
 // A contact width at each end needs two; a cylinder shorter than four of them is all ends.

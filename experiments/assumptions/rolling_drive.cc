@@ -14,30 +14,34 @@ constexpr double least_frequency_ratio = 10;
 constexpr double least_wave_ratio = 100;
 constexpr double largest_wobble = 0.01;
 
-double product(const Values& x) {
-    return x[0] * x[1];
-}
-
 constexpr Formula wobble_ratio("wobble_ratio", "DU R/(mu a^2)", "DU R/(mu a^2)", "(3.1.5)", "1",
-                               "DU R mu a'",
-                               [](const Values& x) { return x[0] * x[1] / (x[2] * x[3] * x[3]); });
+                               {&Rig::DU, &Rig::R, &Rig::mu, &Rig::a_reference},
+                               [](const RigData& r) {
+                                   return r.DU * r.R / (r.mu * r.a_reference * r.a_reference);
+                               });
 // The speed that belongs to the printed frequency.
 constexpr Formula drive_speed("drive_speed", "v", "4 W f_0, f_0 as printed", "section 5.1.5", "m/s",
-                              "W f_0'", [](const Values& x) { return 4 * x[0] * x[1]; });
+                              {&Rig::W, &Rig::f_0_printed},
+                              [](const RigData& r) { return 4 * r.W * r.f_0_printed; });
 constexpr Formula frequency_ratio("frequency_ratio", "f_1/f_0", "f_1/f_0", "section 5.1.5", "1",
-                                  "f_1 f_0", [](const Values& x) { return x[0] / x[1]; });
+                                  {&Rig::f_1, &Rig::f_0},
+                                  [](const RigData& r) { return r.f_1 / r.f_0; });
 constexpr Formula wave_ratio("wave_ratio", "T_c c_s/D_c",
                              "sqrt(G_2/rho)/(f_0 D_c), G_2 = E_2/(2 (1 + nu_2)), D_c = 2 a",
-                             "(2.3.1)", "1", "E_2 nu_2 rho f_0 a", [](const Values& x) {
-                                 return std::sqrt(x[0] / (2 * (1 + x[1])) / x[2]) /
-                                        (x[3] * 2 * x[4]);
+                             "(2.3.1)", "1", {&Rig::E_2, &Rig::nu_2, &Rig::rho, &Rig::f_0, &Rig::a},
+                             [](const RigData& r) {
+                                 return std::sqrt(r.E_2 / (2 * (1 + r.nu_2)) / r.rho) /
+                                        (r.f_0 * 2 * r.a);
                              });
 constexpr Formula pivot_height_error("pivot_height_error", "Dh", "DU R/W", "(5.1.11)", "m",
-                                     "DU R W'", [](const Values& x) { return x[0] * x[1] / x[2]; });
+                                     {&Rig::DU, &Rig::R, &Rig::W_pivot},
+                                     [](const RigData& r) { return r.DU * r.R / r.W_pivot; });
 // What the printed height error would do.
 constexpr Formula pivot_displacement("pivot_displacement", "DU", "Dh W/R, Dh as printed",
-                                     "(5.1.11)", "m", "Dh' R W'",
-                                     [](const Values& x) { return x[0] * x[2] / x[1]; });
+                                     "(5.1.11)", "m", {&Rig::Dh_printed, &Rig::R, &Rig::W_pivot},
+                                     [](const RigData& r) {
+                                         return r.Dh_printed * r.W_pivot / r.R;
+                                     });
 
 // Of f_1/f_0.
 std::string inertia_sentence(double ratio) {
@@ -54,13 +58,15 @@ std::string inertia_sentence(double ratio) {
 
 }  // namespace
 
-constinit const Formula smallest_amplitude("smallest_amplitude", "W", "w a", "(3.1.4)", "m", "w a'",
-                                           product);
-constinit const Formula pivot_amplitude("pivot_amplitude", "W", "w a", "(3.1.4)", "m", "w' a'",
-                                        product);
+constinit const Formula smallest_amplitude("smallest_amplitude", "W", "w a", "(3.1.4)", "m",
+                                           {&Rig::w, &Rig::a_reference},
+                                           [](const RigData& r) { return r.w * r.a_reference; });
+constinit const Formula pivot_amplitude("pivot_amplitude", "W", "w a", "(3.1.4)", "m",
+                                        {&Rig::w_pivot, &Rig::a_reference},
+                                        [](const RigData& r) { return r.w_pivot * r.a_reference; });
 constinit const Formula excitation_frequency("excitation_frequency", "f_0", "v/(4 W)",
-                                             "section 5.1.5", "Hz", "v W",
-                                             [](const Values& x) { return x[0] / (4 * x[1]); });
+                                             "section 5.1.5", "Hz", {&Rig::v, &Rig::W},
+                                             [](const RigData& r) { return r.v / (4 * r.W); });
 
 Assumption quasi_static_drive(const Rig& rig) {
     using enum Criterion::Relation;

@@ -11,37 +11,15 @@ namespace tricontact::experiments {
 
 namespace {
 
-using Rolling = const Rig&;
-using Known = std::optional<Estimate>;
-
-/// Half the size of the contact with the half-space: radius, half width of a cylinder's [m].
-Estimate half_size(Rolling rig) {
-    if (rig.kind == Rig::Kind::body) return rig.body.value().half_space.contact_radius;
-    const Values x = values_of(contact_given(rig, hertz_keys));
-    return {x.size() > 6 ? line_half_width_of(x) : hertz_of(x).contact_radius};
-}
-
-/// As printed.
-Known print(Rolling rig, std::string_view name) {
-    const auto found = std::ranges::find(rig.printed, name, &PrintedValue::name);
-    if (found == rig.printed.end()) return {};
-    return found->value;
-}
-
-theory::ElasticLayer layer_with(const Values& x) {
-    return {{x[3], x[4]}, x[2], theory::LayerBase::bonded};
-}
-
 /// Solved once for all quantities of a rig, which each ask for the same contacts.
-template <class Solve>
-auto solved_once(const Values& x, const Solve& solve) {
-    using Contact = decltype(solve(x));
+template <class Contact, class Solve>
+Contact solved_once(const std::array<double, 5>& numbers, const Solve& solve) {
     constexpr std::size_t n_kept = 2000;  // of all numbers moved to both sides, or of samples
-    static thread_local std::deque<std::pair<Values, Contact>> kept;
-    const auto found = std::ranges::find(kept, x, &std::pair<Values, Contact>::first);
+    static thread_local std::deque<std::pair<std::array<double, 5>, Contact>> kept;
+    const auto found = std::ranges::find(kept, numbers, [](const auto& one) { return one.first; });
     if (found != kept.end()) return found->second;
     if (kept.size() == n_kept) kept.pop_front();
-    return kept.emplace_back(x, solve(x)).second;
+    return kept.emplace_back(numbers, solve()).second;
 }
 
 struct ThesisRig {
@@ -54,69 +32,46 @@ constexpr ThesisRig thesis_rigs[] = {
     {Rig::Kind::sphere, {40e-3, 8e-3, 4.35e6, 0.93, 21.19}},   // table 5.1.2
     {Rig::Kind::cylinder, {40e-3, 5e-3, 3.6e6, 0.79, 32.3}}};  // table 5.1.3
 
-bool same(const Given& given, double value) {
-    return std::abs(given.value.value / value - 1) < 1e-9;  // rounding of units
-}
-
 }  // namespace
 
-const std::vector<DerivedQuantity>& rolling_quantities() {
-    static const std::vector<DerivedQuantity> table{
-        {"W", "m", [](Rolling r) { return result_if_known(r, smallest_amplitude); }, "w"},
-        {"W'", "m", [](Rolling r) { return result_if_known(r, pivot_amplitude); }, "w'"},
-        {"W_x", "m", [](Rolling r) -> Known { return r.reach[0]; }},
-        {"W_y", "m", [](Rolling r) -> Known { return r.reach[1]; }},
-        {"f_0", "Hz", [](Rolling r) { return result_if_known(r, excitation_frequency); }, "v W"},
-        {"f_0'", "Hz", [](Rolling r) { return print(r, "excitation_frequency"); }},
-        {"Dh'", "m", [](Rolling r) { return print(r, "pivot_height_error"); }},
-        {"a", "m", [](Rolling r) -> Known { return half_size(r); }},
-        {"a'", "m", [](Rolling r) -> Known { return half_size(r); }},
-        {"z_0", "m", [](Rolling) -> Known { return Estimate{0.3e-9}; }},
-        {"D_c", "m", [](Rolling r) -> Known { return Estimate{2 * half_size(r).value}; }}};
-    return table;
+contact::MaterialPair materials_of(const RigData& r) {
+    return {contact::Material{r.E_1, r.nu_1}, contact::Material{r.E_2, r.nu_2}};
 }
 
-std::vector<Given> contact_given(const Rig& rig, const char* keys) {
-    const bool line = rig.kind == Rig::Kind::cylinder;
-    return given(rig, line ? std::string(keys) + " L" : keys);
+contact::HalfSpaceScales hertz_of(const RigData& r) {
+    return contact::hertz_scales(materials_of(r), r.R, r.F_N, 1);
 }
 
-contact::MaterialPair materials_of(const Values& x) {
-    return {contact::Material{x[2], x[3]}, contact::Material{x[4], x[5]}};
+double line_half_width_of(const RigData& r) {
+    return contact::line_half_width(r.F_N / r.L, r.R, materials_of(r).effective_modulus());
 }
 
-contact::HalfSpaceScales hertz_of(const Values& x) {
-    contact::Case c;
-    c.indenter.radius = x[0];
-    c.indenter.material = contact::Material{x[2], x[3]};
-    c.load.normal_force = x[1];
-    c.substrate = {x[4], x[5]};
-    c.friction_coefficient = 1;
-    return contact::half_space_scales(c);
+RigNumber half_size(const Rig& rig) {
+    if (rig.kind == Rig::Kind::body) return rig.body.value().half_space.contact_radius;
+    return rig.kind == Rig::Kind::cylinder ? line_half_width_of(rig) : hertz_of(rig).contact_radius;
 }
 
-double line_half_width_of(const Values& x) {
-    return contact::line_half_width(x[1] / x[6], x[0], materials_of(x).effective_modulus());
+theory::ElasticLayer layer_with(const RigData& r) {
+    return {{r.E_2, r.nu_2}, r.b, theory::LayerBase::bonded};
 }
 
-theory::LayerContact layer_of(const Values& x) {
-    return solved_once(x, [](const Values& y) {
-        return theory::solve_layer_contact(layer_with(y), contact::Paraboloid(y[0]),
-                                           {contact::NormalControl::Kind::force, y[1]});
+theory::LayerContact layer_of(const RigData& r) {
+    return solved_once<theory::LayerContact>({r.R, r.F_N, r.b, r.E_2, r.nu_2}, [&] {
+        return theory::solve_layer_contact(layer_with(r), contact::Paraboloid(r.R),
+                                           {contact::NormalControl::Kind::force, r.F_N});
     });
 }
 
-theory::LineContact layer_line_of(const Values& x) {
-    return solved_once(x, [](const Values& y) {
-        return theory::solve_line_contact(layer_with(y), y[0],
-                                          {theory::LineControl::Kind::load, y[1] / y[5]});
+theory::LineContact layer_line_of(const RigData& r) {
+    return solved_once<theory::LineContact>({r.R, r.F_N / r.L, r.b, r.E_2, r.nu_2}, [&] {
+        return theory::solve_line_contact(layer_with(r), r.R,
+                                          {theory::LineControl::Kind::load, r.F_N / r.L});
     });
 }
 
 bool roller_is_rigid(const Rig& rig) {
-    const contact::Material roller{rig["E_1"].value, rig["nu_1"].value};
-    const contact::MaterialPair pair{roller,
-                                     contact::Material{rig["E_2"].value, rig["nu_2"].value}};
+    const contact::MaterialPair pair = materials_of(rig);
+    const contact::Material roller{rig.E_1, rig.nu_1};
     return roller.plane_compliance() * pair.effective_modulus() <= 0.01;
 }
 
@@ -129,9 +84,12 @@ std::string beside_hertz(double ratio) {
 }
 
 bool is_thesis_rig(const Rig& rig) {
+    const double data[] = {rig.R, rig.b, rig.E_2, rig.mu, rig.F_N};
+    const auto same = [](double value, double of_thesis) {
+        return std::abs(value / of_thesis - 1) < 1e-9;  // rounding of units
+    };
     return std::ranges::any_of(thesis_rigs, [&](const ThesisRig& one) {
-        return rig.kind == one.kind &&
-               std::ranges::equal(given(rig, "R b E_2 mu F_N"), one.data, same);
+        return rig.kind == one.kind && std::ranges::equal(data, one.data, same);
     });
 }
 

@@ -9,14 +9,14 @@
 namespace tricontact::experiments {
 
 double smallest_rolling_amplitude(const Rig& rig) {
-    return calculate(rig, smallest_amplitude).result.value;
+    return number_of(rig, &Rig::W);
 }
 
 Assumption growth_by_rolling(const Rig& rig, const RolledGrowth& growth) {
     Assumption a{.name = "growth_by_rolling",
                  .title = "What rolling adds",
                  .claim = "Rolling adds to the shift on the layer what it adds on a half-space"};
-    if (!rig.has("w")) {
+    if (!rig.w.is_known()) {
         a.missing = {"rig.smallest_amplitude_ratio"};
         return a;
     }
@@ -28,15 +28,14 @@ Assumption growth_by_rolling(const Rig& rig, const RolledGrowth& growth) {
         return a;
     }
     a.criteria.push_back(
-        {calculate(
+        {relative_difference(
              "growth_difference", "|g layer/g half-space - 1|",
              "g = U_sd/U_stat at half the layer's limit of shakedown and the least amplitude",
-             "maps of boundary elements", "1",
-             {{"g layer", {found->layer.value, found->layer.standard_error}, "1"},
-              {"g half-space", {found->half_space.value, found->half_space.standard_error}, "1"}},
-             [](const auto& x) { return std::abs(x[0] / x[1] - 1); }),
+             "maps of boundary elements",
+             {"g layer", {found->layer.value, found->layer.standard_error}, "1"},
+             {"g half-space", {found->half_space.value, found->half_space.standard_error}, "1"}),
          Criterion::Relation::at_most, accepted_difference, accepted_reason});
-    const double angle = rig.has("alpha") ? rig["alpha"].value : 0;
+    const double angle = rig.alpha.is_known() ? rig.alpha.value : 0;
     a.consequence = fmt::format(
         "Rolled by {} {} F_T = {} mu F_N, half the layer's limit of shakedown, the shift "
         "settles at {} times the static one on the layer and {} times on a half-space.",

@@ -12,17 +12,18 @@ namespace {
 
 // All of the power mu F_N mu (a/R) v, at the creepage of full sliding, enters the substrate
 // uniformly over the contact's disc, at rest: the temperature of its centre is Q/(pi a k).
-double heating_of(const Values& x) {
-    return x[0] * x[0] * x[1] * x[2] / (std::numbers::pi * x[3] * x[4]);
+double heating_of(const RigData& r) {
+    return r.mu * r.mu * r.F_N * r.v / (std::numbers::pi * r.R * r.k_th);
 }
 
 constexpr const char* source =
     "Carslaw and Jaeger (1959), section 10.5; creepage mu a/R of full sliding, Carter (1926)";
+constexpr Inputs heating_inputs{&Rig::mu, &Rig::F_N, &Rig::v, &Rig::R, &Rig::k_th};
 constexpr Formula heating("frictional_heating", "Delta T", "mu^2 F_N v/(pi R k_th)", source, "K",
-                          "mu F_N v R k_th", heating_of);
+                          heating_inputs, heating_of);
 constexpr Formula softening("heating_change", "c_T Delta T", "c_T mu^2 F_N v/(pi R k_th)", source,
-                            "1", "mu F_N v R k_th c_T",
-                            [](const Values& x) { return x[5] * heating_of(x); });
+                            "1", heating_inputs + Inputs{&Rig::c_T},
+                            [](const RigData& r) { return r.c_T * heating_of(r); });
 
 }  // namespace
 

@@ -16,97 +16,95 @@ namespace {
 
 constexpr double largest_loss = 0.01;
 
-constexpr const char* viscous_keys = "v w a' eta E_2 nu_2";
-constexpr const char* maxwell_keys = "v w a' eta E_2 nu_2 G_2/G_1";
+constexpr Inputs viscous_inputs{&Rig::v,   &Rig::w,   &Rig::a_reference,
+                                &Rig::eta, &Rig::E_2, &Rig::nu_2};
+constexpr Inputs maxwell_inputs = viscous_inputs + Inputs{&Rig::G_ratio};
 
-// omega eta/G_1 of values in the order of viscous_keys.
-double viscous_ratio_of(const Values& x) {
-    return 2 * std::numbers::pi * x[0] / (4 * x[1] * x[2]) * x[3] /
-           contact::Material{x[4], x[5]}.shear_modulus();
+double shear_modulus_of(const RigData& r) {
+    return contact::Material{r.E_2, r.nu_2}.shear_modulus();
 }
 
-// omega tau, tau = eta/G_2, of values in the order of maxwell_keys.
-double period_ratio_of(const Values& x) {
-    return viscous_ratio_of(x) / x[6];
+// omega eta/G_1.
+double viscous_ratio_of(const RigData& r) {
+    return 2 * std::numbers::pi * r.v / (4 * r.w * r.a_reference) * r.eta / shear_modulus_of(r);
+}
+
+// omega tau, tau = eta/G_2.
+double period_ratio_of(const RigData& r) {
+    return viscous_ratio_of(r) / r.G_ratio;
 }
 
 constexpr Formula shear_modulus("shear_modulus", "G_1", "E_2/(2 (1 + nu_2))", "section 5.1.5", "Pa",
-                                "E_2 nu_2", [](const Values& x) {
-                                    return contact::Material{x[0], x[1]}.shear_modulus();
-                                });
+                                {&Rig::E_2, &Rig::nu_2}, shear_modulus_of);
 
 constexpr Formula viscous_ratio("viscous_ratio", "omega eta/G_1",
                                 "2 pi v/(4 w a) eta/G_1, G_1 = E_2/(2 (1 + nu_2))", "(5.1.17)", "1",
-                                viscous_keys, viscous_ratio_of);
+                                viscous_inputs, viscous_ratio_of);
 
 constexpr Formula elastic_speed("elastic_speed", "v_max", "0.01 v/(omega eta/G_1)", "(5.1.17)",
-                                "m/s", viscous_keys, [](const Values& x) {
-                                    return largest_loss * x[0] / viscous_ratio_of(x);
+                                "m/s", viscous_inputs, [](const RigData& r) {
+                                    return largest_loss * r.v / viscous_ratio_of(r);
                                 });
 
 constexpr Formula loss_modulus("loss_modulus", "G''/(omega eta)",
                                "1/(1 + (omega tau)^2), tau = eta/G_2", "standard solid", "1",
-                               maxwell_keys, [](const Values& x) {
-                                   const double t = period_ratio_of(x);
+                               maxwell_inputs, [](const RigData& r) {
+                                   const double t = period_ratio_of(r);
                                    return 1 / (1 + t * t);
                                });
 
 constexpr Formula loss_modulus_as_printed(
     "loss_modulus_as_printed", "G''/(omega eta), print",
     "omega tau/(1 + (omega tau)^2), from G'' = G_2 (omega tau)^2/(1 + (omega tau)^2)", "(5.1.16)",
-    "1", maxwell_keys, [](const Values& x) {
-        const double t = period_ratio_of(x);
+    "1", maxwell_inputs, [](const RigData& r) {
+        const double t = period_ratio_of(r);
         return t / (1 + t * t);
     });
 
 constexpr Formula dundurs_beta(
     "dundurs_beta", "|beta|",
     "1/2 |(1 - 2 nu_2)/G_2 - (1 - 2 nu_1)/G_1|/[(1 - nu_1)/G_1 + (1 - nu_2)/G_2]", "(2.1.1)", "1",
-    "E_1 nu_1 E_2 nu_2", [](const Values& x) {
-        const contact::MaterialPair pair{contact::Material{x[0], x[1]},
-                                         contact::Material{x[2], x[3]}};
-        return std::abs(pair.dundurs_beta());
-    });
+    materials, [](const RigData& r) { return std::abs(materials_of(r).dundurs_beta()); });
 
 constexpr Formula layer_coupling("layer_coupling", "|C_13|/sqrt(C_11 C_33)",
                                  "surface compliances of the bonded layer at the wave number 1/a",
-                                 "docs/explanation/models/bem-layer.md", "1", "b a E_2 nu_2",
-                                 [](const Values& x) {
-                                     const auto c = theory::layer_compliance(
-                                         {{x[2], x[3]}, x[0], theory::LayerBase::bonded}, 1 / x[1]);
+                                 "docs/explanation/models/bem-layer.md", "1",
+                                 {&Rig::b, &Rig::a, &Rig::E_2, &Rig::nu_2}, [](const RigData& r) {
+                                     const auto c =
+                                         theory::layer_compliance(layer_with(r), 1 / r.a);
                                      return std::abs(c.coupling) / std::sqrt(c.along * c.normal);
                                  });
 
 Calculation coupling_effect(double coupled, double uncoupled) {
-    return calculate(
+    return relative_difference(
         "coupling_effect", "|U_stat coupled/U_stat uncoupled - 1|",
         fmt::format("shift at F_T = {} mu F_N, pressed with friction", coupling_tangential_ratio),
-        "boundary elements on the layer", "1",
-        {{"U_stat coupled", {coupled}, "m"}, {"U_stat uncoupled", {uncoupled}, "m"}},
-        [](const auto& x) { return std::abs(x[0] / x[1] - 1); });
+        "boundary elements on the layer", {"U_stat coupled", {coupled}, "m"},
+        {"U_stat uncoupled", {uncoupled}, "m"});
 }
 
-// The modulus for which the layer has the half-space's U_max; values of hertz_keys and b behind.
-double layer_modulus_of(const Values& x) {
-    const double wanted = hertz_of(x).unit_shift;
+// The modulus for which the layer has the half-space's U_max.
+double layer_modulus_of(const RigData& r) {
+    const double wanted = hertz_of(r).unit_shift;
     const auto excess = [&](double log_factor) {
-        const Values layer{x[0], x[1], x[6], x[4] * std::exp(log_factor), x[5]};
+        RigData layer = r;
+        layer.E_2 = r.E_2 * std::exp(log_factor);
         return std::log(*layer_of(layer).unit_shift / wanted);
     };
     // A layer is stiffer than its half-space, by less than the thickness effect of 20.
-    return x[4] * std::exp(contact::bracketed_root(excess, -3., 0.5, 40));
+    return r.E_2 * std::exp(contact::bracketed_root(excess, -3., 0.5, 40));
 }
 
 constexpr const char* of_layer_modulus = "E_2,layer: the layer's U_max equals mu d E*/G* of E_2";
 constexpr const char* layer_source = "(3.1.5), exact contact with a bonded layer";
-constexpr const char* hertz_and_layer_keys = "R F_N E_1 nu_1 E_2 nu_2 b";
+constexpr Inputs both_inputs = hertz_inputs + Inputs{&Rig::b};
 
 constexpr Formula layer_modulus("layer_modulus", "E_2,layer", of_layer_modulus, layer_source, "Pa",
-                                hertz_and_layer_keys, layer_modulus_of);
+                                both_inputs, layer_modulus_of);
 constexpr Formula fitted_modulus_error("fitted_modulus_error", "E_2/E_2,layer - 1",
-                                       of_layer_modulus, layer_source, "1", hertz_and_layer_keys,
-                                       [](const Values& x) {
-                                           return x[4] / layer_modulus_of(x) - 1;
+                                       of_layer_modulus, layer_source, "1", both_inputs,
+                                       [](const RigData& r) {
+                                           return r.E_2 / layer_modulus_of(r) - 1;
                                        });
 
 // What the solver's tolerance leaves of a shift.
@@ -144,7 +142,7 @@ std::optional<double> effect_of_coupling(const Rig& rig, const StaticShift& stat
 }  // namespace
 
 Assumption elastic_substrate(const Rig& rig) {
-    if (rig.relaxation) return relaxed_substrate(rig);
+    if (rig.c.relaxation && rig.c.relaxation->branches.size() > 1) return relaxed_substrate(rig);
     Assumption a{.name = "elastic_substrate",
                  .title = "Elastic substrate",
                  .claim = "The substrate is elastic at the speed of the drive",
@@ -159,13 +157,13 @@ Assumption elastic_substrate(const Rig& rig) {
         percent_text(a.deciding_value(), 2),
         quantity(calculate(rig, elastic_speed).result.value, "m/s", 3),
         percent_text(largest_loss, 1));
-    if (is_thesis_rig(rig) && rig.has("G_2/G_1")) {
+    if (is_thesis_rig(rig) && rig.G_ratio.is_known()) {
         const Calculation& print =
             a.background.emplace_back(calculate(rig, loss_modulus_as_printed));
         a.consequence += fmt::format(
             " The loss modulus as printed in (5.1.16) has a square too many: a slow dash-pot gives "
             "G'' = omega eta, the print {} of that (with G_2 = {} G_1).",
-            percent_text(print.result.value, 2), significant(rig["G_2/G_1"].value, 2));
+            percent_text(print.result.value, 2), significant(rig.G_ratio, 2));
     }
     return a;
 }
@@ -201,7 +199,7 @@ Assumption fitted_constants(const Rig& rig) {
     a.consequence = fmt::format(
         "A half-space evaluation of static shifts would give {} for a layer of {}: {} too {}. The "
         "fitted mu stays right as long as the shift's curve over F_T/(mu F_N) keeps its shape.",
-        quantity(rig["E_2"].value, "Pa", 3), quantity(modulus.result.value, "Pa", 3),
+        quantity(rig.E_2, "Pa", 3), quantity(modulus.result.value, "Pa", 3),
         percent_text(std::abs(error.result.value), 2), error.result.value > 0 ? "high" : "low");
     return a;
 }

@@ -16,20 +16,21 @@ namespace tricontact::experiments {
 /// W [m], the least of the drive and that at which the pivot was measured; f_0 [Hz].
 extern const Formula smallest_amplitude, pivot_amplitude, excitation_frequency;
 
-/// What Hertz' contact follows from, and that with the layer, whose roller is rigid. A cylinder has
-/// L behind.
-inline constexpr const char* hertz_keys = "R F_N E_1 nu_1 E_2 nu_2";
-inline constexpr const char* layer_keys = "R F_N b E_2 nu_2";
-std::vector<Given> contact_given(const Rig& rig, const char* keys);
+/// What the contact follows from on a half-space, and on the layer under a rigid roller.
+inline constexpr Inputs materials{&Rig::E_1, &Rig::nu_1, &Rig::E_2, &Rig::nu_2};
+inline constexpr Inputs hertz_inputs = Inputs{&Rig::R, &Rig::F_N} + materials + Inputs{&Rig::L};
+inline constexpr Inputs layer_inputs{&Rig::R, &Rig::F_N, &Rig::b, &Rig::E_2, &Rig::nu_2, &Rig::L};
 
-/// Of values in the order of `hertz_keys`, at mu = 1.
-contact::HalfSpaceScales hertz_of(const Values& x);
-contact::MaterialPair materials_of(const Values& x);
+contact::MaterialPair materials_of(const RigData& r);
+/// At mu = 1.
+contact::HalfSpaceScales hertz_of(const RigData& r);
 /// Hertz' half width [m] of a cylinder.
-double line_half_width_of(const Values& x);
-/// Of values in the order of `layer_keys`.
-theory::LayerContact layer_of(const Values& x);
-theory::LineContact layer_line_of(const Values& x);
+double line_half_width_of(const RigData& r);
+/// Half the size of the contact with the half-space: radius, half width of a cylinder's [m].
+RigNumber half_size(const Rig& rig);
+theory::ElasticLayer layer_with(const RigData& r);
+theory::LayerContact layer_of(const RigData& r);
+theory::LineContact layer_line_of(const RigData& r);
 
 /// The layer's theory takes the roller as rigid: that is so where the roller has less than 1 % of
 /// the compliance, a fifth of what counts as a difference here.
@@ -47,12 +48,14 @@ std::string percent_text(double share, int digits = 3);
 /// "36.3 % below Hertz", of a quantity over Hertz'.
 std::string beside_hertz(double ratio);
 
-/// A quantity of the contact, by both theories: of values in the order of `hertz_keys` and of
-/// `layer_keys`.
+/// A quantity of the contact, by both theories: of `hertz_inputs` and of `layer_inputs`.
 struct ComparedQuantity {
     const char *name, *symbol, *formula, *source, *unit;
-    double (*half_space)(const Values&);
-    double (*layer)(const Values&);
+    double (*half_space)(const RigData&);
+    double (*layer)(const RigData&);
+
+    /// The layer's over the half-space's.
+    double ratio(const RigData& r) const { return layer(r) / half_space(r); }
 };
 /// What a theory of the layer is called, and what the comparison says where the roller is rigid.
 struct LayerTheory {

@@ -25,55 +25,48 @@ constexpr const char* effect_source =
 constexpr double least_share = 1 / theory::largest_side_excess;
 constexpr Estimate share_of_estimate{(1 + least_share) / 2, (1 - least_share) / 2};
 
-/// Of values in the order R F_N b E_2 nu_2 l_x W_x l_y W_y.
-theory::BlockSides block_of(const Values& x) {
-    return {x[5] / 2 - x[6], x[5] / 2 + x[6], x[7] / 2 - x[8], x[7] / 2 + x[8]};
+/// At the furthest point of rolling.
+theory::BlockSides block_of(const RigData& r) {
+    return {r.l_x / 2 - r.W_x, r.l_x / 2 + r.W_x, r.l_y / 2 - r.W_y, r.l_y / 2 + r.W_y};
 }
 
-theory::ElasticLayer layer_with_sides(const Values& x) {
-    return {{x[3], x[4]}, x[2], theory::LayerBase::bonded};
-}
-
-constexpr const char* block_keys = "R F_N b E_2 nu_2 l_x W_x l_y W_y";
-constexpr const char* strip_keys = "R F_N b E_2 nu_2 L l_x W_x";
-
-/// Of a sphere's block and a cylinder's strip, the upper estimate of values in this order.
+/// Of a sphere's block and a cylinder's strip, and the upper estimate.
 struct SideForms {
     Formula distance;
     const char* effect_text;
-    double (*estimate)(const Values&);
+    double (*estimate)(const RigData&);
 };
 
 constexpr SideForms of_block{
-    {"side_distance", "s/a", distance_text, exact_layer, "1", block_keys,
-     [](const Values& x) {
-         const theory::BlockSides sides = block_of(x);
-         return std::min(sides.right, sides.front) / layer_of(x).contact_radius - 1;
+    {"side_distance", "s/a", distance_text, exact_layer, "1",
+     layer_inputs + Inputs{&Rig::l_x, &Rig::W_x, &Rig::l_y, &Rig::W_y},
+     [](const RigData& r) {
+         const theory::BlockSides sides = block_of(r);
+         return std::min(sides.right, sides.front) / layer_of(r).contact_radius - 1;
      }},
     block_text,
-    [](const Values& x) {
-        return theory::side_effect(layer_with_sides(x), layer_of(x), block_of(x));
-    }};
+    [](const RigData& r) { return theory::side_effect(layer_with(r), layer_of(r), block_of(r)); }};
 constexpr SideForms of_strip{
-    {"side_distance", "s/a", distance_text, exact_layer, "1", strip_keys,
-     [](const Values& x) { return (x[6] / 2 - x[7]) / layer_line_of(x).half_width - 1; }},
+    {"side_distance", "s/a", distance_text, exact_layer, "1",
+     layer_inputs + Inputs{&Rig::l_x, &Rig::W_x},
+     [](const RigData& r) { return (r.l_x / 2 - r.W_x) / layer_line_of(r).half_width - 1; }},
     strip_text,
-    [](const Values& x) {
-        return theory::side_effect(layer_with_sides(x), layer_line_of(x), x[6] / 2 - x[7],
-                                   x[6] / 2 + x[7]);
+    [](const RigData& r) {
+        return theory::side_effect(layer_with(r), layer_line_of(r), r.l_x / 2 - r.W_x,
+                                   r.l_x / 2 + r.W_x);
     }};
 
 Calculation effect_of_sides(const Rig& rig, const SideForms& forms) {
-    std::vector<Given> values = given(rig, forms.distance.given);
-    values.push_back({"q", share_of_estimate, "1"});
-    return calculate(
-        "side_effect", "Delta d/d", forms.effect_text, effect_source, "1", std::move(values),
-        [estimate = forms.estimate](const Values& x) { return x.back() * estimate(x); });
+    Rig estimated = rig;
+    estimated.q = share_of_estimate;
+    return calculate(estimated, "side_effect", "Delta d/d", forms.effect_text, effect_source, "1",
+                     forms.distance.given + Inputs{&Rig::q},
+                     [estimate = forms.estimate](const RigData& r) { return r.q * estimate(r); });
 }
 
 /// Where the estimate of the effect is not known to be one; empty where it is.
 std::string out_of_estimate(const Rig& rig, double side_distance) {
-    if (rig["nu_2"].value < theory::least_side_poisson)
+    if (rig.nu_2 < theory::least_side_poisson)
         return fmt::format("an estimate for nu_2 below {}", theory::least_side_poisson);
     if (side_distance < theory::nearest_side)
         return fmt::format("an estimate for sides closer than {} a to the contact",

@@ -20,25 +20,25 @@ constexpr double least_poisson = 0.49;
 // Standard errors over a/R: what the fit leaves (rms .0036, .0002) and the mesh of the runs.
 constexpr double shift_scatter = 0.012, indentation_scatter = 0.001;
 
-constexpr const char* strain_keys = "R F_N b E_2 nu_2 mu";
+constexpr Inputs strain_inputs = layer_inputs + Inputs{&Rig::mu};
 
 struct Slenderness {
     double over_radius, over_thickness;  ///< a/R, a/b of the linear layer
 };
 
-Slenderness slenderness_of(const Values& x) {
-    const double a = layer_of({x[0], x[1], x[2], x[3], x[4]}).contact_radius;
-    return {a / x[0], a / x[2]};
+Slenderness slenderness_of(const RigData& r) {
+    const double a = layer_of(r).contact_radius;
+    return {a / r.R, a / r.b};
 }
 
-constexpr Formula strain_measure("strain_measure", "a/R", "a of the linear layer",
-                                 "exact contact with a bonded layer", "1", strain_keys,
-                                 [](const Values& x) { return slenderness_of(x).over_radius; });
+constexpr Formula strain_measure("strain_measure", "a/R", "a of the linear layer", exact_layer, "1",
+                                 strain_inputs,
+                                 [](const RigData& r) { return slenderness_of(r).over_radius; });
 
 /// U_stat by the linear law over that at finite strains, minus 1, at coupling_tangential_ratio.
-double shift_off(const Values& x) {
-    const auto [slope, t] = slenderness_of(x);
-    const double mu = x[5];
+double shift_off(const RigData& r) {
+    const auto [slope, t] = slenderness_of(r);
+    const double mu = r.mu;
     const auto quadratic = [mu](double c0, double c1, double c2) {
         return c0 + mu * (c1 + mu * c2);
     };
@@ -48,8 +48,8 @@ double shift_off(const Values& x) {
 }
 
 /// The same of d.
-double indentation_off(const Values& x) {
-    const auto [slope, t] = slenderness_of(x);
+double indentation_off(const RigData& r) {
+    const auto [slope, t] = slenderness_of(r);
     return -slope * (.0478 - t * t * (.1945 - .181 * t));
 }
 
@@ -59,32 +59,32 @@ struct StrainError {
 };
 
 StrainError strain_error(const Rig& rig, const std::string& name, const std::string& ratio,
-                         const char* formula, double scatter, double (*off)(const Values&)) {
-    std::vector<Given> values = given(rig, strain_keys);
-    values.push_back({"delta", {0, scatter}, "1"});
-    const auto error = [off](const auto& x) {
-        return off(x) + x.back() * slenderness_of(x).over_radius;
+                         const char* formula, double scatter, double (*off)(const RigData&)) {
+    constexpr Inputs inputs = strain_inputs + Inputs{&Rig::delta};
+    Rig fitted = rig;
+    fitted.delta = {0, scatter};
+    const auto error = [off](const RigData& r) {
+        return off(r) + r.delta * slenderness_of(r).over_radius;
     };
-    return {calculate(name, ratio + " - 1", formula, strain_source, "1", values, error),
-            calculate(name + "_error", "|" + ratio + " - 1|", formula, strain_source, "1", values,
-                      [error](const auto& x) { return std::abs(error(x)); })};
+    return {calculate(fitted, name, ratio + " - 1", formula, strain_source, "1", inputs, error),
+            calculate(fitted, name + "_error", "|" + ratio + " - 1|", formula, strain_source, "1",
+                      inputs, [error](const RigData& r) { return std::abs(error(r)); })};
 }
 
 /// What the fit does not reach; empty where it holds.
 std::string out_of_fit(const Rig& rig) {
-    const Values x = values_of(given(rig, strain_keys));
-    const auto [slope, t] = slenderness_of(x);
+    const auto [slope, t] = slenderness_of(rig);
     const auto outside = [](const char* symbol, double value, double low, double high) {
         return fmt::format(
             "an estimate for {} = {}: it is known from {} to {}; tricontact "
             "deviation --finite-strain computes it",
             symbol, significant(value, 3), low, high);
     };
-    if (x[4] < least_poisson) return outside("nu_2", x[4], least_poisson, .5);
+    if (rig.nu_2 < least_poisson) return outside("nu_2", rig.nu_2, least_poisson, .5);
     if (t < thickest || t > thinnest) return outside("a/b", t, thickest, thinnest);
     if (slope > largest_slope) return outside("a/R", slope, 0, largest_slope);
-    if (x[5] < least_friction || x[5] > most_friction)
-        return outside("mu", x[5], least_friction, most_friction);
+    if (rig.mu < least_friction || rig.mu > most_friction)
+        return outside("mu", rig.mu, least_friction, most_friction);
     return {};
 }
 
@@ -117,13 +117,12 @@ Assumption small_strains(const Rig& rig) {
         return fmt::format("{} % too {}", with_error(100 * e.value, 100 * e.standard_error, 2),
                            off > 0 ? "high" : "low");
     };
-    const Values x = values_of(given(rig, strain_keys));
     a.consequence = fmt::format(
         "Beside a neo-Hookean rubber linear elasticity puts the static shift at F_T = {} mu F_N "
         "{}, "
         "the indentation {}. What rolling adds to the shift is off by more: tricontact deviation "
         "--finite-strain computes it.",
-        coupling_tangential_ratio, part(0, shift_off(x)), part(1, indentation_off(x)));
+        coupling_tangential_ratio, part(0, shift_off(rig)), part(1, indentation_off(rig)));
     return a;
 }
 

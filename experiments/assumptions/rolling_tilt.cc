@@ -12,48 +12,48 @@ namespace {
 // The normal force has the component F_N tan(theta) along the surface.
 constexpr const char* slope_source = "equilibrium on a slope";
 constexpr Formula slope_beside_force("tilt_load", "|F_N tan(theta)/F_T|", "|F_N tan(theta)/F_T|",
-                                     slope_source, "1", "theta F_N F_T",
-                                     [](const Values& x) { return std::tan(x[0]) * x[1] / x[2]; });
+                                     slope_source, "1", {&Rig::theta, &Rig::F_N, &Rig::F_T},
+                                     [](const RigData& r) {
+                                         return std::tan(r.theta) * r.F_N / r.F_T;
+                                     });
 constexpr Formula slope_beside_ratio("tilt_load", "|F_N tan(theta)/F_T|",
                                      "|tan(theta)/(f_T mu)|, f_T = F_T/(mu F_N)", slope_source, "1",
-                                     "theta f_T mu", [](const Values& x) {
-                                         return std::tan(x[0]) / (x[1] * x[2]);
+                                     {&Rig::theta, &Rig::f_T, &Rig::mu}, [](const RigData& r) {
+                                         return std::tan(r.theta) / (r.f_T * r.mu);
                                      });
 constexpr Formula slope_beside_friction("tilt_load", "|F_N tan(theta)/(mu F_N)|", "|tan(theta)/mu|",
-                                        slope_source, "1", "theta mu",
-                                        [](const Values& x) { return std::tan(x[0]) / x[1]; });
+                                        slope_source, "1", {&Rig::theta, &Rig::mu},
+                                        [](const RigData& r) { return std::tan(r.theta) / r.mu; });
 
-constexpr const char* height_text = "W_x tan(theta)/d, d of the layer";
-constexpr Formula height_of_sphere("height_change", "W_x tan(theta)/d", height_text, exact_layer,
-                                   "1", "R F_N b E_2 nu_2 theta W_x", [](const Values& x) {
-                                       return x[6] * std::tan(x[5]) / layer_of(x).indentation;
-                                   });
-constexpr Formula height_of_line("height_change", "W_x tan(theta)/d", height_text, exact_layer, "1",
-                                 "R F_N b E_2 nu_2 L theta W_x", [](const Values& x) {
-                                     return x[7] * std::tan(x[6]) / layer_line_of(x).indentation;
-                                 });
+double layer_indentation(const RigData& r) {
+    return r.L.is_known() ? layer_line_of(r).indentation : layer_of(r).indentation;
+}
+constexpr Formula height_change("height_change", "W_x tan(theta)/d",
+                                "W_x tan(theta)/d, d of the layer", exact_layer, "1",
+                                layer_inputs + Inputs{&Rig::theta, &Rig::W_x},
+                                [](const RigData& r) {
+                                    return r.W_x * std::tan(r.theta) / layer_indentation(r);
+                                });
 
 // Along a cylinder the slices of the layer are pressed by d + y tan(theta).
-double indentation_change(const Values& x) {
-    return x[5] * std::tan(x[6]) / layer_line_of(x).indentation;
-}
-constexpr const char* line_keys = "R F_N b E_2 nu_2 L theta'";
+constexpr Inputs axis_inputs = layer_inputs + Inputs{&Rig::theta_axis};
 constexpr Formula axis_indentation("axis_indentation", "|L tan(theta)/d|",
                                    "|L tan(theta)/d|, theta of the cylinder's axis, d of the layer",
-                                   exact_layer, "1", line_keys, indentation_change);
+                                   exact_layer, "1", axis_inputs, [](const RigData& r) {
+                                       return r.L * std::tan(r.theta_axis) / layer_indentation(r);
+                                   });
 constexpr Formula end_load("end_load", "dF'/F'",
                            "k L tan(theta)/(2 F_N/L), k = d(F_N/L)/dd of the layer", exact_layer,
-                           "1", line_keys, [](const Values& x) {
-                               const theory::LineContact line = layer_line_of(x);
-                               return line.stiffness * x[5] * std::tan(x[6]) / (2 * line.load);
+                           "1", axis_inputs, [](const RigData& r) {
+                               const theory::LineContact line = layer_line_of(r);
+                               return line.stiffness * r.L * std::tan(r.theta_axis) /
+                                      (2 * line.load);
                            });
 
 const Formula& load_formula(const Rig& rig) {
-    const auto is_there = [&](const char* symbol) {
-        return rig.has(symbol) && rig[symbol].value != 0;
-    };
-    if (is_there("F_T")) return slope_beside_force;
-    return is_there("f_T") ? slope_beside_ratio : slope_beside_friction;
+    const auto is_there = [](const RigNumber& one) { return one.is_known() && one != 0; };
+    if (is_there(rig.F_T)) return slope_beside_force;
+    return is_there(rig.f_T) ? slope_beside_ratio : slope_beside_friction;
 }
 
 Estimate magnitude(const Estimate& e) {
@@ -88,10 +88,8 @@ void add_slope(Assumption& a, const Rig& rig) {
     a.consequence = &load == &slope_beside_friction
                         ? fmt::format("The weight on the slope is {} of mu F_N.", share)
                         : fmt::format("The weight on the slope changes F_T by {}.", share);
-    const Formula& height = rig.kind == Rig::Kind::cylinder ? height_of_line : height_of_sphere;
-    const auto& [along, across] = rig.reach;
-    if (!roller_is_rigid(rig) || along.value <= 1e-9 * across.value) return;  // rounding of 90 deg
-    a.background.push_back(calculate(rig, height));
+    if (!roller_is_rigid(rig) || rig.W_x <= 1e-9 * rig.W_y) return;  // rounding of 90 deg
+    a.background.push_back(calculate(rig, height_change));
     a.consequence += fmt::format(
         " Rolling changes the height of the roller by {} of the indentation; the normal force, "
         "which is prescribed, stays.",

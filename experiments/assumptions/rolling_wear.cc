@@ -13,9 +13,10 @@ namespace {
 // full sliding, mu a/R; the pressure Hertz' largest; the depth that it is held against a^2/R.
 constexpr Formula worn_depth("wear_ratio", "h_wear/d", "4 n W mu k_w p_0/a",
                              "Archard (1953); creepage mu a/R of full sliding, Carter (1926)", "1",
-                             "R F_N E_1 nu_1 E_2 nu_2 mu W n k_w", [](const Values& x) {
-                                 const contact::HalfSpaceScales hertz = hertz_of(x);
-                                 return 4 * x[8] * x[7] * x[6] * x[9] * hertz.peak_pressure /
+                             hertz_inputs + Inputs{&Rig::mu, &Rig::W, &Rig::n, &Rig::k_w},
+                             [](const RigData& r) {
+                                 const contact::HalfSpaceScales hertz = hertz_of(r);
+                                 return 4 * r.n * r.W * r.mu * r.k_w * hertz.peak_pressure /
                                         hertz.contact_radius;
                              });
 
@@ -28,8 +29,8 @@ Assumption no_wear(const Rig& rig) {
                 accepted_reason))
         return a;
     a.consequence = fmt::format(
-        "In {} periods at most {} of the indentation is worn off.{}",
-        significant(rig["n"].value, 3), percent_text(a.deciding_value(), 2),
+        "In {} periods at most {} of the indentation is worn off.{}", significant(rig.n, 3),
+        percent_text(a.deciding_value(), 2),
         a.standing() == Standing::violated
             ? " The bound takes slip at the creepage of full sliding under Hertz' largest "
               "pressure: what sticks wears less."

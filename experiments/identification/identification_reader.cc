@@ -194,11 +194,11 @@ std::vector<std::string> unread_keys(const io::Document& document) {
 std::vector<Input::RigError> read_rig_errors(const Input& input, const io::Document& document) {
     const bool sheared = is_sheared(input);
     std::vector<Input::RigError> errors;
-    for (const io::UncertainKey& one : io::uncertain_keys(document, io::case_key_list())) {
+    for (const io::UncertainKey& one : io::uncertain_numbers(document, input.rig)) {
         const std::string_view path = one.key->path;
         const bool is_used =
             sheared || (path != "friction.coefficient" && path != "load.normal_force");
-        if (describes_rig(path) && !input.is_free(path) && is_used)
+        if (io::find_key(path) && describes_rig(path) && !input.is_free(path) && is_used)
             errors.push_back({io::find_key(path), one.number.value.standard_error});
     }
     return errors;
@@ -258,6 +258,10 @@ Input read_identification(const std::string& path, const std::vector<std::string
     input.rig = rig_of(input, find, document);
     input.rig.title = input.title;
     input.unread = unread_keys(document);
+    if (std::ranges::count(find, "substrate.young") > 0 && io::states_unrelaxed(document))
+        io::refuse(document, "substrate.relaxation.modulus",
+                   "measurement.find has substrate.young, which is found as the relaxed modulus",
+                   "omit it");
     input.parameters =
         io::told_at(document, "measurement.find", [&] { return free_parameters(input, find); });
     check_friction(input, document);

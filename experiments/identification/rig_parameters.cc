@@ -117,13 +117,11 @@ double zero_depth_guess(const IdentificationInput::Table& table) {
 std::vector<FreeParameter> free_parameters(const IdentificationInput& input,
                                            const std::vector<std::string>& find) {
     const contact::Case& rig = input.rig;
-    if (rig.relaxation) {
-        if (rig.relaxation->bulk == contact::Relaxation::Bulk::elastic &&
-            rig.substrate.poisson < .5)
-            throw contact::InputError(
-                "histories are evaluated for a constant Poisson's ratio, but the bulk modulus does "
-                "not relax; leave out substrate.relaxation.bulk");
-    }
+    if (rig.relaxation && rig.relaxation->bulk == contact::Relaxation::Bulk::elastic &&
+        rig.substrate.poisson < .5)
+        throw contact::InputError(
+            "histories are evaluated for a constant Poisson's ratio, but the bulk modulus does "
+            "not relax; leave out substrate.relaxation.bulk");
     std::vector<FreeParameter> parameters;
     for (const std::string& key : find) {
         if (key == "substrate.young") {

@@ -173,11 +173,49 @@ std::vector<std::string> rig_parts(const Study& study) {
     return parts_of(document);
 }
 
+bool states_unrelaxed(const Document& document) {
+    const Entry* modulus = document.find("substrate.relaxation.modulus");
+    return modulus && std::get<std::string>(modulus->value) == "unrelaxed";
+}
+
+std::vector<UncertainKey> uncertain_numbers(const Document& document, const contact::Case& c) {
+    std::vector<UncertainKey> uncertain = uncertain_keys(document, case_file_keys());
+    if (!states_unrelaxed(document)) return uncertain;
+    const bool is_in_proportion = c.relaxation->bulk == contact::Relaxation::Bulk::proportional &&
+                                  !document.find("substrate.relaxation.moduli") &&
+                                  !document.find("substrate.relaxation.G2");
+    for (UncertainKey& one : uncertain) {
+        const bool is_young = one.key->path == "substrate.young";
+        if (!is_young && one.key->path != "substrate.poisson") continue;
+        if (!is_in_proportion)
+            fail(one.place, document.find(one.key->path)->subject(),
+                 "is that of the unrelaxed substrate, and its uncertainty is carried to the "
+                 "relaxed one only where all relaxes in proportion",
+                 "give substrate.relaxation.relative_moduli without bulk, or the relaxed modulus");
+        if (!is_young) continue;
+        statistics::Estimate& young = one.number.value;
+        young = {c.substrate.young, young.standard_error * c.substrate.young / young.value};
+    }
+    return uncertain;
+}
+
+std::optional<statistics::Estimate> RigFile::number(std::string_view path) const {
+    const Entry* entry = document.find(path);
+    if (!entry) return {};
+    const auto one = std::ranges::find(uncertain, path, [](const auto& u) { return u.key->path; });
+    if (one != uncertain.end()) return one->number.value;
+    if (const CaseKey* key = find_key(path)) {
+        contact::Case held = c;
+        if (const double* number = number_of(*key, held)) return statistics::Estimate{*number};
+    }
+    return read_uncertain_number(*case_file_keys().find(path), *entry).value;
+}
+
 RigFile parse_rig_file(std::string_view text, const std::string& name,
                        const std::vector<std::string>& overrides) {
     RigFile rig{.document = case_document(text, name, overrides)};
     rig.c = resolve_case(rig.document, {});
-    rig.uncertain = uncertain_keys(rig.document, case_file_keys());
+    rig.uncertain = uncertain_numbers(rig.document, rig.c);
     rig.correlations = correlations(rig.document, rig.uncertain);
     return rig;
 }

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "contact/case.h"
@@ -25,6 +27,12 @@ struct UncertainKey {
 /// its standard error subtracted or added is out of its range.
 std::vector<UncertainKey> uncertain_keys(const Document& document, const KeyList& keys);
 
+/// substrate.young is the unrelaxed modulus.
+bool states_unrelaxed(const Document& document);
+/// Those of a case's file as the case holds them: an unrelaxed modulus as the relaxed one. Throws
+/// contact::InputError also where its uncertainty does not go to that in proportion.
+std::vector<UncertainKey> uncertain_numbers(const Document& document, const contact::Case& c);
+
 /// Correlations of uncertain numbers, from [correlation] with a line
 ///     "substrate.young and friction.coefficient" = -0.5
 /// for each pair. Throws contact::InputError where a key has no uncertainty, a coefficient is not
@@ -46,13 +54,15 @@ Document read_rig_document(const std::string& path, const std::vector<std::strin
 
 /// A case file as a rig is described by it: commands that need no uncertainties read its case.
 struct RigFile {
-    Document document;  ///< overrides included
-    contact::Case c;    ///< by the values
-    std::vector<UncertainKey> uncertain;
+    Document document;                      ///< overrides included
+    contact::Case c;                        ///< by the values
+    std::vector<UncertainKey> uncertain;    ///< numbers of the case as it holds them, and others
     statistics::Correlations correlations;  ///< of these, by their keys
 
     /// Those of a case's keys.
     std::vector<UncertainKey> uncertain_of_case() const;
+    /// What the file states of a key, as the case holds it; empty: nothing.
+    std::optional<statistics::Estimate> number(std::string_view path) const;
 };
 
 /// What of a case file only commands about rigs read: its sections beside the case, "[rig]" and the
@@ -63,7 +73,7 @@ std::vector<std::string> rig_parts(const std::string& path,
 /// The same of the case of a study, with what the study sets and varies in it.
 std::vector<std::string> rig_parts(const Study& study);
 
-/// Throws contact::InputError as read_case().
+/// Throws contact::InputError as read_case() and uncertain_numbers().
 RigFile read_rig_file(const std::string& path, const std::vector<std::string>& overrides = {});
 RigFile parse_rig_file(std::string_view text, const std::string& name,
                        const std::vector<std::string>& overrides = {});

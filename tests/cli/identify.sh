@@ -365,6 +365,8 @@ refused 'lengths of a layer under a sphere are not in proportion' \
     's/^find = .*/find = ["indenter.radius"]/; s/^radius/shape = "sphere"\nradius/'
 refused 'finds radius and thickness only of a rigid paraboloid' \
     's/^find = .*/find = ["substrate.young", "indenter.radius"]/; s/"layer"/"bem-layer"/; s/206 GPa/30 MPa/; s/^\[load\]/[friction]\ncoefficient = 0.57\n[load]/'
+refused 'measurement.find has substrate.young, which is found as the relaxed modulus; omit it' \
+    's/^\[load\]/[substrate.relaxation]\nmodulus = "unrelaxed"\nrelative_moduli = [0.5]\ntimes = ["1 s"]\n&/'
 refused 'missing.csv: ' 's/rig_static_shift.csv/missing.csv/'
 refused 'missing key measurement.find' '/^find/d'
 refused '"substrate.yung" is not one of' 's/"substrate.young"/"substrate.yung"/'

@@ -11,14 +11,16 @@ using experiments::Rig;
 using experiments::Standing;
 
 Rig sphere(double radius, double force, double young, double work) {
-    return {.data = {{"R", {radius}},
-                     {"E_1", {206e9}},
-                     {"nu_1", {0.3}},
-                     {"b", {10 * radius}},
-                     {"E_2", {young}},
-                     {"nu_2", {0.5}},
-                     {"F_N", {force}},
-                     {"Dgamma", {work, work / 10}}}};
+    Rig rig;
+    rig.R = radius;
+    rig.E_1 = 206e9;
+    rig.nu_1 = 0.3;
+    rig.b = 10 * radius;
+    rig.E_2 = young;
+    rig.nu_2 = 0.5;
+    rig.F_N = force;
+    rig.Dgamma = {work, work / 10};
+    return rig;
 }
 
 // F_off/F_N = 3/2 pi w R/F_N, and a of JKR: 1 + sqrt(6 pi w R/F_N)/3 for small adhesion.
@@ -48,7 +50,7 @@ TEST(Adhesion, OfStiffSmallSpheresIsThatOfDerjaguinMullerAndToporov) {
 
 TEST(Adhesion, WithoutItsWorkIsNotTestable) {
     Rig rig = sphere(40e-3, 21.1, 5.2e6, .05);
-    rig.data.erase("Dgamma");
+    rig.Dgamma = {};
     const auto a = experiments::no_adhesion(rig);
     EXPECT_EQ(a.standing(), Standing::not_testable);
     EXPECT_EQ(a.missing, std::vector<std::string>{"rig.work_of_adhesion"});

@@ -19,7 +19,7 @@ Rig body_rig(double by) {
         one->value *= 1 - by;
     Rig rig = rig_file("sphere_parallel");
     rig.kind = Rig::Kind::body;
-    for (const char* symbol : {"R", "a'", "D_c"}) rig.data.erase(symbol);
+    rig.R = rig.a_reference = rig.D_c = {};
     rig.measured.clear();
     rig.printed.clear();
     rig.body = {half_space, layer, {layer.static_shift.value * (1 - by)}};

@@ -36,8 +36,8 @@ Rig thesis_rig() {
 const experiments::RigReport& thesis_report() {
     static const auto report = [] {
         Rig rig = thesis_rig();
-        rig.data["k_th"] = {.2};
-        rig.data["c_T"] = {3e-3};
+        rig.k_th = {.2};
+        rig.c_T = {3e-3};
         return experiments::check_rig(
             rig, [](const Rig&, bool coupled) { return coupled ? 99e-6 : 100e-6; });
     }();
@@ -77,7 +77,7 @@ TEST(MeasuredEffects, OfTheHalfSpaceAreBothTheoriesApart) {
 // A layer of a hundred radii is a half-space: to a/b.
 TEST(MeasuredEffects, OfTheHalfSpaceVanishOnThickLayers) {
     Rig rig = thesis_rig();
-    rig.data["b"] = {.4};
+    rig.b = {.4};
     const auto report = experiments::check_rig(rig);
     for (const Measured measured :
          {Measured::static_shift, Measured::indentation, Measured::contact_radius})
@@ -89,7 +89,7 @@ TEST(MeasuredEffects, OfStaticShiftsAreThoseOfTheModel) {
     const Rig rig = thesis_rig();
     const auto& report = thesis_report();
     const double computed =
-        value_of(report, "unit_shift") * rig["mu"].value * theory::static_shift_ratio(.56);
+        value_of(report, "unit_shift") * rig.mu.value * theory::static_shift_ratio(.56);
     EXPECT_NEAR(effect_of(report, "half_space", Measured::static_shift)->relative.value,
                 computed / 100e-6 - 1, 1e-12);
     EXPECT_NEAR(effect_of(report, "uncoupled", Measured::static_shift)->relative.value,
@@ -186,9 +186,9 @@ TEST(MeasuredEffects, AreToldWithSignOrAsBounds) {
 
 Rig relaxing_rig() {
     Rig rig = thesis_rig();
-    rig.data["v"] = {1e-3};
-    rig.data["t_rest"] = {60};
-    rig.relaxation = {.branches = {{.3, .1}, {.2, 50}}};
+    rig.v = {1e-3};
+    rig.t_rest = {60};
+    rig.c.relaxation = {.branches = {{.3, .1}, {.2, 50}}};
     return rig;
 }
 
@@ -203,7 +203,7 @@ TEST(RelaxedSubstrate, SumsItsBranches) {
         2 * std::numbers::pi *
         experiments::calculate(rig, experiments::excitation_frequency).result.value;
     double loss = 0, stiffer = 0;
-    for (const auto& [g, tau] : rig.relaxation->branches) {
+    for (const auto& [g, tau] : rig.c.relaxation->branches) {
         loss += g * omega * tau / (1 + std::pow(omega * tau, 2));
         stiffer += g * std::pow(omega * tau, 2) / (1 + std::pow(omega * tau, 2));
     }
@@ -215,7 +215,7 @@ TEST(RelaxedSubstrate, SumsItsBranches) {
 // exp(-t/((1 + g) tau)) (Christensen 1982, ch. 1); the other branch relaxes at once.
 TEST(RelaxedSubstrate, CreepOfOneSlowBranchIsThatOfTheStandardSolid) {
     Rig rig = relaxing_rig();
-    rig.relaxation = {.branches = {{1e-9, 1e-6}, {.5, 40}}};
+    rig.c.relaxation = {.branches = {{1e-9, 1e-6}, {.5, 40}}};
     const auto a = experiments::elastic_substrate(rig);
     const double expected = .5 / 1.5 * std::exp(-60 / (1.5 * 40));
     EXPECT_NEAR(a.criteria[2].calculation.result.value, expected, 1e-8);
@@ -229,7 +229,7 @@ TEST(RelaxedSubstrate, CreepOfOneSlowBranchIsThatOfTheStandardSolid) {
 // A rest that nobody tells leaves that open, and is named.
 TEST(RelaxedSubstrate, NamesWhatItLacks) {
     Rig rig = relaxing_rig();
-    rig.data.erase("t_rest");
+    rig.t_rest = {};
     const auto a = experiments::elastic_substrate(rig);
     EXPECT_EQ(a.missing, std::vector<std::string>{"load.hold"});
     EXPECT_EQ(a.criteria.size(), 2u);
@@ -240,7 +240,7 @@ TEST(RelaxedSubstrate, HasBothSidesOfEachThreshold) {
     for (const auto& criterion : experiments::elastic_substrate(rig).criteria)
         EXPECT_FALSE(criterion.is_met_by(criterion.calculation.result.value))
             << criterion.calculation.name;
-    rig.relaxation = {.branches = {{.01, 1e-3}, {.02, 1e-2}}};
+    rig.c.relaxation = {.branches = {{.01, 1e-3}, {.02, 1e-2}}};
     for (const auto& criterion : experiments::elastic_substrate(rig).criteria)
         EXPECT_TRUE(criterion.is_met_by(criterion.calculation.result.value))
             << criterion.calculation.name;

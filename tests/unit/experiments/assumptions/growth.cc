@@ -48,7 +48,7 @@ TEST(RigGrowth, NothingIsSaidWhereNobodyKnows) {
     }
     // An elastic roller is none of the maps'.
     Rig soft = thesis_sphere();
-    soft.data["E_1"] = {5e6};
+    soft.E_1 = {5e6};
     const auto open = experiments::growth_by_rolling(soft, [](const Rig&) {
         return std::optional(Growth{1e-3, .3, {1.2}, {1.2}});
     });

@@ -4,9 +4,11 @@
 
 #include <map>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "experiments/assumptions/check_rig.h"
-#include "experiments/assumptions/rig.h"
+#include "experiments/assumptions/rig_quantities.h"
 #include "io/keys/input_file.h"
 #include "walking/input/walk_keys.h"
 
@@ -18,6 +20,13 @@ inline experiments::Rig rig_file(const std::string& name) {
     if (!name.starts_with("micro")) return experiments::rolling_rig(io::read_rig_file(path));
     return experiments::walking_rig(io::parse_document(io::read_input_file(path), path),
                                     walking::walk_file_keys());
+}
+
+/// Numbers of a rig and what they become, in turn.
+using RigChanges = std::vector<std::pair<experiments::Inputs::Member, experiments::RigNumber>>;
+inline experiments::Rig changed(experiments::Rig rig, const RigChanges& changes) {
+    for (const auto& [number, value] : changes) rig.*number = value;
+    return rig;
 }
 
 /// Computed once: the layer's equations behind every derivative take a second.

@@ -12,21 +12,21 @@ using experiments::Rig;
 using experiments::Standing;
 
 Rig sphere() {
-    return {.data = {{"R", {40e-3}},
-                     {"E_1", {experiments::rigid_young}},
-                     {"nu_1", {.3}},
-                     {"b", {.4}},
-                     {"E_2", {5.2e6}},
-                     {"nu_2", {.5}},
-                     {"mu", {.57}},
-                     {"F_N", {21.1}},
-                     {"v", {1e-3}},
-                     {"w", {.25}}}};
-}
-Rig with(const std::map<std::string, double>& data) {
-    Rig rig = sphere();
-    for (const auto& [symbol, value] : data) rig.data[symbol] = {value};
+    Rig rig;
+    rig.R = 40e-3;
+    rig.E_1 = experiments::rigid_young;
+    rig.nu_1 = .3;
+    rig.b = .4;
+    rig.E_2 = 5.2e6;
+    rig.nu_2 = .5;
+    rig.mu = .57;
+    rig.F_N = 21.1;
+    rig.v = 1e-3;
+    rig.w = .25;
     return rig;
+}
+Rig with(const RigChanges& data) {
+    return changed(sphere(), data);
 }
 
 constexpr double modulus = 5.2e6 / .75;  // E* of a rigid body on nu = 1/2
@@ -34,11 +34,11 @@ constexpr double modulus = 5.2e6 / .75;  // E* of a rigid body on nu = 1/2
 // a^2/R = d = 505 um by Hertz.
 TEST(SmoothSurfaces, ComparesHeightsWithTheDepth) {
     const double d = std::cbrt(std::pow(.75 * 21.1 / modulus, 2) / 40e-3);
-    const auto smooth = experiments::smooth_surfaces(with({{"h_rms", 5e-6}}));
+    const auto smooth = experiments::smooth_surfaces(with({{&Rig::h_rms, 5e-6}}));
     EXPECT_EQ(smooth.standing(), Standing::holds);
     EXPECT_NEAR(smooth.deciding_value(), 5e-6 / d, 1e-6 * 5e-6 / d);
     EXPECT_EQ(smooth.consequence.find("wider"), std::string::npos);
-    const auto rough = experiments::smooth_surfaces(with({{"h_rms", 30e-6}}));
+    const auto rough = experiments::smooth_surfaces(with({{&Rig::h_rms, 30e-6}}));
     EXPECT_EQ(rough.standing(), Standing::violated);
     EXPECT_NE(rough.consequence.find("wider"), std::string::npos) << rough.consequence;
 }
@@ -48,11 +48,11 @@ TEST(UnsaturatedContact, IsAThirdOfTheSquareOfSmallPressures) {
     const double a = std::cbrt(.75 * 21.1 * 40e-3 / modulus);
     const double peak = 1.5 * 21.1 / (M_PI * a * a);
     const double slope = 2, x = std::sqrt(2.) * peak / (modulus * slope);
-    const auto light = experiments::unsaturated_contact(with({{"s_rms", slope}}));
+    const auto light = experiments::unsaturated_contact(with({{&Rig::s_rms, slope}}));
     EXPECT_EQ(light.standing(), Standing::holds);
     EXPECT_NEAR(light.deciding_value(), x * x / 3, .01 * x * x / 3);
     EXPECT_EQ(light.consequence.find("lower there"), std::string::npos);
-    const auto pressed = experiments::unsaturated_contact(with({{"s_rms", .1}}));
+    const auto pressed = experiments::unsaturated_contact(with({{&Rig::s_rms, .1}}));
     EXPECT_EQ(pressed.standing(), Standing::violated);
     EXPECT_NEAR(pressed.background.front().result.value,
                 std::erf(std::sqrt(2.) * peak / (modulus * .1)), 1e-6);
@@ -61,13 +61,14 @@ TEST(UnsaturatedContact, IsAThirdOfTheSquareOfSmallPressures) {
 
 // A uniform disc source of the power Q: Q/(pi a k), Q = mu F_N v_slip, v_slip = mu a v/R.
 TEST(NoHeating, IsBoundedByADiscSourceAtRest) {
-    const auto slow = experiments::no_heating(with({{"k_th", .2}, {"c_T", 3e-3}}));
+    const auto slow = experiments::no_heating(with({{&Rig::k_th, .2}, {&Rig::c_T, 3e-3}}));
     const double a = std::cbrt(.75 * 21.1 * 40e-3 / modulus);
     const double power = .57 * 21.1 * (.57 * a / 40e-3 * 1e-3);
     EXPECT_EQ(slow.standing(), Standing::holds);
     EXPECT_NEAR(slow.background.front().result.value, power / (M_PI * a * .2), 1e-9);
     EXPECT_EQ(slow.consequence.find("bound takes"), std::string::npos);
-    const auto fast = experiments::no_heating(with({{"k_th", .2}, {"c_T", 3e-3}, {"v", .1}}));
+    const auto fast =
+        experiments::no_heating(with({{&Rig::k_th, .2}, {&Rig::c_T, 3e-3}, {&Rig::v, .1}}));
     EXPECT_EQ(fast.standing(), Standing::violated);
     EXPECT_NE(fast.consequence.find("bound takes"), std::string::npos) << fast.consequence;
 }
@@ -76,11 +77,11 @@ TEST(NoWear, IsArchardsDepthOverTheIndentation) {
     const double a = std::cbrt(.75 * 21.1 * 40e-3 / modulus), d = a * a / 40e-3;
     const double peak = 1.5 * 21.1 / (M_PI * a * a);
     // 1e-5 mm^3/(N m), twelve periods.
-    const auto few = experiments::no_wear(with({{"k_w", 1e-14}, {"n", 12}}));
+    const auto few = experiments::no_wear(with({{&Rig::k_w, 1e-14}, {&Rig::n, 12}}));
     EXPECT_EQ(few.standing(), Standing::holds);
     const double slip = 12 * 4 * .25 * a * .57 * a / 40e-3;
     EXPECT_NEAR(few.deciding_value(), 1e-14 * peak * slip / d, 1e-6 * 1e-14 * peak * slip / d);
-    const auto many = experiments::no_wear(with({{"k_w", 1e-11}, {"n", 1e5}}));
+    const auto many = experiments::no_wear(with({{&Rig::k_w, 1e-11}, {&Rig::n, 1e5}}));
     EXPECT_EQ(many.standing(), Standing::violated);
     EXPECT_NE(many.consequence.find("bound takes"), std::string::npos) << many.consequence;
 }
@@ -98,7 +99,7 @@ TEST(SurfaceAssumptions, AreNotTestableWithoutTheirData) {
 
 // A cylinder's pressure and half width are those of its line contact.
 TEST(SurfaceAssumptions, OfCylindersAreThoseOfTheLineContact) {
-    Rig rig = with({{"L", 20e-3}, {"h_rms", 5e-6}, {"s_rms", .1}});
+    Rig rig = with({{&Rig::L, 20e-3}, {&Rig::h_rms, 5e-6}, {&Rig::s_rms, .1}});
     rig.kind = Rig::Kind::cylinder;
     const double a = std::sqrt(4 * 21.1 / 20e-3 * 40e-3 / (M_PI * modulus));
     EXPECT_NEAR(experiments::smooth_surfaces(rig).deciding_value(), 5e-6 * 40e-3 / (a * a), 1e-8);

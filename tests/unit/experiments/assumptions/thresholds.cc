@@ -12,22 +12,22 @@ namespace tricontact::threshold_test {
 namespace {
 
 using experiments::Rig;
-using Data = std::map<std::string, double>;
+using Data = RigChanges;
 
 Rig rig_with(const std::string& name, const Data& data) {
-    Rig rig = rig_file(name);
-    for (const auto& [symbol, value] : data) rig.data[symbol] = {value};
-    return rig;
+    return changed(rig_file(name), data);
 }
 
 /// All data that a rig may state, harmless.
-const Data sphere_data{{"rho", 1100}, {"eta", 40},   {"G_2/G_1", 10}, {"v", 1e-3},     {"f_1", 22},
-                       {"DU", 1e-6},  {"w'", .25},   {"Dgamma", .05}, {"h_rms", 1e-6}, {"s_rms", 2},
-                       {"k_th", .2},  {"c_T", 3e-3}, {"k_w", 1e-14},  {"n", 12},       {"l_x", .08},
-                       {"l_y", .08},  {"theta", 0}};
+const Data sphere_data{{&Rig::rho, 1100},    {&Rig::eta, 40},     {&Rig::G_ratio, 10},
+                       {&Rig::v, 1e-3},      {&Rig::f_1, 22},     {&Rig::DU, 1e-6},
+                       {&Rig::w_pivot, .25}, {&Rig::Dgamma, .05}, {&Rig::h_rms, 1e-6},
+                       {&Rig::s_rms, 2},     {&Rig::k_th, .2},    {&Rig::c_T, 3e-3},
+                       {&Rig::k_w, 1e-14},   {&Rig::n, 12},       {&Rig::l_x, .08},
+                       {&Rig::l_y, .08},     {&Rig::theta, 0}};
 
 Data changed(Data data, const Data& other) {
-    for (const auto& [symbol, value] : other) data[symbol] = value;
+    data.insert(data.end(), other.begin(), other.end());
     return data;
 }
 
@@ -64,48 +64,49 @@ void expect_both(const std::map<std::string, Sides>& sides, std::size_t at_least
 TEST(Thresholds, OfASphereHaveBothSides) {
     std::map<std::string, Sides> sides;
     look(rig_with("sphere_parallel", sphere_data), 0, sides);
-    look(rig_with("sphere_parallel", changed(sphere_data, {{"Dgamma", 50},
-                                                           {"h_rms", 1e-4},
-                                                           {"s_rms", .05},
-                                                           {"v", 2},
-                                                           {"k_w", 1e-9},
-                                                           {"n", 1e5},
-                                                           {"DU", 9e-5},
-                                                           {"eta", 4e4},
-                                                           {"l_x", .018},
-                                                           {"l_y", .018},
-                                                           {"theta", .1}})),
+    look(rig_with("sphere_parallel", changed(sphere_data, {{&Rig::Dgamma, 50},
+                                                           {&Rig::h_rms, 1e-4},
+                                                           {&Rig::s_rms, .05},
+                                                           {&Rig::v, 2},
+                                                           {&Rig::k_w, 1e-9},
+                                                           {&Rig::n, 1e5},
+                                                           {&Rig::DU, 9e-5},
+                                                           {&Rig::eta, 4e4},
+                                                           {&Rig::l_x, .018},
+                                                           {&Rig::l_y, .018},
+                                                           {&Rig::theta, .1}})),
          .2, sides);
-    look(rig_with("sphere_parallel", changed(sphere_data, {{"b", .8}})), 0, sides);
-    look(rig_with("sphere_parallel", changed(sphere_data, {{"F_N", 400}, {"l_x", .008}})), 0,
-         sides);
+    look(rig_with("sphere_parallel", changed(sphere_data, {{&Rig::b, .8}})), 0, sides);
+    look(rig_with("sphere_parallel", changed(sphere_data, {{&Rig::F_N, 400}, {&Rig::l_x, .008}})),
+         0, sides);
     expect_both(sides, 24,
                 {"small_strains: strain_shift_error", "small_strains: strain_indentation_error"});
     // The fit of finite strains ends at a/R = 0.22, where its error of the shift is some 4 %.
-    const auto beyond =
-        experiments::check_rig(rig_with("sphere_parallel", changed(sphere_data, {{"F_N", 400}})));
+    const auto beyond = experiments::check_rig(
+        rig_with("sphere_parallel", changed(sphere_data, {{&Rig::F_N, 400}})));
     EXPECT_TRUE(assumption_of(beyond, "small_strains").criteria.empty());
     EXPECT_EQ(assumption_of(beyond, "small_strains").standing(),
               experiments::Standing::not_testable);
 }
 
 TEST(Thresholds, OfACylinderHaveBothSides) {
-    const Data data = changed(sphere_data, {{"L", .2}, {"theta'", 0}});
+    const Data data = changed(sphere_data, {{&Rig::L, .2}, {&Rig::theta_axis, 0}});
     std::map<std::string, Sides> sides;
     look(rig_with("cylinder_parallel", data), 0, sides);
-    look(rig_with("cylinder_parallel", changed(data, {{"b", .1}})), 0, sides);
-    look(rig_with("cylinder_parallel", changed(data, {{"b", .4}, {"DU", 1e-7}, {"l_x", .04}})), 0,
-         sides);
-    look(rig_with("cylinder_parallel", changed(data, {{"b", 2e-3},
-                                                      {"L", 2e-2},
-                                                      {"h_rms", 2e-4},
-                                                      {"s_rms", .05},
-                                                      {"v", 2},
-                                                      {"DU", 9e-5},
-                                                      {"eta", 4e4},
-                                                      {"l_x", .004},
-                                                      {"theta", .1},
-                                                      {"theta'", .01}})),
+    look(rig_with("cylinder_parallel", changed(data, {{&Rig::b, .1}})), 0, sides);
+    look(rig_with("cylinder_parallel",
+                  changed(data, {{&Rig::b, .4}, {&Rig::DU, 1e-7}, {&Rig::l_x, .04}})),
+         0, sides);
+    look(rig_with("cylinder_parallel", changed(data, {{&Rig::b, 2e-3},
+                                                      {&Rig::L, 2e-2},
+                                                      {&Rig::h_rms, 2e-4},
+                                                      {&Rig::s_rms, .05},
+                                                      {&Rig::v, 2},
+                                                      {&Rig::DU, 9e-5},
+                                                      {&Rig::eta, 4e4},
+                                                      {&Rig::l_x, .004},
+                                                      {&Rig::theta, .1},
+                                                      {&Rig::theta_axis, .01}})),
          .2, sides);
     expect_both(sides, 14);
 }
@@ -115,20 +116,16 @@ TEST(Thresholds, OfAWalkingRigHaveBothSides) {
     for (const char* name : {"micro_walking_set_1", "micro_walking_set_5"})
         look(rig_with(name, {}), 0, sides);
     Rig exact = rig_with("micro_walking_set_5", {});
-    for (auto& [symbol, number] : exact.data) number.standard_error = 0;
+    for (const auto& one : experiments::rig_quantities(exact.kind))
+        (exact.*one.number).standard_error = 0;
     look(exact, 0, sides);
-    const Data& five = [&] {
-        Data all;
-        for (const auto& [symbol, number] : exact.data) all[symbol] = number.value;
-        return all;
-    }();
-    look(rig_with("micro_walking_set_5", {{"D_c", .1 * five.at("D_c")},
-                                          {"D_wear", 10 * five.at("D_c")},
-                                          {"kappa_8", 100},
-                                          {"l_s", .01 * five.at("l_s")},
-                                          {"f_samp", .01 * five.at("f_samp")}}),
+    look(rig_with("micro_walking_set_5", {{&Rig::D_c, .1 * exact.D_c},
+                                          {&Rig::D_wear, 10 * exact.D_c},
+                                          {&Rig::kappa_8, 100},
+                                          {&Rig::l_s, .01 * exact.l_s},
+                                          {&Rig::f_samp, .01 * exact.f_samp}}),
          0, sides);
-    look(rig_with("micro_walking_set_5", {{"E_s", 1e-6 * five.at("E_s")}}), 0, sides);
+    look(rig_with("micro_walking_set_5", {{&Rig::E_s, 1e-6 * exact.E_s}}), 0, sides);
     expect_both(sides, 9);
 }
 
