@@ -7,7 +7,7 @@
 #include "files/regular_file.h"
 #include "files/version.h"
 
-namespace tricontact::app {
+namespace tricontact::runs {
 
 namespace {
 
@@ -41,4 +41,4 @@ std::string file_digests(const contact::Case& c) {
     return digests;
 }
 
-}  // namespace tricontact::app
+}  // namespace tricontact::runs

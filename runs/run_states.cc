@@ -7,7 +7,7 @@
 #include "io/results/atomic_file.h"
 #include "runs/shown_states.h"
 
-namespace tricontact::app {
+namespace tricontact::runs {
 
 namespace {
 
@@ -129,4 +129,4 @@ void RunStates::finish() const {
     if (subsurface_ || shows_surface) io::sync_files(folder_);
 }
 
-}  // namespace tricontact::app
+}  // namespace tricontact::runs

@@ -2,17 +2,17 @@
 #include <cmath>
 #include <filesystem>
 
-#include "app/models/roll_models.h"
 #include "atlas/prediction.h"
 #include "atlas/shipped.h"
 #include "contact/models/model_kind.h"
 #include "io/case/case_reader.h"
+#include "io/case/rolling_on.h"
 #include "report/format.h"
 #include "runs/case_run.h"
 #include "runs/point_key.h"
 #include "studies/study_kind.h"
 
-namespace tricontact::app {
+namespace tricontact::studies {
 
 namespace {
 
@@ -43,9 +43,9 @@ std::vector<std::string> finer(const std::string& model, const Case& c, int k) {
     return {key + '=' + metres_text(*c.fem.size / factor), fmt::format("fem.growth={}", growth)};
 }
 
-void check_models(const Study& study) {
+void check_models(const Study& study, const contact::ModelMakers& makers) {
     for (const std::string& name : study.models)
-        if (!has_model(name))
+        if (!makers.has(name))
             throw contact::InputError(
                 fmt::format("{}: models: this program was built without the model {}; name others",
                             study.name, name));
@@ -60,7 +60,7 @@ StudyPoint study_point(const Study& study, const Combination& combination, const
         entries.push_back(io::overriding("models", std::vector<std::string>{model}, "models"));
         StudyPoint point =
             make_point(io::resolve_case(study.base, entries), model, level, study.base.name);
-        refuse_rolling_on(point.contact(), study.base.name);
+        io::refuse_rolling_on(point.contact(), study.base.name);
         point.values = combination.values;
         return point;
     } catch (const contact::InputError& error) {
@@ -77,16 +77,17 @@ std::string folder_of(const StudyPoint& point) {
     return "points/" + point.key;
 }
 
-contact::History history_with_files(const StudyPoint& point, const std::string& folder) {
+contact::History history_with_files(const StudyPoint& point, const PointRuns& runs) {
     Case c = point.contact();
     c.output = point.output;
     const std::string text = io::write_case(c);
-    RunOptions options;
-    options.output = folder + '/' + folder_of(point);
+    runs::RunOptions options;
+    options.makers = runs.options.makers;
+    options.output = runs.folder + '/' + folder_of(point);
     options.quiet = true;
     io::make_output_folder(options.output);
-    options.write(resolved_case_name, text);
-    return run_model(point.model, c, text, options);
+    options.write(runs::resolved_case_name, text);
+    return runs::run_model(point.model, c, text, options);
 }
 
 comparisons::Sweep::Point reported(const StudyPoint& point, const io::ResultStore& store,
@@ -110,15 +111,15 @@ std::string read_in_atlas(const Case& c) {
 
 /// What a result depends on beside case and program.
 std::string other_digests(const Case& c, const std::string& model) {
-    return file_digests(c) +
+    return runs::file_digests(c) +
            (contact::model_kind(model).is_read() ? std::string(atlas::shipped_digest()) : "");
 }
 
 /// Every point by every model.
 class ContactKind : public StudyKind {
   public:
-    StudyPoints points(const Study& study) const override {
-        check_models(study);
+    StudyPoints points(const Study& study, const contact::ModelMakers& makers) const override {
+        check_models(study, makers);
         const std::size_t n_each = study.models.size() * static_cast<std::size_t>(study.levels);
         StudyPoints points;
         for_each_combination(study, n_each, [&](const Combination& combination) {
@@ -144,12 +145,13 @@ class ContactKind : public StudyKind {
     }
 
     std::string compute(const StudyPoints& points, const Places& lot,
-                        const std::string& folder) const override {
+                        const PointRuns& runs) const override {
         const StudyPoint& point = points[lot.front()];
         if (contact::model_kind(point.model).is_read()) return read_in_atlas(point.contact());
-        const contact::History history = folder.empty()
-                                             ? history_of(point.model, point.contact(), 1, silent)
-                                             : history_with_files(point, folder);
+        const contact::ModelRunner alone(*runs.options.makers, 1);
+        const contact::History history = runs.folder.empty()
+                                             ? alone.history_of(point.model, point.contact())
+                                             : history_with_files(point, runs);
         return json{{"results", comparisons::stored_results({point.contact(), history})},
                     {"cpu_s", history.cpu_s},
                     {"wall_s", history.wall_s}}
@@ -208,7 +210,7 @@ StudyPoint make_point(const Case& c, const std::string& model, int level, const 
             .c = of_point,
             .output = c.output,
             .resolved = io::write_case(of_point),
-            .key = point_key(io::write_case(content) + other_digests(content, model))};
+            .key = runs::point_key(io::write_case(content) + other_digests(content, model))};
 }
 
 std::string surface_file(const StudyPoint& point) {
@@ -220,4 +222,4 @@ std::optional<comparisons::Results> results_of(const std::optional<io::PointOutc
     return comparisons::read_stored_results(json::parse(*outcome->results));
 }
 
-}  // namespace tricontact::app
+}  // namespace tricontact::studies

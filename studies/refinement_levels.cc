@@ -6,12 +6,11 @@
 #include <cmath>
 #include <utility>
 
-#include "app/models/make_model.h"
-#include "app/models/roll_models.h"
 #include "contact/models/model_kind.h"
 #include "io/case/case_reader.h"
+#include "io/case/rolling_on.h"
 
-namespace tricontact::app {
+namespace tricontact::studies {
 
 namespace {
 
@@ -32,13 +31,13 @@ double start_size(const Case& c, const RefineOptions& options, const Say& say) {
         options.refuse("fem.mesh = " + *c.fem.mesh +
                        ": a mesh from a file cannot be refined; give fem.size or fem.accuracy "
                        "instead");
-    return c.fem.size ? *c.fem.size : 2 * block_of(c, say).size;
+    return c.fem.size ? *c.fem.size : 2 * options.makers->block_of(c, say).size;
 }
 
 /// The case for the model alone.
 Case case_of(const RefineOptions& options) {
     const Case all = io::read_case(options.file, options.overrides);
-    refuse_rolling_on(all, options.file);
+    io::refuse_rolling_on(all, options.file);
     if (!std::ranges::count(all.models, options.model))
         options.refuse("models: " + options.model +
                        " is not among the models of the case; add it, or name another with "
@@ -71,15 +70,15 @@ Overrides resolution(const Case& c, const contact::ModelKind& kind, double size,
     return result;
 }
 
-Level wider(const Level& level, double factor, const std::string& case_file, const Say& say) {
-    const MeshBlock block = block_of(level.c, say);
+Level wider(const Level& level, double factor, const RefineOptions& options, const Say& say) {
+    const contact::MeshBlock block = options.makers->block_of(level.c, say);
     Overrides sides{"substrate.width=" + length(factor * block.width)};
     // Where a roller's substrate ends along y is part of the problem; a cylinder's does not.
     if (!level.c.is_cylindrical())
         sides.push_back("substrate.depth=" + length(factor * block.depth));
     return make_level(level.c, "wide",
                       fmt::format("{}, block {} times as wide", level.what, factor), level.size,
-                      std::move(sides), case_file);
+                      std::move(sides), options.file);
 }
 
 }  // namespace
@@ -97,8 +96,8 @@ RefinementPlan plan_refinement(const RefineOptions& options, const Say& say) {
                                          resolution(c, kind, size, k), options.file));
     }
     if (kind.sees_sides)
-        plan.wide = wider(plan.levels[plan.levels.size() - 2], plan.wide_factor, options.file, say);
+        plan.wide = wider(plan.levels[plan.levels.size() - 2], plan.wide_factor, options, say);
     return plan;
 }
 
-}  // namespace tricontact::app
+}  // namespace tricontact::studies

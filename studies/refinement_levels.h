@@ -4,12 +4,15 @@
 #include <string>
 #include <vector>
 
-#include "app/models/make_model.h"
 #include "contact/models/model_kind.h"
+#include "runs/options.h"
 
-namespace tricontact::app {
+namespace tricontact::studies {
 
-struct RefineOptions : CommandOptions {
+using contact::Case;
+using contact::Say;
+
+struct RefineOptions : runs::CommandOptions {
     std::string model = contact::models::fem;  ///< or bem-layer, bem
     int levels = 3;                            ///< 3 to 8
 };
@@ -37,4 +40,4 @@ struct RefinementPlan {
 /// files. Throws InputError.
 RefinementPlan plan_refinement(const RefineOptions& options, const Say& say);
 
-}  // namespace tricontact::app
+}  // namespace tricontact::studies

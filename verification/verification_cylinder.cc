@@ -4,7 +4,7 @@
 #include "theory/oscillating_cylinder.h"
 #include "verification/verification_rows.h"
 
-namespace tricontact::app {
+namespace tricontact::verification {
 
 namespace {
 
@@ -77,24 +77,24 @@ Case line_layer_case() {
 
 }  // namespace
 
-void verify_fem_line(const Say& say, Verification& all) {
+void verify_fem_line(const Runner& runner, Verification& all) {
     Case c = line_layer_case();
     c.fem.cache = "none";
     const double hertz_width = contact::half_space_scales(c).contact_radius;
     const Resolution sizes{[](Case& level, int factor) { level.fem.size = 4e-4 / factor; },
                            [&](const Case& level) { return *level.fem.size / hertz_width; }};
     // Edges fall between nodes, a tenth of a tributary length of which is seen.
-    add_layer(run_levels(contact::models::fem, c, sizes, say), c, {{3e-3}, {1e-3}}, all);
+    add_layer(run_levels(contact::models::fem, c, sizes, runner), c, {{3e-3}, {1e-3}}, all);
 }
 
-void verify_cylinder(bool brief, const Say& say, Verification& all) {
+void verify_cylinder(bool brief, const Runner& runner, Verification& all) {
     const double coarser = brief ? 8 : 1;
     const Resolution cells = cells_in_radius(brief ? 10 : 40);
     // Second order but for edges between cells.
     const LineTolerances allowed{{5e-4 * coarser}, {2e-4 * coarser}};
     const Case c = line_layer_case();
-    add_half_space(run_levels(contact::models::bem, cylinder_case(), cells, say), allowed, all);
-    add_layer(run_levels(contact::models::bem_layer, c, cells, say), c, allowed, all);
+    add_half_space(run_levels(contact::models::bem, cylinder_case(), cells, runner), allowed, all);
+    add_layer(run_levels(contact::models::bem_layer, c, cells, runner), c, allowed, all);
 }
 
-}  // namespace tricontact::app
+}  // namespace tricontact::verification

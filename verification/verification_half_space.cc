@@ -5,7 +5,7 @@
 #include "theory/rolling/oscillating_rolling.h"
 #include "verification/verification_rows.h"
 
-namespace tricontact::app {
+namespace tricontact::verification {
 
 namespace {
 
@@ -68,7 +68,7 @@ double cycle_dissipation(contact::Model& model, const Case& c, double f) {
 }
 
 void add_cycle(const std::string& model, const Resolution& resolution, const Allowed& allowed,
-               const Say& say, Verification& all) {
+               const Runner& runner, Verification& all) {
     const double f = 0.6;
     const Case base = rolling_case(amplitude, f);
     const double exact =
@@ -80,8 +80,7 @@ void add_cycle(const std::string& model, const Resolution& resolution, const All
              exact * 1e3, allowed.error, allowed.order},
             all, [&](int factor) -> LevelValue {
                 const Case c = resolution.refined(base, factor);
-                return {resolution.size(c),
-                        cycle_dissipation(*make_model(model, c, 1, say), c, f) * 1e3};
+                return {resolution.size(c), cycle_dissipation(*runner.make(model, c), c, f) * 1e3};
             });
 }
 
@@ -93,20 +92,20 @@ void add_settled_mdr(const Levels& levels, double w, double f, double tolerance,
              theory::settled_shift_ratio(w, f).value(), {tolerance});
 }
 
-void verify_mdr(bool brief, const Say& say, Verification& all) {
+void verify_mdr(bool brief, const Runner& runner, Verification& all) {
     const int springs = brief ? 500 : 2500;
     const Resolution resolution{
         [&](Case& c, int factor) { c.mdr.springs = springs * factor; },
         // Of the bed: the contact and the path on both sides.
         [](const Case& c) { return 2 * (1 + *c.rolling->amplitude_ratio) / c.mdr.springs; }};
     const auto run = [&](double w, double f) {
-        return run_levels(contact::models::mdr, rolling_case(w, f), resolution, say);
+        return run_levels(contact::models::mdr, rolling_case(w, f), resolution, runner);
     };
     const Levels levels = run(amplitude, force);
     const double tolerance = brief ? 2.5e-5 : 1e-6;  // of the second order
     const Allowed allowed{tolerance};
     add_closed_forms(levels, {allowed, allowed, {brief ? 5e-3 : 1e-3}}, all);
-    add_cycle(contact::models::mdr, resolution, {10 * tolerance}, say, all);
+    add_cycle(contact::models::mdr, resolution, {10 * tolerance}, runner, all);
     add_settled_mdr(levels, amplitude, force, tolerance, all);
     if (brief) return;
     // Kinks of the line load cost the more the less the shift is.
@@ -116,16 +115,16 @@ void verify_mdr(bool brief, const Say& say, Verification& all) {
 
 }  // namespace
 
-void verify_half_space(bool brief, const Say& say, Verification& all) {
-    verify_mdr(brief, say, all);
+void verify_half_space(bool brief, const Runner& runner, Verification& all) {
+    verify_mdr(brief, runner, all);
     const double coarser = brief ? 4 : 1;
     const Resolution cells = cells_in_radius(brief ? 5 : 8);
     // Second order but for edges between cells.
     const Allowed allowed{2e-4 * coarser, brief ? 0 : 1.2};
     const Levels levels =
-        run_levels(contact::models::bem, rolling_case(amplitude, force), cells, say);
+        run_levels(contact::models::bem, rolling_case(amplitude, force), cells, runner);
     add_closed_forms(levels, {allowed, {5e-4 * coarser, allowed.order}, {.02 * coarser}}, all);
-    add_cycle(contact::models::bem, cells, {2e-3 * coarser, allowed.order}, say, all);
+    add_cycle(contact::models::bem, cells, {2e-3 * coarser, allowed.order}, runner, all);
 }
 
-}  // namespace tricontact::app
+}  // namespace tricontact::verification

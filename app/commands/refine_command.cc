@@ -42,10 +42,10 @@ std::string read_text(const std::string& path) {
 
 /// What a level.json holds: nothing of it is believed unless all of it is what belongs to its
 /// numbers.
-json document_of(const Level& level, const Finished& done) {
+json document_of(const studies::Level& level, const Finished& done) {
     json document{
-        {"version", files::version}, {"numerics", numerics_digest()},
-        {"case", level.resolved},    {"files", file_digests(level.c)},
+        {"version", files::version}, {"numerics", runs::numerics_digest()},
+        {"case", level.resolved},    {"files", runs::file_digests(level.c)},
         {"cpu_s", done.cpu_s},       {"values", comparisons::stored_results(done.values)}};
     document["digest"] = files::digest_of(document.dump());
     return document;
@@ -54,29 +54,30 @@ json document_of(const Level& level, const Finished& done) {
 /// Levels in the folders of a refinement. A level that is finished is not computed again as long as
 /// program and case are the same, and its file is as it was written.
 struct FinishedLevels {
-    const RefineOptions& options_;
+    const studies::RefineOptions& options_;
 
-    Finished finish(const Level& level) const {
+    Finished finish(const studies::Level& level) const {
         if (const auto found = find(level)) return *found;
         return keep(level, run(level));
     }
-    contact::History run(const Level& level, comparisons::LoadingStudy* study = nullptr) const {
+    contact::History run(const studies::Level& level,
+                         comparisons::LoadingStudy* study = nullptr) const {
         options_.say(fmt::format("{}: {}", level.name, level.what));
         io::make_output_folder(folder(level));
         // Those of an earlier call must not seem to be of this one while it is unfinished.
         io::remove_old_results(options_.output, level_results);
         io::remove_old_results(folder(level), {"level.json"});
-        io::remove_old_results(folder(level) + '/' + options_.model, model_results);
-        RunOptions options{options_};
+        io::remove_old_results(folder(level) + '/' + options_.model, runs::model_results);
+        runs::RunOptions options{options_};
         options.output = folder(level);
-        return run_model(options_.model, level.c, level.resolved, options, study);
+        return runs::run_model(options_.model, level.c, level.resolved, options, study);
     }
-    Finished keep(const Level& level, const contact::History& history) const {
+    Finished keep(const studies::Level& level, const contact::History& history) const {
         const Finished done{Results(level.c, history), history.cpu_s};
         io::write_file(file(level), document_of(level, done).dump(2) + "\n");
         return done;
     }
-    std::optional<Finished> find(const Level& level) const {
+    std::optional<Finished> find(const studies::Level& level) const {
         const json found = io::parsed_json(read_text(file(level)));
         if (found.is_discarded() || !found.is_object()) return {};
         try {
@@ -90,8 +91,10 @@ struct FinishedLevels {
         }
     }
 
-    std::string folder(const Level& level) const { return options_.output + "/" + level.name; }
-    std::string file(const Level& level) const { return folder(level) + "/level.json"; }
+    std::string folder(const studies::Level& level) const {
+        return options_.output + "/" + level.name;
+    }
+    std::string file(const studies::Level& level) const { return folder(level) + "/level.json"; }
 };
 
 std::optional<comparisons::PressedValues> theory_of(const Case& c, bool layer) {
@@ -106,7 +109,8 @@ std::optional<comparisons::PressedValues> theory_of(const Case& c, bool layer) {
     return comparison ? comparison->exact : std::nullopt;
 }
 
-comparisons::RefinedLevels start_of(const RefinementPlan& plan, const RefineOptions& options) {
+comparisons::RefinedLevels start_of(const studies::RefinementPlan& plan,
+                                    const studies::RefineOptions& options) {
     const contact::ModelKind& kind = contact::model_kind(options.model);
     const bool layer = kind.is_layer();
     const Case& c = plan.levels.front().c;
@@ -121,7 +125,7 @@ comparisons::RefinedLevels start_of(const RefinementPlan& plan, const RefineOpti
     return result;
 }
 
-void add(const Level& level, const Finished& done, comparisons::RefinedLevels& refined) {
+void add(const studies::Level& level, const Finished& done, comparisons::RefinedLevels& refined) {
     refined.sizes.push_back(level.size);
     refined.values.push_back(done.values);
     refined.cpu_s.push_back(done.cpu_s);
@@ -129,9 +133,9 @@ void add(const Level& level, const Finished& done, comparisons::RefinedLevels& r
 
 /// Adds the finest level, which comes last; it counts as finished when the report, which needs its
 /// surfaces, is written.
-comparisons::Refinement finish_last(const Level& finest, const FinishedLevels& levels,
+comparisons::Refinement finish_last(const studies::Level& finest, const FinishedLevels& levels,
                                     comparisons::RefinedLevels& refined,
-                                    const RefineOptions& options) {
+                                    const studies::RefineOptions& options) {
     const std::string& output = options.output;
     const std::string report = output + "/report.html", numbers = output + "/refinement.json";
     if (const auto found = levels.find(finest)) {
@@ -151,7 +155,7 @@ comparisons::Refinement finish_last(const Level& finest, const FinishedLevels& l
     add(finest, done, refined);
     extras.refinement = make_refinement(refined);
     options.write(resolved_case_name, finest.resolved);
-    write_run_report({finest.c, finest.resolved, {history}, extras}, options);
+    runs::write_run_report({finest.c, finest.resolved, {history}, extras}, options);
     options.write("refinement.csv", refinement_csv(*extras.refinement));
     io::write_file(numbers, refinement_json(files::version, *extras.refinement));
     levels.keep(finest, history);
@@ -159,17 +163,17 @@ comparisons::Refinement finish_last(const Level& finest, const FinishedLevels& l
 }
 
 // Results stay until a level has to be computed (Levels::run).
-io::OutputNames names_of(const RefinementPlan& plan) {
+io::OutputNames names_of(const studies::RefinementPlan& plan) {
     io::OutputNames names{{}, level_results};
-    for (const Level& level : plan.levels) names.kept.push_back(level.name + '/');
+    for (const studies::Level& level : plan.levels) names.kept.push_back(level.name + '/');
     if (plan.wide) names.kept.push_back(plan.wide->name + '/');
     return names;
 }
 
-void refine_case(RefineOptions options) {
+void refine_case(studies::RefineOptions options) {
     options.choose_folder("_refined");
     const FinishedLevels levels{options};
-    const RefinementPlan plan = plan_refinement(options, options.sayer());
+    const studies::RefinementPlan plan = studies::plan_refinement(options, options.sayer());
     for (const std::string& sentence : comparisons::input_sentences(plan.levels.front().c))
         options.say(sentence);
     comparisons::RefinedLevels refined = start_of(plan, options);
@@ -193,11 +197,12 @@ void refine_case(RefineOptions options) {
 }  // namespace
 
 Command refine_command() {
-    return Declared<RefineOptions>(Group::trust, "refine",
-                                   "Run a case on finer and finer meshes: its errors", refine_case)
+    return Declared<studies::RefineOptions>(Group::trust, "refine",
+                                            "Run a case on finer and finer meshes: its errors",
+                                            refine_case)
         .on_case()
-        .number("--levels", &RefineOptions::levels, "Number of levels (3)", 3, 8)
-        .word("--model", &RefineOptions::model, "Model to be refined (fem)",
+        .number("--levels", &studies::RefineOptions::levels, "Number of levels (3)", 3, 8)
+        .word("--model", &studies::RefineOptions::model, "Model to be refined (fem)",
               {contact::models::fem, contact::models::bem_layer, contact::models::bem})
         .output("Folder (results/<case>_refined)")
         .exports()

@@ -18,6 +18,8 @@ const KeyList& case_key_list();
 const KeyList& case_file_keys();
 /// The place of a key in the case; none where it does not apply to its shape.
 Field place_of(const CaseKey& key, contact::Case& c);
+/// The number of the case that a key stands for; null where the case states another one instead.
+double* number_of(const CaseKey& key, contact::Case& c);
 const CaseKey* find_key(std::string_view path);
 
 /// Groups of alternative keys: exactly one of each group, or its default.

@@ -38,13 +38,17 @@ may_include fem contact meshes files
 may_include io contact statistics files
 may_include report contact statistics
 may_include comparisons contact theory statistics io report
-# Features, which do not know each other.
+may_include runs contact io report comparisons files
+# Features, which do not know each other, but for maps, which experiments read.
 may_include atlas contact theory statistics io report comparisons files
 may_include rolling contact theory statistics io report comparisons files
 may_include walking contact theory statistics io report comparisons files
-may_include experiments contact theory statistics io report comparisons files
+may_include experiments contact theory statistics io report comparisons files atlas
+# What is made of many runs, by models that the program hands in.
+may_include studies contact statistics io report comparisons files runs atlas walking
+may_include papers contact io report comparisons files runs
+may_include verification contact theory comparisons mdr bem rolling walking
 # All.
-for room in papers runs studies verification; do may_include "$room" "${rooms[@]}"; done
 may_include app "${rooms[@]}"
 may_include python "${rooms[@]}"
 
@@ -76,7 +80,7 @@ done < <(find "${rooms[@]}" benchmarks tests \
 
 # What the numbers that are kept depend on has to be whole: all of what computes; of a part of comparisons or of the
 # walking machines that is in the digest, all that it includes; and nothing that is not there.
-sources=$(dirname "$program")/app_numerics_digest.txt
+sources=$(dirname "$program")/runs_numerics_digest.txt
 if [ -e "$sources" ]; then
     while read -r file; do
         grep -qxF "$file" "$sources" || complain "$file is not in the digest of the numerics"

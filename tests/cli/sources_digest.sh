@@ -36,7 +36,7 @@ digest one moved.cc
     complain "the refinement"
 kept=$(grep -oE '"numerics": "[0-9a-f]{64}"' refined/level_0/level.json | grep -oE '[0-9a-f]{64}')
 [ -n "$kept" ] || complain "no identity of the numerics in level.json"
-unit=$(dirname "$program")/app_numerics_digest.cc
+unit=$(dirname "$program")/runs_numerics_digest.cc
 [ ! -e "$unit" ] || grep -qF "$kept" "$unit" || complain "another identity than the program's own"
 
 # What another program, or this one with other numerics, left is not taken.

@@ -1,4 +1,4 @@
-#include "app/identification_models.h"
+#include "experiments/identification/identification_models.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,15 +6,16 @@
 #include <optional>
 #include <variant>
 
-#include "app/identification_tables.h"
+#include "experiments/identification/identification_tables.h"
+#include "io/case/case_keys.h"
 #include "io/case/measurement_models.h"
 
-namespace tricontact::app {
+namespace tricontact::experiments {
 
 namespace {
 
-using experiments::FreeParameter;
-using Measurement = experiments::IdentificationInput::Measurement;
+using contact::Case;
+using Measurement = IdentificationInput::Measurement;
 
 // A layer's compliance that much above the indenter's: this is rigid, to 1e-3.
 constexpr double rigid_ratio = 1e-3;
@@ -32,36 +33,38 @@ bool is_scaled(const Case& rig) {
 using TableModel = std::function<std::vector<double>(const IdentifiedRig&)>;
 
 /// Own wobble and that of the pivot, which is nothing but a slope.
-TableModel rolling_model(const std::string& model, const experiments::IdentificationInput& input,
-                         const experiments::IdentificationInput::Table& table, int threads) {
+TableModel rolling_model(const std::string& model, const IdentificationInput& input,
+                         const IdentificationInput::Table& table,
+                         const contact::ModelRunner& runner) {
     const Case rig = relaxed(input.rig);
-    if (!is_coupled(shift_model(model), rig, threads))
+    if (!is_coupled(shift_model(model), rig, runner))
         return [&table](const IdentifiedRig& at) { return rolled_shifts(at, 0, table.given); };
     std::vector<double> forces;  // that bound mu where it is free
     if (input.is_free("friction.coefficient"))
         forces = input.find(Measurement::static_shift)->given;
     const auto own = std::make_shared<WobbleTable>(shift_model(model), rig,
-                                                   largest_offset(table.given), forces, threads);
+                                                   largest_offset(table.given), forces, runner);
     return [own, &table](const IdentifiedRig& at) {
         return rolled_shifts(at, own->at(at.as_case), table.given);
     };
 }
 
-TableModel table_model(const std::string& model, const experiments::IdentificationInput& input,
-                       const experiments::IdentificationInput::Table& table,
-                       const std::shared_ptr<PressTable>& presses_of, int threads) {
+TableModel table_model(const std::string& model, const IdentificationInput& input,
+                       const IdentificationInput::Table& table,
+                       const std::shared_ptr<PressTable>& presses_of,
+                       const contact::ModelRunner& runner) {
     const bool is_mapped =
         io::measurement_model(model).kind().is_read() && input.is_free("substrate.poisson");
     const bool is_sheared = table.measurement == Measurement::static_shift;
     if (table.measurement == Measurement::rolling_shift)
-        return rolling_model(model, input, table, threads);
+        return rolling_model(model, input, table, runner);
     if (!io::measurement_model(model).is_layer || (is_sheared ? is_mapped : !presses_of))
         return [=, &table](const IdentifiedRig& rig) {
-            return measured_values(model, table, rig, table.given, threads);
+            return measured_values(model, table, rig, table.given, runner);
         };
     if (is_sheared) {
         const auto shifts = std::make_shared<ShiftTable>(shift_model(model), relaxed(input.rig),
-                                                         table.given, threads);
+                                                         table.given, runner);
         return [shifts](const IdentifiedRig& rig) { return shifts->at(rig.as_case); };
     }
     return [=, &table](const IdentifiedRig& rig) {
@@ -85,12 +88,13 @@ void set_term(contact::Relaxation& relaxation, const FreeParameter& p, double va
 }
 
 /// Errors of a model's own shifts as two inputs.
-std::vector<experiments::InputContribution> own_contributions(
-    const std::string& model, const experiments::IdentificationInput& input,
-    const experiments::IdentificationTask& task, const experiments::Identification& found,
-    const Case& rig, const std::vector<double>& observed) {
+std::vector<InputContribution> own_contributions(const std::string& model,
+                                                 const IdentificationInput& input,
+                                                 const IdentificationTask& task,
+                                                 const Identification& found, const Case& rig,
+                                                 const std::vector<double>& observed) {
     const auto table = std::ranges::find(input.tables, Measurement::static_shift,
-                                         &experiments::IdentificationInput::Table::measurement);
+                                         &IdentificationInput::Table::measurement);
     if (table == input.tables.end()) return {};
     const std::vector<double> errors = static_shift_errors(model, relaxed(rig), table->given);
     if (errors.empty()) return {};
@@ -98,7 +102,7 @@ std::vector<experiments::InputContribution> own_contributions(
     for (auto before = input.tables.begin(); before != table; ++before)
         row += before->observed.size();
     const auto [least, largest] = std::ranges::minmax(table->given);
-    std::vector<experiments::InputContribution> contributions;
+    std::vector<InputContribution> contributions;
     for (const bool alike : {true, false}) {
         std::vector<double> moved = observed;
         for (std::size_t i = 0; i < errors.size(); ++i) {
@@ -108,7 +112,7 @@ std::vector<experiments::InputContribution> own_contributions(
             const double pattern = alike ? 1 : std::sqrt(3.) * place;
             moved[row + i] -= pattern * errors[i] / std::sqrt(2.);
         }
-        std::vector<double> change = experiments::best_nearby(task, found, moved);
+        std::vector<double> change = best_nearby(task, found, moved);
         for (std::size_t k = 0; k < change.size(); ++k) change[k] -= found.parameters[k].value;
         contributions.push_back({alike ? "atlas" : "atlas.curve",
                                  std::ranges::max(errors) / std::sqrt(2.), std::move(change)});
@@ -118,15 +122,7 @@ std::vector<experiments::InputContribution> own_contributions(
 
 }  // namespace
 
-double* number_of(const io::CaseKey& key, Case& c) {
-    const io::Field field = io::place_of(key, c);
-    if (auto* const* value = std::get_if<double*>(&field)) return *value;
-    if (auto* const* value = std::get_if<std::optional<double>*>(&field))
-        return *value && **value ? &***value : nullptr;
-    return nullptr;
-}
-
-void check_lengths_scale(const experiments::IdentificationInput& input) {
+void check_lengths_scale(const IdentificationInput& input) {
     if (!input.is_free("indenter.radius") && !input.is_free("substrate.thickness")) return;
     for (const std::string& model : input.models)
         if (io::measurement_model(model).is_layer && !is_scaled(input.rig))
@@ -136,15 +132,15 @@ void check_lengths_scale(const experiments::IdentificationInput& input) {
                 "base; find the modulus and friction, or take the model half-space");
 }
 
-experiments::Prediction prediction_of(const std::string& model,
-                                      const experiments::IdentificationInput& input, int threads) {
+Prediction prediction_of(const std::string& model, const IdentificationInput& input,
+                         const contact::ModelRunner& runner) {
     std::shared_ptr<PressTable> presses_of;
     if (is_scaled(input.rig) && io::measurement_model(model).is_layer)
         presses_of = std::make_shared<PressTable>(model, relaxed(input.rig),
-                                                  input.is_free("substrate.poisson"), threads);
+                                                  input.is_free("substrate.poisson"), runner);
     std::vector<TableModel> tables;
     for (const auto& table : input.tables)
-        tables.push_back(table_model(model, input, table, presses_of, threads));
+        tables.push_back(table_model(model, input, table, presses_of, runner));
     return [tables, &input,
             parameters = parameters_of(input, model)](const std::vector<double>& values) {
         const IdentifiedRig rig = rig_with(input, parameters, values);
@@ -155,7 +151,7 @@ experiments::Prediction prediction_of(const std::string& model,
     };
 }
 
-IdentifiedRig rig_with(const experiments::IdentificationInput& input,
+IdentifiedRig rig_with(const IdentificationInput& input,
                        const std::vector<FreeParameter>& parameters,
                        const std::vector<double>& values) {
     IdentifiedRig rig{input.rig};
@@ -168,12 +164,12 @@ IdentifiedRig rig_with(const experiments::IdentificationInput& input,
         const FreeParameter& p = parameters[k];
         if (p.key.starts_with("substrate.relaxation."))
             set_term(*c.relaxation, p, values[k], relative);
-        else if (p.key == experiments::pivot_key)
+        else if (p.key == pivot_key)
             rig.pivot_height = values[k];
-        else if (p.key == experiments::zero_depth_key)
+        else if (p.key == zero_depth_key)
             rig.zero_depth = values[k];
         else
-            *number_of(*io::find_key(p.key), c) = values[k];
+            *io::number_of(*io::find_key(p.key), c) = values[k];
     }
     double relaxed_share = 1, last_time = 0;
     for (const double share : relative) relaxed_share -= share;
@@ -192,31 +188,31 @@ IdentifiedRig rig_with(const experiments::IdentificationInput& input,
     return rig;
 }
 
-std::vector<double> values_of_tables(const std::string& model,
-                                     const experiments::IdentificationInput& input,
-                                     const IdentifiedRig& rig, int threads) {
+std::vector<double> values_of_tables(const std::string& model, const IdentificationInput& input,
+                                     const IdentifiedRig& rig, const contact::ModelRunner& runner) {
     std::vector<double> all;
     for (const auto& table : input.tables)
-        std::ranges::copy(measured_values(model, table, rig, table.given, threads),
+        std::ranges::copy(measured_values(model, table, rig, table.given, runner),
                           std::back_inserter(all));
     return all;
 }
 
-std::vector<experiments::InputContribution> input_contributions(
-    const std::string& model, const experiments::IdentificationInput& input,
-    const experiments::IdentificationTask& task, const experiments::Identification& found,
-    int threads) {
+std::vector<InputContribution> input_contributions(const std::string& model,
+                                                   const IdentificationInput& input,
+                                                   const IdentificationTask& task,
+                                                   const Identification& found,
+                                                   const contact::ModelRunner& runner) {
     const IdentifiedRig rig = rig_with(input, found.free, found.best());
     const auto values_at = [&](const io::CaseKey& key, double change) {
         IdentifiedRig other = rig;
-        *number_of(key, other.as_case) += change;
-        return values_of_tables(model, input, other, threads);
+        *io::number_of(key, other.as_case) += change;
+        return values_of_tables(model, input, other, runner);
     };
     std::vector<double> observed;
     for (const auto& table : input.tables)
         std::ranges::copy(table.observed, std::back_inserter(observed));
-    const std::vector<double> unchanged = values_of_tables(model, input, rig, threads);
-    std::vector<experiments::InputContribution> contributions;
+    const std::vector<double> unchanged = values_of_tables(model, input, rig, runner);
+    std::vector<InputContribution> contributions;
     for (const auto& [key, error] : input.rig_errors) {
         std::vector<double> changed, moved = observed;
         double sign = 1;
@@ -228,7 +224,7 @@ std::vector<experiments::InputContribution> input_contributions(
         }
         for (std::size_t i = 0; i < changed.size(); ++i)
             moved[i] -= sign * (changed[i] - unchanged[i]);
-        std::vector<double> change = experiments::best_nearby(task, found, moved);
+        std::vector<double> change = best_nearby(task, found, moved);
         for (std::size_t k = 0; k < change.size(); ++k) change[k] -= found.parameters[k].value;
         contributions.push_back({std::string(key->path), error, std::move(change)});
     }
@@ -237,4 +233,4 @@ std::vector<experiments::InputContribution> input_contributions(
     return contributions;
 }
 
-}  // namespace tricontact::app
+}  // namespace tricontact::experiments

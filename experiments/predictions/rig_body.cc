@@ -1,4 +1,4 @@
-#include "app/rig_body.h"
+#include "experiments/predictions/rig_body.h"
 
 #include <cmath>
 
@@ -7,22 +7,21 @@
 #include "contact/special_values.h"
 #include "experiments/assumptions/check_rig.h"
 #include "experiments/records/experiment_evaluation.h"
-#include "runs/case_run.h"
 
-namespace tricontact::app {
+namespace tricontact::experiments {
 
 namespace {
 
 using contact::Case;
 using contact::History;
-using experiments::BodyContact;
 
 statistics::Estimate with_error(double fine, double coarse) {
-    return {fine, std::abs(experiments::numerical_error(fine, coarse))};
+    return {fine, std::abs(numerical_error(fine, coarse))};
 }
 
-BodyContact contact_by(const std::string& model, const Case& c) {
-    const History fine = history_of(model, c, 1, silent), coarse = history_of_coarser(model, c, 1);
+BodyContact contact_by(const std::string& model, const Case& c,
+                       const contact::ModelRunner& runner) {
+    const History fine = runner.history_of(model, c), coarse = runner.history_of_coarser(model, c);
     return {with_error(fine.scales.indentation, coarse.scales.indentation),
             with_error(fine.scales.contact_radius, coarse.scales.contact_radius),
             contact::has_conical_tip(c)
@@ -34,26 +33,26 @@ BodyContact contact_by(const std::string& model, const Case& c) {
 
 }  // namespace
 
-experiments::BodyContacts body_contacts(const Case& c) {
+BodyContacts body_contacts(const Case& c, const contact::ModelRunner& runner) {
     Case still = c;
     still.rolling.reset();
     still.tractive_rolling.reset();
     still.relaxation.reset();
     still.load.hold = 0;
     still.load.normal_amplitude_ratio = still.load.tangential_amplitude_ratio = 0;
-    still.load.set_tangential_ratio(experiments::coupling_tangential_ratio);
+    still.load.set_tangential_ratio(coupling_tangential_ratio);
     Case uncoupled = still;
     uncoupled.contact.coupling = false;
     still.contact.coupling = true;
-    return {contact_by(contact::models::bem, uncoupled),
-            contact_by(contact::models::bem_layer, uncoupled),
-            contact_by(contact::models::bem_layer, still).static_shift};
+    return {contact_by(contact::models::bem, uncoupled, runner),
+            contact_by(contact::models::bem_layer, uncoupled, runner),
+            contact_by(contact::models::bem_layer, still, runner).static_shift};
 }
 
-experiments::Rig rig_with_body(const io::RigFile& file) {
-    experiments::Rig rig = experiments::rolling_rig(file);
-    if (rig.kind == experiments::Rig::Kind::body) rig.body = body_contacts(file.c);
+Rig rig_with_body(const io::RigFile& file, const contact::ModelRunner& runner) {
+    Rig rig = rolling_rig(file);
+    if (rig.kind == Rig::Kind::body) rig.body = body_contacts(file.c, runner);
     return rig;
 }
 
-}  // namespace tricontact::app
+}  // namespace tricontact::experiments

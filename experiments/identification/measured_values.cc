@@ -1,7 +1,8 @@
+#include "experiments/identification/measured_values.h"
+
 #include <algorithm>
 #include <cmath>
 
-#include "app/identification_models.h"
 #include "atlas/prediction.h"
 #include "atlas/shipped.h"
 #include "comparisons/half_space/layer.h"
@@ -10,15 +11,15 @@
 #include "contact/load_path.h"
 #include "experiments/records/experiment_evaluation.h"
 #include "io/case/measurement_models.h"
-#include "runs/case_run.h"
 #include "theory/cattaneo_mindlin.h"
 
-namespace tricontact::app {
+namespace tricontact::experiments {
 
 namespace {
 
+using contact::Case;
 using contact::NormalControl;
-using Measurement = experiments::IdentificationInput::Measurement;
+using Measurement = IdentificationInput::Measurement;
 
 // Of free rolling: the last one's dU/dW is that of all further ones to 1e-4.
 constexpr int wobble_periods = 3;
@@ -56,10 +57,11 @@ Case pressed(const Case& rig, const NormalControl& control) {
 }
 
 std::vector<Pressed> presses_of_model(const std::string& name, const Case& rig,
-                                      const std::vector<NormalControl>& controls, int threads) {
+                                      const std::vector<NormalControl>& controls,
+                                      const contact::ModelRunner& runner) {
     // The deepest one decides how far the model reaches.
     const auto deepest = std::ranges::max(controls, {}, &NormalControl::value);
-    const auto model = make_model(name, pressed(rig, deepest), threads, silent);
+    const auto model = runner.make(name, pressed(rig, deepest));
     const auto presses = contact::on_large_enough_grid(*model, [&] {
         std::vector<Pressed> all;
         for (const auto& control : controls) {
@@ -72,7 +74,7 @@ std::vector<Pressed> presses_of_model(const std::string& name, const Case& rig,
         }
         return all;
     });
-    require_sound(model->audit(), name);
+    contact::require_sound(model->audit(), name);
     return presses;
 }
 
@@ -101,15 +103,15 @@ std::vector<atlas::Value> mapped_shifts(Case c, const std::vector<double>& force
 }  // namespace
 
 std::vector<Pressed> presses(const std::string& model, const Case& rig,
-                             const std::vector<NormalControl>& controls, int threads) {
+                             const std::vector<NormalControl>& controls,
+                             const contact::ModelRunner& runner) {
     // Without friction the layer's exact theory is what its maps and elements approximate.
     const io::MeasurementModel& kind = io::measurement_model(model);
-    if (kind.approximates_theory) return presses(io::layer_theory().name, rig, controls, threads);
+    if (kind.approximates_theory) return presses(io::layer_theory().name, rig, controls, runner);
     // Springs coupled by any layers make the normal contact exact but for their spacing.
     const bool exact =
         kind.is_layer && kind.is_theory && comparisons::why_no_exact_theory(rig).empty();
-    if (kind.is_layer && !exact)
-        return presses_of_model(shift_model(model), rig, controls, threads);
+    if (kind.is_layer && !exact) return presses_of_model(shift_model(model), rig, controls, runner);
     std::vector<Pressed> all;
     for (const auto& control : controls)
         if (exact) {
@@ -123,24 +125,24 @@ std::vector<Pressed> presses(const std::string& model, const Case& rig,
     return all;
 }
 
-bool is_coupled(const std::string& model, const Case& rig, int threads) {
+bool is_coupled(const std::string& model, const Case& rig, const contact::ModelRunner& runner) {
     const contact::ModelKind* kind = contact::find_model_kind(model);
     if (!kind) return false;  // closed forms
-    return kind->is_read() || make_model(model, rig, threads, silent)->is_coupled();
+    return kind->is_read() || runner.make(model, rig)->is_coupled();
 }
 
 double largest_offset(const std::vector<double>& offsets) {
     return std::abs(std::ranges::max(offsets, {}, [](double w) { return std::abs(w); }));
 }
 
-double own_wobble(const std::string& model, const Case& rig, double amplitude, int threads) {
-    if (!is_coupled(model, rig, threads)) return 0;
+double own_wobble(const std::string& model, const Case& rig, double amplitude,
+                  const contact::ModelRunner& runner) {
+    if (!is_coupled(model, rig, runner)) return 0;
     Case c = rig;
     c.load.set_tangential_ratio(0);
     c.rolling = Case::Rolling{.amplitude = amplitude, .periods = wobble_periods, .run_all = true};
-    const contact::History history = history_of(model, c, threads, silent);
-    return experiments::model_wobble(history.steps, history.steps.back().phase - 1,
-                                     c.rolling->angle);
+    const contact::History history = runner.history_of(model, c);
+    return model_wobble(history.steps, history.steps.back().phase - 1, c.rolling->angle);
 }
 
 std::vector<double> rolled_shifts(const IdentifiedRig& rig, double own,
@@ -166,13 +168,14 @@ std::vector<double> static_shift_errors(const std::string& name, const Case& rig
 }
 
 std::vector<double> static_shifts(const std::string& name, const Case& rig,
-                                  const std::vector<double>& forces, int threads) {
+                                  const std::vector<double>& forces,
+                                  const contact::ModelRunner& runner) {
     if (contact::model_kind(name).is_read()) {
         std::vector<double> shifts;
         for (const atlas::Value& value : mapped_shifts(rig, forces)) shifts.push_back(value.value);
         return shifts;
     }
-    const auto model = make_model(name, rig, threads, silent);
+    const auto model = runner.make(name, rig);
     // Close to sliding friction moves a coupled contact aside, over the edge of a grid that
     // pressing alone had room on.
     const auto shifts = contact::on_large_enough_grid(*model, [&] {
@@ -187,12 +190,12 @@ std::vector<double> static_shifts(const std::string& name, const Case& rig,
         }
         return all;
     });
-    require_sound(model->audit(), name);
+    contact::require_sound(model->audit(), name);
     return shifts;
 }
 
-std::vector<NormalControl> controls_of(const experiments::IdentificationInput::Table& table,
-                                       const Case& rig, const std::vector<double>& given) {
+std::vector<NormalControl> controls_of(const IdentificationInput::Table& table, const Case& rig,
+                                       const std::vector<double>& given) {
     std::vector<NormalControl> controls;
     switch (table.measurement) {
         case Measurement::force_indentation:
@@ -221,8 +224,8 @@ std::vector<NormalControl> controls_of(const experiments::IdentificationInput::T
     return controls;
 }
 
-std::vector<double> values_of_presses(const experiments::IdentificationInput::Table& table,
-                                      const Case& rig, const std::vector<double>& given,
+std::vector<double> values_of_presses(const IdentificationInput::Table& table, const Case& rig,
+                                      const std::vector<double>& given,
                                       const std::vector<Pressed>& all) {
     std::vector<double> values;
     switch (table.measurement) {
@@ -247,7 +250,7 @@ std::vector<double> values_of_presses(const experiments::IdentificationInput::Ta
 }
 
 std::vector<double> from_zero_depth(
-    const experiments::IdentificationInput::Table& table, const IdentifiedRig& rig,
+    const IdentificationInput::Table& table, const IdentifiedRig& rig,
     const std::vector<double>& given,
     const std::function<std::vector<double>(const std::vector<double>&)>& values) {
     if (!table.has_free_zero) return values(given);
@@ -272,24 +275,24 @@ Case relaxed(Case c) {
 }
 
 std::vector<double> measured_values(const std::string& model,
-                                    const experiments::IdentificationInput::Table& table,
+                                    const IdentificationInput::Table& table,
                                     const IdentifiedRig& identified,
-                                    const std::vector<double>& given, int threads) {
+                                    const std::vector<double>& given,
+                                    const contact::ModelRunner& runner) {
     const Case& rig = identified.as_case;
     const Case slow = relaxed(rig);
     if (table.measurement == Measurement::rolling_shift)
         return rolled_shifts(
-            identified, own_wobble(shift_model(model), slow, largest_offset(table.given), threads),
+            identified, own_wobble(shift_model(model), slow, largest_offset(table.given), runner),
             given);
     if (table.measurement == Measurement::static_shift)
         return !io::measurement_model(model).is_layer
                    ? half_space_shifts(slow, given)
-                   : static_shifts(shift_model(model), slow, given, threads);
+                   : static_shifts(shift_model(model), slow, given, runner);
     return from_zero_depth(table, identified, given, [&](const std::vector<double>& pressed_to) {
-        return values_of_presses(
-            table, rig, pressed_to,
-            presses(model, slow, controls_of(table, rig, pressed_to), threads));
+        return values_of_presses(table, rig, pressed_to,
+                                 presses(model, slow, controls_of(table, rig, pressed_to), runner));
     });
 }
 
-}  // namespace tricontact::app
+}  // namespace tricontact::experiments

@@ -1,4 +1,4 @@
-#include "app/identification_tables.h"
+#include "experiments/identification/identification_tables.h"
 
 #include <algorithm>
 #include <boost/math/interpolators/barycentric_rational.hpp>
@@ -9,10 +9,11 @@
 #include "atlas/shipped.h"
 #include "contact/models/model_kind.h"
 
-namespace tricontact::app {
+namespace tricontact::experiments {
 
 namespace {
 
+using contact::Case;
 using report::LazyTable;
 
 // Of Poisson's ratio, where a table has rows of it, from 0 to 1/2.
@@ -102,13 +103,14 @@ double LoadAndFriction::heights(const Case& c) const {
 }
 
 // Without coupling all shifts go with mu, so that one value of it does.
-ShiftTable::ShiftTable(std::string model, const Case& rig, std::vector<double> forces, int threads)
+ShiftTable::ShiftTable(std::string model, const Case& rig, std::vector<double> forces,
+                       const contact::ModelRunner& runner)
     : model_(std::move(model)),
       rig_(rig),
       forces_(std::move(forces)),
-      threads_(threads),
+      runner_(runner),
       places_(curve_points()),
-      axes_(rig_, largest_ratio(rig_, forces_), is_coupled(model_, rig_, threads_),
+      axes_(rig_, largest_ratio(rig_, forces_), is_coupled(model_, rig_, runner_),
             reach_of(model_)),
       table_([this](double x, double row) { return node(std::exp(x), axes_.friction_at(row)); },
              log_step, 1, axes_.rows()) {}
@@ -133,22 +135,22 @@ std::vector<double> ShiftTable::node(double young, double friction) const {
     std::vector<double> forces;
     for (const double s : places_)
         forces.push_back((1 - s * s * s) * friction * *c.load.normal_force);
-    auto shifts = static_shifts(model_, c, forces, threads_);
+    auto shifts = static_shifts(model_, c, forces, runner_);
     for (std::size_t j = 0; j < shifts.size(); ++j) shifts[j] *= *c.load.normal_force / forces[j];
     return logarithms(std::move(shifts));
 }
 
 WobbleTable::WobbleTable(std::string model, const Case& rig, double amplitude,
-                         const std::vector<double>& forces, int threads)
+                         const std::vector<double>& forces, const contact::ModelRunner& runner)
     : rig_(rig),
       axes_(rig_, largest_ratio(rig_, forces), !forces.empty(), {}),
       table_(
-          [this, model = std::move(model), amplitude, threads, is_known = forces.empty()](
+          [this, model = std::move(model), amplitude, runner, is_known = forces.empty()](
               double x, double row) {
               Case c = rig_;
               c.substrate.young = std::exp(x);
               if (!is_known) c.friction_coefficient = axes_.friction_at(row);
-              return std::vector<double>{own_wobble(model, c, amplitude, threads)};
+              return std::vector<double>{own_wobble(model, c, amplitude, runner)};
           },
           log_step, 1, axes_.rows()) {}
 
@@ -159,10 +161,11 @@ double WobbleTable::at(const Case& c) {
            table_.at(axes_.logarithm_of_load(c), axes_.row_of(c)).front();
 }
 
-PressTable::PressTable(std::string model, const Case& rig, bool has_poisson, int threads)
+PressTable::PressTable(std::string model, const Case& rig, bool has_poisson,
+                       const contact::ModelRunner& runner)
     : model_(std::move(model)),
       rig_(rig),
-      threads_(threads),
+      runner_(runner),
       has_poisson_(has_poisson),
       by_depth_(node(contact::NormalControl::Kind::indentation), log_step, 1, rows()),
       by_force_(node(contact::NormalControl::Kind::force), log_step, 1, rows()) {}
@@ -186,7 +189,7 @@ report::TableNode PressTable::node(contact::NormalControl::Kind kind) {
         Case c = rig_;
         if (has_poisson_) c.substrate.poisson = std::min(.5, row * poisson_step);
         const auto press =
-            presses(model_, c, {{kind, std::exp(x) * unit_of(c, kind)}}, threads_).front();
+            presses(model_, c, {{kind, std::exp(x) * unit_of(c, kind)}}, runner_).front();
         return logarithms(
             {press.normal_force / unit_of(c, contact::NormalControl::Kind::force),
              press.contact_radius / *c.layer.thickness,
@@ -194,4 +197,4 @@ report::TableNode PressTable::node(contact::NormalControl::Kind kind) {
     };
 }
 
-}  // namespace tricontact::app
+}  // namespace tricontact::experiments

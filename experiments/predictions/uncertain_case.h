@@ -7,13 +7,13 @@
 #include "experiments/records/experiment_evaluation.h"
 #include "io/case/rig_file.h"
 
-namespace tricontact::app {
+namespace tricontact::experiments {
 
 /// A case as the rig sets it, F_T [N] and W [m] in place of their ratios, and its uncertain numbers
 /// as they stand in it.
 struct UncertainCase {
     contact::Case set;
-    std::vector<experiments::CaseQuantity> quantities;  ///< in the order of the file
+    std::vector<CaseQuantity> quantities;  ///< in the order of the file
 
     std::vector<std::string> names() const;
 };
@@ -40,4 +40,4 @@ std::vector<double> steepest_direction(const std::vector<double>& changes,
 contact::Case displaced(const UncertainCase& uncertain, const std::vector<double>& direction,
                         double deviations);
 
-}  // namespace tricontact::app
+}  // namespace tricontact::experiments

@@ -1,4 +1,4 @@
-#include "app/uncertain_case.h"
+#include "experiments/predictions/uncertain_case.h"
 
 #include <fmt/format.h>
 
@@ -6,21 +6,20 @@
 #include <cmath>
 #include <optional>
 
-#include "app/identification_models.h"
 #include "contact/error.h"
 #include "contact/load_path.h"
+#include "io/case/case_keys.h"
 
-namespace tricontact::app {
+namespace tricontact::experiments {
 
 namespace {
 
 using contact::Case;
-using experiments::CaseQuantity;
 
 /// Of an uncertain f_T or w: the force, or the length, that the rig sets.
 std::optional<CaseQuantity> set_quantity(const io::CaseKey& key, double standard_error, Case c,
                                          double normal_force, double amplitude) {
-    const double* stated = number_of(key, c);
+    const double* stated = io::number_of(key, c);
     const std::string name(key.path);
     if (stated && name == "load.tangential_ratio")
         return CaseQuantity{
@@ -39,12 +38,12 @@ std::optional<CaseQuantity> set_quantity(const io::CaseKey& key, double standard
 
 UncertainCase uncertain_case(const Case& c, double normal_force, double amplitude,
                              const std::vector<io::UncertainKey>& uncertain) {
-    UncertainCase result{experiments::as_the_rig_sets(c, normal_force, amplitude), {}};
+    UncertainCase result{as_the_rig_sets(c, normal_force, amplitude), {}};
     for (const io::UncertainKey& one : uncertain) {
         const io::CaseKey& key = *io::find_key(one.key->path);
         const double error = one.number.value.standard_error;
         auto quantity = set_quantity(key, error, c, normal_force, amplitude);
-        if (!quantity && !number_of(key, result.set))
+        if (!quantity && !io::number_of(key, result.set))
             throw contact::InputError(fmt::format(
                 "{}: {}: an uncertainty of this ratio is not propagated; state the length or the "
                 "force that it stands for",
@@ -53,7 +52,7 @@ UncertainCase uncertain_case(const Case& c, double normal_force, double amplitud
             quantity = CaseQuantity{
                 .name = std::string(key.path),
                 .standard_error = error,
-                .of_case = [&key](Case& any) -> double& { return *number_of(key, any); },
+                .of_case = [&key](Case& any) -> double& { return *io::number_of(key, any); },
                 .largest = key.range.high};
         quantity->distribution = one.number.distribution;
         result.quantities.push_back(std::move(*quantity));
@@ -103,4 +102,4 @@ std::vector<std::string> UncertainCase::names() const {
     return names;
 }
 
-}  // namespace tricontact::app
+}  // namespace tricontact::experiments

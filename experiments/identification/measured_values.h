@@ -5,12 +5,10 @@
 #include <vector>
 
 #include "contact/load_path.h"
-#include "experiments/identification/identification_report.h"
+#include "contact/model_makers.h"
+#include "experiments/identification/identification_reader.h"
 
-namespace tricontact::app {
-
-/// The number of the case that a key stands for; null where the case states another one instead.
-double* number_of(const io::CaseKey& key, contact::Case& c);
+namespace tricontact::experiments {
 
 /// A rig with what was found of it.
 struct IdentifiedRig {
@@ -23,7 +21,8 @@ struct IdentifiedRig {
 /// [N], applied once, by a model of models.h. Throws InputError (a force reaches mu F_N),
 /// NotConverged.
 std::vector<double> static_shifts(const std::string& model, const contact::Case& rig,
-                                  const std::vector<double>& forces, int threads);
+                                  const std::vector<double>& forces,
+                                  const contact::ModelRunner& runner);
 
 /// Standard errors of these shifts that the model itself states [m]: of the maps, by their bars;
 /// empty: none.
@@ -31,13 +30,14 @@ std::vector<double> static_shift_errors(const std::string& model, const contact:
                                         const std::vector<double>& forces);
 
 /// False for the half-space's closed forms, which have no such coupling.
-bool is_coupled(const std::string& model, const contact::Case& rig, int threads);
+bool is_coupled(const std::string& model, const contact::Case& rig,
+                const contact::ModelRunner& runner);
 
 /// dU/dW [-] of free rolling with this amplitude [m], which is 0 unless normal and tangential
 /// contact are coupled: along the drive, after the
 /// first periods, by a model of models.h.
 double own_wobble(const std::string& model, const contact::Case& rig, double amplitude,
-                  int threads);
+                  const contact::ModelRunner& runner);
 double largest_offset(const std::vector<double>& offsets);
 /// Shifts that follow the drive, U = W (own wobble + Dh/R) (Wetter 2016, 5.1.11).
 std::vector<double> rolled_shifts(const IdentifiedRig& rig, double own_wobble,
@@ -50,24 +50,25 @@ struct Pressed {
 /// By one of the models of an identification; atlas and bem-layer stand for the exact theory of
 /// the layer. Throws InputError, NotConverged.
 std::vector<Pressed> presses(const std::string& model, const contact::Case& rig,
-                             const std::vector<contact::NormalControl>& controls, int threads);
+                             const std::vector<contact::NormalControl>& controls,
+                             const contact::ModelRunner& runner);
 
 /// The rig whose substrate is relaxed, as slow measurements find it.
 contact::Case relaxed(contact::Case c);
 
 /// How the rig is pressed for the rows of a table: one press of each, or a single one that relaxes.
-std::vector<contact::NormalControl> controls_of(
-    const experiments::IdentificationInput::Table& table, const contact::Case& rig,
-    const std::vector<double>& given);
+std::vector<contact::NormalControl> controls_of(const IdentificationInput::Table& table,
+                                                const contact::Case& rig,
+                                                const std::vector<double>& given);
 /// What the table shows of these presses [SI].
-std::vector<double> values_of_presses(const experiments::IdentificationInput::Table& table,
+std::vector<double> values_of_presses(const IdentificationInput::Table& table,
                                       const contact::Case& rig, const std::vector<double>& given,
                                       const std::vector<Pressed>& all);
 
 /// Values of a table, by the rows in contact: depths count from zero_depth, and where there is no
 /// contact there is no force.
 std::vector<double> from_zero_depth(
-    const experiments::IdentificationInput::Table& table, const IdentifiedRig& rig,
+    const IdentificationInput::Table& table, const IdentifiedRig& rig,
     const std::vector<double>& given,
     const std::function<std::vector<double>(const std::vector<double>&)>& values);
 
@@ -75,43 +76,11 @@ std::vector<double> from_zero_depth(
 /// says about a table's measurement on the rig, one value [SI] for each of those `given`. A
 /// substrate of the rig that relaxes is relaxed but in histories. Throws InputError, NotConverged.
 std::vector<double> measured_values(const std::string& model,
-                                    const experiments::IdentificationInput::Table& table,
+                                    const IdentificationInput::Table& table,
                                     const IdentifiedRig& rig, const std::vector<double>& given,
-                                    int threads);
+                                    const contact::ModelRunner& runner);
 
 /// Name of the model in models.h that computes static shifts for one of an identification.
 std::string shift_model(const std::string& model);
 
-/// Throws InputError where radius or thickness are to be found of a rig whose lengths are not in
-/// proportion to them.
-void check_lengths_scale(const experiments::IdentificationInput& input);
-
-/// What a model says about all tables, as a function of its parameters: closed forms and maps, or
-/// interpolated in what its runs depend on, made when they are first needed: lengths of a
-/// paraboloid on a layer are in proportion to b^2/R (heights) and b, so that E, R and b count as
-/// the load F R/(E b^3) alone; beside it, mu where friction and pressure are coupled, nu where it
-/// is free. `input` is to outlive it. Throws InputError (a rig whose lengths are not in
-/// proportion), NotConverged.
-experiments::Prediction prediction_of(const std::string& model,
-                                      const experiments::IdentificationInput& input, int threads);
-
-/// The input's rig with these values of the model's parameters.
-IdentifiedRig rig_with(const experiments::IdentificationInput& input,
-                       const std::vector<experiments::FreeParameter>& parameters,
-                       const std::vector<double>& values);
-
-/// All tables, one after another, computed, not interpolated.
-std::vector<double> values_of_tables(const std::string& model,
-                                     const experiments::IdentificationInput& input,
-                                     const IdentifiedRig& rig, int threads);
-
-/// What a standard error of each input that has one does to the values found, to first order:
-/// what it does to the model's values, taken off the observed ones. Of a model that states errors
-/// of its shifts these follow as "atlas" and "atlas.curve": half of their variance is the same at
-/// all forces, the other half goes from one sign at the least to the other at the largest.
-std::vector<experiments::InputContribution> input_contributions(
-    const std::string& model, const experiments::IdentificationInput& input,
-    const experiments::IdentificationTask& task, const experiments::Identification& found,
-    int threads);
-
-}  // namespace tricontact::app
+}  // namespace tricontact::experiments

@@ -3,12 +3,11 @@
 #include <string>
 #include <vector>
 
-#include "app/identification_models.h"
-#include "app/models/make_model.h"
 #include "contact/special_values.h"
+#include "experiments/identification/measured_values.h"
 #include "report/lazy_table.h"
 
-namespace tricontact::app {
+namespace tricontact::experiments {
 
 /// The places of a table over the load F R/(E b^3) and mu: the latter in z = 1/(1 + mu), for what
 /// mu changes by coupling, from the largest F_T/F_N, which holds, to a few times that, where hardly
@@ -22,16 +21,17 @@ class LoadAndFriction {
     };
 
     /// `least_friction`: of the search.
-    LoadAndFriction(const Case& rig, double least_friction, bool has_friction_rows, Reach reach);
+    LoadAndFriction(const contact::Case& rig, double least_friction, bool has_friction_rows,
+                    Reach reach);
 
     report::LazyTable::Rows rows() const;
-    double row_of(const Case& c) const;
+    double row_of(const contact::Case& c) const;
     double friction_at(double row) const;
     /// Logarithm of the modulus that loads the rig of the table as much as the case is.
-    double logarithm_of_load(const Case& c) const;
+    double logarithm_of_load(const contact::Case& c) const;
     /// Lengths along the surface, and heights, over those of the table's rig under this load.
-    double lengths(const Case& c) const;
-    double heights(const Case& c) const;
+    double lengths(const contact::Case& c) const;
+    double heights(const contact::Case& c) const;
 
   private:
     double z_range() const;
@@ -44,19 +44,20 @@ class LoadAndFriction {
 /// The curve of shifts: U/(mu f_T) at all places, from which U follows for any force.
 class ShiftTable {
   public:
-    ShiftTable(std::string model, const Case& rig, std::vector<double> forces, int threads);
+    ShiftTable(std::string model, const contact::Case& rig, std::vector<double> forces,
+               const contact::ModelRunner& runner);
     ShiftTable(const ShiftTable&) = delete;  // its table calls it back
     ShiftTable& operator=(const ShiftTable&) = delete;
 
-    std::vector<double> at(const Case& c);
+    std::vector<double> at(const contact::Case& c);
 
   private:
     std::vector<double> node(double young, double friction) const;
 
     std::string model_;
-    Case rig_;
+    contact::Case rig_;
     std::vector<double> forces_;
-    int threads_;
+    contact::ModelRunner runner_;
     std::vector<double> places_;
     LoadAndFriction axes_;
     report::LazyTable table_;
@@ -66,15 +67,15 @@ class ShiftTable {
 /// measurement.
 class WobbleTable {
   public:
-    WobbleTable(std::string model, const Case& rig, double amplitude,
-                const std::vector<double>& forces, int threads);
+    WobbleTable(std::string model, const contact::Case& rig, double amplitude,
+                const std::vector<double>& forces, const contact::ModelRunner& runner);
     WobbleTable(const WobbleTable&) = delete;
     WobbleTable& operator=(const WobbleTable&) = delete;
 
-    double at(const Case& c);
+    double at(const contact::Case& c);
 
   private:
-    Case rig_;
+    contact::Case rig_;
     LoadAndFriction axes_;
     report::LazyTable table_;
 };
@@ -83,21 +84,22 @@ class WobbleTable {
 /// E b^3/R of the force.
 class PressTable {
   public:
-    PressTable(std::string model, const Case& rig, bool has_poisson, int threads);
+    PressTable(std::string model, const contact::Case& rig, bool has_poisson,
+               const contact::ModelRunner& runner);
     PressTable(const PressTable&) = delete;  // its tables call it back
     PressTable& operator=(const PressTable&) = delete;
 
-    Pressed at(const Case& c, const contact::NormalControl& control);
+    Pressed at(const contact::Case& c, const contact::NormalControl& control);
 
   private:
     report::LazyTable::Rows rows() const;
     report::TableNode node(contact::NormalControl::Kind kind);
 
     std::string model_;
-    Case rig_;
-    int threads_;
+    contact::Case rig_;
+    contact::ModelRunner runner_;
     bool has_poisson_;
     report::LazyTable by_depth_, by_force_;
 };
 
-}  // namespace tricontact::app
+}  // namespace tricontact::experiments

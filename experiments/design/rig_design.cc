@@ -1,4 +1,4 @@
-#include "app/rig_design.h"
+#include "experiments/design/rig_design.h"
 
 #include <fmt/format.h>
 
@@ -6,34 +6,31 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "app/rig_body.h"
-#include "app/rig_growth.h"
-#include "app/uncertain_case.h"
 #include "atlas/prediction.h"
 #include "contact/error.h"
 #include "contact/interruption.h"
 #include "contact/special_values.h"
+#include "experiments/predictions/rig_body.h"
+#include "experiments/predictions/rig_growth.h"
+#include "experiments/predictions/uncertain_case.h"
 
-namespace tricontact::app {
+namespace tricontact::experiments {
 
 namespace {
 
 using contact::Case;
-using experiments::ComparisonError;
-using experiments::DesignInput;
-using experiments::DesignStudy;
-using experiments::RigReport;
 
 /// By the values: their uncertainties would be propagated through every formula.
-experiments::Rig rig_of_values(const io::RigFile& file) {
-    experiments::Rig rig = rig_with_body(file);
+Rig rig_of_values(const io::RigFile& file, const contact::ModelRunner& runner) {
+    Rig rig = rig_with_body(file, runner);
     for (auto& [symbol, number] : rig.data) number.standard_error = 0;
     return rig;
 }
 
-RigReport report_of(const DesignInput& input, const io::RigFile& file) {
+RigReport report_of(const DesignInput& input, const io::RigFile& file,
+                    const contact::ModelRunner& runner) {
     if (input.assumptions.empty()) return {};
-    return experiments::check_rig(rig_of_values(file), {}, rolled_growth);
+    return check_rig(rig_of_values(file, runner), {}, rolled_growth);
 }
 
 atlas::Value predicted(const Case& c, const std::string& model, const std::string& quantity) {
@@ -51,30 +48,31 @@ ComparisonError comparison_of(const DesignInput& input, const io::RigFile& file,
                               const std::string& model) {
     const UncertainCase numbers = uncertain_case(file.c, file.uncertain_of_case());
     const auto result = [&](const Case& c) { return predicted(c, model, input.quantity).value; };
-    auto inputs = experiments::input_errors(result, numbers.set, numbers.quantities,
-                                            file.correlations.of(numbers.names()));
+    auto inputs = input_errors(result, numbers.set, numbers.quantities,
+                               file.correlations.of(numbers.names()));
     const atlas::Value computed = predicted(numbers.set, model, input.quantity);
     if (computed.error > 0) inputs.sources.push_back({"map", computed.standard_error()});
-    return experiments::planned_comparison(computed.value, std::move(inputs), input.record);
+    return planned_comparison(computed.value, std::move(inputs), input.record);
 }
 
 /// Ratios of all requirements; NaN of all where the rig cannot be told, with the reason.
 class Evaluation {
   public:
-    explicit Evaluation(const DesignStudy& study) : study_(study) {}
+    Evaluation(const DesignStudy& study, const contact::ModelRunner& runner)
+        : study_(study), runner_(runner) {}
 
     std::vector<double> operator()(const std::vector<double>& fractions) {
         contact::interruption_point();
         std::vector<double> ratios(study_.requirements.size(), contact::undefined);
         try {
             const io::RigFile file = study_.input.at(fractions);
-            const RigReport report = report_of(study_.input, file);
+            const RigReport report = report_of(study_.input, file, runner_);
             for (std::size_t i = 0; i < ratios.size(); ++i) {
                 const auto& one = study_.requirements[i];
                 ratios[i] =
                     one.is_resolution()
                         ? one.ratio(comparison_of(study_.input, file, study_.model).resolution())
-                        : experiments::ratio_in(report, one);
+                        : ratio_in(report, one);
             }
         } catch (const contact::InputError& error) {  // no rig there, or beyond theory and maps
             note(error.what());
@@ -92,17 +90,18 @@ class Evaluation {
     }
 
     const DesignStudy& study_;
+    contact::ModelRunner runner_;
     std::string reason_;
 };
 
 }  // namespace
 
-DesignStudy design_study(const DesignInput& input) {
+DesignStudy design_study(const DesignInput& input, const contact::ModelRunner& runner) {
     DesignStudy study{.title = input.rig.c.title, .input = input};
-    study.requirements = experiments::requirements_of(input, report_of(input, input.rig));
+    study.requirements = requirements_of(input, report_of(input, input.rig, runner));
     if (input.resolution) study.model = atlas::predictable_models(input.rig.c).back();
-    Evaluation evaluation(study);
-    study.solution = experiments::search_design(std::ref(evaluation), input.axes.size());
+    Evaluation evaluation(study, runner);
+    study.solution = search_design(std::ref(evaluation), input.axes.size());
     const auto& best = study.solution.best;
     if (!std::isfinite(best.worst()))
         throw contact::InputError(fmt::format(
@@ -113,4 +112,4 @@ DesignStudy design_study(const DesignInput& input) {
     return study;
 }
 
-}  // namespace tricontact::app
+}  // namespace tricontact::experiments

@@ -4,11 +4,11 @@
 #include <string>
 #include <vector>
 
-#include "app/uncertain_case.h"
 #include "atlas/prediction.h"
+#include "experiments/predictions/uncertain_case.h"
 #include "statistics/sobol_indices.h"
 
-namespace tricontact::app {
+namespace tricontact::experiments {
 
 /// A predicted quantity over the uncertain numbers of a case.
 struct SampledQuantity {
@@ -39,4 +39,4 @@ SampledPrediction sampled_prediction(const contact::Case& c, const std::string& 
                                      const std::vector<io::UncertainKey>& uncertain,
                                      const statistics::Correlations& correlations, int n_samples);
 
-}  // namespace tricontact::app
+}  // namespace tricontact::experiments

@@ -1,4 +1,4 @@
-#include "app/uncertain_prediction.h"
+#include "experiments/predictions/uncertain_prediction.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,13 +10,12 @@
 #include "statistics/distribution.h"
 #include "statistics/sample_quantile.h"
 
-namespace tricontact::app {
+namespace tricontact::experiments {
 
 namespace {
 
 using atlas::Prediction;
 using contact::Case;
-using experiments::CaseQuantity;
 
 constexpr double least_share = 1e-6;  // of a number's value: what a distribution reaches below 0
 
@@ -129,4 +128,4 @@ SampledPrediction sampled_prediction(const Case& c, const std::string& model,
     return result;
 }
 
-}  // namespace tricontact::app
+}  // namespace tricontact::experiments

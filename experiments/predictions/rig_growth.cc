@@ -1,4 +1,4 @@
-#include "app/rig_growth.h"
+#include "experiments/predictions/rig_growth.h"
 
 #include <cmath>
 
@@ -6,18 +6,16 @@
 #include "comparisons/quantities/quantities.h"
 #include "contact/models/model_kind.h"
 
-namespace tricontact::app {
+namespace tricontact::experiments {
 
-using contact::Case;
-
-Case sphere_on_layer(const experiments::Rig& rig) {
-    Case c;
+contact::Case sphere_on_layer(const Rig& rig) {
+    contact::Case c;
     c.indenter.radius = rig["R"].value;
     c.substrate = {rig["E_2"].value, rig["nu_2"].value};
     c.layer.thickness = rig["b"].value;
     c.friction_coefficient = rig["mu"].value;
     c.load.normal_force = rig["F_N"].value;
-    c.load.tangential_ratio = experiments::coupling_tangential_ratio;
+    c.load.tangential_ratio = coupling_tangential_ratio;
     return c;
 }
 
@@ -37,10 +35,10 @@ std::optional<statistics::Estimate> growth_of(const atlas::Prediction& p) {
 
 }  // namespace
 
-std::optional<experiments::Growth> rolled_growth(const experiments::Rig& rig) {
+std::optional<Growth> rolled_growth(const Rig& rig) {
     namespace quantities = comparisons::quantities;
-    const double amplitude = experiments::smallest_rolling_amplitude(rig);
-    Case c = sphere_on_layer(rig);
+    const double amplitude = smallest_rolling_amplitude(rig);
+    contact::Case c = sphere_on_layer(rig);
     c.rolling.emplace();
     c.rolling->amplitude = amplitude;
     if (rig.has("alpha")) c.rolling->angle = rig["alpha"].value;
@@ -55,7 +53,7 @@ std::optional<experiments::Growth> rolled_growth(const experiments::Rig& rig) {
     const auto on_layer = growth_of(layer),
                on_half_space = growth_of(atlas::predict(c, contact::models::bem));
     if (!on_layer || !on_half_space) return {};
-    return experiments::Growth{amplitude, load->value.value, *on_half_space, *on_layer};
+    return Growth{amplitude, load->value.value, *on_half_space, *on_layer};
 }
 
-}  // namespace tricontact::app
+}  // namespace tricontact::experiments
