@@ -12,7 +12,7 @@ complain() {
     printf 'FAILED: %s\n' "$*"
 }
 
-rooms=(app bem comparisons contact experiments fem files io mdr meshes papers python report rolling runs statistics studies
+rooms=(app bem comparisons contact contact_program experiments fem files io mdr meshes papers python report rolling runs statistics studies
     theory verification walking atlas)
 
 # may_include FOLDER OTHERS...: files of a folder and its subfolders include their own and these.
@@ -44,6 +44,7 @@ may_include atlas contact theory statistics io report comparisons files
 may_include rolling contact theory statistics io report comparisons files
 may_include walking contact theory statistics io report comparisons files
 may_include experiments contact theory statistics io report comparisons files atlas
+may_include contact_program contact io files
 # What is made of many runs, by models that the program hands in.
 may_include studies contact statistics io report comparisons files runs atlas walking
 may_include papers contact io report comparisons files runs

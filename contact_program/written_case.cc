@@ -1,4 +1,4 @@
-#include "io/contact_program/written_case.h"
+#include "contact_program/written_case.h"
 
 #include <fmt/format.h>
 
@@ -6,7 +6,7 @@
 
 #include "files/digest.h"
 
-namespace tricontact::io {
+namespace tricontact::contact_program {
 
 namespace {
 
@@ -45,4 +45,4 @@ std::optional<std::string> written_case(const std::string& input) {
     return text;
 }
 
-}  // namespace tricontact::io
+}  // namespace tricontact::contact_program

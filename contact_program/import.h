@@ -7,7 +7,7 @@
 
 #include "contact/case.h"
 
-namespace tricontact::io {
+namespace tricontact::contact_program {
 
 /// Whether the model couples normal and tangential contact of these bodies.
 using CouplesBodies = std::function<bool(const contact::MaterialPair&)>;
@@ -54,4 +54,4 @@ struct Import {
 Import import_cases(std::string text, const std::string& name, const CouplesBodies& is_coupled,
                     const PressedDepth& pressed_depth = hertzian_depth);
 
-}  // namespace tricontact::io
+}  // namespace tricontact::contact_program

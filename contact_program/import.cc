@@ -1,4 +1,4 @@
-#include "io/contact_program/import.h"
+#include "contact_program/import.h"
 
 #include <fmt/format.h>
 
@@ -9,13 +9,13 @@
 
 #include "contact/bodies/half_space_scales.h"
 #include "contact/error.h"
+#include "contact_program/case_parts.h"
+#include "contact_program/sequence.h"
+#include "contact_program/sequence_case.h"
 #include "io/case/case_reader.h"
-#include "io/contact_program/case_parts.h"
-#include "io/contact_program/sequence.h"
-#include "io/contact_program/sequence_case.h"
 #include "io/keys/messages.h"
 
-namespace tricontact::io {
+namespace tricontact::contact_program {
 
 namespace {
 
@@ -47,8 +47,8 @@ class SequenceImport {
                                       : fmt::format("cases {} to {}", out.first, out.last);
         const std::string heading = fmt::format(
             "title = {}\nmodels = [\"bem\"]\n",
-            toml_string(fmt::format("Sequence of CONTACT, {}, {}",
-                                    std::filesystem::path(name_).filename().string(), cases)));
+            io::toml_string(fmt::format("Sequence of CONTACT, {}, {}",
+                                        std::filesystem::path(name_).filename().string(), cases)));
         out.rolls_on = steps_.back().is_rolling();
         out.text = text(heading);
         if (!out.rolls_on) out.text += inside_text();
@@ -69,17 +69,17 @@ class SequenceImport {
 
     void check_beginning() const {
         if (head().digits.previous == 2 || head().digits.tangential == 3) return;
-        fail(fmt::format("{}:{}:1", name_, head().digits.line),
-             fmt::format("P = {}", head().digits.previous),
-             "goes on from steady rolling, from which no case here begins",
-             "begin from rest, T = 1 with P = 2");
+        io::fail(fmt::format("{}:{}:1", name_, head().digits.line),
+                 fmt::format("P = {}", head().digits.previous),
+                 "goes on from steady rolling, from which no case here begins",
+                 "begin from rest, T = 1 with P = 2");
     }
 
     std::string text(const std::string& heading) const {
         if (steps_.back().is_rolling()) return rolling_case(steps_, name_, heading);
         if (std::ranges::any_of(steps_, &ProgramCase::is_rolling))
-            fail(fmt::format("{}:{}:1", name_, steps_.back().digits.line), "T = 1",
-                 "goes on from rolling", "begin again by P = 2");
+            io::fail(fmt::format("{}:{}:1", name_, steps_.back().digits.line), "T = 1",
+                     "goes on from rolling", "begin again by P = 2");
         const auto path = [&] { return path_case(steps_, name_, heading, pressed_depth_); };
         if (is_beside_origin(head())) return path();
         if (steps_.size() == 1 && head().digits.tangential == 0)
@@ -144,7 +144,8 @@ class SequenceImport {
 
     /// Hertz' contact of some case reaches beyond the cells.
     bool is_cut_off(const std::string& text) const {
-        const auto half = half_space_scales(parse_case(text, name_ + ", as a case")).half_widths;
+        const auto half =
+            half_space_scales(io::parse_case(text, name_ + ", as a case")).half_widths;
         return std::ranges::any_of(steps_, [&](const ProgramCase& one) {
             const std::array<int, 2> n{one.n_x, one.n_y};
             for (std::size_t axis = 0; axis < (is_line_contact(one) ? 1 : 2); ++axis) {
@@ -171,9 +172,9 @@ std::string ImportedCase::text_beside(const std::string& stem) const {
         out.insert(out.find(section) + section.size(), line);
     };
     if (!heights.empty())
-        add("[indenter]\n", fmt::format("file = {}\n", toml_string(stem + heights_ending)));
+        add("[indenter]\n", fmt::format("file = {}\n", io::toml_string(stem + heights_ending)));
     if (!influence_file.empty())
-        add("[bem]\n", fmt::format("influence = {}\n", toml_string(stem + influence_ending)));
+        add("[bem]\n", fmt::format("influence = {}\n", io::toml_string(stem + influence_ending)));
     return out;
 }
 
@@ -196,4 +197,4 @@ Import import_cases(std::string text, const std::string& name, const CouplesBodi
     return found;
 }
 
-}  // namespace tricontact::io
+}  // namespace tricontact::contact_program

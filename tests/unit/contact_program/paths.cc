@@ -13,11 +13,11 @@
 #include "bem/grid_compliance.h"
 #include "bem/model.h"
 #include "contact/error.h"
+#include "contact_program/import.h"
+#include "contact_program/sequence.h"
 #include "io/case/case_reader.h"
-#include "io/contact_program/import.h"
-#include "io/contact_program/sequence.h"
 
-namespace tricontact::io::contact_path_test {
+namespace tricontact::contact_program::contact_path_test {
 namespace {
 
 using contact::Case;
@@ -38,7 +38,7 @@ struct Written {
 };
 
 Written written(const std::string& text, const std::vector<std::string>& overrides = {}) {
-    Written out{parse_case(text, "path.toml", overrides), false, 0, {}};
+    Written out{io::parse_case(text, "path.toml", overrides), false, 0, {}};
     const auto compliance = bem::case_compliance(out.c, 1, bem::Body::half_space);
     out.coupled = compliance->is_coupled();
     out.cell = compliance->points().spacing[0];
@@ -157,7 +157,7 @@ RC_GTEST_PROP(ContactPaths, RandomHistoriesComeBackFromTheirNumbers, ()) {
     const Written first = written(path_text(table, keys), overrides);
     const Import found = import_cases(first.text, "drawn.inp", bem::is_coupled);
     RC_ASSERT(found.cases.size() == 1U && found.left_out.empty());
-    const Case back = parse_case(found.cases[0].text, "back.toml");
+    const Case back = io::parse_case(found.cases[0].text, "back.toml");
     const auto a = sequence_of(first.c, first.coupled), b = sequence_of(back, first.coupled);
     RC_ASSERT(a.size() == b.size());
     // Where both have their origins apart: the cell that is nearest to the body.
@@ -181,4 +181,4 @@ RC_GTEST_PROP(ContactPaths, RandomHistoriesComeBackFromTheirNumbers, ()) {
 }
 
 }  // namespace
-}  // namespace tricontact::io::contact_path_test
+}  // namespace tricontact::contact_program::contact_path_test

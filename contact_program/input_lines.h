@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-namespace tricontact::io {
+namespace tricontact::contact_program {
 
 /// A number where it stands.
 struct InputNumber {
@@ -71,4 +71,4 @@ class InputLines {
     int column_ = 0;                       // of the last value
 };
 
-}  // namespace tricontact::io
+}  // namespace tricontact::contact_program

@@ -1,12 +1,12 @@
-#include "io/contact_program/program_case.h"
+#include "contact_program/program_case.h"
 
 #include <fmt/format.h>
 
 #include <cmath>
 
-#include "io/contact_program/distance_reading.h"
+#include "contact_program/distance_reading.h"
 
-namespace tricontact::io {
+namespace tricontact::contact_program {
 
 namespace {
 
@@ -319,4 +319,4 @@ std::vector<ProgramCase> read_program_cases(std::string text, const std::string&
     return CaseReading(std::move(text), name).all();
 }
 
-}  // namespace tricontact::io
+}  // namespace tricontact::contact_program

@@ -1,4 +1,4 @@
-#include "io/contact_program/distance_reading.h"
+#include "contact_program/distance_reading.h"
 
 #include <fmt/format.h>
 
@@ -7,9 +7,9 @@
 #include <numbers>
 
 #include "contact/bodies/ellipsoid.h"
-#include "io/contact_program/case_parts.h"
+#include "contact_program/case_parts.h"
 
-namespace tricontact::io {
+namespace tricontact::contact_program {
 
 namespace {
 
@@ -225,4 +225,4 @@ void read_distance(InputLines& lines, ProgramCase& one) {
     DistanceReading(lines, one).read();
 }
 
-}  // namespace tricontact::io
+}  // namespace tricontact::contact_program

@@ -1,15 +1,15 @@
-#include "io/contact_program/sequence_case.h"
+#include "contact_program/sequence_case.h"
 
 #include <fmt/format.h>
 
 #include <cmath>
 #include <numbers>
 
+#include "contact_program/sequence.h"
 #include "io/case/case_reader.h"
-#include "io/contact_program/sequence.h"
 #include "io/keys/messages.h"
 
-namespace tricontact::io {
+namespace tricontact::contact_program {
 
 namespace {
 
@@ -68,7 +68,7 @@ class SequenceReading {
 
     [[noreturn]] void refuse(int line, const std::string& subject, const std::string& rule,
                              const std::string& remedy) const {
-        fail(fmt::format("{}:{}:1", name_, line), subject, rule, remedy);
+        io::fail(fmt::format("{}:{}:1", name_, line), subject, rule, remedy);
     }
 
     bool is_upright(const ProgramCase& one) const {
@@ -110,9 +110,9 @@ class SequenceReading {
     }
 
     std::string load_text(bool is_coupled) const {
-        std::string text =
-            "[load]\n" + normal_text(loading()) +
-            fmt::format("tangential_ratio = {}\n", toml_number(std::abs(loading().tangential[0])));
+        std::string text = "[load]\n" + normal_text(loading()) +
+                           fmt::format("tangential_ratio = {}\n",
+                                       io::toml_number(std::abs(loading().tangential[0])));
         if (!is_coupled || n_pressing() == 0) return text;
         if (head().digits.tangential == 0) return text + "press = \"frictionless\"\n";
         return text + fmt::format("press_steps = {}\n", n_pressing());
@@ -183,9 +183,9 @@ std::string sequence_case(ProgramSequence steps, const std::string& name, bool i
                           const std::string& heading) {
     const SequenceReading reading(steps, name);
     const std::string text = heading + reading.text(is_coupled);
-    reading.check_steps(sequence_of(parse_case(text, name + ", as a case"), is_coupled),
+    reading.check_steps(sequence_of(io::parse_case(text, name + ", as a case"), is_coupled),
                         is_coupled);
     return text;
 }
 
-}  // namespace tricontact::io
+}  // namespace tricontact::contact_program

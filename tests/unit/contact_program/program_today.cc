@@ -11,12 +11,12 @@
 #include "bem/model.h"
 #include "contact/bodies/half_space_scales.h"
 #include "contact/error.h"
+#include "contact_program/import.h"
+#include "contact_program/program_case.h"
+#include "contact_program/sequence.h"
 #include "io/case/case_reader.h"
-#include "io/contact_program/import.h"
-#include "io/contact_program/program_case.h"
-#include "io/contact_program/sequence.h"
 
-namespace tricontact::io::program_today_test {
+namespace tricontact::contact_program::program_today_test {
 namespace {
 
 using contact::Case;
@@ -47,7 +47,7 @@ Case only_case(const std::string& text) {
     const Import found = imported(text);
     EXPECT_EQ(found.cases.size(), 1U);
     EXPECT_TRUE(found.left_out.empty());
-    return parse_case(found.cases.at(0).text, "case.toml");
+    return io::parse_case(found.cases.at(0).text, "case.toml");
 }
 
 TEST(ProgramToday, UnknownValuesCostTheirOwnCaseAlone) {
@@ -83,8 +83,8 @@ TEST(ProgramToday, KeepsTheBodyOverNewCells) {
         " 9 9 -.45 -.45 .1 .1\n";
     const Import found = imported(Ball{}.text() + finer);
     ASSERT_EQ(found.cases.size(), 2U);
-    const Case coarse = parse_case(found.cases[0].text, "a.toml"),
-               fine = parse_case(found.cases[1].text, "b.toml");
+    const Case coarse = io::parse_case(found.cases[0].text, "a.toml"),
+               fine = io::parse_case(found.cases[1].text, "b.toml");
     EXPECT_DOUBLE_EQ(*coarse.bem.spacing, 2e-4);
     EXPECT_DOUBLE_EQ(*fine.bem.spacing, 1e-4);
     EXPECT_DOUBLE_EQ(fine.indenter.radius, .5);
@@ -216,7 +216,7 @@ TEST(ProgramToday, RollingOnComesBack) {
               {}},
              {"longitudinal_creepage = 0.0002\n",
               {"bem.cell_ratio=2", "bem.cell_shift_x=0.5", "bem.cell_shift_y=-0.3"}}}) {
-        const Case c = parse_case(text + drive, "roll.toml", cells);
+        const Case c = io::parse_case(text + drive, "roll.toml", cells);
         const auto compliance = bem::case_compliance(c, 1, bem::Body::half_space);
         const Import found =
             imported(sequence_text(c, compliance->points(), compliance->is_coupled(), {}));
@@ -224,7 +224,7 @@ TEST(ProgramToday, RollingOnComesBack) {
         EXPECT_TRUE(found.left_out.empty());
         EXPECT_EQ(found.cases[0].n_steps(), 11U);  // pressed, and ten cells in two half lengths
         for (const ImportedCase& one : found.cases) {
-            const Case back = parse_case(one.text, "back.toml");
+            const Case back = io::parse_case(one.text, "back.toml");
             const auto &given = *c.tractive_rolling, &read = *back.tractive_rolling;
             EXPECT_NEAR(*read.longitudinal_creepage, *given.longitudinal_creepage, 1e-15);
             EXPECT_NEAR(read.lateral_creepage.value_or(0), given.lateral_creepage.value_or(0),
@@ -240,4 +240,4 @@ TEST(ProgramToday, RollingOnComesBack) {
 }
 
 }  // namespace
-}  // namespace tricontact::io::program_today_test
+}  // namespace tricontact::contact_program::program_today_test

@@ -1,4 +1,4 @@
-#include "io/contact_program/sequence.h"
+#include "contact_program/sequence.h"
 
 #include <fmt/format.h>
 
@@ -9,7 +9,7 @@
 #include "contact/solvers/contact_region.h"
 #include "io/keys/messages.h"
 
-namespace tricontact::io {
+namespace tricontact::contact_program {
 
 namespace {
 
@@ -81,7 +81,7 @@ struct SequenceWriter {
         const auto steps = sequence_of(case_, is_coupled_);
         text_ = fmt::format(
             "% {}\n% Body 1 is the indenter, body 2 the substrate; mm, N, N/mm^2. {} cases.\n",
-            one_line(case_.title), steps.size());
+            io::one_line(case_.title), steps.size());
         for (std::size_t k = 0; k < steps.size(); ++k)
             append(k + 1, steps[k], k == 0 ? nullptr : &steps[k - 1]);
         return text_ + "\n 0 MODULE\n";
@@ -173,11 +173,11 @@ ShearModuli shear_moduli(const Case& c) {
 std::string sequence_text(const Case& c, const contact::ContactPoints& grid, bool is_coupled,
                           const std::optional<std::string>& influence) {
     if (grid.size() > most_program_cells)
-        fail("bem.spacing", "",
-             fmt::format("{} x {} cells are more than the {} that CONTACT takes", grid.n_x,
-                         grid.n_y, most_program_cells),
-             "enlarge it");
+        io::fail("bem.spacing", "",
+                 fmt::format("{} x {} cells are more than the {} that CONTACT takes", grid.n_x,
+                             grid.n_y, most_program_cells),
+                 "enlarge it");
     return SequenceWriter{c, grid, is_coupled, influence}.write();
 }
 
-}  // namespace tricontact::io
+}  // namespace tricontact::contact_program

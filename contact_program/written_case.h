@@ -3,7 +3,7 @@
 #include <optional>
 #include <string>
 
-namespace tricontact::io {
+namespace tricontact::contact_program {
 
 /// The input file of CONTACT with the case (TOML) that it was written of, which CONTACT skips:
 /// numbers alone do not tell a layer, or a body given by its heights.
@@ -13,4 +13,4 @@ std::string with_written_case(const std::string& input, const std::string& case_
 /// changed since.
 std::optional<std::string> written_case(const std::string& input);
 
-}  // namespace tricontact::io
+}  // namespace tricontact::contact_program

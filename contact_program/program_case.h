@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "contact/vector2.h"
-#include "io/contact_program/case_digits.h"
+#include "contact_program/case_digits.h"
 
-namespace tricontact::io {
+namespace tricontact::contact_program {
 
 /// Undeformed distance of the bodies of an input file [m].
 struct UndeformedDistance {
@@ -78,4 +78,4 @@ std::vector<ProgramCase> read_program_cases(std::string text, const std::string&
 /// Throws contact::InputError, naming file and line, for what no model here computes.
 void check_known(const ProgramCase& one, const std::string& name);
 
-}  // namespace tricontact::io
+}  // namespace tricontact::contact_program

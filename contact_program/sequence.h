@@ -9,7 +9,7 @@
 #include "contact/load_path.h"
 #include "contact/solvers/compliance.h"
 
-namespace tricontact::io {
+namespace tricontact::contact_program {
 
 /// One step as the program CONTACT takes it: quasi-static in coordinates that are fixed to the
 /// substrate, or rolling on in those that move with the contact.
@@ -64,4 +64,4 @@ struct ShearModuli {
 };
 ShearModuli shear_moduli(const contact::Case& c);
 
-}  // namespace tricontact::io
+}  // namespace tricontact::contact_program

@@ -2,9 +2,9 @@
 
 #include <string>
 
-#include "io/contact_program/input_lines.h"
+#include "contact_program/input_lines.h"
 
-namespace tricontact::io {
+namespace tricontact::contact_program {
 
 /// The control digits of a case of CONTACT's module 3, as far as they say what the case is.
 struct CaseDigits {
@@ -36,4 +36,4 @@ CaseDigits read_case_digits(InputLines& lines);
 /// Throws contact::InputError for a digit that no case here says.
 void check_known_digits(const CaseDigits& digits, const std::string& name);
 
-}  // namespace tricontact::io
+}  // namespace tricontact::contact_program

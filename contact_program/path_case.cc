@@ -4,11 +4,11 @@
 #include <cmath>
 
 #include "contact/bodies/half_space_scales.h"
+#include "contact_program/sequence_case.h"
 #include "io/case/case_reader.h"
-#include "io/contact_program/sequence_case.h"
 #include "io/keys/messages.h"
 
-namespace tricontact::io {
+namespace tricontact::contact_program {
 
 namespace {
 
@@ -85,7 +85,7 @@ class PathReading {
 
     [[noreturn]] void refuse(int line, const std::string& subject, const std::string& rule,
                              const std::string& remedy) const {
-        fail(fmt::format("{}:{}:1", name_, line), subject, rule, remedy);
+        io::fail(fmt::format("{}:{}:1", name_, line), subject, rule, remedy);
     }
 
     /// The twist of all cases is about the point of the first that has one: what the indenter is
@@ -150,9 +150,9 @@ class PathReading {
         if (!mixed) return 0;
         if (!by_force_ || head().distance.heights)
             refuse(head().digits.line, "N", "changes within the sequence", "keep it");
-        const auto c = parse_case(beginning + "[load]\n" + normal_text(head()) +
-                                      "tangential_ratio = 0\n" + cells_text(head()),
-                                  name_ + ", as a case");
+        const auto c = io::parse_case(beginning + "[load]\n" + normal_text(head()) +
+                                          "tangential_ratio = 0\n" + cells_text(head()),
+                                      name_ + ", as a case");
         return pressed_depth_(c);
     }
 
@@ -221,4 +221,4 @@ std::string pressing_case(ProgramSequence steps, const std::string& name, bool i
            cells_text(one);
 }
 
-}  // namespace tricontact::io
+}  // namespace tricontact::contact_program

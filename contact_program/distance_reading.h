@@ -2,9 +2,9 @@
 
 #include <vector>
 
-#include "io/contact_program/program_case.h"
+#include "contact_program/program_case.h"
 
-namespace tricontact::io {
+namespace tricontact::contact_program {
 
 /// What IPOTCN < 0 says of a Hertzian contact: the way, and the values after MX and MY.
 struct HertzInput {
@@ -27,4 +27,4 @@ void read_distance(InputLines& lines, ProgramCase& one);
 /// Heights of all cells by this function of x and y [m].
 void set_heights(ProgramCase& one, std::function<double(double x, double y)> height);
 
-}  // namespace tricontact::io
+}  // namespace tricontact::contact_program

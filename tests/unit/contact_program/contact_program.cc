@@ -9,19 +9,19 @@
 #include "bem/grid_compliance.h"
 #include "bem/model.h"
 #include "contact/error.h"
+#include "contact_program/import.h"
+#include "contact_program/program_case.h"
+#include "contact_program/sequence.h"
 #include "io/case/case_reader.h"
-#include "io/contact_program/import.h"
-#include "io/contact_program/program_case.h"
-#include "io/contact_program/sequence.h"
 #include "tests/unit/io/sphere_case.h"
 
-namespace tricontact::io::contact_program_test {
+namespace tricontact::contact_program::contact_program_test {
 namespace {
 
 using contact::Case;
 
 const std::string sphere =
-    "title = \"A rig % with a comment\"\n" + loaded_sphere + R"(press_steps = 3
+    "title = \"A rig % with a comment\"\n" + io::loaded_sphere + R"(press_steps = 3
 [rolling]
 amplitude = "1.3 mm"
 steps_per_quarter = 2
@@ -39,7 +39,7 @@ struct Written {
 };
 
 Written written(const std::vector<std::string>& overrides = {}, const std::string& text = sphere) {
-    Written out{parse_case(text, "case.toml", overrides), {}, false, {}};
+    Written out{io::parse_case(text, "case.toml", overrides), {}, false, {}};
     const auto compliance = bem::case_compliance(out.c, 1, bem::Body::half_space);
     out.grid = compliance->points();
     out.coupled = compliance->is_coupled();
@@ -59,7 +59,7 @@ void expect_same_back(const std::vector<std::string>& overrides, const std::stri
     ASSERT_EQ(found.cases.size(), 1U);
     EXPECT_TRUE(found.left_out.empty());
     const ImportedCase& imported = found.cases[0];
-    const Case back = parse_case(imported.text, "back.toml");
+    const Case back = io::parse_case(imported.text, "back.toml");
     const auto a = sequence_of(first.c, first.coupled), b = sequence_of(back, first.coupled);
     EXPECT_EQ(imported.n_steps(), a.size());
     ASSERT_EQ(a.size(), b.size());
@@ -236,7 +236,7 @@ TEST(ContactProgram, NamesTheFileOfCoefficients) {
 
 std::string refusal(const std::vector<std::string>& overrides, const std::string& text = sphere) {
     try {
-        sequence_of(parse_case(text, "case.toml", overrides), false);
+        sequence_of(io::parse_case(text, "case.toml", overrides), false);
     } catch (const contact::InputError& error) {
         return error.what();
     }
@@ -253,13 +253,13 @@ TEST(ContactProgram, RefusesWhatASequenceCannotSay) {
            "rolling.amplitude_reference: ");
     expect({"substrate.poisson=-0.2", "contact.coupling=false"}, "poisson: CONTACT takes");
     const Case c =
-        parse_case(sphere, "case.toml", {"substrate.poisson=0.3", "contact.coupling=false"});
+        io::parse_case(sphere, "case.toml", {"substrate.poisson=0.3", "contact.coupling=false"});
     EXPECT_THROW(sequence_of(c, true), contact::InputError);
     EXPECT_THROW(
-        sequence_text(parse_case(sphere, "case.toml"),
+        sequence_text(io::parse_case(sphere, "case.toml"),
                       contact::ContactPoints::grid(2001, 1000, {0, 0}, {1e-5, 1e-5}), false, {}),
         contact::InputError);
 }
 
 }  // namespace
-}  // namespace tricontact::io::contact_program_test
+}  // namespace tricontact::contact_program::contact_program_test

@@ -2,10 +2,10 @@
 
 #include <string>
 
-#include "io/contact_program/case_parts.h"
-#include "io/contact_program/import.h"
+#include "contact_program/case_parts.h"
+#include "contact_program/import.h"
 
-namespace tricontact::io {
+namespace tricontact::contact_program {
 
 /// The case that is pressed, loaded and perhaps rolled to and fro in whole periods of equal steps
 /// as these shifts are (T = 0, 1); each step is compared with the case's. `heading`: what comes
@@ -28,4 +28,4 @@ std::string pressing_case(ProgramSequence steps, const std::string& name, bool i
 std::string rolling_case(ProgramSequence steps, const std::string& name,
                          const std::string& heading);
 
-}  // namespace tricontact::io
+}  // namespace tricontact::contact_program

@@ -1,4 +1,4 @@
-#include "io/contact_program/case_digits.h"
+#include "contact_program/case_digits.h"
 
 #include <fmt/format.h>
 
@@ -7,7 +7,7 @@
 
 #include "io/keys/messages.h"
 
-namespace tricontact::io {
+namespace tricontact::contact_program {
 
 namespace {
 
@@ -84,9 +84,9 @@ void check_known_digits(const CaseDigits& digits, const std::string& name) {
     for (std::size_t word = 0; word < std::size(words); ++word)
         for (const Digit& digit : words[word])
             if (digit.place && !contains(digit.known, digits.*digit.place))
-                fail(fmt::format("{}:{}:1", name, digits.lines[word]),
-                     fmt::format("{} = {}", digit.letter, digits.*digit.place), digit.rule,
-                     digit.remedy);
+                io::fail(fmt::format("{}:{}:1", name, digits.lines[word]),
+                         fmt::format("{} = {}", digit.letter, digits.*digit.place), digit.rule,
+                         digit.remedy);
 }
 
-}  // namespace tricontact::io
+}  // namespace tricontact::contact_program

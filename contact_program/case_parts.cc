@@ -1,4 +1,4 @@
-#include "io/contact_program/case_parts.h"
+#include "contact_program/case_parts.h"
 
 #include <fmt/format.h>
 
@@ -6,10 +6,10 @@
 #include <array>
 #include <cmath>
 
-#include "io/contact_program/sequence.h"
+#include "contact_program/sequence.h"
 #include "io/keys/messages.h"
 
-namespace tricontact::io {
+namespace tricontact::contact_program {
 
 namespace {
 
@@ -28,7 +28,7 @@ contact::Material elastic(double shear_modulus, double nu) {
 
 std::string elastic_text(const contact::Material& m) {
     return fmt::format("young = \"{} MPa\"\npoisson = {}\n", 1e-6 * m.young,
-                       toml_number(m.poisson));
+                       io::toml_number(m.poisson));
 }
 
 std::string body_text(const ProgramCase& one) {
@@ -59,9 +59,9 @@ std::string creeping_text(const ProgramCase& one, const std::string& name) {
                        is_close(one.creep_ratio[0], one.creep_ratio[1]) &&
                        is_close(one.creep_time[0], one.creep_time[1]);
     if (!alike)
-        fail(fmt::format("{}:{}:1", name, one.materials_line), "POISS, GG, FG, TC",
-             "bodies that creep must be alike: only one of two relaxes here",
-             "give both the same values");
+        io::fail(fmt::format("{}:{}:1", name, one.materials_line), "POISS, GG, FG, TC",
+                 "bodies that creep must be alike: only one of two relaxes here",
+                 "give both the same values");
     const double f = one.creep_ratio[0], tau = one.creep_time[0];
     if (f == 0 || tau == 0) {
         const auto body = elastic(one.shear_modulus[0] / (1 + f), one.poisson[0]);
@@ -71,7 +71,7 @@ std::string creeping_text(const ProgramCase& one, const std::string& name) {
            fmt::format(
                "[substrate.relaxation]\nmodulus = \"unrelaxed\"\nrelative_moduli = [{}]\n"
                "times = [\"{} s\"]\n[contact]\ncoupling = false\n",
-               toml_number(f / (1 + f)), tau / (1 + f));
+               io::toml_number(f / (1 + f)), tau / (1 + f));
 }
 
 }  // namespace
@@ -130,9 +130,10 @@ std::string bodies_text(const ProgramCase& one, const std::string& name) {
         if (!is_rigid(one)) text += elastic_text(elastic(one.shear_modulus[0], one.poisson[0]));
         text += "[substrate]\n" + elastic_text(elastic(one.shear_modulus[1], one.poisson[1]));
     }
-    return text + fmt::format("[friction]\ncoefficient = {}\n",
-                              toml_number(one.friction_coefficient > 0 ? one.friction_coefficient
-                                                                       : friction_without_effect));
+    return text +
+           fmt::format("[friction]\ncoefficient = {}\n",
+                       io::toml_number(one.friction_coefficient > 0 ? one.friction_coefficient
+                                                                    : friction_without_effect));
 }
 
 std::string normal_text(const ProgramCase& one) {
@@ -144,13 +145,13 @@ std::string normal_text(const ProgramCase& one) {
 std::string cells_text(const ProgramCase& one, const contact::Vector2& shift) {
     std::string text = fmt::format("[bem]\nspacing = \"{} mm\"\n", 1e3 * one.spacing[0]);
     if (has_rectangles(one))
-        text += fmt::format("cell_ratio = {}\n", toml_number(one.spacing[1] / one.spacing[0]));
+        text += fmt::format("cell_ratio = {}\n", io::toml_number(one.spacing[1] / one.spacing[0]));
     for (const std::size_t axis : {0, 1})
         if (shift[axis] != 0)
             text += fmt::format("cell_shift_{} = {}\n", axis == 0 ? 'x' : 'y',
-                                toml_number(std::clamp(shift[axis], -.5, .5)));
+                                io::toml_number(std::clamp(shift[axis], -.5, .5)));
     return text + fmt::format("tolerance = {}\n",
-                              toml_number(std::min(one.tolerance, coarsest_tolerance)));
+                              io::toml_number(std::min(one.tolerance, coarsest_tolerance)));
 }
 
 void check_alike(ProgramSequence steps, const std::string& name) {
@@ -158,8 +159,8 @@ void check_alike(ProgramSequence steps, const std::string& name) {
     for (const ProgramCase& one : steps) {
         const auto demand = [&](bool same, const char* what) {
             if (!same)
-                fail(fmt::format("{}:{}:1", name, one.digits.line), what,
-                     "changes within the sequence", "keep it, or begin another one by P = 2");
+                io::fail(fmt::format("{}:{}:1", name, one.digits.line), what,
+                         "changes within the sequence", "keep it, or begin another one by P = 2");
         };
         demand(is_close(one.friction_coefficient, head.friction_coefficient), "friction");
         demand(one.poisson == head.poisson && one.shear_modulus == head.shear_modulus &&
@@ -175,4 +176,4 @@ void check_alike(ProgramSequence steps, const std::string& name) {
     }
 }
 
-}  // namespace tricontact::io
+}  // namespace tricontact::contact_program

@@ -4,11 +4,11 @@
 #include <numbers>
 
 #include "contact/bodies/half_space_scales.h"
+#include "contact_program/sequence_case.h"
 #include "io/case/case_reader.h"
-#include "io/contact_program/sequence_case.h"
 #include "io/keys/messages.h"
 
-namespace tricontact::io {
+namespace tricontact::contact_program {
 
 namespace {
 
@@ -37,17 +37,18 @@ class RollingReading {
         const std::string sections =
             bodies_text(rolling_, name_) + load_text() + "[tractive_rolling]\n" + drive_text();
         const std::string cells = cells_text(rolling_, cell_shift());
-        const auto c = parse_case(heading + sections + cells, name_ + ", as a case");
+        const auto c = io::parse_case(heading + sections + cells, name_ + ", as a case");
         const double a = contact::half_space_scales(c).contact_radius;
         return heading + sections +
-               fmt::format("distance = {}\n", toml_number(n_rolled() * rolling_.spacing[0] / a)) +
+               fmt::format("distance = {}\n",
+                           io::toml_number(n_rolled() * rolling_.spacing[0] / a)) +
                cells;
     }
 
   private:
     [[noreturn]] void refuse(int line, const std::string& subject, const std::string& rule,
                              const std::string& remedy) const {
-        fail(fmt::format("{}:{}:1", name_, line), subject, rule, remedy);
+        io::fail(fmt::format("{}:{}:1", name_, line), subject, rule, remedy);
     }
 
     /// Cells; of a steady state, which is found directly, one.
@@ -128,7 +129,7 @@ class RollingReading {
         std::string text = "[load]\n" + normal_text(rolling_);
         if (rolling_.digits.force >= 1)
             text += fmt::format("tangential_ratio = {}\n",
-                                toml_number(0 - sign_ * rolling_.tangential[0]));
+                                io::toml_number(0 - sign_ * rolling_.tangential[0]));
         return text;
     }
 
@@ -144,7 +145,8 @@ class RollingReading {
         std::string text;
         const auto [along, aside] = creepage();
         if (rolling_.digits.force == 0)
-            text += fmt::format("longitudinal_creepage = {}\n", toml_number(sign_ * along + 0.));
+            text +=
+                fmt::format("longitudinal_creepage = {}\n", io::toml_number(sign_ * along + 0.));
         const double across = rolling_.digits.force == 2 ? rolling_.tangential[1] : aside;
         const double spin = rolling_.rotation;
         if (rolling_.digits.force == 2 && across != 0)
@@ -152,7 +154,7 @@ class RollingReading {
                    "across the way a creepage is prescribed, or no force acts",
                    "give F = 1 and CETA, or FY = 0");
         if (rolling_.digits.force < 2 && (across != 0 || spin != 0))
-            text += fmt::format("lateral_creepage = {}\n", toml_number(sign_ * across + 0.));
+            text += fmt::format("lateral_creepage = {}\n", io::toml_number(sign_ * across + 0.));
         if (spin != 0) text += fmt::format("spin = \"{} rad/m\"\n", spin);
         if (rolling_.digits.material == 1 && rolling_.creep_ratio[0] * rolling_.creep_time[0] > 0)
             text += fmt::format("speed = \"{} mm/s\"\n", 1e3 * rolling_.speed);
@@ -172,4 +174,4 @@ std::string rolling_case(ProgramSequence steps, const std::string& name,
     return RollingReading(steps, name).text(heading);
 }
 
-}  // namespace tricontact::io
+}  // namespace tricontact::contact_program

@@ -3,10 +3,10 @@
 #include <utility>
 
 #include "contact/bodies/half_space_scales.h"
-#include "io/contact_program/sequence.h"
+#include "contact_program/sequence.h"
 #include "io/keys/messages.h"
 
-namespace tricontact::io {
+namespace tricontact::contact_program {
 
 namespace {
 
@@ -27,15 +27,16 @@ bool is_symmetric_in_y(const Case& c) {
 /// What the half-space and layer of CONTACT do not do.
 void check_bodies(const Case& c, bool is_coupled) {
     if (c.relaxation)
-        fail("substrate.relaxation", "", "CONTACT takes relaxing bodies in steady rolling alone",
-             "such a case cannot be written for it");
-    if (c.bem.period) fail("bem.period", "", "CONTACT has no periodic contacts", "omit it");
+        io::fail("substrate.relaxation", "",
+                 "CONTACT takes relaxing bodies in steady rolling alone",
+                 "such a case cannot be written for it");
+    if (c.bem.period) io::fail("bem.period", "", "CONTACT has no periodic contacts", "omit it");
     if (is_coupled && !c.contact.coupling)
-        fail("contact.coupling", "", "CONTACT always couples such bodies", "omit it");
+        io::fail("contact.coupling", "", "CONTACT always couples such bodies", "omit it");
     const auto out_of_range = [](const contact::Material& m) { return m.poisson < 0; };
     if (out_of_range(c.substrate) || (c.indenter.material && out_of_range(*c.indenter.material)))
-        fail("poisson", "", "CONTACT takes Poisson's ratios from 0 to 1/2",
-             "such a material cannot be written for it");
+        io::fail("poisson", "", "CONTACT takes Poisson's ratios from 0 to 1/2",
+                 "such a material cannot be written for it");
 }
 
 using Kind = TangentialControl::Kind;
@@ -57,24 +58,24 @@ void check_path(const Case& c) {
     const bool by_depth = path.rows.front().normal.kind == NormalControl::Kind::indentation;
     for (const int axis : {0, 1})
         if (by_depth && is_forced(axis) && is_loaded(axis))
-            fail(path_key(c), "", "CONTACT takes F_T over F_N, which d does not tell",
-                 "give normal_force, or shifts");
+            io::fail(path_key(c), "", "CONTACT takes F_T over F_N, which d does not tell",
+                     "give normal_force, or shifts");
     // What needs no force along y by symmetry needs no shift either.
     if (!is_forced(0) && is_forced(1) && !is_symmetric_in_y(c))
-        fail(path_key(c), "",
-             "CONTACT prescribes no shift along x beside a force along y (F = 0, 1, 2)",
-             "turn the case by 90 degrees, or give shift_y");
+        io::fail(path_key(c), "",
+                 "CONTACT prescribes no shift along x beside a force along y (F = 0, 1, 2)",
+                 "turn the case by 90 degrees, or give shift_y");
 }
 
 void check_rolling_on(const Case& c) {
     const auto& rolls_on = *c.tractive_rolling;
     if (rolls_on.longitudinal_creepage && !rolls_on.lateral_creepage && !is_symmetric_in_y(c))
-        fail("tractive_rolling.lateral_creepage", "",
-             "CONTACT prescribes no creepage along x beside a force along y (F = 0, 1, 2)",
-             "give it");
+        io::fail("tractive_rolling.lateral_creepage", "",
+                 "CONTACT prescribes no creepage along x beside a force along y (F = 0, 1, 2)",
+                 "give it");
     if (c.load.indentation && c.load.tangential_force.value_or(0) != 0)
-        fail("load.tangential_force", "", "CONTACT takes F_T over F_N, which d does not tell",
-             "give load.tangential_ratio");
+        io::fail("load.tangential_force", "", "CONTACT takes F_T over F_N, which d does not tell",
+                 "give load.tangential_ratio");
 }
 
 /// F_T is over mu F_N there; what F_N will be under a prescribed depth only a run knows.
@@ -82,18 +83,18 @@ void check_loads(const Case& c) {
     if (c.prescribed_path) return check_path(c);
     if (c.tractive_rolling) return check_rolling_on(c);
     if (c.rolling && c.rolling->amplitude_reference == Case::AmplitudeReference::model)
-        fail("rolling.amplitude_reference", "", "the model's radius is known by a run alone",
-             "take \"hertz\", or give rolling.amplitude");
+        io::fail("rolling.amplitude_reference", "", "the model's radius is known by a run alone",
+                 "take \"hertz\", or give rolling.amplitude");
     if (c.load.is_by_limit())
-        fail(c.load.limit_key(), "", "the model's limit is known by a run alone",
-             "give load.tangential_ratio");
+        io::fail(c.load.limit_key(), "", "the model's limit is known by a run alone",
+                 "give load.tangential_ratio");
     if (!c.load.indentation) return;
     if (c.rolling)
-        fail("load.indentation", "", "CONTACT takes F_T over the F_N of each step",
-             "give load.normal_force where the indenter rolls");
+        io::fail("load.indentation", "", "CONTACT takes F_T over the F_N of each step",
+                 "give load.normal_force where the indenter rolls");
     if (c.load.tangential_force)
-        fail("load.tangential_force", "", "CONTACT takes F_T over F_N, which d does not tell",
-             "give load.tangential_ratio");
+        io::fail("load.tangential_force", "", "CONTACT takes F_T over F_N, which d does not tell",
+                 "give load.tangential_ratio");
 }
 
 /// Steps as they are prescribed there: shifts and twist one by one.
@@ -194,4 +195,4 @@ std::vector<SequenceStep> sequence_of(const Case& c, bool is_coupled) {
     return steps.steps;
 }
 
-}  // namespace tricontact::io
+}  // namespace tricontact::contact_program

@@ -1,6 +1,6 @@
 // What cases of CONTACT become: case files of each kind, and what export writes.
 
-#include "io/contact_program/import.h"
+#include "contact_program/import.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
@@ -15,14 +15,14 @@
 #include "bem/model.h"
 #include "contact/bodies/half_space_scales.h"
 #include "contact/load_path.h"
+#include "contact_program/input_lines.h"
+#include "contact_program/program_case.h"
+#include "contact_program/sequence.h"
+#include "contact_program/written_case.h"
 #include "io/case/case_reader.h"
-#include "io/contact_program/input_lines.h"
-#include "io/contact_program/program_case.h"
-#include "io/contact_program/sequence.h"
-#include "io/contact_program/written_case.h"
 #include "tests/unit/io/sphere_case.h"
 
-namespace tricontact::io::import_test {
+namespace tricontact::contact_program::import_test {
 namespace {
 
 using contact::Case;
@@ -44,7 +44,7 @@ std::vector<Case> cases_of(const std::string& text) {
     std::vector<Case> cases;
     for (const ImportedCase& one :
          import_cases(text + " 0 MODULE\n", "file.inp", bem::is_coupled).cases)
-        cases.push_back(parse_case(one.text, "case.toml"));
+        cases.push_back(io::parse_case(one.text, "case.toml"));
     return cases;
 }
 
@@ -184,16 +184,16 @@ RC_GTEST_PROP(ImportedCases, WhatIsExportedComesBack, ()) {
     if (*rc::gen::arbitrary<bool>())
         overrides.insert(overrides.end(), {set("indenter.young", " MPa", percent(100, 9000)),
                                            set("indenter.poisson", "", percent(0, 50))});
-    const std::string text = loaded_sphere +
+    const std::string text = io::loaded_sphere +
                              "[rolling]\namplitude = \"1 mm\"\nperiods = 1\n"
                              "run_all = true\n[bem]\ncells_per_radius = 5\n";
-    const Case c = parse_case(text, "drawn.toml", overrides);
+    const Case c = io::parse_case(text, "drawn.toml", overrides);
     const auto compliance = bem::case_compliance(c, 1, bem::Body::half_space);
     const bool coupled = compliance->is_coupled();
     const Import found = import_cases(sequence_text(c, compliance->points(), coupled, {}),
                                       "drawn.inp", bem::is_coupled);
     RC_ASSERT(found.cases.size() == 1U && found.left_out.empty());
-    const Case back = parse_case(found.cases[0].text, "back.toml");
+    const Case back = io::parse_case(found.cases[0].text, "back.toml");
     if (!back.prescribed_path) {
         const auto a = sequence_of(c, coupled), b = sequence_of(back, coupled);
         RC_ASSERT(a.size() == b.size());
@@ -210,4 +210,4 @@ RC_GTEST_PROP(ImportedCases, WhatIsExportedComesBack, ()) {
 }
 
 }  // namespace
-}  // namespace tricontact::io::import_test
+}  // namespace tricontact::contact_program::import_test

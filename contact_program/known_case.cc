@@ -1,10 +1,10 @@
 #include <fmt/format.h>
 
-#include "io/contact_program/case_parts.h"
-#include "io/contact_program/program_case.h"
+#include "contact_program/case_parts.h"
+#include "contact_program/program_case.h"
 #include "io/keys/messages.h"
 
-namespace tricontact::io {
+namespace tricontact::contact_program {
 
 namespace {
 
@@ -23,7 +23,7 @@ class KnownCase {
   private:
     [[noreturn]] void refuse(int line, const std::string& subject, const std::string& rule,
                              const std::string& remedy) const {
-        fail(fmt::format("{}:{}:1", name_, line), subject, rule, remedy);
+        io::fail(fmt::format("{}:{}:1", name_, line), subject, rule, remedy);
     }
 
     void check_kept() const {
@@ -94,4 +94,4 @@ void check_known(const ProgramCase& one, const std::string& name) {
     KnownCase(one, name).check();
 }
 
-}  // namespace tricontact::io
+}  // namespace tricontact::contact_program

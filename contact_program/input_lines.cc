@@ -1,4 +1,4 @@
-#include "io/contact_program/input_lines.h"
+#include "contact_program/input_lines.h"
 
 #include <fmt/format.h>
 
@@ -11,15 +11,15 @@
 #include "io/keys/messages.h"
 #include "io/keys/number_text.h"
 
-namespace tricontact::io {
+namespace tricontact::contact_program {
 
 namespace {
 
 constexpr std::size_t longest_in_message = 40;
 
 std::string quoted(std::string_view word) {
-    if (first_non_utf8(word) != std::string_view::npos) return "what stands there";
-    return fmt::format("\"{}\"", one_line(shortened(word, longest_in_message)));
+    if (io::first_non_utf8(word) != std::string_view::npos) return "what stands there";
+    return fmt::format("\"{}\"", io::one_line(io::shortened(word, longest_in_message)));
 }
 
 bool is_digit(char c) {
@@ -35,7 +35,7 @@ std::optional<double> fortran_number(std::string_view word) {
     if (sign != std::string::npos && sign > 0 &&
         (is_digit(text[sign - 1]) || text[sign - 1] == '.'))
         text.insert(sign, 1, 'e');
-    const auto value = number_in(text);
+    const auto value = io::number_in(text);
     return value && std::isfinite(*value) ? value : std::nullopt;
 }
 
@@ -47,7 +47,7 @@ bool InputLines::advance() {
         current_ = std::string_view(text_).substr(at_, end - at_);
         at_ = end + 1;
         ++line_;
-        words_ = words_of(current_.substr(0, current_.find('%')), " \t\r,=");
+        words_ = io::words_of(current_.substr(0, current_.find('%')), " \t\r,=");
         next_ = 0;
         if (!words_.empty()) return true;
     }
@@ -62,8 +62,9 @@ bool InputLines::at_end() {
 
 std::string_view InputLines::next_word(std::string_view what) {
     if (at_end())
-        fail(fmt::format("{}:{}", name_, line_), "", fmt::format("the file ends, but {} due", what),
-             "complete it, or end it by \"0 MODULE\"");
+        io::fail(fmt::format("{}:{}", name_, line_), "",
+                 fmt::format("the file ends, but {} due", what),
+                 "complete it, or end it by \"0 MODULE\"");
     const std::string_view word = words_[next_++];
     column_ = static_cast<int>(word.data() - current_.data()) + 1;
     return word;
@@ -118,7 +119,7 @@ std::string InputLines::text(std::string_view what) {
 
 int InputLines::whole_number(std::string_view what) {
     const std::string_view word = next_word(fmt::format("{} is", what));
-    const std::string_view number = without_plus(word);
+    const std::string_view number = io::without_plus(word);
     int value = 0;
     const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), value);
     if (error != std::errc() || end != number.data() + number.size())
@@ -144,18 +145,18 @@ std::string InputLines::place(int line, int column) const {
 
 void InputLines::refuse(std::string_view subject, std::string_view rule,
                         std::string_view remedy) const {
-    fail(place(line_, column_), subject, rule, remedy);
+    io::fail(place(line_, column_), subject, rule, remedy);
 }
 
 void InputLines::refuse(std::string_view name, const InputNumber& number, std::string_view rule,
                         std::string_view remedy) const {
-    fail(place(number.line, number.column), fmt::format("{} = {}", name, number.value), rule,
-         remedy);
+    io::fail(place(number.line, number.column), fmt::format("{} = {}", name, number.value), rule,
+             remedy);
 }
 
 void InputLines::refuse_line(int line, std::string_view subject, std::string_view rule,
                              std::string_view remedy) const {
-    fail(place(line, 1), subject, rule, remedy);
+    io::fail(place(line, 1), subject, rule, remedy);
 }
 
-}  // namespace tricontact::io
+}  // namespace tricontact::contact_program

@@ -4,9 +4,9 @@
 #include <string>
 
 #include "contact/substrates/material.h"
-#include "io/contact_program/program_case.h"
+#include "contact_program/program_case.h"
 
-namespace tricontact::io {
+namespace tricontact::contact_program {
 
 /// Consecutive cases of a file that go on from each other.
 using ProgramSequence = std::span<const ProgramCase>;
@@ -48,4 +48,4 @@ void check_alike(ProgramSequence steps, const std::string& name);
 /// Equal but for the rounding of values in a file.
 bool is_close(double a, double b);
 
-}  // namespace tricontact::io
+}  // namespace tricontact::contact_program
