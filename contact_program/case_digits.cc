@@ -84,9 +84,9 @@ void check_known_digits(const CaseDigits& digits, const std::string& name) {
     for (std::size_t word = 0; word < std::size(words); ++word)
         for (const Digit& digit : words[word])
             if (digit.place && !contains(digit.known, digits.*digit.place))
-                io::fail(fmt::format("{}:{}:1", name, digits.lines[word]),
-                         fmt::format("{} = {}", digit.letter, digits.*digit.place), digit.rule,
-                         digit.remedy);
+                refuse_at(name, digits.lines[word],
+                          fmt::format("{} = {}", digit.letter, digits.*digit.place), digit.rule,
+                          digit.remedy);
 }
 
 }  // namespace tricontact::contact_program

@@ -59,9 +59,9 @@ std::string creeping_text(const ProgramCase& one, const std::string& name) {
                        is_close(one.creep_ratio[0], one.creep_ratio[1]) &&
                        is_close(one.creep_time[0], one.creep_time[1]);
     if (!alike)
-        io::fail(fmt::format("{}:{}:1", name, one.materials_line), "POISS, GG, FG, TC",
-                 "bodies that creep must be alike: only one of two relaxes here",
-                 "give both the same values");
+        refuse_at(name, one.materials_line, "POISS, GG, FG, TC",
+                  "bodies that creep must be alike: only one of two relaxes here",
+                  "give both the same values");
     const double f = one.creep_ratio[0], tau = one.creep_time[0];
     if (f == 0 || tau == 0) {
         const auto body = elastic(one.shear_modulus[0] / (1 + f), one.poisson[0]);
@@ -116,12 +116,6 @@ bool is_beside_origin(const ProgramCase& one) {
            std::abs(aside[1]) > beside * one.spacing[1];
 }
 
-double program_load(const ProgramCase& one) {
-    if (one.digits.normal == 1) return one.normal;
-    const UndeformedDistance& body = one.distance;
-    return one.normal + (body.heights ? -*std::ranges::min_element(*body.heights) : body.depth);
-}
-
 std::string bodies_text(const ProgramCase& one, const std::string& name) {
     std::string text = body_text(one);
     if (one.digits.material == 1) {
@@ -137,9 +131,9 @@ std::string bodies_text(const ProgramCase& one, const std::string& name) {
 }
 
 std::string normal_text(const ProgramCase& one) {
-    const bool force = one.digits.normal == 1;
+    const bool force = one.step.by_force();
     return fmt::format("{} = \"{} {}\"\n", force ? "normal_force" : "indentation",
-                       program_load(one) * (force ? 1 : 1e3), force ? "N" : "mm");
+                       one.step.normal.value * (force ? 1 : 1e3), force ? "N" : "mm");
 }
 
 std::string cells_text(const ProgramCase& one, const contact::Vector2& shift) {
@@ -159,8 +153,8 @@ void check_alike(ProgramSequence steps, const std::string& name) {
     for (const ProgramCase& one : steps) {
         const auto demand = [&](bool same, const char* what) {
             if (!same)
-                io::fail(fmt::format("{}:{}:1", name, one.digits.line), what,
-                         "changes within the sequence", "keep it, or begin another one by P = 2");
+                refuse_at(name, one.digits.line, what, "changes within the sequence",
+                          "keep it, or begin another one by P = 2");
         };
         demand(is_close(one.friction_coefficient, head.friction_coefficient), "friction");
         demand(one.poisson == head.poisson && one.shear_modulus == head.shear_modulus &&

@@ -26,9 +26,6 @@ contact::Vector2 origin_of_case(const ProgramCase& one);
 /// Whether the lowest point of a body lies beside that of the origin.
 bool is_beside_origin(const ProgramCase& one);
 
-/// F_N [N], or the depth d [m] of the body's lowest point where N = 0.
-double program_load(const ProgramCase& one);
-
 /// Sections [indenter], [substrate] with what relaxes of it, [friction] and [contact] of a case
 /// file. Throws contact::InputError, naming file and line, for viscoelastic bodies that are not
 /// alike.

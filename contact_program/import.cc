@@ -22,9 +22,8 @@ namespace {
 /// The next cases that go on from each other: until one begins anew, or is steady.
 ProgramSequence next_sequence(ProgramSequence cases) {
     std::size_t n = 1;
-    if (cases.front().digits.tangential != 3)
-        while (n < cases.size() && cases[n].digits.previous == 0 && cases[n].digits.tangential != 3)
-            ++n;
+    if (!cases.front().step.is_steady())
+        while (n < cases.size() && cases[n].digits.previous == 0 && !cases[n].step.is_steady()) ++n;
     return cases.first(n);
 }
 
@@ -49,7 +48,7 @@ class SequenceImport {
             "title = {}\nmodels = [\"bem\"]\n",
             io::toml_string(fmt::format("Sequence of CONTACT, {}, {}",
                                         std::filesystem::path(name_).filename().string(), cases)));
-        out.rolls_on = steps_.back().is_rolling();
+        out.rolls_on = steps_.back().step.is_rolling();
         out.text = text(heading);
         if (!out.rolls_on) out.text += inside_text();
         if (head().distance.heights) out.heights = heights_table();
@@ -68,27 +67,26 @@ class SequenceImport {
     }
 
     void check_beginning() const {
-        if (head().digits.previous == 2 || head().digits.tangential == 3) return;
-        io::fail(fmt::format("{}:{}:1", name_, head().digits.line),
-                 fmt::format("P = {}", head().digits.previous),
-                 "goes on from steady rolling, from which no case here begins",
-                 "begin from rest, T = 1 with P = 2");
+        if (head().digits.previous == 2 || head().step.is_steady()) return;
+        refuse_at(name_, head().digits.line, fmt::format("P = {}", head().digits.previous),
+                  "goes on from steady rolling, from which no case here begins",
+                  "begin from rest, T = 1 with P = 2");
     }
 
     std::string text(const std::string& heading) const {
-        if (steps_.back().is_rolling()) return rolling_case(steps_, name_, heading);
-        if (std::ranges::any_of(steps_, &ProgramCase::is_rolling))
-            io::fail(fmt::format("{}:{}:1", name_, steps_.back().digits.line), "T = 1",
-                     "goes on from rolling", "begin again by P = 2");
+        if (steps_.back().step.is_rolling()) return rolling_case(steps_, name_, heading);
+        if (std::ranges::any_of(steps_, &SequenceStep::is_rolling, &ProgramCase::step))
+            refuse_at(name_, steps_.back().digits.line, "T = 1", "goes on from rolling",
+                      "begin again by P = 2");
         const auto path = [&] { return path_case(steps_, name_, heading, pressed_depth_); };
         if (is_beside_origin(head())) return path();
-        if (steps_.size() == 1 && head().digits.tangential == 0)
+        if (steps_.size() == 1 && !head().step.tangential)
             return pressing_case(steps_, name_, coupled_, heading);
         try {
-            return sequence_case(steps_, name_, coupled_, heading);
-        } catch (const contact::InputError&) {
-            return path();
+            if (auto found = sequence_case(steps_, name_, coupled_, heading)) return *found;
+        } catch (const contact::InputError&) {  // [path] takes what [load] and [rolling] do not
         }
+        return path();
     }
 
     /// Stresses inside, as far down as the deepest point of the last case, in front of [bem].
@@ -112,10 +110,10 @@ class SequenceImport {
         const ProgramCase& last = steps_.back();
         std::vector<std::string> found;
         constexpr double same_step = 1e-3;  // of DX
-        if (last.digits.tangential == 3 && std::abs(last.step / last.spacing[0] - 1) > same_step)
+        if (last.step.is_steady() && std::abs(last.step_length / last.spacing[0] - 1) > same_step)
             found.push_back(fmt::format("the step DQ = {:.6g} mm became one cell, DX = {:.6g} mm",
-                                        1e3 * last.step, 1e3 * last.spacing[0]));
-        if (last.is_rolling() && last.rotation != 0 && creepage_moves(last))
+                                        1e3 * last.step_length, 1e3 * last.spacing[0]));
+        if (last.step.is_rolling() && last.step.rotation != 0 && creepage_moves(last))
             found.emplace_back(
                 "creepages are those at the body's lowest point, about which it "
                 "spins here (SPINXO, SPINYO, FACPHI)");
@@ -128,10 +126,10 @@ class SequenceImport {
                 "FSTAT = 0 became another coefficient of friction, which has no "
                 "effect without a tangential problem (T = 0)");
         if (last.digits.heat != 0) found.emplace_back("temperatures are not computed (H)");
-        if (last.deepest > 0 && last.is_rolling())
+        if (last.deepest > 0 && last.step.is_rolling())
             found.emplace_back("stresses inside are not computed while the contact rolls on (S)");
         const bool mixed = std::ranges::any_of(steps_, [&](const ProgramCase& one) {
-            return one.digits.normal != head().digits.normal;
+            return one.step.by_force() != head().step.by_force();
         });
         if (mixed)
             found.emplace_back("the depths PEN were taken for the force FN of the first case");
@@ -139,7 +137,7 @@ class SequenceImport {
     }
 
     static bool creepage_moves(const ProgramCase& one) {
-        return one.distance.offset != one.spin_centre || one.spin_ahead != usual_spin_ahead;
+        return one.distance.offset != one.step.centre || one.spin_ahead != usual_spin_ahead;
     }
 
     /// Hertz' contact of some case reaches beyond the cells.

@@ -159,4 +159,9 @@ void InputLines::refuse_line(int line, std::string_view subject, std::string_vie
     io::fail(place(line, 1), subject, rule, remedy);
 }
 
+void refuse_at(const std::string& name, int line, const std::string& subject, std::string_view rule,
+               std::string_view remedy) {
+    io::fail(fmt::format("{}:{}:1", name, line), subject, rule, remedy);
+}
+
 }  // namespace tricontact::contact_program

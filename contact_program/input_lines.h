@@ -71,4 +71,8 @@ class InputLines {
     int column_ = 0;                       // of the last value
 };
 
+/// Throws contact::InputError about a line of the file called `name` that was read before.
+[[noreturn]] void refuse_at(const std::string& name, int line, const std::string& subject,
+                            std::string_view rule, std::string_view remedy);
+
 }  // namespace tricontact::contact_program

@@ -31,15 +31,15 @@ class PathReading {
     PathReading(ProgramSequence steps, const std::string& name, const PressedDepth& pressed_depth)
         : steps_(steps), name_(name), pressed_depth_(pressed_depth) {
         for (const ProgramCase& one : steps.subspan(1))
-            if (one.digits.tangential == 0)
-                refuse(one.digits.line, "T = 0", "only the first case presses without friction",
-                       "give T = 1");
-        by_force_ = head().digits.normal == 1;
-        const auto turning =
-            std::ranges::find_if(steps, [](const ProgramCase& one) { return one.rotation != 0; });
+            if (!one.step.tangential)
+                refuse_at(name_, one.digits.line, "T = 0",
+                          "only the first case presses without friction", "give T = 1");
+        by_force_ = head().step.by_force();
+        const auto turning = std::ranges::find_if(
+            steps, [](const ProgramCase& one) { return one.step.rotation != 0; });
         turns_ = turning != steps.end();
         origin_ = origin_of_case(head());
-        if (turns_) centre_ = turning->spin_centre;
+        if (turns_) centre_ = turning->step.centre;
         for (const int axis : {0, 1}) {
             moves_[axis] = moves(axis);
             is_aside_[axis] = is_aside(axis);
@@ -60,7 +60,7 @@ class PathReading {
         }
         if (turns_) table += ", rotation [rad]";
         table += "\n";
-        const bool frictionless = head().digits.tangential == 0;
+        const bool frictionless = !head().step.tangential;
         table += row(head(), 0, {}, 0, depth, !frictionless);
         Vector2 shift{};
         double rotation = 0;
@@ -68,8 +68,8 @@ class PathReading {
         for (const ProgramCase& one : further) {
             const Vector2 moved = shift_at_centre(one);
             for (const int axis : {0, 1})
-                if (one.digits.force <= axis) shift[axis] += moved[axis];
-            rotation += one.rotation;
+                if (!one.step.is_forced(axis)) shift[axis] += moved[axis];
+            rotation += one.step.rotation;
             table += row(one, 1, shift, rotation, depth, false);
         }
         if (further.empty()) table += row(head(), 0, {}, 0, depth, false);  // a path has two rows
@@ -83,16 +83,11 @@ class PathReading {
 
     const ProgramCase& head() const { return steps_.front(); }
 
-    [[noreturn]] void refuse(int line, const std::string& subject, const std::string& rule,
-                             const std::string& remedy) const {
-        io::fail(fmt::format("{}:{}:1", name_, line), subject, rule, remedy);
-    }
-
     /// The twist of all cases is about the point of the first that has one: what the indenter is
     /// shifted by there, where a case prescribes the shift of another point [m].
     Vector2 shift_at_centre(const ProgramCase& one) const {
-        const Vector2 arm = centre_ - one.spin_centre;
-        return one.tangential + one.rotation * Vector2{-arm[1], arm[0]};
+        const Vector2 arm = centre_ - one.step.centre;
+        return one.step.values() + one.step.rotation * Vector2{-arm[1], arm[0]};
     }
 
     std::string centre_text() const {
@@ -112,14 +107,14 @@ class PathReading {
 
     bool is_aside(int axis) const {
         return !head().distance.heights && std::ranges::any_of(steps_, [&](const ProgramCase& one) {
-            return from_origin(one.distance.offset, axis) != 0;
+            return from_origin(one.step.offset, axis) != 0;
         });
     }
 
     bool moves(int axis) const {
-        const double start = head().distance.offset[axis];
+        const double start = head().step.offset[axis];
         return std::ranges::any_of(steps_, [&](const ProgramCase& one) {
-            return std::abs(one.distance.offset[axis] - start) > same_place * one.spacing[0];
+            return std::abs(one.step.offset[axis] - start) > same_place * one.spacing[0];
         });
     }
 
@@ -129,27 +124,26 @@ class PathReading {
         const ProgramCase *force = nullptr, *shift = nullptr;
         const bool is_symmetric = !turns_ && !moves_[axis] && !head().distance.heights;
         for (const ProgramCase& one : steps_) {
-            if (one.digits.tangential == 0) continue;
-            const bool forced = one.digits.force > axis;
-            const bool counts = one.tangential[axis] != 0 || !is_symmetric;
+            if (!one.step.tangential) continue;
+            const bool forced = one.step.is_forced(axis);
+            const bool counts = one.step.along[axis].value != 0 || !is_symmetric;
             if (forced && counts) force = &one;
             if (!forced && (counts || force)) shift = &one;
         }
         if (force && shift)
-            refuse(shift->loads_line, fmt::format("F = {}", shift->digits.force),
-                   "prescribes a shift where other cases of the sequence have a force",
-                   "keep F, or begin another sequence by P = 2");
+            refuse_at(name_, shift->loads_line, fmt::format("F = {}", shift->digits.force),
+                      "prescribes a shift where other cases of the sequence have a force",
+                      "keep F, or begin another sequence by P = 2");
         return force ? Kind::force : shift ? Kind::shift : Kind::none;
     }
 
     /// Of the first case's force, where others prescribe a depth [m].
     double depth_of_force(const std::string& beginning) const {
-        const bool mixed = std::ranges::any_of(steps_, [&](const ProgramCase& one) {
-            return one.digits.normal != head().digits.normal;
-        });
+        const bool mixed = std::ranges::any_of(
+            steps_, [&](const ProgramCase& one) { return one.step.by_force() != by_force_; });
         if (!mixed) return 0;
         if (!by_force_ || head().distance.heights)
-            refuse(head().digits.line, "N", "changes within the sequence", "keep it");
+            refuse_at(name_, head().digits.line, "N", "changes within the sequence", "keep it");
         const auto c = io::parse_case(beginning + "[load]\n" + normal_text(head()) +
                                           "tangential_ratio = 0\n" + cells_text(head()),
                                       name_ + ", as a case");
@@ -157,12 +151,12 @@ class PathReading {
     }
 
     double normal_value(const ProgramCase& one, double depth) const {
-        if ((one.digits.normal == 1) == by_force_) return program_load(one);
-        if (!(std::abs(program_load(one) / depth - 1) <= same_depth))
-            refuse(one.loads_line, fmt::format("PEN = {}", 1e3 * one.normal),
-                   fmt::format("is not the depth {:.6g} mm of the force of the first case",
-                               1e3 * depth),
-                   "keep N");
+        if (one.step.by_force() == by_force_) return one.step.normal.value;
+        if (!(std::abs(one.step.normal.value / depth - 1) <= same_depth))
+            refuse_at(name_, one.loads_line, fmt::format("PEN = {}", 1e3 * one.normal),
+                      fmt::format("is not the depth {:.6g} mm of the force of the first case",
+                                  1e3 * depth),
+                      "keep N");
         return head().normal;
     }
 
@@ -177,7 +171,7 @@ class PathReading {
             if (kind_[axis] == Kind::shift)
                 text += fmt::format(", {}", unsigned_zero(share * 1e3 * shift[axis]));
             if (is_aside_[axis])
-                text += fmt::format(", {}", 1e3 * from_origin(one.distance.offset, axis));
+                text += fmt::format(", {}", 1e3 * from_origin(one.step.offset, axis));
         }
         if (turns_) text += fmt::format(", {}", unsigned_zero(share * rotation));
         return text + "\n";
@@ -185,11 +179,11 @@ class PathReading {
 
     /// On the substrate [N].
     double force(const ProgramCase& one, int axis, double load) const {
-        if (one.digits.force <= axis || one.tangential[axis] == 0) return 0;
+        if (!one.step.is_forced(axis) || one.step.along[axis].value == 0) return 0;
         if (!by_force_)
-            refuse(one.loads_line, axis == 0 ? "FX" : "FY",
-                   "is over an F_N that a depth does not give", "give N = 1 and FN");
-        return -one.tangential[axis] * one.friction_coefficient * load;
+            refuse_at(name_, one.loads_line, axis == 0 ? "FX" : "FY",
+                      "is over an F_N that a depth does not give", "give N = 1 and FN");
+        return one.step.along[axis].value * one.friction_coefficient * load;
     }
 
     ProgramSequence steps_;

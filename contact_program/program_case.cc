@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "contact_program/distance_reading.h"
@@ -69,6 +70,7 @@ class CaseReading {
             digits.extra == 9 || (digits.extra == 1 && current_.has_extra_slip);
         if (digits.stress >= 2) read_points();
         if (digits.stress == 0) current_.deepest = 0;
+        complete_step();
         cases_.push_back(current_);
     }
 
@@ -114,13 +116,35 @@ class CaseReading {
         if (force) demand_positive(v[0], "FN");
         current_.loads_line = lines_.line();
         current_.normal = v[0] * (force ? 1 : millimetre);
-        const int forces = current_.digits.force;
-        const bool rolling = current_.is_rolling();
-        for (const int axis : {0, 1})
-            current_.tangential[axis] = v[1 + axis] * (forces > axis || rolling ? 1 : millimetre);
-        current_.rotation = v[3] / (rolling ? millimetre : 1);
-        current_.spin_centre = {};
-        if (v.size() == 6) current_.spin_centre = {millimetre * v[4], millimetre * v[5]};
+        SequenceStep& step = current_.step;
+        step = {.tangential = current_.digits.tangential != 0};
+        if (step.tangential)
+            step.motion = static_cast<SequenceStep::Motion>(current_.digits.tangential);
+        using Kind = contact::TangentialControl::Kind;
+        const bool rolling = step.is_rolling();
+        for (const int axis : {0, 1}) {
+            const double value = v[1 + axis];  // a force is that on body 1
+            if (current_.digits.force > axis)
+                step.along[axis].value = value == 0 ? 0 : -value;
+            else
+                step.along[axis] = {Kind::shift, value * (rolling ? 1 : millimetre)};
+        }
+        step.rotation = v[3] / (rolling ? millimetre : 1);
+        if (v.size() == 6) step.centre = {millimetre * v[4], millimetre * v[5]};
+    }
+
+    /// Where the body is and how deep it is pressed, once its distance is known.
+    void complete_step() {
+        using Kind = contact::NormalControl::Kind;
+        const UndeformedDistance& body = current_.distance;
+        current_.step.offset = body.offset;
+        if (current_.digits.normal == 1) {
+            current_.step.normal = {Kind::force, current_.normal};
+        } else {
+            const double lowest =
+                body.heights ? -*std::ranges::min_element(*body.heights) : body.depth;
+            current_.step.normal = {Kind::indentation, current_.normal + lowest};
+        }
     }
 
     /// As many sets of them as cells along y where friction varies.
@@ -148,7 +172,7 @@ class CaseReading {
     void read_materials() {
         const int material = current_.digits.material;
         current_.influence = current_.digits.influence;
-        if (current_.is_rolling()) read_rolling();
+        if (current_.step.is_rolling()) read_rolling();
         if (current_.influence == 4) {
             const auto v = lines_.numbers(3, "IF_METH, VARIANT and NN");
             lines_.skip_numbers(2 * count(v[2], "NN", 9999), "surface inclinations");
@@ -177,7 +201,7 @@ class CaseReading {
         demand_positive(v[2], "VELOC");
         current_.rolling_line = lines_.line();
         current_.direction = v[0];
-        current_.step = millimetre * v[1];
+        current_.step_length = millimetre * v[1];
         current_.speed = millimetre * v[2];
         current_.spin_ahead = v.size() == 4 ? v[3].value : usual_spin_ahead;
     }

@@ -8,6 +8,7 @@
 
 #include "contact/vector2.h"
 #include "contact_program/case_digits.h"
+#include "contact_program/sequence_step.h"
 
 namespace tricontact::contact_program {
 
@@ -35,10 +36,8 @@ inline constexpr double usual_spin_ahead = 1. / 6;
 struct ProgramCase {
     CaseDigits digits;
     int loads_line = 0;
-    double normal = 0;              ///< F_N [N], or d [m] where N = 0
-    contact::Vector2 tangential{};  ///< FX, FY over mu F_N on body 1, or shifts [m], creepages by F
-    double rotation = 0;            ///< CPHI: of a shift [rad], of rolling [rad/m]
-    contact::Vector2 spin_centre{};  ///< SPINXO, SPINYO: what CPHI is about [m]
+    double normal = 0;  ///< F_N [N], or PEN [m] where N = 0, from the height 0
+    SequenceStep step;  ///< what it does
 
     double tolerance = 0;  ///< EPS
     int friction_line = 0;
@@ -46,10 +45,10 @@ struct ProgramCase {
     double friction_coefficient = 0;  ///< of the last L = 0
 
     int rolling_line = 0;
-    double direction = 0;   ///< CHI [rad]
-    double step = 0;        ///< DQ [m]
-    double speed = 0;       ///< VELOC [m/s]
-    double spin_ahead = 0;  ///< FACPHI: where spin is taken, of a step ahead of a cell's centre
+    double direction = 0;    ///< CHI [rad]
+    double step_length = 0;  ///< DQ [m]
+    double speed = 0;        ///< VELOC [m/s]
+    double spin_ahead = 0;   ///< FACPHI: where spin is taken, of a step ahead of a cell's centre
 
     int materials_line = 0;
     int influence = 0;                                 ///< C of the last one that was not kept
@@ -66,8 +65,6 @@ struct ProgramCase {
     UndeformedDistance distance;
     bool has_extra_slip = false;  ///< E = 9, or kept
     double deepest = 0;           ///< of the points inside [m]; 0: none is asked for
-
-    bool is_rolling() const { return digits.tangential >= 2; }
 };
 
 /// Reads all cases of an input file; `name` stands for it in messages. Throws contact::InputError

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "contact_program/case_parts.h"
@@ -8,11 +9,10 @@
 namespace tricontact::contact_program {
 
 /// The case that is pressed, loaded and perhaps rolled to and fro in whole periods of equal steps
-/// as these shifts are (T = 0, 1); each step is compared with the case's. `heading`: what comes
-/// before the sections. Throws contact::InputError, naming file and line, for steps that are
-/// others.
-std::string sequence_case(ProgramSequence steps, const std::string& name, bool is_coupled,
-                          const std::string& heading);
+/// as these shifts are (T = 0, 1): its steps are theirs. Empty where there is none. `heading`: what
+/// comes before the sections. Throws contact::InputError, naming file and line, as parse_case().
+std::optional<std::string> sequence_case(ProgramSequence steps, const std::string& name,
+                                         bool is_coupled, const std::string& heading);
 
 /// The case that follows these shifts row by row, whatever they are ([path]). Throws
 /// contact::InputError for what no row says. `pressed_depth`: see import_cases().

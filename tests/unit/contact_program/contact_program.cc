@@ -161,7 +161,7 @@ TEST(ContactProgram, ReadsAnExamplesStep) {
     EXPECT_EQ(cases[0].digits.line, 3);
     EXPECT_EQ(cases[0].tolerance, 1e-7);
     EXPECT_EQ(cases[0].normal, .4705);
-    EXPECT_EQ(cases[0].tangential[0], -.657);
+    EXPECT_EQ(cases[0].step.along[0].value, .657);  // on the substrate
     EXPECT_EQ(cases[0].friction_coefficient, .4013);
     EXPECT_EQ(cases[0].shear_modulus[1], 1e6);
     EXPECT_EQ(cases[0].n_x, 90);
@@ -194,7 +194,7 @@ TEST(ContactProgram, WritesWorldFixedSteps) {
         EXPECT_EQ(cases[k].digits.previous, 0);
         EXPECT_EQ(cases[k].digits.tangential, 1);
         EXPECT_EQ(cases[k].digits.force, 2);
-        EXPECT_NEAR(cases[k].tangential[0], -.56, 1e-15);
+        EXPECT_NEAR(cases[k].step.along[0].value, .56, 1e-15);
     }
     EXPECT_NEAR(cases[2].distance.offset[0], .65e-3, 1e-15);
     EXPECT_NEAR(cases[3].distance.offset[0], 1.3e-3, 1e-15);
