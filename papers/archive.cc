@@ -10,7 +10,7 @@
 #include "io/keys/messages.h"
 #include "runs/point_key.h"
 
-namespace tricontact::app {
+namespace tricontact::papers {
 
 namespace {
 
@@ -86,7 +86,7 @@ std::map<std::string, std::string> Archive::numbers() const {
 
 Archive new_archive() {
     return {.version = files::version,
-            .numerics = std::string(numerics_digest()),
+            .numerics = std::string(runs::numerics_digest()),
             .libraries = built_with(),
             .calls = {},
             .files = {}};
@@ -118,4 +118,4 @@ Archive read_archive(const std::string& path) {
     }
 }
 
-}  // namespace tricontact::app
+}  // namespace tricontact::papers

@@ -7,7 +7,7 @@
 #include "io/keys/input_file.h"
 #include "io/results/zip_file.h"
 
-namespace tricontact::app {
+namespace tricontact::papers {
 
 /// A command as a shell has it. Of files the archive holds, "{archive}" stands for its folder.
 struct Call {
@@ -36,4 +36,4 @@ std::string archive_text(const Archive& archive);
 /// files is missing, is not as it was written, or stands in no list.
 Archive read_archive(const std::string& path);
 
-}  // namespace tricontact::app
+}  // namespace tricontact::papers

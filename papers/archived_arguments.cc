@@ -11,7 +11,7 @@
 #include "io/keys/number_text.h"
 #include "papers/input_places.h"
 
-namespace tricontact::app {
+namespace tricontact::papers {
 
 namespace {
 
@@ -81,4 +81,4 @@ void check_archived_arguments(const CLI::App& parser, const std::string& archive
     }
 }
 
-}  // namespace tricontact::app
+}  // namespace tricontact::papers

@@ -9,7 +9,7 @@ namespace CLI {
 class App;
 }  // namespace CLI
 
-namespace tricontact::app {
+namespace tricontact::papers {
 
 /// What becomes of an option of a command that exports: it goes into the archive, or belongs to
 /// that call alone (where it writes, with how many threads, what it says).
@@ -25,4 +25,4 @@ std::vector<std::string> archived_arguments(const CLI::App& parser);
 void check_archived_arguments(const CLI::App& parser, const std::string& archive,
                               const io::ZipFiles& files, const std::vector<std::string>& arguments);
 
-}  // namespace tricontact::app
+}  // namespace tricontact::papers

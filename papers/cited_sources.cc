@@ -6,11 +6,11 @@
 #include <set>
 #include <utility>
 
-#include "app/models/make_model.h"
 #include "comparisons/quantities/quantity.h"
 #include "comparisons/reproduction/kept_numbers.h"
+#include "contact/models/model_kind.h"
 
-namespace tricontact::app {
+namespace tricontact::papers {
 
 namespace {
 
@@ -73,7 +73,7 @@ std::string citing_words(const std::vector<report::Document>& documents,
     }
     for (const comparisons::Quantity* q : comparisons::all_quantities())
         if (names.contains(q->key)) words += std::string(q->source) + '\n';
-    for (const contact::ModelKind& model : known_models())
+    for (const contact::ModelKind& model : contact::model_kinds())
         if (names.contains(model.name)) words += std::string(model.sources) + '\n';
     for (const auto& [name, cited] : further_sources)
         if (names.contains(name)) words += std::string(cited) + '\n';
@@ -87,4 +87,4 @@ report::Sources cited_sources(const std::vector<report::Document>& documents,
     return report::cited_in(citing_words(documents, numbers));
 }
 
-}  // namespace tricontact::app
+}  // namespace tricontact::papers

@@ -11,7 +11,7 @@
 #include "io/keys/toml_text.h"
 #include "papers/archive.h"
 
-namespace tricontact::app {
+namespace tricontact::papers {
 
 namespace {
 
@@ -185,4 +185,4 @@ void check_inside(const std::string& archive, const io::ZipFiles& files,
         refuse_way_out(archive, "an argument", argument);
 }
 
-}  // namespace tricontact::app
+}  // namespace tricontact::papers

@@ -6,7 +6,7 @@
 #include "io/keys/input_file.h"
 #include "io/results/zip_file.h"
 
-namespace tricontact::app {
+namespace tricontact::papers {
 
 /// Where inputs of a command stand in an archive: as they stand to each other, below inputs/.
 class InputPlaces {
@@ -38,4 +38,4 @@ void check_inside(const std::string& archive, const io::ZipFiles& files);
 void check_inside(const std::string& archive, const io::ZipFiles& files,
                   const std::string& argument);
 
-}  // namespace tricontact::app
+}  // namespace tricontact::papers

@@ -18,7 +18,7 @@
 #include "report/latex.h"
 #include "report/paper_figure.h"
 
-namespace tricontact::app {
+namespace tricontact::papers {
 
 namespace {
 
@@ -59,9 +59,9 @@ Archive archive_of(const CLI::App& parser, const CommandOptions& options,
         check_archived_arguments(parser, name, archive.files, call.arguments);
     for (const auto& [file, text] : numbers_of(*options.papers.findings))
         archive.files[file] = places.in_places(text);
-    const std::string resolved = options.papers.findings->folder + '/' + resolved_case_name;
-    if (options.papers.findings->files.contains(resolved_case_name) && fs::exists(resolved))
-        archive.files[resolved_case_name] =
+    const std::string resolved = options.papers.findings->folder + '/' + runs::resolved_case_name;
+    if (options.papers.findings->files.contains(runs::resolved_case_name) && fs::exists(resolved))
+        archive.files[runs::resolved_case_name] =
             places.in_places(files::RegularFile(resolved).content(most_bytes));
     return archive;
 }
@@ -152,4 +152,4 @@ int run_for_papers(const CLI::App& parser, CommandOptions& options,
     return 0;
 }
 
-}  // namespace tricontact::app
+}  // namespace tricontact::papers

@@ -10,7 +10,10 @@ namespace CLI {
 class App;
 }  // namespace CLI
 
-namespace tricontact::app {
+namespace tricontact::papers {
+
+using runs::CommandOptions;
+using runs::Findings;
 
 /// The numbers of a command, by their names in an archive: JSON and CSV files of its results, data
 /// of the figures and tables of its reports.
@@ -23,4 +26,4 @@ std::map<std::string, std::string> numbers_of(const Findings& findings);
 int run_for_papers(const CLI::App& parser, CommandOptions& options,
                    const std::function<int()>& call);
 
-}  // namespace tricontact::app
+}  // namespace tricontact::papers

@@ -13,7 +13,7 @@
 
 #include "io/results/atomic_file.h"
 
-namespace tricontact::app {
+namespace tricontact::papers {
 
 namespace {
 
@@ -63,4 +63,4 @@ TemporaryFolder::~TemporaryFolder() {
     }
 }
 
-}  // namespace tricontact::app
+}  // namespace tricontact::papers

@@ -4,7 +4,7 @@
 
 #include <string>
 
-namespace tricontact::app {
+namespace tricontact::papers {
 
 /// A folder that goes away with this object, and also if the process is killed, by whatever
 /// signal: a process of its own waits for that.
@@ -26,4 +26,4 @@ class TemporaryFolder {
     pid_t remover_ = -1;
 };
 
-}  // namespace tricontact::app
+}  // namespace tricontact::papers

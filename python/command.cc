@@ -47,18 +47,18 @@ std::string run_command(const std::string& name, const std::vector<std::string>&
     const contact::Interruption by_signals{SignalCheck()};
     std::ostringstream out;
     if (command.options)
-        command.options->listener = std::make_shared<app::Listener>(
-            app::Listener{.out = &out,
-                          .say =
-                              [&](const std::string& line) {
-                                  const py::gil_scoped_acquire lock;
-                                  say(line);
-                              },
-                          .progress =
-                              [&](const std::string& what, int done, int total) {
-                                  const py::gil_scoped_acquire lock;
-                                  progress(what, done, total);
-                              }});
+        command.options->listener = std::make_shared<runs::Listener>(
+            runs::Listener{.out = &out,
+                           .say =
+                               [&](const std::string& line) {
+                                   const py::gil_scoped_acquire lock;
+                                   say(line);
+                               },
+                           .progress =
+                               [&](const std::string& what, int done, int total) {
+                                   const py::gil_scoped_acquire lock;
+                                   progress(what, done, total);
+                               }});
     if (command.run() == 1) throw std::runtime_error(name + ": failed; " + out.str());
     return out.str();
 }

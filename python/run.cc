@@ -6,10 +6,12 @@
 #include <optional>
 #include <thread>
 
+#include "app/models/make_model.h"
 #include "app/models/roll_models.h"
 #include "comparisons/quantities/results.h"
 #include "files/version.h"
 #include "io/case/case_reader.h"
+#include "io/case/rolling_on.h"
 #include "python/bindings.h"
 #include "rolling/rolling_document.h"
 #include "runs/case_run.h"
@@ -17,8 +19,8 @@
 namespace tricontact::python {
 
 namespace py = pybind11;
-using app::CaseRun;
 using contact::Case;
+using runs::CaseRun;
 
 namespace {
 
@@ -56,16 +58,17 @@ Result run(const Case& given, const std::optional<std::vector<std::string>>& mod
         throw contact::InputError(
             "case: [tractive_rolling]: the indenter rolls on and does not come back; "
             "tricontact.roll computes such a case");
-    app::RunOptions options;
+    runs::RunOptions options;
+    options.makers = &app::model_makers();
     options.threads = thread_count(threads);
     options.quiet = true;
     options.studies = studies;
 
     const py::gil_scoped_release free_the_lock;
     SignalCheck check_signals;
-    const app::Say say = [&](const std::string&) { check_signals(); };
+    const contact::Say say = [&](const std::string&) { check_signals(); };
     decltype(Result::surfaces) surfaces;
-    const app::ModelRun run_one = [&](const std::string& name, comparisons::LoadingStudy* study) {
+    const runs::ModelRun run_one = [&](const std::string& name, comparisons::LoadingStudy* study) {
         const contact::Observer observer = [&](const contact::StepRecord& record,
                                                contact::Model& model,
                                                const contact::Progress& progress) {
@@ -76,10 +79,10 @@ Result run(const Case& given, const std::optional<std::vector<std::string>>& mod
             }
             tell(on_step, name, progress.step, progress.steps_at_most);
         };
-        return app::history_of(name, c, options.threads, say, observer, study);
+        return runs::studied_history(name, c, options, say, observer, study);
     };
-    CaseRun done = app::run_models(c, options, say, run_one);
-    std::string summary = app::summary_of(done);
+    CaseRun done = runs::run_models(c, options, say, run_one);
+    std::string summary = runs::summary_of(done);
     return {std::move(done), std::move(summary), std::move(surfaces)};
 }
 
@@ -150,7 +153,7 @@ rolling::RollingReport roll_all(const contact::Case& c, int points, int threads,
 py::tuple roll(const contact::Case& given, const std::optional<std::vector<std::string>>& models,
                int points, std::optional<int> threads, const py::object& on_step) {
     const contact::Case c = with_models(given, models);
-    app::require_rolling_on(c, "case");
+    io::require_rolling_on(c, "case");
     if (points < 0) throw py::value_error("points: must not be negative");
     rolling::RollingReport report = roll_all(c, points, thread_count(threads), on_step);
     const std::string summary = app::roll_summary(report, io::write_case(c));

@@ -2,6 +2,7 @@
 
 #include <pybind11/stl.h>
 
+#include "app/models/make_model.h"
 #include "contact/base/interruption.h"
 #include "io/results/atomic_file.h"
 #include "python/bindings.h"
@@ -34,7 +35,8 @@ void sweep(const std::string& study, const std::string& folder, int jobs, bool r
            bool vtk, bool report) {
     const py::gil_scoped_release free_the_lock;
     const contact::Interruption by_signals{SignalCheck()};
-    app::SweepOptions options;
+    studies::SweepOptions options;
+    options.makers = &app::model_makers();
     options.file = study;
     options.output = folder;
     options.threads = jobs;
@@ -42,7 +44,7 @@ void sweep(const std::string& study, const std::string& folder, int jobs, bool r
     options.vtk = vtk;
     options.report = report;
     options.quiet = true;
-    app::sweep(options);
+    studies::sweep(options);
 }
 
 }  // namespace

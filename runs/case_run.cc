@@ -15,10 +15,12 @@
 #include "io/results/history_csv.h"
 #include "io/results/journal.h"
 #include "io/results/progress.h"
+#include "runs/further_runs.h"
+#include "runs/numerical_error.h"
 #include "runs/point_key.h"
 #include "runs/run_states.h"
 
-namespace tricontact::app {
+namespace tricontact::runs {
 
 CaseRun run_models(const Case& c, const RunOptions& options, const Say& say,
                    const ModelRun& run_one) {
@@ -69,27 +71,14 @@ void write_run_report(const CaseRun& run, const CommandOptions& options) {
         options.write(file.name, file.content);
 }
 
-contact::History history_of(const std::string& name, const Case& c, int n_threads, const Say& say,
-                            const contact::Observer& observer, comparisons::LoadingStudy* study) {
-    const auto model = make_model(name, c, n_threads, say);
+contact::History studied_history(const std::string& name, const Case& c, const RunOptions& options,
+                                 const Say& say, const contact::Observer& observer,
+                                 comparisons::LoadingStudy* study) {
+    const auto model = options.makers->make(name, c, options.threads, say);
     contact::History history = contact::run(c, *model, observer);
-    require_sound(history.audit, name);
+    contact::require_sound(history.audit, name);
     if (study) study_loading(c, *model, history, say, *study);
     return history;
-}
-
-contact::History history_of_coarser(const std::string& name, const Case& c, int n_threads) {
-    const CoarserModel coarser = make_coarser_model(name, c, 2, n_threads, silent);
-    contact::History history = contact::run(coarser.c, *coarser.model);
-    require_sound(history.audit, name);
-    return history;
-}
-
-void require_sound(const contact::Audit& audit, const std::string& name) {
-    for (const auto& check : audit.checks())
-        if (!check.passed())
-            throw contact::NotConverged(fmt::format("{}: {} is {:.2e}, allowed {:.1e}", name,
-                                                    check.name, check.worst, check.allowed));
 }
 
 contact::History run_model(const std::string& name, const Case& c, const std::string& resolved,
@@ -98,7 +87,7 @@ contact::History run_model(const std::string& name, const Case& c, const std::st
     const std::string folder = options.output + "/" + name;
     io::make_output_folder(folder);
     const Say say = options.sayer();
-    auto made = make_model(name, c, options.threads, say);
+    auto made = options.makers->make(name, c, options.threads, say);
     io::JournalledModel* journal = nullptr;
     if (contact::model_kind(name).keeps_journal) {
         auto journalled = std::make_unique<io::JournalledModel>(
@@ -133,7 +122,7 @@ contact::History run_model(const std::string& name, const Case& c, const std::st
     if (film && section) film->add_section(*section, static_cast<int>(history.steps.size()));
     history.subsurface = states.subsurface();
     history.audit = model.audit();
-    require_sound(history.audit, name);
+    contact::require_sound(history.audit, name);
     bar.finish(c.rolling ? contact::name_of(history.verdict.state) : "");
 
     io::write_file(folder + "/history.csv", io::history_csv(history));
@@ -143,4 +132,4 @@ contact::History run_model(const std::string& name, const Case& c, const std::st
     return history;
 }
 
-}  // namespace tricontact::app
+}  // namespace tricontact::runs

@@ -7,7 +7,7 @@
 
 #include "report/document.h"
 
-namespace tricontact::app {
+namespace tricontact::runs {
 
 /// What a command came to, for papers: its reports, and where its numbers are.
 struct Findings {
@@ -24,4 +24,4 @@ struct PaperWishes {
     std::shared_ptr<Findings> findings = nullptr;  ///< null: nobody asks
 };
 
-}  // namespace tricontact::app
+}  // namespace tricontact::runs

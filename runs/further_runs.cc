@@ -1,3 +1,5 @@
+#include "runs/further_runs.h"
+
 #include <fmt/format.h>
 
 #include <array>
@@ -8,9 +10,8 @@
 #include "contact/base/stopped.h"
 #include "contact/models/model_kind.h"
 #include "contact/own_limit.h"
-#include "runs/case_run.h"
 
-namespace tricontact::app {
+namespace tricontact::runs {
 
 namespace {
 
@@ -165,25 +166,27 @@ double frictionless_stiffness(const Case& c, const contact::Model& model) {
 using comparisons::SpeedLimit;
 using comparisons::TwinComparison;
 
-RunValues run_once(const Case& c, const std::string& model, int n_threads) {
-    return run_values(contact::run(c, *make_model(model, c, n_threads, silent)));
+RunValues run_once(const Case& c, const std::string& model, const contact::ModelRunner& runner) {
+    return run_values(contact::run(c, *runner.make(model, c)));
 }
 
-void run_twin(const Case& c, int n_threads, const Say& say, TwinComparison& comparison) {
+void run_twin(const Case& c, const contact::ModelRunner& runner, const Say& say,
+              TwinComparison& comparison) {
     say(fmt::format("{}: once more on the relaxed, elastic substrate", comparison.model));
     comparison.why_none = contact::why_it_stopped([&] {
-        comparison.other = run_once(comparisons::elastic_twin(c), comparison.model, n_threads);
+        comparison.other = run_once(comparisons::elastic_twin(c), comparison.model, runner);
     });
     const std::string found = comparisons::twin_sentence(comparison);
     if (!found.empty()) say(found);
 }
 
-SpeedLimit speed_limit(const Case& c, const TwinComparison& known, int n_threads) {
+SpeedLimit speed_limit(const Case& c, const TwinComparison& known,
+                       const contact::ModelRunner& runner) {
     const auto error = [&](double speed) -> std::optional<double> {
         Case other = c;
         other.rolling->speed = speed;
         const auto found =
-            comparisons::twin_error(*known.other, run_once(other, known.model, n_threads));
+            comparisons::twin_error(*known.other, run_once(other, known.model, runner));
         return found ? std::optional(std::abs(*found)) : std::nullopt;
     };
     SpeedLimit limit = comparisons::find_speed_limit(*c.relaxation, known.drive->amplitude, error);
@@ -225,14 +228,14 @@ void study_relaxation(const Case& c, const contact::History& history, const RunO
     else if (contact::model_kind(history.model).is_costly)
         comparison.why_none = "too costly with " + history.model + "; add bem-layer to get one";
     else
-        run_twin(c, options.threads, say, comparison);
+        run_twin(c, options.runner(), say, comparison);
     study.twins.push_back(comparison);
     const bool comparable = comparison.drive && comparison.other &&
                             comparisons::twin_error(*comparison.other, comparison.run);
     if (!comparable || study.limit) return;
     say(fmt::format("{}: looking for the drive speed from which on relaxation matters",
                     history.model));
-    study.limit = speed_limit(c, comparison, options.threads);
+    study.limit = speed_limit(c, comparison, options.runner());
 }
 
 void study_small_strains(const Case& c, const History& history, const RunOptions& options,
@@ -254,11 +257,11 @@ void study_small_strains(const Case& c, const History& history, const RunOptions
         linear.law = Case::Law::linear;
         linear.c01_ratio.reset();
         study.why_none = contact::why_it_stopped([&] {
-            study.linear = comparisons::Results(
-                linear, history_of(history.model, linear, options.threads, silent));
+            study.linear =
+                comparisons::Results(linear, options.runner().history_of(history.model, linear));
         });
     }
     studies.push_back(std::move(study));
 }
 
-}  // namespace tricontact::app
+}  // namespace tricontact::runs

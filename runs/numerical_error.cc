@@ -1,3 +1,5 @@
+#include "runs/numerical_error.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -6,14 +8,15 @@
 #include "contact/load_path.h"
 #include "contact/models/model_kind.h"
 #include "contact/own_limit.h"
-#include "runs/case_run.h"
+#include "contact/run.h"
 
-namespace tricontact::app {
+namespace tricontact::runs {
 
 namespace {
 
 using comparisons::NumericalError;
 using comparisons::ResolvedRun;
+using contact::CoarserModel;
 
 constexpr int steps_for_one = 4;
 constexpr double wider = 1.5;
@@ -45,7 +48,7 @@ std::optional<Case> with_steps(Case c, double amplitude, const Changed& changed)
 
 ResolvedRun resolved(const Case& c, contact::Model& model) {
     const contact::History history = contact::run(c, model);
-    require_sound(history.audit, history.model);
+    contact::require_sound(history.audit, history.model);
     return {c, history};
 }
 
@@ -53,15 +56,17 @@ ResolvedRun resolved(const Case& c, contact::Model& model) {
 /// can share it.
 class OtherSteps {
   public:
-    OtherSteps(const Case& c, const CoarserModel& coarser, double amplitude, int n_threads)
-        : c_(c), coarser_(coarser), amplitude_(amplitude), n_threads_(n_threads) {}
+    OtherSteps(const Case& c, const CoarserModel& coarser, double amplitude,
+               const RunOptions& options)
+        : c_(c), coarser_(coarser), amplitude_(amplitude), options_(options) {}
 
     template <class Changed>
     std::optional<ResolvedRun> run(const std::string& name, const Changed& changed) const {
         const auto other = with_steps(coarser_.c, amplitude_, changed);
         if (!other) return {};
         auto sibling = coarser_.model->sibling(coarser_.c.contact);
-        if (!sibling) sibling = make_coarser_model(name, c_, 2, n_threads_, silent).model;
+        if (!sibling)
+            sibling = options_.makers->make_coarser(name, c_, 2, options_.threads, silent).model;
         return resolved(*other, *sibling);
     }
 
@@ -69,7 +74,7 @@ class OtherSteps {
     const Case& c_;
     const CoarserModel& coarser_;
     double amplitude_;
-    int n_threads_;
+    const RunOptions& options_;
 };
 
 }  // namespace
@@ -82,31 +87,32 @@ std::optional<NumericalError> numerical_error(const Case& c, const contact::Hist
                          .run = ResolvedRun(c, history),
                          .coarser = {},
                          .coarsest = {},
-                         .tolerance = solver_tolerance(name, c),
+                         .tolerance = makers.solver_tolerance(name, c),
                          .prescribed = comparisons::prescribed_quantities(c)};
     const Case loaded = contact::loaded_as(c, history);
     say(fmt::format("{}: once more on coarser meshes and with other steps", name));
+    const contact::ModelMakers& makers = *options.makers;
     const int n_threads = options.threads;
     CoarserModel coarser;
     // The run itself is none the worse for what stops these.
     error.why_none = contact::why_it_stopped([&] {
-        coarser = make_coarser_model(name, loaded, 2, n_threads, silent);
+        coarser = makers.make_coarser(name, loaded, 2, n_threads, silent);
         error.coarser = resolved(coarser.c, *coarser.model);
     });
     if (!error.why_none.empty()) return error;
     error.why_no_steps = contact::why_it_stopped([&] {
-        const OtherSteps steps(loaded, coarser, history.amplitude, n_threads);
+        const OtherSteps steps(loaded, coarser, history.amplitude, options);
         error.long_steps = steps.run(name, [](int n) { return std::max(1, n / 2); });
         error.short_steps = steps.run(name, [](int n) { return n == 1 ? steps_for_one : n; });
     });
     contact::why_it_stopped([&] {  // else two meshes have to do
-        const CoarserModel coarsest = make_coarser_model(name, loaded, 4, n_threads, silent);
+        const CoarserModel coarsest = makers.make_coarser(name, loaded, 4, n_threads, silent);
         error.coarsest = resolved(coarsest.c, *coarsest.model);
     });
     if (!contact::model_kind(name).sees_sides) return error;
     const std::string why = contact::why_it_stopped([&] {
-        if (const auto wide = with_wider_block(coarser.c, wider, silent))
-            error.wide_block = resolved(*wide, *make_model(name, *wide, n_threads, silent));
+        if (const auto wide = makers.with_wider_block(coarser.c, wider, silent))
+            error.wide_block = resolved(*wide, *makers.make(name, *wide, n_threads, silent));
     });
     if (!why.empty()) {  // half widths without it would leave the sides out
         error.coarser.reset();
@@ -115,4 +121,4 @@ std::optional<NumericalError> numerical_error(const Case& c, const contact::Hist
     return error;
 }
 
-}  // namespace tricontact::app
+}  // namespace tricontact::runs

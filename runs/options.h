@@ -9,6 +9,7 @@
 
 #include "contact/base/error.h"
 #include "contact/case.h"
+#include "contact/model_makers.h"
 #include "files/version.h"
 #include "io/results/atomic_file.h"
 #include "io/results/output_folder.h"
@@ -16,13 +17,11 @@
 #include "report/document.h"
 #include "runs/findings.h"
 
-namespace tricontact::app {
+namespace tricontact::runs {
 
 using contact::Case;
-
-/// Receives a line about what a model decided or reused.
-using Say = std::function<void(const std::string&)>;
-inline const Say silent = [](const std::string&) {};
+using contact::Say;
+using contact::silent;
 
 /// Who hears what a command tells, in the place of the terminal.
 struct Listener {
@@ -49,6 +48,10 @@ struct CommandOptions {
     std::vector<std::string> given = {};                 ///< names of the options of this call
     std::shared_ptr<const Listener> listener = nullptr;  ///< null: the terminal
     PaperWishes papers = {};
+    const contact::ModelMakers* makers = nullptr;  ///< of the program, which sets them
+
+    /// The program's models on `threads`.
+    contact::ModelRunner runner() const { return {*makers, threads}; }
 
     /// For the answer: standard output.
     std::ostream& out() const { return listener ? *listener->out : std::cout; }
@@ -117,4 +120,8 @@ struct CommandOptions {
     }
 };
 
-}  // namespace tricontact::app
+struct RunOptions : CommandOptions {
+    bool studies = true;  ///< what needs further runs: other ways of loading, the elastic substrate
+};
+
+}  // namespace tricontact::runs

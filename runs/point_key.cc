@@ -9,7 +9,7 @@
 #include "files/regular_file.h"
 #include "files/version.h"
 
-namespace tricontact::app {
+namespace tricontact::runs {
 
 namespace {
 
@@ -44,4 +44,4 @@ std::string file_digests(const contact::Case& c) {
     return digests;
 }
 
-}  // namespace tricontact::app
+}  // namespace tricontact::runs

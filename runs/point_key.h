@@ -5,7 +5,7 @@
 
 #include "contact/case.h"
 
-namespace tricontact::app {
+namespace tricontact::runs {
 
 /// Digest of all sources on which numbers depend that are kept for later calls (app/CMakeLists.txt
 /// names them): belongs to the key of everything that is found again, since the program's version
@@ -24,4 +24,4 @@ std::string point_key(const std::string& resolved);
 /// one cannot be read.
 std::string file_digests(const contact::Case& c);
 
-}  // namespace tricontact::app
+}  // namespace tricontact::runs

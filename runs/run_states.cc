@@ -8,7 +8,7 @@
 #include "io/results/output.h"
 #include "runs/shown_states.h"
 
-namespace tricontact::app {
+namespace tricontact::runs {
 
 namespace {
 
@@ -131,4 +131,4 @@ void RunStates::finish() const {
     if (subsurface_ || shows_surface) io::sync_files(folder_);
 }
 
-}  // namespace tricontact::app
+}  // namespace tricontact::runs

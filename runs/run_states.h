@@ -10,7 +10,7 @@
 #include "io/results/vtk_indenter.h"
 #include "runs/options.h"
 
-namespace tricontact::app {
+namespace tricontact::runs {
 
 /// The states of one model's run as files for ParaView: surfaces, the indenter over each, and the
 /// inside, as `output` of the case has it.
@@ -56,4 +56,4 @@ class RunStates {
     bool size_is_said_ = false;
 };
 
-}  // namespace tricontact::app
+}  // namespace tricontact::runs

@@ -6,7 +6,7 @@
 
 #include "contact/half_space_scales.h"
 
-namespace tricontact::app {
+namespace tricontact::runs {
 
 io::IndenterShape shown_indenter(const contact::Case& c, const contact::Surface& surface) {
     constexpr double shown = 1.5;
@@ -25,4 +25,4 @@ std::string size_of_states(const std::string& model, double n, std::size_t bytes
         model, n, n * static_cast<double>(bytes) / megabyte);
 }
 
-}  // namespace tricontact::app
+}  // namespace tricontact::runs

@@ -8,7 +8,7 @@
 
 #include "io/case/rig_file.h"
 
-namespace tricontact::app {
+namespace tricontact::runs {
 
 namespace {
 
@@ -51,4 +51,4 @@ void say_unread_parts(const CommandOptions& options, const io::Study& study,
     say_unread(options, io::rig_parts(study), command);
 }
 
-}  // namespace tricontact::app
+}  // namespace tricontact::runs

@@ -8,7 +8,7 @@ namespace tricontact::io {
 struct Study;
 }  // namespace tricontact::io
 
-namespace tricontact::app {
+namespace tricontact::runs {
 
 /// Says which parts of its case file (io::rig_parts) a command has not read, and which commands do.
 void say_unread_parts(const CommandOptions& options, const std::string& command);
@@ -17,4 +17,4 @@ void say_unread_parts(const CommandOptions& options, const std::string& command)
 void say_unread_parts(const CommandOptions& options, const io::Study& study,
                       const std::string& command);
 
-}  // namespace tricontact::app
+}  // namespace tricontact::runs

@@ -9,7 +9,7 @@
 #include "runs/point_key.h"
 #include "statistics/sample_sequence.h"
 
-namespace tricontact::app {
+namespace tricontact::studies {
 
 namespace {
 
@@ -131,7 +131,7 @@ atlas::Atlas AtlasStudy::frame(const std::string& study_text) const {
     atlas.title = study_.title.empty() ? study_.name : study_.title;
     atlas.model = study_.models.front();
     atlas.version = files::version;
-    atlas.numerics = numerics_digest();
+    atlas.numerics = runs::numerics_digest();
     atlas.study = study_text;
     std::vector<std::string> keys;
     for (const Study::Axis* axis : ranges_) {
@@ -169,4 +169,4 @@ std::vector<atlas::Sample> samples_of(const std::vector<AtlasPoint>& points,
     return samples;
 }
 
-}  // namespace tricontact::app
+}  // namespace tricontact::studies

@@ -7,7 +7,7 @@
 #include "atlas/fit_atlas.h"
 #include "studies/study_kind.h"
 
-namespace tricontact::app {
+namespace tricontact::studies {
 
 /// The runs of one point of an atlas: the finest, and those that are coarser in one way each, with
 /// their factors, see atlas::Sample.
@@ -46,4 +46,4 @@ StudyPoints runs_of(const std::vector<AtlasPoint>& points);
 std::vector<atlas::Sample> samples_of(const std::vector<AtlasPoint>& points,
                                       const io::ResultStore& store);
 
-}  // namespace tricontact::app
+}  // namespace tricontact::studies

@@ -2,7 +2,6 @@
 #include <cmath>
 #include <filesystem>
 
-#include "app/models/roll_models.h"
 #include "atlas/prediction.h"
 #include "atlas/shipped.h"
 #include "bem/settings.h"
@@ -11,6 +10,7 @@
 #include "contact/models/model_kind.h"
 #include "fem/settings.h"
 #include "io/case/case_reader.h"
+#include "io/case/rolling_on.h"
 #include "io/results/output.h"
 #include "mdr/settings.h"
 #include "report/format.h"
@@ -18,15 +18,15 @@
 #include "runs/point_key.h"
 #include "studies/study_kind.h"
 
-namespace tricontact::app {
+namespace tricontact::studies {
 
 namespace {
 
 using io::Study;
 
-void check_models(const Study& study) {
+void check_models(const Study& study, const contact::ModelMakers& makers) {
     for (const std::string& name : study.models)
-        if (!has_model(name))
+        if (!makers.has(name))
             throw contact::InputError(
                 fmt::format("{}: models: this program was built without the model {}; name others",
                             study.name, name));
@@ -41,7 +41,7 @@ StudyPoint study_point(const Study& study, const Combination& combination, const
         entries.push_back(io::overriding("models", std::vector<std::string>{model}, "models"));
         StudyPoint point =
             make_point(io::resolve_case(study.base, entries), model, level, study.base.name);
-        refuse_rolling_on(point.contact(), study.base.name);
+        io::refuse_rolling_on(point.contact(), study.base.name);
         point.values = combination.values;
         return point;
     } catch (const contact::InputError& error) {
@@ -58,17 +58,18 @@ std::string folder_of(const StudyPoint& point) {
     return "points/" + point.key;
 }
 
-contact::History history_with_files(const StudyPoint& point, const std::string& folder) {
+contact::History history_with_files(const StudyPoint& point, const PointRuns& runs) {
     Case c = point.contact();
     c.of<io::Output>() = point.output;
     c.of<bem::Settings>().volume_depth = point.volume_depth;
     const std::string text = io::write_case(c);
-    RunOptions options;
-    options.output = folder + '/' + folder_of(point);
+    runs::RunOptions options;
+    options.makers = runs.options.makers;
+    options.output = runs.folder + '/' + folder_of(point);
     options.quiet = true;
     io::make_output_folder(options.output);
-    options.write(resolved_case_name, text);
-    return run_model(point.model, c, text, options);
+    options.write(runs::resolved_case_name, text);
+    return runs::run_model(point.model, c, text, options);
 }
 
 comparisons::Sweep::Point reported(const StudyPoint& point, const io::ResultStore& store,
@@ -92,15 +93,15 @@ std::string read_in_atlas(const Case& c) {
 
 /// What a result depends on beside case and program.
 std::string other_digests(const Case& c, const std::string& model) {
-    return file_digests(c) +
+    return runs::file_digests(c) +
            (contact::model_kind(model).is_read() ? std::string(atlas::shipped_digest()) : "");
 }
 
 /// Every point by every model.
 class ContactKind : public StudyKind {
   public:
-    StudyPoints points(const Study& study) const override {
-        check_models(study);
+    StudyPoints points(const Study& study, const contact::ModelMakers& makers) const override {
+        check_models(study, makers);
         const std::size_t n_each = study.models.size() * static_cast<std::size_t>(study.levels);
         StudyPoints points;
         for_each_combination(study, n_each, [&](const Combination& combination) {
@@ -120,12 +121,13 @@ class ContactKind : public StudyKind {
     }
 
     std::string compute(const StudyPoints& points, const Places& lot,
-                        const std::string& folder) const override {
+                        const PointRuns& runs) const override {
         const StudyPoint& point = points[lot.front()];
         if (contact::model_kind(point.model).is_read()) return read_in_atlas(point.contact());
-        const contact::History history = folder.empty()
-                                             ? history_of(point.model, point.contact(), 1, silent)
-                                             : history_with_files(point, folder);
+        const contact::ModelRunner alone(*runs.options.makers, 1);
+        const contact::History history = runs.folder.empty()
+                                             ? alone.history_of(point.model, point.contact())
+                                             : history_with_files(point, runs);
         return outcome_text(point.contact(), history);
     }
 
@@ -164,7 +166,7 @@ const StudyKind& contact_kind() {
 
 std::string key_of(Case c, const std::string& model) {
     c.of<fem::Settings>().cache.clear();  // where things are kept changes no number
-    return point_key(io::write_case(c) + other_digests(c, model));
+    return runs::point_key(io::write_case(c) + other_digests(c, model));
 }
 
 std::string outcome_text(const Case& c, const contact::History& history) {
@@ -202,4 +204,4 @@ std::optional<comparisons::Results> results_of(const std::optional<io::PointOutc
     return comparisons::read_stored_results(json::parse(*outcome->results));
 }
 
-}  // namespace tricontact::app
+}  // namespace tricontact::studies

@@ -6,14 +6,13 @@
 #include <numeric>
 #include <set>
 
-#include "app/models/make_model.h"
 #include "contact/base/interruption.h"
 #include "files/version.h"
 #include "io/results/progress.h"
 #include "studies/study_kind.h"
 #include "studies/worker_pool.h"
 
-namespace tricontact::app {
+namespace tricontact::studies {
 
 namespace {
 
@@ -36,13 +35,13 @@ Places missing(const StudyPoints& points, const io::ResultStore& store, const Po
 
 /// Results, times or error in a line of text.
 std::string compute_lot(const PointKind& kind, const StudyPoints& points, const Places& lot,
-                        const std::string& folder) noexcept {
+                        const PointRuns& runs) noexcept {
     const auto failed = [](const std::string& what, bool refused = false) {
         return json{{"error", what}, {"refused", refused}}.dump(-1, ' ', false,
                                                                 json::error_handler_t::replace);
     };
     try {
-        return kind.compute(points, lot, folder);
+        return kind.compute(points, lot, runs);
     } catch (const contact::InputError& error) {
         return failed(error.what(), true);
     } catch (const std::bad_alloc&) {
@@ -105,15 +104,14 @@ void compute_missing(const PointKind& kind, const StudyPoints& points, io::Resul
     const std::size_t n_found = points.size() - open.size();
     if (n_found > 0)
         runs.options.say(fmt::format("{} of {} points are there already", n_found, points.size()));
-    for (const std::size_t i : open) load_model(points[i].model);  // once, not in each process
+    for (const std::size_t i : open)  // once, not in each process
+        runs.options.makers->load(points[i].model);
     const std::vector<Places> lots = kind.lots(points, open);
     Places all(lots.size());
     std::iota(all.begin(), all.end(), 0);
     io::ProgressBar bar = runs.options.progress_bar(runs.name, runs.noun);
     int n_done = 0;
-    const auto task = [&](std::size_t i) {
-        return compute_lot(kind, points, lots[i], runs.folder);
-    };
+    const auto task = [&](std::size_t i) { return compute_lot(kind, points, lots[i], runs); };
     const auto keep = [&](std::size_t i, const WorkerReport& report) {
         store.add(outcomes_of(kind, points, lots[i], report));
         bar.update(n_done += static_cast<int>(lots[i].size()), static_cast<int>(open.size()));
@@ -122,4 +120,4 @@ void compute_missing(const PointKind& kind, const StudyPoints& points, io::Resul
     if (!open.empty()) bar.finish();
 }
 
-}  // namespace tricontact::app
+}  // namespace tricontact::studies

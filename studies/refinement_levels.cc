@@ -6,15 +6,14 @@
 #include <cmath>
 #include <utility>
 
-#include "app/models/make_model.h"
-#include "app/models/roll_models.h"
 #include "comparisons/resolution/fineness.h"
 #include "contact/cells.h"
 #include "contact/models/model_kind.h"
 #include "fem/settings.h"
 #include "io/case/case_reader.h"
+#include "io/case/rolling_on.h"
 
-namespace tricontact::app {
+namespace tricontact::studies {
 
 namespace {
 
@@ -31,14 +30,15 @@ Case coarsest_case(Case c, const contact::ModelKind& kind, const RefineOptions& 
         options.refuse("fem.mesh = " + *c.of<fem::Settings>().mesh +
                        ": a mesh from a file cannot be refined; give fem.size or fem.accuracy "
                        "instead");
-    if (!c.of<fem::Settings>().size) c.of<fem::Settings>().size = 2 * block_of(c, say).size;
+    if (!c.of<fem::Settings>().size)
+        c.of<fem::Settings>().size = 2 * options.makers->block_of(c, say).size;
     return c;
 }
 
 /// The case for the model alone.
 Case case_of(const RefineOptions& options) {
     const Case all = io::read_case(options.file, options.overrides);
-    refuse_rolling_on(all, options.file);
+    io::refuse_rolling_on(all, options.file);
     if (!std::ranges::count(all.models, options.model))
         options.refuse("models: " + options.model +
                        " is not among the models of the case; add it, or name another with "
@@ -69,7 +69,7 @@ Level make_level(const Case& c, const std::string& name, const std::string& what
 
 Level wider(const Level& level, double factor, const RefineOptions& options, const Say& say) {
     using comparisons::length_key;
-    const MeshBlock block = block_of(level.c(), say);
+    const contact::MeshBlock block = options.makers->block_of(level.c(), say);
     Overrides sides{length_key("substrate.width", factor * block.width)};
     // Where a roller's substrate ends along y is part of the problem; a cylinder's does not.
     if (!level.c().is_cylindrical())
@@ -100,4 +100,4 @@ RefinementPlan plan_refinement(const RefineOptions& options, const Say& say) {
     return plan;
 }
 
-}  // namespace tricontact::app
+}  // namespace tricontact::studies

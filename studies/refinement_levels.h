@@ -4,13 +4,16 @@
 #include <string>
 #include <vector>
 
-#include "app/models/make_model.h"
-#include "studies/study_kind.h"
 #include "contact/models/model_kind.h"
+#include "runs/options.h"
+#include "studies/study_kind.h"
 
-namespace tricontact::app {
+namespace tricontact::studies {
 
-struct RefineOptions : CommandOptions {
+using contact::Case;
+using contact::Say;
+
+struct RefineOptions : runs::CommandOptions {
     std::string model = contact::models::fem;  ///< or bem-layer, bem
     int levels = 3;                            ///< 3 to 8
     int jobs = 1;                              ///< levels side by side, but for the finest
@@ -39,4 +42,4 @@ struct RefinementPlan {
 /// pass the checks of case files. Throws InputError.
 RefinementPlan plan_refinement(const RefineOptions& options, const Say& say);
 
-}  // namespace tricontact::app
+}  // namespace tricontact::studies

@@ -8,7 +8,7 @@
 
 #include "contact/base/error.h"
 
-namespace tricontact::app {
+namespace tricontact::studies {
 
 bool Shard::has(const std::string& key) const {
     const std::uint64_t front = std::strtoull(key.substr(0, 16).c_str(), nullptr, 16);
@@ -31,4 +31,4 @@ Shard shard_of(const std::string& text) {
     return shard;
 }
 
-}  // namespace tricontact::app
+}  // namespace tricontact::studies

@@ -2,7 +2,7 @@
 
 #include <string>
 
-namespace tricontact::app {
+namespace tricontact::studies {
 
 /// Part i of n, from 1, of a study's points.
 struct Shard {
@@ -15,4 +15,4 @@ struct Shard {
 /// Of "i/n"; the whole of an empty text. Throws contact::InputError.
 Shard shard_of(const std::string& text);
 
-}  // namespace tricontact::app
+}  // namespace tricontact::studies

@@ -3,7 +3,7 @@
 #include "statistics/latin_hypercube.h"
 #include "studies/study_kind.h"
 
-namespace tricontact::app {
+namespace tricontact::studies {
 
 namespace {
 
@@ -104,4 +104,4 @@ std::string text_of(const Study& study, const Combination& combination) {
     return fmt::format("{}", fmt::join(parts, ", "));
 }
 
-}  // namespace tricontact::app
+}  // namespace tricontact::studies

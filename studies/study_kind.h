@@ -18,9 +18,12 @@
 #include "runs/options.h"
 #include "walking/input/walk_reader.h"
 
-namespace tricontact::app {
+namespace tricontact::studies {
 
 using json = nlohmann::ordered_json;
+using contact::Case;
+using contact::Say;
+using runs::CommandOptions;
 
 /// One point of a study: a case of its own, of a contact for one model.
 struct StudyPoint {
@@ -40,7 +43,9 @@ using StudyPoints = std::vector<StudyPoint>;
 /// Some of a vector of points.
 using Places = std::vector<std::size_t>;
 
-/// How points are computed.
+struct PointRuns;
+
+/// What points of a kind differ in.
 class PointKind {
   public:
     virtual ~PointKind() = default;
@@ -50,7 +55,7 @@ class PointKind {
     /// Computes a lot: results and times as JSON. With the folder of a sweep it also writes the
     /// points' files: resolved case, history, ParaView.
     virtual std::string compute(const StudyPoints& points, const Places& lot,
-                                const std::string& folder) const = 0;
+                                const PointRuns& runs) const = 0;
     /// What helps where memory is short.
     virtual std::string memory_remedy() const;
     /// Hears of a point that failed before it is stored; may throw to end all. `refused`: by its
@@ -64,8 +69,9 @@ class StudyKind : public PointKind {
   public:
     /// All combinations of the study's lists, ranges and sample, the last axis fastest, each with
     /// all models and levels. All cases pass the checks of case files: the first that does not is
-    /// named with its values. Throws contact::InputError.
-    virtual StudyPoints points(const io::Study& study) const = 0;
+    /// named with its values. Throws contact::InputError, also where `makers` lack a model.
+    virtual StudyPoints points(const io::Study& study,
+                               const contact::ModelMakers& makers) const = 0;
     /// Throws contact::InputError if the points cannot write files for ParaView.
     virtual void require_files(const StudyPoints& points) const = 0;
     /// Columns of the table.
@@ -164,4 +170,4 @@ void describe(const io::Study& study, Sweep& sweep) {
     for (const io::Study::Axis& axis : study.axes) sweep.axes.push_back(axis_of(axis));
 }
 
-}  // namespace tricontact::app
+}  // namespace tricontact::studies

@@ -13,7 +13,7 @@
 #include "studies/study_kind.h"
 #include "walking/input/walk_keys.h"
 
-namespace tricontact::app {
+namespace tricontact::studies {
 
 namespace {
 
@@ -81,7 +81,7 @@ void sweep(SweepOptions options) {
     options.choose_folder(is_part ? fmt::format("_shard_{}_of_{}", shard.i, shard.n) : "");
     const io::Study study = io::read_study(options.file, walking::walk_key_list());
     const StudyKind& kind = study.walks ? walking_kind() : contact_kind();
-    StudyPoints points = kind.points(study);
+    StudyPoints points = kind.points(study, *options.makers);
     std::erase_if(points, [&](const StudyPoint& point) { return !shard.has(point.key); });
     if (options.vtk) kind.require_files(points);
 
@@ -112,7 +112,7 @@ void sweep(SweepOptions options) {
     });
     for (const std::string& line : input) options.say(line);
     for (const std::string& line : left_out_of(points)) options.say(line);
-    say_unread_parts(options, study, "sweep");
+    runs::say_unread_parts(options, study, "sweep");
     const std::string table = options.output + '/' + table_name;
     options.say(fmt::format("{} points in {}", points.size(), table) +
                 (options.report ? "; " + options.where() : ""));
@@ -153,4 +153,4 @@ std::string failure_of(const std::optional<io::PointOutcome>& outcome) {
     return outcome ? outcome->error.value_or("") : "not computed";
 }
 
-}  // namespace tricontact::app
+}  // namespace tricontact::studies

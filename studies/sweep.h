@@ -4,9 +4,9 @@
 
 #include "runs/options.h"
 
-namespace tricontact::app {
+namespace tricontact::studies {
 
-struct SweepOptions : CommandOptions {
+struct SweepOptions : runs::CommandOptions {
     std::string shard;  ///< "i/n": the i-th of n parts; empty: everything
     bool retry_failed = false;
     bool vtk = false;  ///< files for ParaView of each point, as output.vtk says
@@ -17,4 +17,4 @@ struct SweepOptions : CommandOptions {
 /// failed; what interrupts it (contact::Interruption), whereupon the same call later goes on.
 void sweep(SweepOptions options);
 
-}  // namespace tricontact::app
+}  // namespace tricontact::studies

@@ -12,7 +12,7 @@
 #include "walking/report/walk_sweep_document.h"
 #include "walking/study/walk_outcome.h"
 
-namespace tricontact::app {
+namespace tricontact::studies {
 
 namespace {
 
@@ -44,7 +44,7 @@ StudyPoint walk_point_of(const io::Study& study, const Combination& combination)
                 .model = "walk",
                 .c = c,
                 .resolved = resolved,
-                .key = point_key(resolved)};
+                .key = runs::point_key(resolved)};
     } catch (const contact::InputError& error) {
         throw contact::InputError(
             fmt::format("{}: point {}: {}", study.name, text_of(study, combination), error.what()));
@@ -64,7 +64,7 @@ walking::WalkSweep::Point reported_walk(const StudyPoint& point, const io::Resul
 
 class WalkingKind : public StudyKind {
   public:
-    StudyPoints points(const io::Study& study) const override {
+    StudyPoints points(const io::Study& study, const contact::ModelMakers&) const override {
         StudyPoints points;
         for_each_combination(study, 1, [&](const Combination& combination) {
             points.push_back(walk_point_of(study, combination));
@@ -99,7 +99,7 @@ class WalkingKind : public StudyKind {
     }
 
     std::string compute(const StudyPoints& points, const Places& lot,
-                        const std::string&) const override {
+                        const PointRuns&) const override {
         const std::clock_t began = std::clock();
         std::vector<WalkCase> cases;
         for (const std::size_t i : lot) cases.push_back(points[i].walk());
@@ -142,4 +142,4 @@ const StudyKind& walking_kind() {
     return kind;
 }
 
-}  // namespace tricontact::app
+}  // namespace tricontact::studies

@@ -16,7 +16,7 @@
 #include "contact/base/interruption.h"
 #include "files/partial_file.h"
 
-namespace tricontact::app {
+namespace tricontact::studies {
 
 namespace {
 
@@ -151,4 +151,4 @@ void run_in_processes(const std::vector<std::size_t>& tasks, int n_workers, cons
     run_once(killed, 1, task, done, attend);
 }
 
-}  // namespace tricontact::app
+}  // namespace tricontact::studies

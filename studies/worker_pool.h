@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace tricontact::app {
+namespace tricontact::studies {
 
 /// What a task in a process of its own came to.
 struct WorkerReport {
@@ -27,4 +27,4 @@ void run_in_processes(const std::vector<std::size_t>& tasks, int n_workers,
                       const std::function<void(std::size_t, const WorkerReport&)>& done,
                       const std::function<void()>& attend = {});
 
-}  // namespace tricontact::app
+}  // namespace tricontact::studies

@@ -5,7 +5,7 @@
 #include "theory/oscillating_cylinder.h"
 #include "verification/verification_rows.h"
 
-namespace tricontact::app {
+namespace tricontact::verification {
 
 namespace {
 
@@ -78,23 +78,23 @@ Case line_layer_case() {
 
 }  // namespace
 
-void verify_fem_line(const Say& say, Verification& all) {
+void verify_fem_line(const Runner& runner, Verification& all) {
     Case c = line_layer_case();
     c.of<fem::Settings>().cache = "none";
     c.of<fem::Settings>().size = 4e-4;
     // Edges fall between nodes, a tenth of a tributary length of which is seen.
-    add_layer(run_levels(contact::models::fem, c, say), c, {{3e-3}, {1e-3}}, all);
+    add_layer(run_levels(contact::models::fem, c, runner), c, {{3e-3}, {1e-3}}, all);
 }
 
-void verify_cylinder(bool brief, const Say& say, Verification& all) {
+void verify_cylinder(bool brief, const Runner& runner, Verification& all) {
     const double coarser = brief ? 8 : 1;
     const double cells = brief ? 10 : 40;
     // Second order but for edges between cells.
     const LineTolerances allowed{{5e-4 * coarser}, {2e-4 * coarser}};
     const Case c = with_cells(line_layer_case(), cells);
-    add_half_space(run_levels(contact::models::bem, with_cells(cylinder_case(), cells), say),
+    add_half_space(run_levels(contact::models::bem, with_cells(cylinder_case(), cells), runner),
                    allowed, all);
-    add_layer(run_levels(contact::models::bem_layer, c, say), c, allowed, all);
+    add_layer(run_levels(contact::models::bem_layer, c, runner), c, allowed, all);
 }
 
-}  // namespace tricontact::app
+}  // namespace tricontact::verification

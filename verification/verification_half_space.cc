@@ -6,7 +6,7 @@
 #include "theory/rolling/oscillating_rolling.h"
 #include "verification/verification_rows.h"
 
-namespace tricontact::app {
+namespace tricontact::verification {
 
 namespace {
 
@@ -69,7 +69,7 @@ double cycle_dissipation(contact::Model& model, const Case& c, double f) {
 }
 
 /// `base`: on the coarsest level.
-void add_cycle(const std::string& model, Case base, const Allowed& allowed, const Say& say,
+void add_cycle(const std::string& model, Case base, const Allowed& allowed, const Runner& runner,
                Verification& all) {
     const double f = 0.6;
     base.load.tangential_ratio = f;
@@ -77,14 +77,14 @@ void add_cycle(const std::string& model, Case base, const Allowed& allowed, cons
         theory::cycle_dissipation({base.friction_coefficient, *base.load.normal_force,
                                    base.materials().effective_shear_modulus(),
                                    contact::half_space_scales(base).contact_radius, f});
-    add_row({"Oscillating F_T", "work dissipated in a cycle, mJ, f_T = 0.6", model,
-             "Mindlin and Deresiewicz (1953); Johnson, Contact Mechanics (1985), eq. 7.57",
-             exact * 1e3, allowed.error, allowed.order},
-            all, [&](int factor) -> LevelValue {
-                const Case c = refined(model, base, factor);
-                return {relative_size(model, c),
-                        cycle_dissipation(*make_model(model, c, 1, say), c, f) * 1e3};
-            });
+    add_row(
+        {"Oscillating F_T", "work dissipated in a cycle, mJ, f_T = 0.6", model,
+         "Mindlin and Deresiewicz (1953); Johnson, Contact Mechanics (1985), eq. 7.57", exact * 1e3,
+         allowed.error, allowed.order},
+        all, [&](int factor) -> LevelValue {
+            const Case c = refined(model, base, factor);
+            return {relative_size(model, c), cycle_dissipation(*runner.make(model, c), c, f) * 1e3};
+        });
 }
 
 void add_settled_mdr(const Levels& levels, double w, double f, double tolerance,
@@ -95,7 +95,7 @@ void add_settled_mdr(const Levels& levels, double w, double f, double tolerance,
              theory::settled_shift_ratio(w, f).value(), {tolerance});
 }
 
-void verify_mdr(bool brief, const Say& say, Verification& all) {
+void verify_mdr(bool brief, const Runner& runner, Verification& all) {
     const int springs = brief ? 500 : 2500;
     const auto coarsest = [&](double w, double f) {
         Case c = rolling_case(w, f);
@@ -103,13 +103,13 @@ void verify_mdr(bool brief, const Say& say, Verification& all) {
         return c;
     };
     const auto run = [&](double w, double f) {
-        return run_levels(contact::models::mdr, coarsest(w, f), say);
+        return run_levels(contact::models::mdr, coarsest(w, f), runner);
     };
     const Levels levels = run(amplitude, force);
     const double tolerance = brief ? 2.5e-5 : 1e-6;  // of the second order
     const Allowed allowed{tolerance};
     add_closed_forms(levels, {allowed, allowed, {brief ? 5e-3 : 1e-3}}, all);
-    add_cycle(contact::models::mdr, coarsest(amplitude, force), {10 * tolerance}, say, all);
+    add_cycle(contact::models::mdr, coarsest(amplitude, force), {10 * tolerance}, runner, all);
     add_settled_mdr(levels, amplitude, force, tolerance, all);
     if (brief) return;
     // Kinks of the line load cost the more the less the shift is.
@@ -119,15 +119,15 @@ void verify_mdr(bool brief, const Say& say, Verification& all) {
 
 }  // namespace
 
-void verify_half_space(bool brief, const Say& say, Verification& all) {
-    verify_mdr(brief, say, all);
+void verify_half_space(bool brief, const Runner& runner, Verification& all) {
+    verify_mdr(brief, runner, all);
     const double coarser = brief ? 4 : 1;
     const Case c = with_cells(rolling_case(amplitude, force), brief ? 5 : 8);
     // Second order but for edges between cells.
     const Allowed allowed{2e-4 * coarser, brief ? 0 : 1.2};
-    const Levels levels = run_levels(contact::models::bem, c, say);
+    const Levels levels = run_levels(contact::models::bem, c, runner);
     add_closed_forms(levels, {allowed, {5e-4 * coarser, allowed.order}, {.02 * coarser}}, all);
-    add_cycle(contact::models::bem, c, {2e-3 * coarser, allowed.order}, say, all);
+    add_cycle(contact::models::bem, c, {2e-3 * coarser, allowed.order}, runner, all);
 }
 
-}  // namespace tricontact::app
+}  // namespace tricontact::verification

@@ -9,7 +9,7 @@
 #include "mdr/layer_model.h"
 #include "verification/verification_rows.h"
 
-namespace tricontact::app {
+namespace tricontact::verification {
 
 namespace {
 
@@ -52,11 +52,11 @@ void add_layer(const Levels& levels, const LayerTolerances& allowed, Verificatio
              theory::shakedown_limit(exact, rolled / exact.contact_radius), allowed.limit);
 }
 
-void verify_mdr_layer(const Say& say, Verification& all) {
+void verify_mdr_layer(const Runner& runner, Verification& all) {
     Levels levels{contact::models::mdr_layer, {}, {}};
     const Case c = layer_case();
     for (const int elements : {20, 40, 80}) {
-        say(fmt::format("mdr-layer, level {}", levels.sizes.size() + 1));
+        runner.say(fmt::format("mdr-layer, level {}", levels.sizes.size() + 1));
         levels.sizes.push_back(1. / elements);
         levels.histories.push_back(contact::run(c, *mdr::make_layer_model(c, elements)));
     }
@@ -66,12 +66,12 @@ void verify_mdr_layer(const Say& say, Verification& all) {
 }
 
 /// Pressed by the force, then F_T.
-void verify_fem_layer(const Say& say, Verification& all) {
+void verify_fem_layer(const Runner& runner, Verification& all) {
     Case base = layer_case();
     base.rolling.reset();
     base.of<fem::Settings>().cache = "none";
     base.of<fem::Settings>().size = 2.8e-3;
-    const Levels levels = run_levels(contact::models::fem, base, say);
+    const Levels levels = run_levels(contact::models::fem, base, runner);
     // Pressures of nodes come from row sums.
     add_pressed(levels, {{5e-3}, {8e-3}, {2e-3}, {}}, all);
     Rows(levels, "Layer b = 1.8 a, f_T = 0.56", all)
@@ -99,7 +99,7 @@ void add_settled(const Levels& level, const std::string& problem, double angle, 
              angle == 0 ? row.parallel : row.perpendicular, {tolerance});
 }
 
-void verify_half_space_shifts(const Say& say, Verification& all) {
+void verify_half_space_shifts(const Runner& runner, Verification& all) {
     for (const auto& row : comparisons::half_space_peer_shifts)
         for (const double angle : {0., across}) {
             Case c = rig_case(row.f);
@@ -110,7 +110,7 @@ void verify_half_space_shifts(const Say& say, Verification& all) {
             c.rolling->steps = Case::Steps::turning_points;
             c.rolling->periods = 60;
             const Levels level =
-                run_level(contact::models::bem, c, relative_size(contact::models::bem, c), say);
+                run_level(contact::models::bem, c, relative_size(contact::models::bem, c), runner);
             // Those programs place their grids differently under the contact.
             add_settled(level, "Settled shift", angle, row, 2e-3, settled_ratio.of, all);
         }
@@ -122,7 +122,7 @@ Case layer_case(double f) {
     return c;
 }
 
-void verify_layer_static(const Say& say, Verification& all) {
+void verify_layer_static(const Runner& runner, Verification& all) {
     const auto add_row = [&](const Levels& level, const std::string& how, double shift,
                              double tolerance) {
         Rows(level, "Layer b = 1.8 a, f_T = 0.56", all)
@@ -131,7 +131,7 @@ void verify_layer_static(const Say& say, Verification& all) {
     const auto add = [&](const std::string& how, double shift, const Case& c) {
         // Both programs to 1e-5 mm.
         add_row(run_level(contact::models::bem_layer, c,
-                          relative_size(contact::models::bem_layer, c), say),
+                          relative_size(contact::models::bem_layer, c), runner),
                 how, shift, 2e-4);
     };
     Case c = layer_case(.56);
@@ -144,11 +144,11 @@ void verify_layer_static(const Say& say, Verification& all) {
     c.contact.coupling = false;
     add(", uncoupled", comparisons::layer_peer_uncoupled, c);
     // Without the traction across, which is its approximation; 100 elements in the radius.
-    add_row(run_level(contact::models::mdr_layer, c, .01, say), ", uncoupled",
+    add_row(run_level(contact::models::mdr_layer, c, .01, runner), ", uncoupled",
             comparisons::layer_peer_uncoupled, 3e-3);
 }
 
-void verify_layer_shifts(const Say& say, Verification& all) {
+void verify_layer_shifts(const Runner& runner, Verification& all) {
     for (const auto& row : comparisons::layer_peer_shifts)
         for (const double angle : {0., across}) {
             Case c = layer_case(row.f);
@@ -160,7 +160,7 @@ void verify_layer_shifts(const Say& say, Verification& all) {
             c.rolling->increment = 4e-4;
             c.rolling->periods = 60;
             const Levels level = run_level(contact::models::bem_layer, c,
-                                           relative_size(contact::models::bem_layer, c), say);
+                                           relative_size(contact::models::bem_layer, c), runner);
             // The references have four digits and steps of their own.
             add_settled(
                 level, "Layer b = 1.8 a, settled shift", angle, row, 3e-3,
@@ -173,26 +173,26 @@ void verify_layer_shifts(const Say& say, Verification& all) {
 
 }  // namespace
 
-void verify_fem(const Say& say, Verification& all) {
-    if (!has_model(contact::models::fem)) return;
-    verify_fem_layer(say, all);
-    verify_fem_line(say, all);
+void verify_fem(const Runner& runner, Verification& all) {
+    if (!runner.makers.has(contact::models::fem)) return;
+    verify_fem_layer(runner, all);
+    verify_fem_line(runner, all);
 }
 
-void verify_layer(bool brief, const Say& say, Verification& all) {
+void verify_layer(bool brief, const Runner& runner, Verification& all) {
     verify_mdr_layer(say, all);
     const double cells = brief ? 5 : 8, coarser = brief ? 4 : 1, order = brief ? 0 : 1.2;
     Case c = layer_case();
     c.of<contact::Cells>().spacing = contact::half_space_scales(c).contact_radius / cells;
     const Allowed allowed{2e-4 * coarser, order};
-    add_layer(run_levels(contact::models::bem_layer, c, say),
+    add_layer(run_levels(contact::models::bem_layer, c, runner),
               {{5e-4 * coarser, order}, allowed, allowed, allowed}, all);
 }
 
-void verify_peer_shifts(const Say& say, Verification& all) {
-    verify_half_space_shifts(say, all);
-    verify_layer_static(say, all);
-    verify_layer_shifts(say, all);
+void verify_peer_shifts(const Runner& runner, Verification& all) {
+    verify_half_space_shifts(runner, all);
+    verify_layer_static(runner, all);
+    verify_layer_shifts(runner, all);
 }
 
-}  // namespace tricontact::app
+}  // namespace tricontact::verification

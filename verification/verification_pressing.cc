@@ -9,7 +9,7 @@
 #include "theory/half_space_interior.h"
 #include "verification/verification_rows.h"
 
-namespace tricontact::app {
+namespace tricontact::verification {
 
 namespace {
 
@@ -26,8 +26,8 @@ Case pressing_case(double nu, double friction) {
 }
 
 /// F_N rises with friction in equal steps.
-std::vector<StepRecord> press(const Case& c, int n_steps, const Say& say) {
-    const auto model = make_model(contact::models::bem, c, 1, say);
+std::vector<StepRecord> press(const Case& c, int n_steps, const Runner& runner) {
+    const auto model = runner.make(contact::models::bem, c);
     contact::LoadStep step = contact::press_step(c);
     std::vector<StepRecord> records;
     for (int k = 1; k <= n_steps; ++k) {
@@ -38,11 +38,11 @@ std::vector<StepRecord> press(const Case& c, int n_steps, const Say& say) {
 }
 
 /// Cells and steps halve together: a ring that has just come into contact starts undragged.
-void add_pressing(VerificationRow row, const Case& base, int cells, int steps, const Say& say,
+void add_pressing(VerificationRow row, const Case& base, int cells, int steps, const Runner& runner,
                   Verification& all, double (*value)(const Case&, const std::vector<StepRecord>&)) {
     add_row(std::move(row), all, [&](int factor) -> LevelValue {
         const Case c = with_cells(base, cells * factor);
-        return {relative_size(contact::models::bem, c), value(c, press(c, steps * factor, say))};
+        return {relative_size(contact::models::bem, c), value(c, press(c, steps * factor, runner))};
     });
 }
 
@@ -97,20 +97,20 @@ double on_axis(const Case& c, const contact::HalfSpaceScales& hertz, double z) {
 
 }  // namespace
 
-void verify_friction_pressing(const Say& say, Verification& all) {
+void verify_friction_pressing(const Runner& runner, Verification& all) {
     const double nu = .45, beta = (1 - 2 * nu) / (2 - 2 * nu), beta_over_mu = 1.4;
     add_pressing({"Pressed with friction", "c/a, nu = 0.45, beta/mu = 1.4", contact::models::bem,
                   "Goodman (1962), Spence (1968); Johnson, Contact Mechanics "
                   "(1985), section 5.4, weak coupling",
                   theory::spence_stick_ratio(beta_over_mu), .02, .8},
-                 pressing_case(nu, beta / beta_over_mu), 12, 10, say, all, stuck_ratio);
+                 pressing_case(nu, beta / beta_over_mu), 12, 10, runner, all, stuck_ratio);
     add_pressing(
         {"Pressed without slip", "dF/dd over 4 G a, nu = 0", contact::models::bem,
          "Mossakovskii (1954), Spence (1968)", theory::stuck_normal_stiffness_ratio(0), 8e-3},
-        pressing_case(0, 5), 12, 8, say, all, stiffness_ratio);
+        pressing_case(0, 5), 12, 8, runner, all, stiffness_ratio);
 }
 
-void verify_creep(bool brief, const Say& say, Verification& all) {
+void verify_creep(bool brief, const Runner& runner, Verification& all) {
     const Case base = rubber();
     // d^(3/2) follows the creep function 1 - g/(1+g) exp(-t/((1+g) tau)).
     const double crept = 1 - ratio / (1 + ratio) * std::exp(-time / ((1 + ratio) * relaxes_in));
@@ -124,13 +124,13 @@ void verify_creep(bool brief, const Say& say, Verification& all) {
                     Case c = base;
                     c.of<contact::Cells>().per_radius = (brief ? 5 : 8) * factor;
                     const int n = steps * factor;
-                    say(fmt::format("{}, creep in {} steps", model, n));
-                    return {time / n / relaxes_in, creep(*make_model(model, c, 1, say), c, n)};
+                    runner.say(fmt::format("{}, creep in {} steps", model, n));
+                    return {time / n / relaxes_in, creep(*runner.make(model, c), c, n)};
                 });
     }
 }
 
-void verify_subsurface(bool brief, const Say& say, Verification& all) {
+void verify_subsurface(bool brief, const Runner& runner, Verification& all) {
     const Case base = rig_sphere(0.3, 0);  // nu as in the textbooks
     const auto hertz = contact::half_space_scales(base);
     const double a = hertz.contact_radius;
@@ -144,8 +144,8 @@ void verify_subsurface(bool brief, const Say& say, Verification& all) {
         all, [&](int factor) -> LevelValue {
             Case c = base;
             c.of<contact::Cells>().per_radius = (brief ? 4 : 8) * factor;
-            say("bem, inside");
-            const auto model = make_model(contact::models::bem, c, 1, say);
+            runner.say("bem, inside");
+            const auto model = runner.make(contact::models::bem, c);
             contact::run(c, *model);
             const auto inside = contact::subsurface_of(*model->interior(), 0, {0, 0});
             return {relative_size(contact::models::bem, c),
@@ -153,4 +153,4 @@ void verify_subsurface(bool brief, const Say& say, Verification& all) {
         });
 }
 
-}  // namespace tricontact::app
+}  // namespace tricontact::verification

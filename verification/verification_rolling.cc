@@ -1,6 +1,5 @@
 #include <array>
 
-#include "app/models/roll_models.h"
 #include "bem/model.h"
 #include "contact/cells.h"
 #include "contact/models/model_kind.h"
@@ -13,7 +12,7 @@
 #include "theory/rolling/kalker.h"
 #include "verification/verification_rows.h"
 
-namespace tricontact::app {
+namespace tricontact::verification {
 
 namespace {
 
@@ -34,10 +33,10 @@ Case cylinder() {
 }
 
 /// Of bem, with so many cells in the radius, which `c` keeps.
-rolling::RollingState steady_state(Case& c, double cells, const char* what, const Say& say) {
+rolling::RollingState steady_state(Case& c, double cells, const char* what, const Runner& runner) {
     c.of<contact::Cells>().per_radius = cells;
-    say(fmt::format("bem, {}, {} cells", what, cells));
-    return roll(contact::models::bem, c, {.points = 0}).history.steady;
+    runner.say(fmt::format("bem, {}, {} cells", what, cells));
+    return runner.roll(contact::models::bem, c).history.steady;
 }
 
 /// Errors of cells are of the first order: adds rows of what two grids, one half as fine as the
@@ -56,7 +55,7 @@ void add_extrapolated(std::vector<VerificationRow> rows, Verification& all, cons
     for (VerificationRow& row : rows) all.rows.push_back(std::move(row));
 }
 
-void verify_springs(bool brief, const Say& say, Verification& all) {
+void verify_springs(bool brief, const Runner& runner, Verification& all) {
     double exact = 0;
     for (const auto& theory : rolling::creep_theories(rolling_on(.5)))
         if (theory.key == "mdr_closed_form") exact = theory.creepage(rolling_force);
@@ -67,29 +66,29 @@ void verify_springs(bool brief, const Say& say, Verification& all) {
             Case c = rolling_on(.5);
             c.tractive_rolling->distance = 5;
             c.of<mdr::Settings>().springs = (brief ? 400 : 2500) * factor;
-            say(fmt::format("mdr, rolling on, {} springs", c.of<mdr::Settings>().springs));
+            runner.say(fmt::format("mdr, rolling on, {} springs", c.of<mdr::Settings>().springs));
             return {7. / c.of<mdr::Settings>().springs,
-                    roll_springs(c, {.points = 0}).history.steady.creepage.longitudinal};
+                    runner.roll(contact::models::mdr, c).history.steady.creepage.longitudinal};
         });
 }
 
-void verify_carter(bool brief, const Say& say, Verification& all) {
-    add_extrapolated({{"Carter", "xi R/(mu a), f_T = 0.56", contact::models::bem,
-                       "Carter (1926); Johnson, Contact Mechanics (1985), eq. 8.48; extrapolated "
-                       "from this and twice the size of cells",
-                       theory::carter_creepage_ratio(rolling_force), brief ? 2e-2 : 3e-3},
-                      {"Carter", "c/a, f_T = 0.56", contact::models::bem,
-                       "Johnson, Contact Mechanics (1985), eq. 8.46; likewise; whole cells stick",
-                       theory::carter_stick_ratio(rolling_force), brief ? .05 : 3e-3}},
-                     all, [&](int factor) {
-                         Case c = cylinder();
-                         const auto steady =
-                             steady_state(c, (brief ? 10 : 40) * factor, "rolling cylinder", say);
-                         return std::pair(
-                             relative_size(contact::models::bem, c),
+void verify_carter(bool brief, const Runner& runner, Verification& all) {
+    add_extrapolated(
+        {{"Carter", "xi R/(mu a), f_T = 0.56", contact::models::bem,
+          "Carter (1926); Johnson, Contact Mechanics (1985), eq. 8.48; extrapolated "
+          "from this and twice the size of cells",
+          theory::carter_creepage_ratio(rolling_force), brief ? 2e-2 : 3e-3},
+         {"Carter", "c/a, f_T = 0.56", contact::models::bem,
+          "Johnson, Contact Mechanics (1985), eq. 8.46; likewise; whole cells stick",
+          theory::carter_stick_ratio(rolling_force), brief ? .05 : 3e-3}},
+        all, [&](int factor) {
+            Case c = cylinder();
+            const auto steady =
+                steady_state(c, (brief ? 10 : 40) * factor, "rolling cylinder", runner);
+            return std::pair(relative_size(contact::models::bem, c),
                              std::array{steady.creepage.longitudinal / rolling::creepage_unit(c),
                                         steady.stick_area / steady.contact_area});
-                     });
+        });
 }
 
 /// C11, C22, C23 and C33 of the pressed contact, a circle of the area that its pressure has.
@@ -106,7 +105,7 @@ std::array<double, 4> coefficients(const Case& c) {
             creep[2][2] / (stiffness * a * a)};
 }
 
-void verify_kalker(const Say& say, Verification& all) {
+void verify_kalker(const Runner& runner, Verification& all) {
     constexpr const char* names[] = {"C11", "C22", "C23", "C33"};
     constexpr double half_digit = 6e-3;  // half of the last digit of 1.16, and cells
     for (const double nu : {0., .25, .5}) {
@@ -122,15 +121,15 @@ void verify_kalker(const Say& say, Verification& all) {
                             expected[i], half_digit});
         add_extrapolated(std::move(rows), all, [&](int factor) {
             const Case c = with_cells(rolling_on(nu), 8 * factor);
-            say(fmt::format("bem, creep without slip, nu = {}, {} cells", nu,
-                            *c.of<contact::Cells>().per_radius));
+            runner.say(fmt::format("bem, creep without slip, nu = {}, {} cells", nu,
+                                   *c.of<contact::Cells>().per_radius));
             return std::pair(relative_size(contact::models::bem, c), coefficients(c));
         });
     }
 }
 
 /// Rolled freely over a relaxing half-space: the pressure leads the cylinder.
-void verify_hunter(bool brief, const Say& say, Verification& all) {
+void verify_hunter(bool brief, const Runner& runner, Verification& all) {
     constexpr double relaxation_time = .3;
     Case c = cylinder();
     c.load.tangential_ratio = 0;
@@ -143,7 +142,7 @@ void verify_hunter(bool brief, const Say& say, Verification& all) {
         {"Cylinder over a standard solid, v tau = a/2, G2 = 2 G1", "1000 W/F_N",
          contact::models::bem, "Hunter (1961), J. Appl. Mech. 28, 611", exact, brief ? 1e-2 : 2e-3},
         all, [&](int factor) -> LevelValue {
-            const auto steady = steady_state(c, (brief ? 6 : 10) * factor, "relaxing", say);
+            const auto steady = steady_state(c, (brief ? 6 : 10) * factor, "relaxing", runner);
             return {relative_size(contact::models::bem, c),
                     1e3 * steady.resistance / *c.load.normal_force};
         });
@@ -151,7 +150,7 @@ void verify_hunter(bool brief, const Say& say, Verification& all) {
 
 /// A rigid cylinder on a half-space of nu = 0, the most dissimilar that there is, without F_T; so
 /// little friction that all slips.
-void verify_free_rolling(bool brief, const Say& say, Verification& all) {
+void verify_free_rolling(bool brief, const Runner& runner, Verification& all) {
     Case c = cylinder();
     c.substrate.poisson = 0;
     c.contact.coupling = true;
@@ -162,7 +161,7 @@ void verify_free_rolling(bool brief, const Say& say, Verification& all) {
              "(theory/creep_law.h): the difference is of the order of mu/beta",
              theory::smooth_free_creepage(.5), brief ? 2e-2 : 5e-3},
             all, [&](int factor) -> LevelValue {
-                const auto steady = steady_state(c, 15 * factor, "dissimilar cylinders", say);
+                const auto steady = steady_state(c, 15 * factor, "dissimilar cylinders", runner);
                 return {relative_size(contact::models::bem, c),
                         steady.creepage.longitudinal * c.indenter.radius /
                             contact::half_space_scales(c).contact_radius};
@@ -171,12 +170,12 @@ void verify_free_rolling(bool brief, const Say& say, Verification& all) {
 
 }  // namespace
 
-void verify_rolling(bool brief, const Say& say, Verification& all) {
-    verify_springs(brief, say, all);
-    verify_carter(brief, say, all);
-    verify_kalker(say, all);
-    verify_hunter(brief, say, all);
-    verify_free_rolling(brief, say, all);
+void verify_rolling(bool brief, const Runner& runner, Verification& all) {
+    verify_springs(brief, runner, all);
+    verify_carter(brief, runner, all);
+    verify_kalker(runner, all);
+    verify_hunter(brief, runner, all);
+    verify_free_rolling(brief, runner, all);
 }
 
-}  // namespace tricontact::app
+}  // namespace tricontact::verification

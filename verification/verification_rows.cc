@@ -11,16 +11,16 @@
 #include "fem/settings.h"
 #include "mdr/settings.h"
 
-namespace tricontact::app {
+namespace tricontact::verification {
 
 using contact::History;
 
 namespace {
 
-void add_level(Levels& levels, const Case& c, double size, const Say& say) {
-    say(fmt::format("{}, level {}", levels.model, levels.sizes.size() + 1));
+void add_level(Levels& levels, const Case& c, double size, const Runner& runner) {
+    runner.say(fmt::format("{}, level {}", levels.model, levels.sizes.size() + 1));
     levels.sizes.push_back(size);
-    levels.histories.push_back(contact::run(c, *make_model(levels.model, c, 1, say)));
+    levels.histories.push_back(contact::run(c, *runner.make(levels.model, c)));
 }
 
 /// The step that applies F_T.
@@ -54,18 +54,18 @@ Case with_cells(Case c, double cells_per_radius) {
     return c;
 }
 
-Levels run_levels(const std::string& model, const Case& coarsest, const Say& say) {
+Levels run_levels(const std::string& model, const Case& coarsest, const Runner& runner) {
     Levels levels{model, {}, {}};
     for (const int factor : {1, 2, 4}) {
         const Case c = refined(model, coarsest, factor);
-        add_level(levels, c, relative_size(model, c), say);
+        add_level(levels, c, relative_size(model, c), runner);
     }
     return levels;
 }
 
-Levels run_level(const std::string& model, const Case& c, double size, const Say& say) {
+Levels run_level(const std::string& model, const Case& c, double size, const Runner& runner) {
     Levels levels{model, {}, {}};
-    add_level(levels, c, size, say);
+    add_level(levels, c, size, runner);
     return levels;
 }
 
@@ -121,4 +121,20 @@ const Observed stick_ratio{"c/a", [](const History& h) {
                                       h.scales.contact_radius;
                            }};
 
-}  // namespace tricontact::app
+Verification verify(bool brief, const Runner& runner) {
+    Verification all;
+    verify_half_space(brief, runner, all);
+    verify_layer(brief, runner, all);
+    verify_cylinder(brief, runner, all);
+    verify_creep(brief, runner, all);
+    verify_subsurface(brief, runner, all);
+    verify_rolling(brief, runner, all);
+    if (brief) return all;
+    verify_friction_pressing(runner, all);
+    verify_peer_shifts(runner, all);
+    verify_fem(runner, all);
+    verify_walking(runner.say, all);
+    return all;
+}
+
+}  // namespace tricontact::verification

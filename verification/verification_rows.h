@@ -8,13 +8,29 @@
 #include <string>
 #include <vector>
 
-#include "app/models/make_model.h"
 #include "comparisons/resolution/verification.h"
+#include "contact/model_makers.h"
+#include "rolling/rolling_report.h"
 
-namespace tricontact::app {
+namespace tricontact::verification {
 
 using comparisons::Verification;
 using comparisons::VerificationRow;
+
+using contact::Case;
+using contact::Say;
+
+/// The models of the program at work, on one thread.
+struct Runner {
+    const contact::ModelMakers& makers;
+    /// Rolls on by a model, without its creep curve.
+    std::function<rolling::RollingRun(const std::string& model, const Case& c)> roll;
+    Say say;  ///< hears of each level
+
+    std::unique_ptr<contact::Model> make(const std::string& model, const Case& c) const {
+        return makers.make(model, c, 1, runner);
+    }
+};
 
 /// The histories of one model, on finer and finer levels.
 struct Levels {
@@ -31,9 +47,9 @@ double relative_size(const std::string& model, const Case& c);
 Case with_cells(Case c, double cells_per_radius);
 
 /// Three levels, the first as the case is, each twice as fine as the one before.
-Levels run_levels(const std::string& model, const Case& coarsest, const Say& say);
+Levels run_levels(const std::string& model, const Case& coarsest, const Runner& runner);
 /// As the case is: beside numbers that hold for its resolution.
-Levels run_level(const std::string& model, const Case& c, double size, const Say& say);
+Levels run_level(const std::string& model, const Case& c, double size, const Runner& runner);
 
 /// A level computed by itself.
 struct LevelValue {
@@ -91,31 +107,32 @@ inline constexpr const char* peer_programs =
     "two boundary element programs of different origin, nu = 1/2, 0.2 mm cells "
     "(comparisons/run/peer_shifts.h)";
 
-// Problems of `tricontact verify`. `brief`: on coarse levels, in seconds.
+/// All problems of `tricontact verify`. `brief`: the shorter ones on coarse levels, in seconds.
+Verification verify(bool brief, const Runner& runner);
 
 /// mdr and bem where half-spaces have closed forms.
-void verify_half_space(bool brief, const Say& say, Verification& all);
+void verify_half_space(bool brief, const Runner& runner, Verification& all);
 /// mdr-layer and bem-layer beside exact frictionless contact with the layer.
-void verify_layer(bool brief, const Say& say, Verification& all);
+void verify_layer(bool brief, const Runner& runner, Verification& all);
 /// bem and bem-layer under a cylinder: line contact and its oscillating rolling.
-void verify_cylinder(bool brief, const Say& say, Verification& all);
+void verify_cylinder(bool brief, const Runner& runner, Verification& all);
 /// What bem finds below Hertz' contact.
-void verify_subsurface(bool brief, const Say& say, Verification& all);
+void verify_subsurface(bool brief, const Runner& runner, Verification& all);
 /// mdr and bem on a relaxing half-space under a constant force.
-void verify_creep(bool brief, const Say& say, Verification& all);
+void verify_creep(bool brief, const Runner& runner, Verification& all);
 /// mdr and bem in steady rolling beside closed forms and Kalker's table.
-void verify_rolling(bool brief, const Say& say, Verification& all);
+void verify_rolling(bool brief, const Runner& runner, Verification& all);
 /// bem pressed with friction, the pressure dragging the surface sideways.
-void verify_friction_pressing(const Say& say, Verification& all);
+void verify_friction_pressing(const Runner& runner, Verification& all);
 /// Shifts of bem and bem-layer beside those of other programs (comparisons/run/peer_shifts.h).
-void verify_peer_shifts(const Say& say, Verification& all);
+void verify_peer_shifts(const Runner& runner, Verification& all);
 
 /// Velocity Verlet beside closed forms and the event-driven integrator.
-void verify_walking(const Say& say, Verification& all);
+void verify_walking(const Runner& runner, Verification& all);
 
 /// fem under a cylinder on a layer.
-void verify_fem_line(const Say& say, Verification& all);
+void verify_fem_line(const Runner& runner, Verification& all);
 /// fem beside the same; no rows where the program has no finite elements.
-void verify_fem(const Say& say, Verification& all);
+void verify_fem(const Runner& runner, Verification& all);
 
-}  // namespace tricontact::app
+}  // namespace tricontact::verification

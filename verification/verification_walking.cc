@@ -7,7 +7,7 @@
 #include "walking/run/lyapunov.h"
 #include "walking/run/walk.h"
 
-namespace tricontact::app {
+namespace tricontact::verification {
 
 namespace {
 
@@ -133,4 +133,4 @@ void verify_walking(const Say& say, Verification& all) {
     add_cycle(say, all);
 }
 
-}  // namespace tricontact::app
+}  // namespace tricontact::verification

@@ -60,22 +60,22 @@ class AtlasBuild {
     AtlasBuild(const AtlasOptions& options, const io::Study& study)
         : options_(options), study_(study), plan_(study), quantities_(mapped_quantities(study)) {}
 
-    void compute_part(const Shard& shard) {
-        io::ResultStore store = open_results(options_.output);
-        StudyPoints runs = runs_of(plan_.design(most_points()));
-        std::erase_if(runs, [&](const StudyPoint& run) { return !shard.has(run.key); });
+    void compute_part(const studies::Shard& shard) {
+        io::ResultStore store = studies::open_results(options_.output);
+        studies::StudyPoints runs = studies::runs_of(plan_.design(most_points()));
+        std::erase_if(runs, [&](const studies::StudyPoint& run) { return !shard.has(run.key); });
         compute(runs, store);
         options_.say(fmt::format("{} runs in {}; tricontact sweep merge brings the parts together",
                                  runs.size(), options_.output));
     }
 
     Atlas build() {
-        io::ResultStore store = open_results(options_.output);
+        io::ResultStore store = studies::open_results(options_.output);
         for (std::size_t n = first_points;; n = static_cast<std::size_t>(growth * n)) {
             n = std::min(n, most_points());
-            const std::vector<AtlasPoint> points = plan_.design(n);
-            compute(runs_of(points), store);
-            const std::vector<Sample> samples = samples_of(points, store);
+            const std::vector<studies::AtlasPoint> points = plan_.design(n);
+            compute(studies::runs_of(points), store);
+            const std::vector<Sample> samples = studies::samples_of(points, store);
             Atlas atlas = fitted(samples, n);
             if (!is_done(atlas, samples) && n < most_points()) continue;
             write_points(samples);
@@ -86,12 +86,12 @@ class AtlasBuild {
 
     /// Compares the atlas with random points; whether its bars cover as many as they promise.
     bool check(const Atlas& atlas) {
-        io::ResultStore store = open_results(options_.output);
+        io::ResultStore store = studies::open_results(options_.output);
         const auto points = plan_.random_points(static_cast<std::size_t>(options_.n_checks),
                                                 static_cast<std::uint64_t>(options_.seed),
                                                 study_.levels > 1 ? finer_levels : 0);
-        compute(runs_of(points), store);
-        const std::vector<Sample> samples = samples_of(points, store);
+        compute(studies::runs_of(points), store);
+        const std::vector<Sample> samples = studies::samples_of(points, store);
         bool passed = true;
         std::string table = report::csv_line(check_headings(atlas));
         for (const Map& map : atlas.maps) passed = check(atlas, map, samples, table) && passed;
@@ -101,15 +101,16 @@ class AtlasBuild {
 
     /// What the model computes without, at the first points as at all: the ranges change values.
     void say_left_out() const {
-        for (const std::string& line : left_out_of(runs_of(plan_.design(1)))) options_.say(line);
+        for (const std::string& line : left_out_of(studies::runs_of(plan_.design(1))))
+            options_.say(line);
     }
 
   private:
     std::size_t most_points() const { return static_cast<std::size_t>(study_.atlas->points); }
 
-    void compute(const StudyPoints& runs, io::ResultStore& store) const {
-        compute_missing(
-            contact_kind(), runs, store,
+    void compute(const studies::StudyPoints& runs, io::ResultStore& store) const {
+        studies::compute_missing(
+            studies::contact_kind(), runs, store,
             {.name = "atlas", .options = options_, .retry_failed = options_.retry_failed});
     }
 
@@ -220,12 +221,12 @@ class AtlasBuild {
 
     const AtlasOptions& options_;
     const io::Study& study_;
-    AtlasStudy plan_;
+    studies::AtlasStudy plan_;
     std::vector<const Quantity*> quantities_;
 };
 
 bool make_atlas(AtlasOptions options) {
-    const Shard shard = shard_of(options.shard);
+    const studies::Shard shard = studies::shard_of(options.shard);
     const bool is_part = !options.shard.empty();
     options.choose_folder(is_part ? fmt::format("_shard_{}_of_{}", shard.i, shard.n) : "");
     const io::Study study = io::read_study(options.file, walking::walk_key_list());
@@ -241,7 +242,7 @@ bool make_atlas(AtlasOptions options) {
         if (options.n_checks > 0) passed = build.check(atlas);
     });
     build.say_left_out();
-    say_unread_parts(options, study, "atlas");
+    runs::say_unread_parts(options, study, "atlas");
     if (!passed) throw std::runtime_error(options.file + ": error bars cover too few points");
     return passed;
 }

@@ -73,7 +73,7 @@ std::optional<std::string> influence_of(const BoundaryElementCase& read,
                                         const contact::Compliance& compliance, int threads) {
     if (read.body() != bem::Body::layer && !read.c.of<bem::Settings>().influence) return {};
     return bem::contact_program_influence(bem::case_influence(read.c, threads, read.body()),
-                                          io::shear_moduli(read.c).combined(),
+                                          contact_program::shear_moduli(read.c).combined(),
                                           compliance.is_coupled());
 }
 
@@ -87,17 +87,18 @@ void export_to_contact_program(BoundaryElementOptions options) {
     std::optional<std::string> influence;
     std::string input, found;
     const auto compute = [&] {
-        io::sequence_of(c, false);  // what cannot be said at all, before anything is computed
+        contact_program::sequence_of(
+            c, false);  // what cannot be said at all, before anything is computed
         const auto compliance = bem::case_compliance(c, options.threads, read.body());
         const contact::ContactPoints& grid = compliance->points();
         const bool coupled = compliance->is_coupled();
         influence = influence_of(read, *compliance, options.threads);
-        input = io::with_written_case(
-            io::sequence_text(c, grid, coupled,
-                              influence ? std::optional(influence_name) : std::nullopt),
+        input = contact_program::with_written_case(
+            contact_program::sequence_text(
+                c, grid, coupled, influence ? std::optional(influence_name) : std::nullopt),
             io::write_case(c));
         found = fmt::format("cases of CONTACT     {}\ncells                {} x {}\n",
-                            io::sequence_of(c, coupled).size(), grid.n_x, grid.n_y);
+                            contact_program::sequence_of(c, coupled).size(), grid.n_x, grid.n_y);
     };
     options.fill({{influence_name, name + ".inp"}}, [&] {
         options.told_of_file(compute);

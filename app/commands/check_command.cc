@@ -3,7 +3,6 @@
 #include <filesystem>
 
 #include "app/commands/command.h"
-#include "app/models/make_model.h"
 #include "comparisons/quantities/left_out.h"
 #include "comparisons/quantities/quantity.h"
 #include "comparisons/quantities/reference.h"

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "app/commands/option_list.h"
+#include "app/models/make_model.h"
 #include "io/case/case_reader.h"
 #include "papers/paper_export.h"
 #include "runs/options.h"
@@ -20,6 +21,11 @@
 
 // Files of commands take from here what most of them need: texts, output, options, cases.
 namespace tricontact::app {
+
+using contact::Case;
+using contact::Say;
+using runs::CommandOptions;
+using runs::resolved_case_name;
 
 inline constexpr const char* program_text =
     "Tricontact: models of frictional contact side by side, from one case file.";
@@ -47,7 +53,10 @@ class Declared {
         : options_(std::make_shared<Options>()),
           list_(name, text),
           command_{group, name, list_.parser()} {
-        if constexpr (std::is_base_of_v<CommandOptions, Options>) command_.options = options_.get();
+        if constexpr (std::is_base_of_v<CommandOptions, Options>) {
+            command_.options = options_.get();
+            options_->makers = &model_makers();
+        }
         command_.run = [options = options_, parser = command_.parser, name = command_.name, run] {
             const auto call = [&]() -> int {
                 using Result = decltype(run(*options));
@@ -56,12 +65,13 @@ class Declared {
                 if constexpr (std::is_same_v<Result, int>) code = run(*options);
                 if constexpr (std::is_void_v<Result>) run(*options);
                 if constexpr (std::is_base_of_v<CommandOptions, Options>)
-                    say_unread_parts(*options, name);
+                    runs::say_unread_parts(*options, name);
                 return code;
             };
             if constexpr (std::is_base_of_v<CommandOptions, Options>) {
                 options->given = given_options(*parser);
-                if (!options->papers.folder.empty()) return run_for_papers(*parser, *options, call);
+                if (!options->papers.folder.empty())
+                    return papers::run_for_papers(*parser, *options, call);
             }
             return call();
         };
@@ -153,7 +163,7 @@ class Declared {
 };
 
 // The commands, each declared in a file of its own beside what it does, which throws
-// contact::InputError and contact::NotConverged; mesh and cache in fem_loader.cc.
+// contact::InputError and contact::NotConverged; mesh and cache in fem_commands.cc.
 Command run_command();
 Command sweep_command();
 Command sweep_merge_command();

@@ -1,9 +1,9 @@
 #include <filesystem>
 
 #include "app/commands/command.h"
-#include "experiments/design/rig_design.h"
 #include "comparisons/quantities/left_out.h"
 #include "contact/models/model_kind.h"
+#include "experiments/design/rig_design.h"
 #include "io/case/rig_file.h"
 
 namespace tricontact::app {
@@ -19,7 +19,8 @@ void design_rig(DesignOptions options) {
     experiments::DesignStudy study;
     const std::string name = std::filesystem::path(options.file).filename().string();
     options.fill({{"design.json", "report.html"}}, [&] {
-        study = options.told_of_file([&] { return design_study(input); });
+        study = options.told_of_file(
+            [&] { return experiments::design_study(input, options.runner()); });
         options.write("design.json", experiments::design_json(study));
         options.write_report(experiments::design_document(study), "tricontact design " + name);
     });

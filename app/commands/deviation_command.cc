@@ -1,10 +1,10 @@
 #include "app/commands/command.h"
 #include "app/commands/strain_deviation.h"
-#include "app/models/roll_models.h"
 #include "comparisons/finite_strain/strain_runs.h"
 #include "comparisons/half_space/deviation_output.h"
 #include "comparisons/quantities/left_out.h"
 #include "contact/models/model_kind.h"
+#include "io/case/rolling_on.h"
 #include "report/table_text.h"
 #include "studies/study_kind.h"
 
@@ -28,19 +28,21 @@ void add_runs(const DeviationOptions& options, HalfSpaceDeviation& deviation) {
         for (const RolledRun& run : comparisons::runs_on(body, deviation.amplitudes))
             runs.push_back(run);
     if (runs.empty()) return;
-    std::vector<StudyPoint> points;
+    std::vector<studies::StudyPoint> points;
     for (const RolledRun& run : runs) {
         const Case c =
             comparisons::rolled_case(deviation.c, deviation.contact, deviation.amplitudes, run);
         // Whatever the user's case passes, that of a run is checked by itself.
         const Case checked = io::parse_case(io::write_case(c), options.file);
-        points.push_back(make_point(checked, checked.models.front(), run.level, options.file));
+        points.push_back(
+            studies::make_point(checked, checked.models.front(), run.level, options.file));
     }
-    io::ResultStore store = open_results(options.output);
-    compute_missing(contact_kind(), points, store, {.name = "deviation", .options = options});
+    io::ResultStore store = studies::open_results(options.output);
+    studies::compute_missing(studies::contact_kind(), points, store,
+                             {.name = "deviation", .options = options});
     std::vector<RolledResult> results;
     for (std::size_t i = 0; i < runs.size(); ++i)
-        results.push_back({runs[i], results_of(store.find(points[i].key))});
+        results.push_back({runs[i], studies::results_of(store.find(points[i].key))});
     comparisons::add_rolled(results, deviation);
 }
 
@@ -58,7 +60,7 @@ void write(const DeviationOptions& options, const Case& c, const HalfSpaceDeviat
 void compare_with_half_space(DeviationOptions options) {
     options.choose_folder("_deviation");
     const Case c = io::read_case(options.file, options.overrides);
-    refuse_rolling_on(c, options.file);
+    io::refuse_rolling_on(c, options.file);
     // Before anything is removed.
     options.told_of_file([&] { return comparisons::deviation_contact(c); });
     HalfSpaceDeviation deviation;

@@ -1,6 +1,6 @@
 #include "app/commands/command.h"
-#include "experiments/predictions/record_predictions.h"
 #include "comparisons/quantities/left_out.h"
+#include "experiments/predictions/record_predictions.h"
 #include "experiments/records/experiment.h"
 #include "experiments/records/experiment_report.h"
 #include "io/case/rig_file.h"
@@ -36,7 +36,9 @@ void evaluate_records(CommandOptions options) {
     report::Document document;
     std::vector<std::string> left_out;
     options.fill({{"experiment.json", "report.html"}}, [&] {
-        if (input.case_file) add_predictions(evaluation, input, options);
+        if (input.case_file)
+            experiments::add_predictions(evaluation, input,
+                                         {options.runner(), options.overrides, options.sayer()});
         document = experiments::experiment_document(evaluation);
         document.files = {{"all numbers", "experiment.json"}};
         if (input.case_file)

@@ -51,10 +51,10 @@ void require_constant_rolling(const FitOptions& options, const Case& c) {
 
 /// lambda of a study of line contacts; empty where there is none.
 std::optional<double> line_shift_factor(const FitOptions& options,
-                                        const std::vector<StudyPoint>& points) {
+                                        const std::vector<studies::StudyPoint>& points) {
     constexpr double rounding = 1e-9;
     std::optional<double> factor;
-    for (const StudyPoint& point : points) {
+    for (const studies::StudyPoint& point : points) {
         const Case& c = point.contact();
         if (!c.is_line_contact()) {
             if (!factor && &point == &points.front()) return {};
@@ -70,7 +70,7 @@ std::optional<double> line_shift_factor(const FitOptions& options,
     return factor;
 }
 
-comparisons::RollingRun run_of(const io::Study& study, const StudyPoint& point,
+comparisons::RollingRun run_of(const io::Study& study, const studies::StudyPoint& point,
                                const comparisons::Results& results) {
     const Case& c = point.contact();
     std::vector<std::string> stated, group{comparisons::direction_name(c.rolling->angle)};
@@ -93,7 +93,7 @@ comparisons::RollingRun run_of(const io::Study& study, const StudyPoint& point,
 }
 
 std::vector<comparisons::RollingRun> stored_runs(const io::Study& study,
-                                                 const std::vector<StudyPoint>& points,
+                                                 const std::vector<studies::StudyPoint>& points,
                                                  const FitOptions& options) {
     const std::string &folder = options.output, path = folder + '/' + io::result_store_name;
     const std::string sweep = fmt::format("tricontact sweep {} --output {}", options.file, folder);
@@ -103,11 +103,12 @@ std::vector<comparisons::RollingRun> stored_runs(const io::Study& study,
     const io::ResultStore store(path, io::ResultStore::Mode::read);
     std::vector<comparisons::RollingRun> runs;
     std::size_t n_missing = 0, n_failed = 0;
-    for (const StudyPoint& point : points) {
+    for (const studies::StudyPoint& point : points) {
         const auto found = store.find(point.key);
         n_missing += !found;
         n_failed += found && !found->results;
-        if (const auto results = results_of(found)) runs.push_back(run_of(study, point, *results));
+        if (const auto results = studies::results_of(found))
+            runs.push_back(run_of(study, point, *results));
     }
     if (n_missing > 0)
         throw contact::InputError(
@@ -151,8 +152,10 @@ void fit_study(FitOptions options) {
         options.refuse(
             "is a study of walking machines, which have neither kappa of a shakedown nor eta; see "
             "the report of tricontact sweep");
-    const std::vector<StudyPoint> points = contact_kind().points(study);
-    for (const StudyPoint& point : points) require_constant_rolling(options, point.contact());
+    const std::vector<studies::StudyPoint> points =
+        studies::contact_kind().points(study, *options.makers);
+    for (const studies::StudyPoint& point : points)
+        require_constant_rolling(options, point.contact());
 
     comparisons::StudyFit fit;
     fit.title = study.title.empty() ? study.name : study.title;
@@ -161,8 +164,9 @@ void fit_study(FitOptions options) {
     fit.confidence = options.confidence;
     fit.settings = settings_of(study, points.size(), options);
     fit.points = comparisons::rolling_points(stored_runs(study, points, options));
-    const bool relaxes = std::ranges::any_of(
-        points, [](const StudyPoint& point) { return point.contact().relaxation.has_value(); });
+    const bool relaxes = std::ranges::any_of(points, [](const studies::StudyPoint& point) {
+        return point.contact().relaxation.has_value();
+    });
     if (relaxes) fit.caveat = comparisons::relaxing_caveat();
     const auto line_factor = line_shift_factor(options, points);
     options.fill({{"fit.json", "points.csv", "fits.csv", "fit.html"}}, [&] {
@@ -171,7 +175,7 @@ void fit_study(FitOptions options) {
     });
     if (relaxes) options.say(fit.caveat);
     for (const std::string& line : left_out_of(points)) options.say(line);
-    say_unread_parts(options, study, "fit");
+    runs::say_unread_parts(options, study, "fit");
     options.say(fmt::format("{} points of {} runs; report: {}/fit.html", fit.points.size(),
                             points.size(), options.output));
 }

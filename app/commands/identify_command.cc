@@ -1,12 +1,10 @@
-#include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <tuple>
 
 #include "app/commands/command.h"
-#include "experiments/identification/identification_models.h"
 #include "experiments/identification/identification_checks.h"
-#include "io/case/measurement_models.h"
+#include "experiments/identification/identification_models.h"
+#include "experiments/identification/identification_study.h"
 #include "io/case/rig_file.h"
 #include "report/format.h"
 
@@ -16,196 +14,11 @@ namespace {
 
 using experiments::IdentificationInput;
 using experiments::IdentificationStudy;
-using experiments::IdentificationTask;
 using experiments::IdentifiedModel;
-using Measurement = IdentificationInput::Measurement;
-
-constexpr int n_curve_points = 60;
-// Of a profile, and of a map along each axis; with three parameters and more fewer, each of which
-// takes a search.
-constexpr int n_points = 41, n_points_of_many = 21;
-// Interpolated and direct model values at the best values may differ by this, over the largest
-// of a table; ten times what the tables are made for, where grid cells make a curve rough.
-constexpr double largest_interpolation_error = 5e-3;
-
-IdentificationTask task_of(const IdentificationInput& input, const std::string& model) {
-    IdentificationTask task{.parameters = experiments::parameters_of(input, model),
-                            .confidence = input.confidence};
-    for (const auto& table : input.tables)
-        // A period of rolling passes each offset twice: neighbours are those in time.
-        task.tables.push_back({std::string(experiments::name_of(table.measurement)), table.observed,
-                               table.standard_errors, table.has_free_origin(),
-                               table.has_free_origin() ? std::vector<double>() : table.given});
-    return task;
-}
-
-std::vector<double> equal_steps(double from, double to, int n) {
-    std::vector<double> values;
-    for (int i = 0; i < n; ++i) values.push_back(from + (to - from) * i / (n - 1));
-    return values;
-}
-
-/// Where the curves of a table are drawn: times at equal ratios.
-std::vector<double> curve_points_of(const IdentificationInput::Table& table) {
-    const auto [least, largest] = std::ranges::minmax(table.given);
-    if (table.measurement == Measurement::rolling_shift)
-        return equal_steps(least, largest, n_curve_points);
-    if (!table.is_history()) return equal_steps(largest / n_curve_points, largest, n_curve_points);
-    auto points = equal_steps(std::log(least), std::log(largest), n_curve_points);
-    for (double& point : points) point = std::exp(point);
-    return points;
-}
 
 struct IdentifyOptions : CommandOptions {
     bool posterior = false;
 };
-
-/// One model at work on the input.
-struct Identifier {
-    const IdentificationInput& input_;
-    const IdentifyOptions& options_;
-    const std::vector<std::vector<double>>& curve_points_;
-    IdentificationTask task_ = {};
-
-    IdentifiedModel identify(const std::string& name) {
-        task_ = task_of(input_, name);
-        task_.model = prediction_of(name, input_, options_.threads);
-        IdentifiedModel model;
-        model.name = name;
-        model.found = experiments::identify(task_);
-        draw(model);
-        if (slides(model.found)) return model;
-        const IdentifiedRig rig = rig_with(input_, model.found.free, model.found.best());
-        check_interpolation(model, rig);
-        model.contributions =
-            input_contributions(name, input_, task_, model.found, options_.threads);
-        model.correlations = input_.correlations;
-        if (options_.posterior) {
-            const auto changes = independent_changes(model);
-            model.posterior = experiments::sample_posterior(task_, model.found, changes);
-        }
-        for (std::size_t t = 0; t < input_.tables.size(); ++t) {
-            model.curves.push_back(
-                measured_values(name, input_.tables[t], rig, curve_points_[t], options_.threads));
-            for (double& value : model.curves[t]) value += model.found.tables[t].origin;
-        }
-        return model;
-    }
-
-    /// What independent normal numbers do to the parameters in place of the correlated inputs.
-    static std::vector<std::vector<double>> independent_changes(const IdentifiedModel& model) {
-        std::vector<std::string> keys;
-        for (const auto& one : model.contributions) keys.push_back(one.key);
-        const auto root = statistics::triangular_root(model.correlations.of(keys), keys.size());
-        std::vector<std::vector<double>> changes(
-            keys.size(), std::vector<double>(model.found.parameters.size(), 0.));
-        for (std::size_t i = 0; i < keys.size(); ++i)
-            for (std::size_t j = 0; j <= i; ++j)
-                for (std::size_t k = 0; k < changes[j].size(); ++k)
-                    changes[j][k] += root[i][j] * model.contributions[i].change[k];
-        return changes;
-    }
-
-    /// Profiles and maps.
-    void draw(IdentifiedModel& model) const {
-        const std::size_t m = task_.parameters.size();
-        const int n = m > 2 ? n_points_of_many : n_points;
-        for (std::size_t k = 0; k < m; ++k)
-            model.profiles.push_back(experiments::profile_of(task_, model.found, k, n));
-        const auto range = [&](std::size_t k) {
-            const auto& values = model.profiles[k].value;
-            return equal_steps(values.front(), values.back(), n);
-        };
-        for (std::size_t i = 0; i < m; ++i)
-            for (std::size_t k = i + 1; k < m; ++k) {
-                experiments::SquaresMap map{i, k, range(i), range(k), {}};
-                map.values = experiments::squares_of_pair(task_, model.found, i, k, map.x, map.y);
-                model.maps.push_back(std::move(map));
-            }
-    }
-
-    /// The largest force is all that this mu holds: models have no state there.
-    static bool slides(const experiments::Identification& found) {
-        constexpr double margin = 1e-6;
-        const auto k = found.find("friction.coefficient");
-        return k && found.parameters[*k].value < (1 + margin) * found.free[*k].low;
-    }
-
-    void check_interpolation(IdentifiedModel& model, const IdentifiedRig& rig) const {
-        if (!io::measurement_model(model.name).is_layer) return;
-        double error = 0;
-        for (std::size_t t = 0; t < input_.tables.size(); ++t) {
-            const auto& [origin, fitted] =
-                std::tie(model.found.tables[t].origin, model.found.tables[t].fitted);
-            const auto direct = measured_values(model.name, input_.tables[t], rig,
-                                                input_.tables[t].given, options_.threads);
-            double largest = 0;
-            for (const double value : direct) largest = std::max(largest, std::abs(value));
-            // Of shifts that follow the drive, what the pivot does: own wobble may take it back.
-            if (input_.tables[t].measurement == Measurement::rolling_shift)
-                largest =
-                    std::max(largest, largest_offset(input_.tables[t].given) *
-                                          std::abs(rig.pivot_height) / rig.as_case.indenter.radius);
-            for (std::size_t i = 0; i < direct.size(); ++i)
-                error = std::max(error, std::abs(fitted[i] - origin - direct[i]) / largest);
-        }
-        model.interpolation_error = error;
-        if (error > largest_interpolation_error)
-            throw contact::NotConverged(fmt::format(
-                "{}: interpolated values are {:.1e} off the model's own, allowed {:.0e}; take a "
-                "finer resolution",
-                model.name, error, largest_interpolation_error));
-    }
-};
-
-std::vector<std::pair<std::string, std::string>> settings_of(const IdentificationInput& input) {
-    const Case& rig = input.rig;
-    std::vector<std::pair<std::string, std::string>> settings;
-    for (const std::string& line : experiments::left_out_lines(input))
-        settings.emplace_back("left out", line);
-    for (const auto& table : input.tables)
-        settings.emplace_back(
-            std::string(experiments::name_of(table.measurement)),
-            fmt::format("{}, {} observations{}",
-                        std::filesystem::path(table.data_file).filename().string(),
-                        table.observed.size(), table.reading.empty() ? "" : "; " + table.reading));
-    const auto add = [&](const char* key, const char* symbol, const std::string& value) {
-        if (!input.is_free(key)) settings.emplace_back(symbol, value);
-    };
-    add("indenter.radius", "R", report::given_quantity(rig.indenter.radius, "m"));
-    add("substrate.poisson", "nu", report::as_given(rig.substrate.poisson));
-    if (rig.layer.thickness)
-        add("substrate.thickness", "b", report::given_quantity(*rig.layer.thickness, "m"));
-    add("substrate.young", "E", report::given_quantity(rig.substrate.young, "Pa"));
-    if (!input.find(Measurement::static_shift) && !input.find(Measurement::rolling_shift))
-        return settings;
-    settings.emplace_back("F_N", report::given_quantity(*rig.load.normal_force, "N"));
-    add("friction.coefficient", "mu", report::as_given(rig.friction_coefficient));
-    return settings;
-}
-
-IdentificationStudy study_of(const IdentificationInput& input, const IdentifyOptions& options) {
-    IdentificationStudy study;
-    study.input = input;
-    study.title =
-        input.title.empty() ? std::filesystem::path(input.name).stem().string() : input.title;
-    for (const auto& table : input.tables) study.curve_points.push_back(curve_points_of(table));
-    study.settings = settings_of(input);
-    study.command = "tricontact identify " + std::filesystem::path(input.name).filename().string();
-    study.version = files::version;
-    Identifier identifier{input, options, study.curve_points};
-    for (const std::string& name : input.models) {
-        options.say(name);
-        study.models.push_back(identifier.identify(name));
-    }
-    if (input.rig.layer.thickness) {
-        const auto& found = reference_model(study).found;
-        const Case rig = rig_with(input, found.free, found.best()).as_case;
-        study.thickness_ratio =
-            *rig.layer.thickness / (2 * contact::half_space_scales(rig).contact_radius);
-    }
-    return study;
-}
 
 void print(const IdentificationStudy& study, std::ostream& out) {
     for (const std::string& line : experiments::left_out_lines(study.input)) out << line << '\n';
@@ -241,11 +54,15 @@ void print(const IdentificationStudy& study, std::ostream& out) {
 void identify_properties(IdentifyOptions options) {
     const IdentificationInput input =
         experiments::read_identification(options.file, options.overrides);
-    check_lengths_scale(input);
+    experiments::check_lengths_scale(input);
     options.choose_folder();
     IdentificationStudy study;
     options.fill({{"identify.json", "report.html", "posterior.csv"}}, [&] {
-        study = study_of(input, options);
+        study = experiments::identification_study(input, options.posterior, options.runner(),
+                                                  options.sayer());
+        study.command =
+            "tricontact identify " + std::filesystem::path(input.name).filename().string();
+        study.version = files::version;
         if (options.posterior) options.write("posterior.csv", experiments::posterior_csv(study));
         options.write("identify.json", experiments::identification_json(study).dump(2) + '\n');
         options.write_report(experiments::identification_document(study), study.command);

@@ -15,8 +15,8 @@ namespace tricontact::app {
 namespace {
 
 namespace fs = std::filesystem;
-using io::Import;
-using io::ImportedCase;
+using contact_program::Import;
+using contact_program::ImportedCase;
 
 constexpr std::size_t largest_input_mb = 100;
 
@@ -33,9 +33,10 @@ class CaseImport {
         io::OutputNames names;
         for (const ImportedCase& one : found_.cases) {
             names.results.push_back(name(one) + ".toml");
-            if (!one.heights.empty()) names.results.push_back(name(one) + io::heights_ending);
+            if (!one.heights.empty())
+                names.results.push_back(name(one) + contact_program::heights_ending);
             if (!one.influence_file.empty())
-                names.results.push_back(name(one) + io::influence_ending);
+                names.results.push_back(name(one) + contact_program::influence_ending);
         }
         return names;
     }
@@ -45,7 +46,8 @@ class CaseImport {
             try {
                 write(one);
             } catch (const contact::InputError& why) {
-                for (const char* ending : {".toml", io::heights_ending, io::influence_ending})
+                for (const char* ending :
+                     {".toml", contact_program::heights_ending, contact_program::influence_ending})
                     fs::remove(options_.output + "/" + name(one) + ending);
                 left_out_.push_back({one.first, one.last, why.what()});
                 continue;
@@ -112,11 +114,12 @@ class CaseImport {
     void write(const ImportedCase& one) {
         if (!one.influence_file.empty()) {
             const auto path = fs::path(options_.file).parent_path() / one.influence_file;
-            options_.write(name(one) + io::influence_ending,
+            options_.write(name(one) + contact_program::influence_ending,
                            bem::influence_text(bem::read_contact_program_influence(
                                path.string(), one.shear_modulus)));
         }
-        if (!one.heights.empty()) options_.write(name(one) + io::heights_ending, one.heights);
+        if (!one.heights.empty())
+            options_.write(name(one) + contact_program::heights_ending, one.heights);
         options_.write(name(one) + ".toml", one.text_beside(name(one)));
         io::read_case(options_.output + "/" + name(one) + ".toml");  // a case that runs
     }
@@ -134,13 +137,13 @@ class CaseImport {
     std::string stem_;
     std::size_t last_ = 0;  // case of the file
     std::size_t n_written_ = 0;
-    std::vector<io::LeftOutCases> left_out_;
+    std::vector<contact_program::LeftOutCases> left_out_;
     std::string told_;
 };
 
 /// What contact export wrote comes back as the case that it was written of.
 bool import_written(const CommandOptions& options, const std::string& input) {
-    const auto text = io::written_case(input);
+    const auto text = contact_program::written_case(input);
     if (!text) return false;
     const std::string name = fs::path(options.file).stem().string() + ".toml";
     options.fill({{name}}, [&] {
@@ -168,7 +171,8 @@ void import_from_contact_program(CommandOptions options) {
         io::read_input_file(options.file, "input file of CONTACT", largest_input_mb);
     options.choose_folder("_cases");
     if (import_written(options, input)) return;
-    const Import found = io::import_cases(input, options.file, bem::is_coupled, pressed_depth);
+    const Import found =
+        contact_program::import_cases(input, options.file, bem::is_coupled, pressed_depth);
     CaseImport work(options, found);
     options.fill(work.names(), [&] { work.write(); });
     std::cout << work.told();

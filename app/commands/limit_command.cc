@@ -2,14 +2,13 @@
 #include <iterator>
 
 #include "app/commands/command.h"
-#include "app/models/make_model.h"
-#include "app/models/roll_models.h"
 #include "bem/model.h"
 #include "comparisons/quantities/left_out.h"
 #include "comparisons/quantities/quantities.h"
 #include "comparisons/quantities/reference.h"
 #include "comparisons/run/input_reading.h"
 #include "comparisons/shakedown/limit_search.h"
+#include "io/case/rolling_on.h"
 
 namespace tricontact::app {
 
@@ -28,7 +27,7 @@ struct LimitOptions : CommandOptions {
 };
 
 void check(const LimitOptions& options, const Case& c) {
-    refuse_rolling_on(c, options.file);
+    io::refuse_rolling_on(c, options.file);
     if (c.prescribed_path)
         options.refuse(
             "[path]: a limit of shakedown is that of rolling back and forth; give [load] and "
@@ -82,7 +81,8 @@ void find_limits(const Case& c, const LimitOptions& options) {
     LimitStudy study = start_of(options, c);
     for (const std::string& model : c.models)
         study.models.push_back(comparisons::search_limit(
-            c, model, [&](const Case& at) { return make_model(model, at, options.threads, say); },
+            c, model,
+            [&](const Case& at) { return options.makers->make(model, at, options.threads, say); },
             {options.varied(), options.tolerance}, say));
     std::string command = std::string("tricontact limit ") + resolved_case_name;
     if (options.varied() == LimitVariable::amplitude) command += " --vary amplitude";

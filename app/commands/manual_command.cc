@@ -3,7 +3,6 @@
 
 #include "app/commands/command.h"
 #include "app/commands/option_texts.h"
-#include "app/models/make_model.h"
 #include "io/case/case_keys.h"
 #include "walking/input/walk_keys.h"
 

@@ -1,11 +1,9 @@
 #include "app/commands/command.h"
-#include "app/models/roll_models.h"
-#include "experiments/predictions/uncertain_prediction.h"
 #include "atlas/page/atlas_page.h"
 #include "atlas/prediction_json.h"
+#include "experiments/predictions/uncertain_prediction.h"
 #include "io/case/rig_file.h"
 #include "report/format.h"
-#include "runs/case_run.h"
 
 namespace tricontact::app {
 
@@ -40,7 +38,8 @@ std::string text_of(const Prediction& p) {
 }
 
 /// Shares of the variance, the largest first, as far as they are a percent.
-std::string contributors(const SampledQuantity& sampled, const std::vector<std::string>& numbers) {
+std::string contributors(const experiments::SampledQuantity& sampled,
+                         const std::vector<std::string>& numbers) {
     if (!sampled.indices) return "";
     std::vector<std::pair<double, std::string>> shares;
     for (std::size_t i = 0; i < numbers.size(); ++i)
@@ -52,14 +51,14 @@ std::string contributors(const SampledQuantity& sampled, const std::vector<std::
     return "; by " + fmt::format("{}", fmt::join(words, ", "));
 }
 
-std::string text_of(const SampledPrediction& p) {
+std::string text_of(const experiments::SampledPrediction& p) {
     std::string text =
         fmt::format("{}: {} samples of {}\n", p.model, p.n_samples, fmt::join(p.numbers, ", "));
     if (!p.quantities.empty() && !p.quantities.front().indices)
         text += "  numbers are correlated: the variance has no shares that add up\n";
     if (p.ratchets) text += fmt::format("  ratchets in {:.3g} % of them\n", 100 * *p.ratchets);
     if (p.outside > 0) text += fmt::format("  beyond the maps in {:.3g} %\n", 100 * p.outside);
-    for (const SampledQuantity& one : p.quantities) {
+    for (const experiments::SampledQuantity& one : p.quantities) {
         if (!(one.standard_deviation > 0)) continue;
         const char* unit = *one.quantity->unit ? one.quantity->unit : "";
         text +=
@@ -70,9 +69,9 @@ std::string text_of(const SampledPrediction& p) {
     return text;
 }
 
-Json json_of(const SampledPrediction& p) {
+Json json_of(const experiments::SampledPrediction& p) {
     Json quantities = Json::object();
-    for (const SampledQuantity& one : p.quantities)
+    for (const experiments::SampledQuantity& one : p.quantities)
         quantities[one.quantity->key] = {
             {"mean", one.mean},
             {"standard_deviation", one.standard_deviation},
@@ -89,10 +88,11 @@ Json json_of(const SampledPrediction& p) {
 
 /// All models, as JSON: a version, the resolved case and what is predicted of each.
 std::string json_text(const Case& c, const std::vector<Prediction>& predictions,
-                      const std::vector<SampledPrediction>& samples) {
+                      const std::vector<experiments::SampledPrediction>& samples) {
     Json models = Json::object();
     for (const Prediction& p : predictions) models[p.model] = atlas::json_of(p);
-    for (const SampledPrediction& p : samples) models[p.model]["over_uncertainties"] = json_of(p);
+    for (const experiments::SampledPrediction& p : samples)
+        models[p.model]["over_uncertainties"] = json_of(p);
     return Json{{"version", files::version},
                 {"case", io::case_json(io::write_case(c))},
                 {"models", models}}
@@ -137,12 +137,12 @@ void predict_case(PredictOptions& options) {
     std::vector<Prediction> predictions;
     for (const std::string& model : models)
         predictions.push_back(options.told_of_file([&] { return atlas::predict(c, model); }));
-    std::vector<SampledPrediction> samples;
+    std::vector<experiments::SampledPrediction> samples;
     if (options.samples > 0)
         for (const std::string& model : models)
             samples.push_back(options.told_of_file([&] {
-                return sampled_prediction(c, model, rig.uncertain_of_case(), rig.correlations,
-                                          options.samples);
+                return experiments::sampled_prediction(c, model, rig.uncertain_of_case(),
+                                                       rig.correlations, options.samples);
             }));
     const std::string json = json_text(c, predictions, samples);
     if (options.json)
@@ -150,7 +150,7 @@ void predict_case(PredictOptions& options) {
     else
         for (const Prediction& p : predictions) options.out() << text_of(p);
     if (!options.json)
-        for (const SampledPrediction& p : samples) options.out() << text_of(p);
+        for (const experiments::SampledPrediction& p : samples) options.out() << text_of(p);
     if (options.output.empty()) return;
     write_files(options, c, json);
     if (options.json) return;

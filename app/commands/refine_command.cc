@@ -34,46 +34,50 @@ std::string read_text(const std::string& path) {
 }
 
 /// Runs a level, with its history in a folder of its own, where a run that is killed goes on.
-contact::History run_level(const Level& level, const RefineOptions& options,
+contact::History run_level(const studies::Level& level, const studies::RefineOptions& options,
                            comparisons::LoadingStudy* study = nullptr) {
     options.say(fmt::format("{}: {}", level.name, level.what));
-    RunOptions own{options};
+    runs::RunOptions own{options};
     own.output = options.output + '/' + level.name;
     io::make_output_folder(own.output);
-    io::remove_old_results(own.output + '/' + options.model, model_results);
-    return run_model(options.model, level.c(), level.point.resolved, own, study);
+    io::remove_old_results(own.output + '/' + options.model, runs::model_results);
+    return runs::run_model(options.model, level.c(), level.point.resolved, own, study);
 }
 
 /// Levels as points of a sweep.
-class LevelKind : public PointKind {
+class LevelKind : public studies::PointKind {
   public:
-    LevelKind(const RefineOptions& options, std::vector<Level> levels)
+    LevelKind(const studies::RefineOptions& options, std::vector<studies::Level> levels)
         : options_(options), levels_(std::move(levels)) {}
 
-    StudyPoints points() const {
-        StudyPoints points;
-        for (const Level& level : levels_) points.push_back(level.point);
+    studies::StudyPoints points() const {
+        studies::StudyPoints points;
+        for (const studies::Level& level : levels_) points.push_back(level.point);
         return points;
     }
-    std::string compute(const StudyPoints&, const Places& lot, const std::string&) const override {
-        const Level& level = levels_[lot.front()];
-        RefineOptions own = options_;
+    std::string compute(const studies::StudyPoints&, const studies::Places& lot,
+                        const studies::PointRuns&) const override {
+        const studies::Level& level = levels_[lot.front()];
+        studies::RefineOptions own = options_;
         // In a process of its own: no one there hears it, and several would speak at once.
         own.quiet = own.quiet || own.listener || own.jobs > 1;
         own.listener.reset();
-        return outcome_text(level.c(), run_level(level, own));
+        return studies::outcome_text(level.c(), run_level(level, own));
     }
-    void failed(const StudyPoint& point, const std::string& why, bool refused) const override {
-        const auto of_point = [&](const Level& level) { return level.point.key == point.key; };
-        const Level& level = *std::ranges::find_if(levels_, of_point);
+    void failed(const studies::StudyPoint& point, const std::string& why,
+                bool refused) const override {
+        const auto of_point = [&](const studies::Level& level) {
+            return level.point.key == point.key;
+        };
+        const studies::Level& level = *std::ranges::find_if(levels_, of_point);
         const std::string text = fmt::format("{} ({}): {}", level.name, level.what, why);
         if (refused) throw contact::InputError(text);
         throw std::runtime_error(text);
     }
 
   private:
-    const RefineOptions& options_;
-    std::vector<Level> levels_;
+    const studies::RefineOptions& options_;
+    std::vector<studies::Level> levels_;
 };
 
 std::optional<comparisons::PressedValues> theory_of(const Case& c, bool layer) {
@@ -88,7 +92,8 @@ std::optional<comparisons::PressedValues> theory_of(const Case& c, bool layer) {
     return comparison ? comparison->exact : std::nullopt;
 }
 
-comparisons::RefinedLevels start_of(const RefinementPlan& plan, const RefineOptions& options) {
+comparisons::RefinedLevels start_of(const studies::RefinementPlan& plan,
+                                    const studies::RefineOptions& options) {
     const contact::ModelKind& kind = contact::model_kind(options.model);
     const bool layer = kind.is_layer();
     const Case& c = plan.levels.front().c();
@@ -98,20 +103,21 @@ comparisons::RefinedLevels start_of(const RefinementPlan& plan, const RefineOpti
     result.wide_factor = plan.wide_factor;
     result.exact = theory_of(c, layer);
     result.exact_name = layer ? "exact layer" : contact::is_hertz_round(c) ? "Hertz" : "half-space";
-    result.tolerance = solver_tolerance(options.model, c);
+    result.tolerance = options.makers->solver_tolerance(options.model, c);
     result.infinite_pressure = contact::has_conical_tip(c);
     return result;
 }
 
-void add(const Level& level, const io::PointOutcome& outcome, comparisons::RefinedLevels& refined) {
+void add(const studies::Level& level, const io::PointOutcome& outcome,
+         comparisons::RefinedLevels& refined) {
     refined.sizes.push_back(level.size);
-    refined.values.push_back(*results_of(outcome));
+    refined.values.push_back(*studies::results_of(outcome));
     refined.cpu_s.push_back(outcome.cpu_s);
 }
 
 /// What the store has of a level.
-std::optional<io::PointOutcome> find(const Level& level, const io::ResultStore& store,
-                                     const RefineOptions& options) {
+std::optional<io::PointOutcome> find(const studies::Level& level, const io::ResultStore& store,
+                                     const studies::RefineOptions& options) {
     auto found = store.find(level.point.key);
     if (!found || !found->results) return {};
     options.say(fmt::format("{}: {}: taken from {}/{}", level.name, level.what, options.output,
@@ -120,28 +126,28 @@ std::optional<io::PointOutcome> find(const Level& level, const io::ResultStore& 
 }
 
 /// Computes those of the levels that the store has not.
-void compute(const std::vector<Level>& levels, io::ResultStore& store,
-             const RefineOptions& options) {
-    std::vector<Level> open;
-    for (const Level& level : levels)
+void compute(const std::vector<studies::Level>& levels, io::ResultStore& store,
+             const studies::RefineOptions& options) {
+    std::vector<studies::Level> open;
+    for (const studies::Level& level : levels)
         if (!find(level, store, options)) open.push_back(level);
     if (open.empty()) return;
     // Those of an earlier call must not seem to be of this one while it is unfinished.
     io::remove_old_results(options.output, level_results);
-    CommandOptions processes = options;
+    runs::CommandOptions processes = options;
     processes.threads = options.jobs;
     processes.quiet = options.quiet || (options.jobs == 1 && !options.listener);
     const LevelKind kind(options, std::move(open));
-    compute_missing(
+    studies::compute_missing(
         kind, kind.points(), store,
         {.name = "refine", .options = processes, .retry_failed = true, .noun = "level"});
 }
 
 /// Adds the finest level, which comes last; it counts as finished when the report, which needs its
 /// surfaces, is written.
-comparisons::Refinement finish_last(const Level& finest, io::ResultStore& store,
+comparisons::Refinement finish_last(const studies::Level& finest, io::ResultStore& store,
                                     comparisons::RefinedLevels& refined,
-                                    const RefineOptions& options) {
+                                    const studies::RefineOptions& options) {
     const std::string& output = options.output;
     const std::string report = output + "/report.html", numbers = output + "/refinement.json";
     const auto found = find(finest, store, options);
@@ -164,7 +170,7 @@ comparisons::Refinement finish_last(const Level& finest, io::ResultStore& store,
     if (!found) add(finest, outcome, refined);
     extras.refinement = make_refinement(refined);
     options.write(resolved_case_name, finest.point.resolved);
-    write_run_report({finest.c(), finest.point.resolved, {history}, extras}, options);
+    runs::write_run_report({finest.c(), finest.point.resolved, {history}, extras}, options);
     options.write("refinement.csv", refinement_csv(*extras.refinement));
     io::write_file(numbers, refinement_json(files::version, *extras.refinement));
     store.add(outcome);
@@ -172,30 +178,30 @@ comparisons::Refinement finish_last(const Level& finest, io::ResultStore& store,
 }
 
 // Results stay until a level has to be computed.
-io::OutputNames names_of(const RefinementPlan& plan) {
+io::OutputNames names_of(const studies::RefinementPlan& plan) {
     io::OutputNames names{{}, level_results};
     for (const std::string& name : io::result_store_files()) names.kept.push_back(name);
-    for (const Level& level : plan.levels) names.kept.push_back(level.name + '/');
+    for (const studies::Level& level : plan.levels) names.kept.push_back(level.name + '/');
     if (plan.wide) names.kept.push_back(plan.wide->name + '/');
     return names;
 }
 
-void refine_case(RefineOptions options) {
+void refine_case(studies::RefineOptions options) {
     options.choose_folder("_refined");
-    const RefinementPlan plan = plan_refinement(options, options.sayer());
+    const studies::RefinementPlan plan = studies::plan_refinement(options, options.sayer());
     for (const std::string& sentence : comparisons::input_sentences(plan.levels.front().c()))
         options.say(sentence);
     comparisons::RefinedLevels refined = start_of(plan, options);
     comparisons::Refinement result;
     options.fill(names_of(plan), [&] {
-        io::ResultStore store = open_results(options.output);
-        std::vector<Level> coarser(plan.levels.begin(), plan.levels.end() - 1);
+        io::ResultStore store = studies::open_results(options.output);
+        std::vector<studies::Level> coarser(plan.levels.begin(), plan.levels.end() - 1);
         if (plan.wide) coarser.push_back(*plan.wide);
         compute(coarser, store, options);
-        for (const Level& level : coarser) {
+        for (const studies::Level& level : coarser) {
             const io::PointOutcome outcome = store.find(level.point.key).value();
             if (plan.wide && level.name == plan.wide->name)
-                refined.wide = results_of(outcome);
+                refined.wide = studies::results_of(outcome);
             else
                 add(level, outcome, refined);
         }
@@ -214,17 +220,18 @@ void refine_case(RefineOptions options) {
 }  // namespace
 
 Command refine_command() {
-    return Declared<RefineOptions>(Group::trust, "refine",
-                                   "Run a case on finer and finer meshes: its errors", refine_case)
+    return Declared<studies::RefineOptions>(Group::trust, "refine",
+                                            "Run a case on finer and finer meshes: its errors",
+                                            refine_case)
         .on_case()
-        .number("--levels", &RefineOptions::levels, "Number of levels (3)", 3, 8)
-        .word("--model", &RefineOptions::model, "Model to be refined (fem)",
+        .number("--levels", &studies::RefineOptions::levels, "Number of levels (3)", 3, 8)
+        .word("--model", &studies::RefineOptions::model, "Model to be refined (fem)",
               {contact::models::fem, contact::models::bem_layer, contact::models::bem})
         .output("Folder (results/<case>_refined)")
         .exports()
         .threads()
-        .number("--jobs", &RefineOptions::jobs, "Levels side by side, but for the finest (1)", 1,
-                1024)
+        .number("--jobs", &studies::RefineOptions::jobs,
+                "Levels side by side, but for the finest (1)", 1, 1024)
         .quiet("No progress");
 }
 

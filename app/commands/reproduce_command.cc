@@ -35,15 +35,16 @@ std::optional<Command> exporting_command(const std::string& name) {
     return {};
 }
 
-void check_calls(const ReproduceOptions& options, const Archive& archive) {
-    for (const Call& call : archive.calls) {
+void check_calls(const ReproduceOptions& options, const papers::Archive& archive) {
+    for (const papers::Call& call : archive.calls) {
         const auto command = exporting_command(call.command);
         if (!command)
             options.refuse("asks for " + io::one_line(io::shortened(call.command, 60)) +
                            ", which is no command that exports");
-        check_archived_arguments(*command->parser, options.file, archive.files, call.arguments);
+        papers::check_archived_arguments(*command->parser, options.file, archive.files,
+                                         call.arguments);
     }
-    check_inside(options.file, archive.files);
+    papers::check_inside(options.file, archive.files);
     try {  // before anything runs
         for (const auto& [name, text] : archive.numbers()) comparisons::numbers_in(name, text);
     } catch (const std::runtime_error& error) {
@@ -51,7 +52,7 @@ void check_calls(const ReproduceOptions& options, const Archive& archive) {
     }
 }
 
-void unpack(const Archive& archive, const std::string& folder) {
+void unpack(const papers::Archive& archive, const std::string& folder) {
     for (const auto& [name, content] : archive.files) {
         if (!name.starts_with("inputs/")) continue;
         const std::string path = folder + '/' + name;
@@ -61,34 +62,35 @@ void unpack(const Archive& archive, const std::string& folder) {
 }
 
 /// Runs a command of the archive in the folder; what it came to.
-Findings run_again(const ReproduceOptions& options, const Call& call, const std::string& folder) {
+runs::Findings run_again(const ReproduceOptions& options, const papers::Call& call,
+                         const std::string& folder) {
     const Command command = *exporting_command(call.command);
     std::vector<std::string> arguments{folder + "/results", "--output"};  // as CLI11 wants them
     for (const std::string& argument : call.arguments)
         arguments.insert(arguments.begin() + 2,
-                         boost::replace_all_copy(argument, archive_place, folder));
+                         boost::replace_all_copy(argument, papers::archive_place, folder));
     try {
         command.parser->parse(arguments);
     } catch (const CLI::Error& error) {
         options.refuse(call.command + ": " + error.what());
     }
     std::ostream nowhere(nullptr);
-    command.options->listener = std::make_shared<Listener>(
-        Listener{.out = &nowhere,
-                 .say = [&](const std::string& line) { options.say(line); },
-                 .progress =
-                     [&](const std::string& name, int done, int total) {
-                         if (options.listener) options.listener->progress(name, done, total);
-                     }});
-    command.options->papers.findings = std::make_shared<Findings>();
+    command.options->listener = std::make_shared<runs::Listener>(
+        runs::Listener{.out = &nowhere,
+                       .say = [&](const std::string& line) { options.say(line); },
+                       .progress =
+                           [&](const std::string& name, int done, int total) {
+                               if (options.listener) options.listener->progress(name, done, total);
+                           }});
+    command.options->papers.findings = std::make_shared<runs::Findings>();
     command.options->papers.findings->draws = !options.output.empty();
     if (command.run() != 0) throw std::runtime_error(options.file + ": the command failed");
     return *command.options->papers.findings;
 }
 
 /// What of the program is another one than when the archive was written.
-void say_versions(const ReproduceOptions& options, const Archive& archive) {
-    const Archive now = new_archive();
+void say_versions(const ReproduceOptions& options, const papers::Archive& archive) {
+    const papers::Archive now = papers::new_archive();
     if (archive.version != now.version)
         options.out() << fmt::format("made by version {}, run again by {}\n",
                                      io::one_line(archive.version), now.version);
@@ -122,19 +124,19 @@ class LayersApart {
 
   private:
     static constexpr const char* variable = "TRICONTACT_CACHE";
-    TemporaryFolder folder_;
+    papers::TemporaryFolder folder_;
     std::optional<std::string> before_;
 };
 
-comparisons::Reproduction compared(const ReproduceOptions& options, const Archive& archive,
+comparisons::Reproduction compared(const ReproduceOptions& options, const papers::Archive& archive,
                                    const std::string& folder) {
     unpack(archive, folder);
     const std::string real = std::filesystem::canonical(folder).string();
-    Findings findings;
+    runs::Findings findings;
     const io::InputLog inputs;
     const LayersApart apart;
     try {
-        for (const Call& call : archive.calls) findings = run_again(options, call, real);
+        for (const papers::Call& call : archive.calls) findings = run_again(options, call, real);
     } catch (const contact::InputError& error) {
         const std::string said = boost::replace_all_copy(std::string(error.what()), real + '/', "");
         options.refuse(boost::replace_all_copy(said, options.file + ": ", ""));
@@ -143,15 +145,15 @@ comparisons::Reproduction compared(const ReproduceOptions& options, const Archiv
         if (!path.starts_with(real + '/'))
             options.refuse("its command reads " + io::one_line(path) + ", outside the archive");
     std::map<std::string, std::string> now;
-    for (const auto& [name, text] : numbers_of(findings))
+    for (const auto& [name, text] : papers::numbers_of(findings))
         now[name] = boost::replace_all_copy(text, real + "/inputs/", "inputs/");
     return comparisons::compare_with_kept(archive.numbers(), now, options.tolerance);
 }
 
 int reproduce(const ReproduceOptions& options) {
-    const Archive archive = read_archive(options.file);
+    const papers::Archive archive = papers::read_archive(options.file);
     check_calls(options, archive);
-    std::optional<TemporaryFolder> temporary;
+    std::optional<papers::TemporaryFolder> temporary;
     const std::string folder = options.output.empty() ? temporary.emplace().path() : options.output;
     comparisons::Reproduction result;
     io::OutputFolder(folder, {{text_name}, {"inputs/", "results/"}}).fill([&] {

@@ -1,8 +1,6 @@
 #include <filesystem>
 
 #include "app/commands/command.h"
-#include "experiments/predictions/rig_body.h"
-#include "experiments/predictions/rig_growth.h"
 #include "comparisons/quantities/left_out.h"
 #include "comparisons/quantities/quantities.h"
 #include "comparisons/run/input_reading.h"
@@ -10,10 +8,11 @@
 #include "contact/models/model_kind.h"
 #include "experiments/assumptions/rig.h"
 #include "experiments/assumptions/rig_report.h"
+#include "experiments/predictions/rig_body.h"
+#include "experiments/predictions/rig_growth.h"
 #include "io/case/rig_file.h"
 #include "io/keys/input_file.h"
 #include "report/format.h"
-#include "runs/case_run.h"
 #include "walking/input/walk_keys.h"
 #include "walking/input/walk_reader.h"
 
@@ -26,13 +25,13 @@ struct RigOptions : CommandOptions {
 };
 
 /// Shift [m] of a rig's sphere, see sphere_on_layer(), with 22 cells in the contact radius.
-double static_shift(const experiments::Rig& rig, bool coupled) {
+double static_shift(const experiments::Rig& rig, bool coupled, const contact::ModelRunner& runner) {
     constexpr const char* model_name = contact::models::bem_layer;
-    Case c = sphere_on_layer(rig);
+    Case c = experiments::sphere_on_layer(rig);
     c.models = {model_name};
     c.contact.coupling = coupled;
     c.of<contact::Cells>().per_radius = 22;
-    return history_of(model_name, c, 1, silent).static_shift;
+    return runner.history_of(model_name, c).static_shift;
 }
 
 void print(const experiments::RigReport& report, std::ostream& out) {
@@ -81,7 +80,7 @@ experiments::Rig read_rig(const CommandOptions& options) {
             if (!one.starts_with("substrate.width")) options.say("rig leaves out " + one);
         if (file.c.load.hold > 0)
             options.say("rig leaves out load.hold: assumptions are checked without it");
-        return rig_with_body(file);
+        return experiments::rig_with_body(file, options.runner());
     }
     walking::parse_walk_case(text, options.file, options.overrides);  // checked
     io::apply_overrides(document, options.overrides, walking::walk_file_keys());
@@ -104,7 +103,10 @@ void check_assumptions(RigOptions options) {
     const experiments::Rig given = read_rig(options);
     experiments::RigReport report;
     options.fill({{"rig.json", "report.html"}}, [&] {
-        report = experiments::check_rig(given, static_shift, rolled_growth);
+        const auto shift = [runner = options.runner()](const experiments::Rig& rig, bool coupled) {
+            return static_shift(rig, coupled, runner);
+        };
+        report = experiments::check_rig(given, shift, experiments::rolled_growth);
         if (options.samples > 0)
             for (experiments::Assumption& one : report.assumptions)
                 for (experiments::Criterion& criterion : one.criteria)

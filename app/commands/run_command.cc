@@ -22,35 +22,36 @@ io::OutputNames run_outputs(const std::vector<std::string>& models) {
     io::OutputNames names{{resolved_case_name, "summary.json", "report.html", "plots/"},
                           {io::paraview_macro_name}};
     for (const std::string& model : models)
-        for (const std::string& name : model_results) names.results.push_back(model + '/' + name);
+        for (const std::string& name : runs::model_results)
+            names.results.push_back(model + '/' + name);
     return names;
 }
 
-std::vector<comparisons::Results> all_results(const CaseRun& run) {
+std::vector<comparisons::Results> all_results(const runs::CaseRun& run) {
     std::vector<comparisons::Results> results;
     for (const contact::History& history : run.histories) results.emplace_back(run.c, history);
     return results;
 }
 
-CaseRun compute(const Case& c, const RunOptions& options) {
+runs::CaseRun compute(const Case& c, const runs::RunOptions& options) {
     const std::string resolved = io::write_case(c);
     options.write(resolved_case_name, resolved);
     std::vector<report::Film> films;
     const auto run_one = [&](const std::string& name, comparisons::LoadingStudy* study) {
         comparisons::ContactFilm film(c);
         contact::History history =
-            run_model(name, c, resolved, options, study, options.report ? &film : nullptr);
+            runs::run_model(name, c, resolved, options, study, options.report ? &film : nullptr);
         if (auto played = film.film(history)) films.push_back(std::move(*played));
         return history;
     };
-    CaseRun run = run_models(c, options, options.sayer(), run_one);
+    runs::CaseRun run = runs::run_models(c, options, options.sayer(), run_one);
     run.extras.films = std::move(films);
-    options.write("summary.json", summary_of(run));
+    options.write("summary.json", runs::summary_of(run));
     options.write(io::paraview_macro_name, io::paraview_macro(options.output));
     if (!options.report) return run;
     if (auto section = atlas::place_in_maps(c, all_results(run)))
         run.extras.sections.push_back(std::move(*section));
-    write_run_report(run, options);
+    runs::write_run_report(run, options);
     return run;
 }
 
@@ -95,7 +96,7 @@ std::string line_of(const comparisons::Results& r) {
 
 void run_contact(const Case& c, RunCommandOptions options) {
     options.choose_folder();
-    std::optional<CaseRun> run;
+    std::optional<runs::CaseRun> run;
     options.fill(run_outputs(c.models), [&] { run.emplace(compute(c, options)); });
     if (options.quiet) return;
     for (const std::string& sentence : comparisons::input_sentences(c))
@@ -150,7 +151,7 @@ Command run_command() {
         .exports()
         .threads()
         .quiet("No progress, no closing lines")
-        .flag("--no-studies", &RunOptions::studies, "Skip comparison runs", false)
+        .flag("--no-studies", &runs::RunOptions::studies, "Skip comparison runs", false)
         .number("--points", &RunCommandOptions::points,
                 "Of a case that rolls on: points per creep curve (12; 0: none)", 0, 1000)
         .no_report("Skip report.html and the plots");

@@ -5,7 +5,7 @@
 // What `run` does with the kinds of cases that there are; run_command.cc tells them apart.
 namespace tricontact::app {
 
-struct RunCommandOptions : RunOptions {
+struct RunCommandOptions : runs::RunOptions {
     int points = 12;  ///< of the creep curve of a case that rolls on; 0: none
 };
 

@@ -81,13 +81,13 @@ rolling::RollingRun roll_model(const std::string& model, const Case& c,
             if (!std::isfinite(way)) return steady.add(0, surface);
             const double at = speed > 0 ? state.distance / speed : way;
             surfaces.add(at, surface);
-            if (!indenter) indenter = shown_indenter(c, surface);
+            if (!indenter) indenter = runs::shown_indenter(c, surface);
             indenters.add(at, *indenter,
                           {.offset = surface.offset, .indentation = state.indentation});
             if (way > 0 && !std::exchange(size_is_said, true))
-                options.say(size_of_states(model,
-                                           states_at_most(c, runs.frames, surface.spacing[0]),
-                                           surfaces.last_size()));
+                options.say(runs::size_of_states(model,
+                                                 states_at_most(c, runs.frames, surface.spacing[0]),
+                                                 surfaces.last_size()));
         };
     rolling::RollingRun run = roll(model, c, runs);
     bar.finish("");

@@ -3,12 +3,11 @@
 #include <algorithm>
 
 #include "app/commands/command.h"
-#include "app/models/make_model.h"
-#include "app/models/roll_models.h"
 #include "comparisons/finite_strain/strain_output.h"
 #include "comparisons/quantities/left_out.h"
 #include "contact/models/model_kind.h"
 #include "fem/settings.h"
+#include "io/case/rolling_on.h"
 #include "report/table_text.h"
 #include "studies/study_kind.h"
 
@@ -20,24 +19,27 @@ using comparisons::StrainContact;
 using comparisons::StrainDeviation;
 
 /// Two by two: by the linear law, at finite strains.
-StudyPoints points_of(const StrainContact& contact, const std::string& file) {
-    StudyPoints points;
+studies::StudyPoints points_of(const StrainContact& contact, const std::string& file) {
+    studies::StudyPoints points;
     for (const auto& point : comparisons::strain_points(contact))
         for (const bool finite : {false, true}) {
             const Case c = comparisons::strain_case(contact, point, finite);
             // Whatever the user's case passes, that of a run is checked by itself.
             const Case checked = io::parse_case(io::write_case(c), file);
-            points.push_back(make_point(checked, checked.models.front(), point.level, file));
+            points.push_back(
+                studies::make_point(checked, checked.models.front(), point.level, file));
         }
     return points;
 }
 
 StrainDeviation computed(const CommandOptions& options, const StrainContact& contact,
-                         const StudyPoints& points) {
-    io::ResultStore store = open_results(options.output);
-    compute_missing(contact_kind(), points, store, {.name = "deviation", .options = options});
+                         const studies::StudyPoints& points) {
+    io::ResultStore store = studies::open_results(options.output);
+    studies::compute_missing(studies::contact_kind(), points, store,
+                             {.name = "deviation", .options = options});
     std::vector<std::optional<comparisons::Results>> results;
-    for (const StudyPoint& point : points) results.push_back(results_of(store.find(point.key)));
+    for (const studies::StudyPoint& point : points)
+        results.push_back(studies::results_of(store.find(point.key)));
     return comparisons::strain_deviation(contact, results);
 }
 
@@ -57,13 +59,13 @@ void write(const CommandOptions& options, const StrainDeviation& deviation, doub
 void compare_with_finite_strains(CommandOptions options, double elements) {
     options.choose_folder("_finite_strain");
     const Case c = io::read_case(options.file, options.overrides);
-    refuse_rolling_on(c, options.file);
-    if (!has_model(contact::models::fem))
+    io::refuse_rolling_on(c, options.file);
+    if (!options.makers->has(contact::models::fem))
         options.refuse("--finite-strain: this program was built without the model fem");
     // Before anything is removed.
     const StrainContact contact =
         options.told_of_file([&] { return comparisons::strain_contact(c, elements); });
-    const StudyPoints points = points_of(contact, options.file);
+    const studies::StudyPoints points = points_of(contact, options.file);
     StrainDeviation deviation;
     options.fill(
         {{"finite_strain.csv", "finite_strain.json", "report.html"}, io::result_store_files()},

@@ -38,7 +38,7 @@ void merge_sweeps(const MergeOptions& options) {
                                        io::ResultStore::Mode::read);
     }
     options.fill({{}, io::result_store_files()}, [&] {
-        io::ResultStore store = open_results(options.output);
+        io::ResultStore store = studies::open_results(options.output);
         for (const std::string& from : options.inputs) merge(from, store, options.output);
     });
 }
@@ -46,15 +46,17 @@ void merge_sweeps(const MergeOptions& options) {
 }  // namespace
 
 Command sweep_command() {
-    return Declared<SweepOptions>(Group::compute, "sweep",
-                                  "Run the points of a study side by side; resumable", sweep)
+    return Declared<studies::SweepOptions>(Group::compute, "sweep",
+                                           "Run the points of a study side by side; resumable",
+                                           studies::sweep)
         .on_file("study", "Study file (TOML)", "STUDY.toml")
         .jobs()
-        .option("--shard", &SweepOptions::shard, "Only the i-th of n parts of the study", "i/n")
+        .option("--shard", &studies::SweepOptions::shard, "Only the i-th of n parts of the study",
+                "i/n")
         .output("Folder (results/<study>)")
         .exports()
-        .flag("--retry-failed", &SweepOptions::retry_failed, "Compute failed points again")
-        .flag("--vtk", &SweepOptions::vtk, "Files for ParaView of each point (output.vtk)")
+        .flag("--retry-failed", &studies::SweepOptions::retry_failed, "Compute failed points again")
+        .flag("--vtk", &studies::SweepOptions::vtk, "Files for ParaView of each point (output.vtk)")
         .no_report()
         .quiet();
 }

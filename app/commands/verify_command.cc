@@ -1,25 +1,10 @@
 #include "app/commands/command.h"
+#include "app/models/roll_models.h"
 #include "verification/verification_rows.h"
 
 namespace tricontact::app {
 
 namespace {
-
-Verification verify(bool brief, const Say& say) {
-    Verification all;
-    verify_half_space(brief, say, all);
-    verify_layer(brief, say, all);
-    verify_cylinder(brief, say, all);
-    verify_creep(brief, say, all);
-    verify_subsurface(brief, say, all);
-    verify_rolling(brief, say, all);
-    if (brief) return all;
-    verify_friction_pressing(say, all);
-    verify_peer_shifts(say, all);
-    verify_fem(say, all);
-    verify_walking(say, all);
-    return all;
-}
 
 struct VerifyOptions : CommandOptions {
     bool brief = false;  ///< on coarse levels, in seconds
@@ -28,9 +13,12 @@ struct VerifyOptions : CommandOptions {
 /// Runs the models on problems whose solution is known and prints the table of their errors
 /// (docs/reference/verification.md). False if a row fails.
 bool verify_models(const VerifyOptions& options) {
-    Verification result;
+    const auto roll_on = [](const std::string& model, const Case& c) {
+        return roll(model, c, {.points = 0});
+    };
+    comparisons::Verification result;
     const auto print = [&] {
-        result = verify(options.brief, options.sayer());
+        result = verification::verify(options.brief, {*options.makers, roll_on, options.sayer()});
         const std::string text = comparisons::verification_markdown(result);
         std::cout << text;
         return text;

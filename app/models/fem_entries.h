@@ -4,10 +4,15 @@
 #include <string>
 
 #include "contact/model.h"
+#include "contact/model_makers.h"
 #include "meshes/layer_mesh.h"
 #include "runs/options.h"
 
 namespace tricontact::app {
+
+using contact::Case;
+using contact::Say;
+using runs::CommandOptions;
 
 struct CondenseOptions : CommandOptions {
     bool distributed = false;  ///< by MPI, also when mpirun did not start this process

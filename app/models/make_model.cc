@@ -18,18 +18,18 @@
 
 namespace tricontact::app {
 
+namespace {
+
+using contact::Case;
+using contact::CoarserModel;
+using contact::MeshBlock;
+using contact::Say;
+
 bool has_model([[maybe_unused]] std::string_view name) {
 #ifndef TRICONTACT_WITH_FEM
     if (name == contact::models::fem) return false;
 #endif
     return contact::find_model_kind(name) != nullptr;
-}
-
-std::vector<contact::ModelKind> known_models() {
-    std::vector<contact::ModelKind> models;
-    std::ranges::copy_if(contact::model_kinds(), std::back_inserter(models),
-                         [](const contact::ModelKind& model) { return has_model(model.name); });
-    return models;
 }
 
 std::unique_ptr<contact::Model> make_model(const std::string& name, const Case& c, int n_threads,
@@ -74,26 +74,31 @@ CoarserModel make_coarser_model(const std::string& name, const Case& c, double f
     if (kind.is_meshed() && c.of<fem::Settings>().mesh)
         throw contact::InputError("the mesh is a file's; run another one beside it");
     if (kind.is_meshed() && !c.of<fem::Settings>().size)
-        coarser.c.of<fem::Settings>().size = block_of(c, silent).size;
+        coarser.c.of<fem::Settings>().size = block_of(c, contact::silent).size;
     comparisons::change_resolution(coarser.c, kind, {.coarser = factor});
     coarser.model = make_model(name, coarser.c, n_threads, say);
     return coarser;
-}
-
-std::optional<Case> with_wider_block(const Case& c, double factor, const Say& say) {
-    const bool has_depth = !c.is_cylindrical();
-    if (c.layer.width && (!has_depth || c.layer.depth)) return {};
-    const MeshBlock block = block_of(c, say);
-    Case wider = c;
-    if (!c.layer.width) wider.layer.width = factor * block.width;
-    if (has_depth && !c.layer.depth) wider.layer.depth = factor * block.depth;
-    return wider;
 }
 
 void load_model([[maybe_unused]] const std::string& name) {
 #ifdef TRICONTACT_WITH_FEM
     if (name == contact::models::fem) fem_entries();
 #endif
+}
+
+}  // namespace
+
+const contact::ModelMakers& model_makers() {
+    static const contact::ModelMakers makers{has_model, make_model, make_coarser_model,
+                                             block_of,  load_model, solver_tolerance};
+    return makers;
+}
+
+std::vector<contact::ModelKind> known_models() {
+    std::vector<contact::ModelKind> models;
+    std::ranges::copy_if(contact::model_kinds(), std::back_inserter(models),
+                         [](const contact::ModelKind& model) { return has_model(model.name); });
+    return models;
 }
 
 }  // namespace tricontact::app

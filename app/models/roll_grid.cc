@@ -5,12 +5,12 @@
 #include "app/models/roll_models.h"
 #include "bem/settings.h"
 #include "bem/steady_model.h"
+#include "contact/model_makers.h"
 #include "contact/models/model_kind.h"
 #include "io/keys/toml_document.h"
 #include "rolling/creep_theory.h"
 #include "rolling/rolling_document.h"
 #include "rolling/run.h"
-#include "runs/case_run.h"
 #include "theory/creep_law.h"
 #include "theory/rolling/kalker.h"
 
@@ -93,7 +93,7 @@ RollingRun roll_on_grid(const std::string& model, const Case& c, const RollRuns&
     RollRecorder recorder{{model, {}, {}, {}}, runs, c.friction_coefficient};
     rolling::TransientRolling rolling(*substrate, problem);
     roll_on(c, rolling, recorder);
-    require_sound(rolling.audit(), model);
+    contact::require_sound(rolling.audit(), model);
     const auto crept =
         substrate->relaxes() ? bem::steady_compliance(c, runs.threads, body, aside) : nullptr;
     const auto steady_at = [&] {
@@ -104,7 +104,7 @@ RollingRun roll_on_grid(const std::string& model, const Case& c, const RollRuns&
         crept || !substrate->relaxes()
             ? steady_at()
             : rolling::roll_until_steady(rolling, recorder.run.history.transient);
-    require_sound(steady.audit, model);
+    contact::require_sound(steady.audit, model);
     recorder.note_steady(steady.state, std::move(steady.surface));
     // Who rolls freely has a curve about the creepage that it has by itself.
     const bool free =
@@ -113,7 +113,7 @@ RollingRun roll_on_grid(const std::string& model, const Case& c, const RollRuns&
                        drive_sign(c) * sliding_creepage(c), [&](double creepage) {
                            problem.drive.creepage[0] = creepage;
                            const auto point = steady_at();
-                           require_sound(point.audit, model);
+                           contact::require_sound(point.audit, model);
                            return point.state;
                        });
     return std::move(recorder.run);
@@ -138,20 +138,6 @@ std::string roll_summary(const rolling::RollingReport& report, const std::string
     nlohmann::ordered_json json{{"version", report.version}, {"case", io::case_json(resolved)}};
     json.update(rolling::rolling_json(report));
     return json.dump(2) + '\n';
-}
-
-void refuse_rolling_on(const Case& c, const std::string& case_file) {
-    if (c.tractive_rolling)
-        throw contact::InputError(case_file +
-                                  ": [tractive_rolling]: the indenter rolls on and does not come "
-                                  "back; tricontact run computes such a case");
-}
-
-void require_rolling_on(const Case& c, const std::string& case_file) {
-    if (!c.tractive_rolling)
-        throw contact::InputError(case_file +
-                                  ": there is no [tractive_rolling], so that nothing rolls on; "
-                                  "tricontact run computes it, or add that section");
 }
 
 void RollRecorder::note(const rolling::RollingState& state, double way, const Surface& surface,

@@ -4,10 +4,12 @@
 #include <functional>
 #include <string>
 
+#include "contact/case.h"
 #include "rolling/rolling_report.h"
-#include "runs/options.h"
 
 namespace tricontact::app {
+
+using contact::Case;
 
 /// How the models of a case roll on.
 struct RollRuns {
@@ -60,11 +62,6 @@ rolling::RollingRun roll_springs(const Case& c, const RollRuns& runs);
 /// states. A grid whose edge the contact reaches is enlarged. Throws contact::InputError,
 /// contact::NotConverged.
 rolling::RollingRun roll(const std::string& model, const Case& c, const RollRuns& runs);
-
-/// Throws InputError if the case rolls on, which no other command computes.
-void refuse_rolling_on(const Case& c, const std::string& case_file);
-/// Throws InputError unless it does.
-void require_rolling_on(const Case& c, const std::string& case_file);
 
 /// summary.json of all runs, `resolved` being the case as io::write_case has it.
 std::string roll_summary(const rolling::RollingReport& report, const std::string& resolved);

@@ -4,11 +4,11 @@
 #include <optional>
 
 #include "app/models/roll_models.h"
+#include "contact/model_makers.h"
 #include "contact/models/model_kind.h"
 #include "mdr/model.h"
 #include "mdr/settings.h"
 #include "rolling/creep_theory.h"
-#include "runs/case_run.h"
 
 namespace tricontact::app {
 
@@ -178,7 +178,7 @@ RollingRun roll_springs(const Case& c, const RollRuns& runs) {
     const double unit = rolling::creepage_unit(c);
     RollingState steady = steady_state(bed, given.longitudinal_creepage, unit);
     steady.distance = contact::infinity;
-    require_sound(bed.model().audit(), contact::models::mdr);
+    contact::require_sound(bed.model().audit(), contact::models::mdr);
     recorder.note_steady(steady, bed.model().surface());
     const contact::MaterialPair materials = c.materials();
     const double sliding =
@@ -187,7 +187,7 @@ RollingRun roll_springs(const Case& c, const RollRuns& runs) {
         RollingBed at_creepage(c, 4 * a);  // two contact lengths
         at_creepage.press(0);
         const RollingState point = steady_state(at_creepage, creepage, unit);
-        require_sound(at_creepage.model().audit(), contact::models::mdr);
+        contact::require_sound(at_creepage.model().audit(), contact::models::mdr);
         return point;
     });
     return std::move(recorder.run);

@@ -282,14 +282,6 @@ Field place_of(const CaseKey& key, Case& c) {
     return applies(key.path, c.indenter.shape) ? key.field(c) : Field();
 }
 
-double* number_of(const CaseKey& key, Case& c) {
-    const Field field = place_of(key, c);
-    if (auto* const* value = std::get_if<double*>(&field)) return *value;
-    if (auto* const* value = std::get_if<std::optional<double>*>(&field))
-        return *value && **value ? &***value : nullptr;
-    return nullptr;
-}
-
 std::string_view word_of(Case::Shape shape) {
     return keys_of(shape).word;
 }

@@ -165,4 +165,12 @@ bool is_section(std::string_view name) {
     return case_file_keys().has_section(name) || is_read_elsewhere(name);
 }
 
+double* number_of(const CaseKey& key, contact::Case& c) {
+    const Field field = place_of(key, c);
+    if (auto* const* value = std::get_if<double*>(&field)) return *value;
+    if (auto* const* value = std::get_if<std::optional<double>*>(&field))
+        return *value && **value ? &***value : nullptr;
+    return nullptr;
+}
+
 }  // namespace tricontact::io

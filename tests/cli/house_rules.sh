@@ -12,7 +12,7 @@ complain() {
     printf 'FAILED: %s\n' "$*"
 }
 
-rooms=(app bem comparisons contact experiments fem files io mdr meshes papers python report rolling runs statistics studies
+rooms=(app bem comparisons contact contact_program experiments fem files io mdr meshes papers python report rolling runs statistics studies
     theory verification walking atlas)
 
 # may_include FOLDER OTHERS...: files of a folder and its subfolders include their own and these, and these $headers.
@@ -40,13 +40,18 @@ may_include report contact statistics
 headers='(bem|mdr|fem)/settings.h'
 may_include io contact statistics files
 may_include comparisons contact theory statistics io report
-# Features, which do not know each other.
+may_include runs contact io report comparisons files
+# Features, which do not know each other, but for maps, which experiments read.
 may_include atlas contact theory statistics io report comparisons files
 may_include rolling contact theory statistics io report comparisons files
 may_include walking contact theory statistics io report comparisons files
-may_include experiments contact theory statistics io report comparisons files
+may_include experiments contact theory statistics io report comparisons files atlas
+may_include contact_program contact io files
+# What is made of many runs, by models that the program hands in.
+may_include studies contact statistics io report comparisons files runs atlas walking
+may_include papers contact io report comparisons files runs
+may_include verification contact theory comparisons mdr bem rolling walking
 # All.
-for room in papers runs studies verification; do may_include "$room" "${rooms[@]}"; done
 may_include app "${rooms[@]}"
 may_include python "${rooms[@]}"
 
@@ -87,7 +92,7 @@ done < <(find "${rooms[@]}" benchmarks tests \
 
 # What the numbers that are kept depend on has to be whole: all of what computes; of a part of comparisons or of the
 # walking machines that is in the digest, all that it includes; and nothing that is not there.
-sources=$(dirname "$program")/app_numerics_digest.txt
+sources=$(dirname "$program")/runs_numerics_digest.txt
 if [ -e "$sources" ]; then
     while read -r file; do
         grep -qxF "$file" "$sources" || complain "$file is not in the digest of the numerics"

@@ -280,10 +280,8 @@ def cited(source):
     word = r"[A-Z][\w-]+"
     pattern = re.compile(rf"((?:{word}, )*{word}(?: and {word}| et al\.)?) \((1[89]\d\d|20\d\d)\)")
     n = 0
-    for room in ("app", "atlas", "comparisons", "experiments", "rolling", "walking"):
+    for room in ("app", "atlas", "comparisons", "experiments", "papers", "rolling", "runs", "studies", "walking"):
         for path in sorted((source / room).rglob("*.cc")):
-            if "verification" in path.parts:  # has no export
-                continue
             code = re.sub(r"^\s*//.*$", "", path.read_text(encoding="utf-8"), flags=re.MULTILINE)
             code = re.sub(r'"\s*\n\s*"', "", code)
             for text in re.findall(r'"((?:[^"\\\n]|\\.)*)"', code):

@@ -35,7 +35,7 @@ digest one moved.cc
     --set "bem.spacing=1 mm" --set rolling.periods=1 --set rolling.steps=turning-points >/dev/null ||
     complain "the refinement"
 # What another program, or this one with other numerics, left is not taken: one whose digest was changed.
-unit=$(dirname "$program")/app_numerics_digest.cc
+unit=$(dirname "$program")/runs_numerics_digest.cc
 if [ -e "$unit" ]; then
     own=$(grep -oE '[0-9a-f]{64}' "$unit")
     LC_ALL=C sed "s/$own/$(printf '%064d' 0)/" "$program" >other

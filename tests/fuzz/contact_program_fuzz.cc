@@ -7,9 +7,9 @@
 #include <string_view>
 
 #include "contact/base/error.h"
-#include "io/case/case_reader.h"
 #include "contact_program/import.h"
 #include "contact_program/written_case.h"
+#include "io/case/case_reader.h"
 
 namespace {
 
@@ -22,9 +22,9 @@ void demand_one_line(std::string_view message) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     using namespace tricontact;
     const std::string text(reinterpret_cast<const char*>(data), size);
-    io::written_case(text);
+    contact_program::written_case(text);
     try {
-        const auto found = io::import_cases(
+        const auto found = contact_program::import_cases(
             text, "fuzz.inp", [size](const contact::MaterialPair&) { return size % 2 == 0; });
         for (const auto& one : found.left_out) demand_one_line(one.reason);
         for (const auto& one : found.cases) {

@@ -10,10 +10,12 @@
 #include <cstdio>
 #include <random>
 
+#include "app/models/make_model.h"
 #include "comparisons/quantities/quantities.h"
 #include "contact/base/error.h"
+#include "contact/run.h"
 #include "io/case/case_reader.h"
-#include "runs/case_run.h"
+#include "runs/numerical_error.h"
 #include "tests/random/bar_tally.h"
 #include "tests/random/drawn_bars.h"
 #include "tests/random/seeded_main.h"
@@ -46,12 +48,15 @@ struct Truth {
 };
 
 Results much_finer(const Case& c) {
-    app::CoarserModel fine = app::make_coarser_model(c.models.front(), c, .25, 1, app::silent);
+    contact::CoarserModel fine =
+        app::model_makers().make_coarser(c.models.front(), c, .25, 1, contact::silent);
     random_cases::quarter_steps(fine.c);
     return {fine.c, contact::run(fine.c, *fine.model)};
 }
 
 int check(std::uint64_t seed, int n) {
+    runs::RunOptions options;
+    options.makers = &app::model_makers();
     random_cases::BarTally tally;
     int n_runs = 0, n_failed = 0;
     for (int i = 0; i < n; ++i) {
@@ -59,8 +64,8 @@ int check(std::uint64_t seed, int n) {
         try {
             drawn = random_cases::drawn_run(seed + static_cast<std::uint64_t>(i));
             const Case& c = drawn.c;
-            const contact::History run = app::history_of(c.models.front(), c, 1, app::silent);
-            const auto error = app::numerical_error(c, run, {}, app::silent);
+            const contact::History run = options.runner().history_of(c.models.front(), c);
+            const auto error = runs::numerical_error(c, run, options, contact::silent);
             if (!error->why_none.empty()) {
                 fmt::print("{} {}: no bar: {}\n", i, drawn.text(), error->why_none);
                 continue;

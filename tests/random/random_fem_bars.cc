@@ -10,11 +10,13 @@
 #include <filesystem>
 #include <stdexcept>
 
+#include "app/models/make_model.h"
 #include "comparisons/quantities/quantities.h"
 #include "contact/base/error.h"
 #include "contact/cells.h"
+#include "contact/run.h"
 #include "fem/settings.h"
-#include "runs/case_run.h"
+#include "runs/numerical_error.h"
 #include "tests/random/bar_tally.h"
 #include "tests/random/drawn_bars.h"
 #include "tests/random/seeded_main.h"
@@ -33,16 +35,19 @@ constexpr double finer = .5, wider = 2, cells_per_radius = 10;
 constexpr int one_finer_of = 8;
 
 Results much_finer(const Case& c) {
-    app::CoarserModel fine = app::make_coarser_model("fem", c, finer, 1, app::silent);
-    if (const auto wide = app::with_wider_block(fine.c, wider, app::silent))
-        fine = {*wide, app::make_model("fem", *wide, 1, app::silent)};
+    const contact::ModelMakers& makers = app::model_makers();
+    contact::CoarserModel fine = makers.make_coarser("fem", c, finer, 1, contact::silent);
+    if (const auto wide = makers.with_wider_block(fine.c, wider, contact::silent))
+        fine = {*wide, makers.make("fem", *wide, 1, contact::silent)};
     random_cases::quarter_steps(fine.c);
     return {fine.c, contact::run(fine.c, *fine.model)};
 }
 
 std::optional<NumericalError> with_error(const Case& c, const std::string& model) {
-    const contact::History run = app::history_of(model, c, 1, app::silent);
-    auto error = app::numerical_error(c, run, {}, app::silent);
+    runs::RunOptions options;
+    options.makers = &app::model_makers();
+    const contact::History run = options.runner().history_of(model, c);
+    auto error = runs::numerical_error(c, run, options, contact::silent);
     if (error->why_none.empty()) return error;
     fmt::print("{}: no bar: {}\n", model, error->why_none);
     return {};

@@ -15,8 +15,9 @@
 #include <map>
 #include <random>
 
-#include "experiments/identification/identification_models.h"
+#include "app/models/make_model.h"
 #include "contact/base/error.h"
+#include "experiments/identification/identification_models.h"
 #include "experiments/identification/identification_report.h"
 #include "tests/random/random_rig.h"
 #include "tests/random/seeded_main.h"
@@ -32,6 +33,10 @@ using Measurement = IdentificationInput::Measurement;
 constexpr double thickness_error = .01, force_error = .003, radius_error = .003, noise = .01;
 constexpr int n_rows = 10;
 
+contact::ModelRunner runner() {
+    return {app::model_makers(), 1};
+}
+
 /// A sphere on an incompressible layer, with one Prony term.
 Case drawn_rig(Random& random) {
     Case c = drawn_sphere_on_layer(random, {.4, 1}, {.5, 3});
@@ -45,9 +50,10 @@ IdentificationInput::Table measured(Measurement measurement, const Case& real, d
                                     Random& random) {
     std::normal_distribution<double> gauss;
     IdentificationInput::Table table{.measurement = measurement, .held = held, .given = given};
-    table.observed = app::measured_values("atlas", table, {real}, given, 1);
+    table.observed = experiments::measured_values("atlas", table, {real}, given, runner());
     if (measurement == Measurement::static_shift) {  // the maps are off by what they state
-        const auto own = app::static_shift_errors("atlas", app::relaxed(real), given);
+        const auto own =
+            experiments::static_shift_errors("atlas", experiments::relaxed(real), given);
         const double alike = gauss(random), curve = gauss(random);
         for (std::size_t i = 0; i < own.size(); ++i) {
             const double place = 2 * double(i) / double(own.size() - 1) - 1;
@@ -108,7 +114,7 @@ double truth_of(const experiments::FreeParameter& p, const Case& real) {
     if (p.key == "substrate.relaxation.times") return time;
     if (p.key == "substrate.relaxation.relative_moduli") return ratio / (1 + ratio);
     Case copy = real;
-    return *app::number_of(*io::find_key(p.key), copy);
+    return *io::number_of(*io::find_key(p.key), copy);
 }
 
 /// The n-th one: what is found, whether tables state errors, and whether inputs have errors take
@@ -133,13 +139,15 @@ bool add_rig(Random& random, int n, std::map<std::string, Counts>& counts) {
         if (!has_input_errors) input.rig_errors.clear();
         experiments::IdentifiedModel model;
         model.name = "atlas";
-        experiments::IdentificationTask task{.parameters = input.parameters,
-                                             .model = app::prediction_of("atlas", input, 1)};
+        experiments::IdentificationTask task{
+            .parameters = input.parameters,
+            .model = experiments::prediction_of("atlas", input, runner())};
         for (const auto& table : input.tables)
             task.tables.push_back({std::string(experiments::name_of(table.measurement)),
                                    table.observed, table.standard_errors, false, table.given});
         model.found = experiments::identify(task);
-        model.contributions = app::input_contributions("atlas", input, task, model.found, 1);
+        model.contributions =
+            experiments::input_contributions("atlas", input, task, model.found, runner());
         for (std::size_t k = 0; k < input.parameters.size(); ++k) {
             const auto& p = input.parameters[k];
             const auto interval = experiments::full_interval(model, k);
@@ -190,7 +198,7 @@ IdentificationInput drawn_table(int kind, Errors errors, bool states_errors, Cas
         find.emplace_back("substrate.thickness");
     }
     const std::string model = kind == 1 ? "half-space" : "layer";
-    table.observed = app::measured_values(model, table, {real}, table.given, 1);
+    table.observed = experiments::measured_values(model, table, {real}, table.given, runner());
     std::normal_distribution<double> gauss;
     const double size = between(random, {.005, .02}) * std::ranges::max(table.observed);
     const double rho = errors == Errors::correlated ? neighbours : 0;
@@ -221,8 +229,9 @@ struct TableCounts {
 void add_table(const IdentificationInput& input, const Case& real, TableCounts& counts) {
     experiments::IdentifiedModel model;
     model.name = input.models.front();
-    experiments::IdentificationTask task{.parameters = input.parameters,
-                                         .model = app::prediction_of(model.name, input, 1)};
+    experiments::IdentificationTask task{
+        .parameters = input.parameters,
+        .model = experiments::prediction_of(model.name, input, runner())};
     for (const auto& table : input.tables)
         task.tables.push_back({std::string(experiments::name_of(table.measurement)), table.observed,
                                table.standard_errors, false, table.given});

@@ -20,12 +20,12 @@
 #include <random>
 #include <vector>
 
-#include "experiments/predictions/record_predictions.h"
+#include "app/models/make_model.h"
 #include "contact/base/error.h"
 #include "contact/load_path.h"
+#include "experiments/predictions/record_predictions.h"
 #include "experiments/records/experiment_evaluation.h"
 #include "io/case/case_reader.h"
-#include "runs/case_run.h"
 #include "tests/random/random_rig.h"
 #include "tests/random/seeded_main.h"
 
@@ -97,7 +97,7 @@ contact::History true_history(Rig rig, Random& random) {
     rig.force *= 1 + rig.force_error * gauss(random);
     rig.steps = 16;
     rig.springs = 2000;
-    return app::history_of("mdr", case_of(rig), 1, app::silent);
+    return contact::ModelRunner(app::model_makers(), 1).history_of("mdr", case_of(rig));
 }
 
 double interpolated(const std::vector<double>& x, const std::vector<double>& y, double at) {
@@ -199,9 +199,8 @@ void add_experiment(Random& random, int n, const std::filesystem::path& folder,
                         << "]\nresolution = \"80 nm\"\n";
     const experiments::ExperimentInput input = experiments::read_experiment(file);
     auto evaluation = experiments::evaluate_experiment(input.experiment);
-    app::CommandOptions options;
-    options.quiet = true;
-    app::add_predictions(evaluation, input, options);
+    experiments::add_predictions(
+        evaluation, input, {contact::ModelRunner(app::model_makers(), 1), {}, contact::silent});
     int rejected = 0;
     for (const auto& d : evaluation.deviations) rejected += d.differs() == true;
     for (const auto& s : evaluation.series) rejected += s.differs() == true;

@@ -13,8 +13,8 @@
 #include "contact/load_path.h"
 #include "contact/solvers/contact_region.h"
 #include "contact/surface_model.h"
-#include "io/case/case_reader.h"
 #include "contact_program/import.h"
+#include "io/case/case_reader.h"
 #include "tests/verification/contact_program_prints.h"
 #include "theory/cattaneo_mindlin.h"
 
@@ -30,8 +30,9 @@ int cells(double area, double spacing) {
 }
 
 contact::Case imported(const std::string& input) {
-    return io::parse_case(io::import_cases(input, "example.inp", bem::is_coupled).cases.back().text,
-                          "example.toml");
+    return io::parse_case(
+        contact_program::import_cases(input, "example.inp", bem::is_coupled).cases.back().text,
+        "example.toml");
 }
 
 /// Pressed and loaded as the case says; the model stays for further steps.

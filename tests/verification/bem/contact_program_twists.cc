@@ -12,8 +12,8 @@
 #include "bem/grid_compliance.h"
 #include "bem/model.h"
 #include "contact/run.h"
-#include "io/case/case_reader.h"
 #include "contact_program/import.h"
+#include "io/case/case_reader.h"
 
 namespace tricontact::contact_program_twists_test {
 namespace {
@@ -129,8 +129,8 @@ TEST(ContactProgramTwists, RandomHistories) {
     constexpr double printed = 6e-4;  // of mu F_N: half of the last of four digits
     for (const History& history : histories) {
         SCOPED_TRACE(history.name);
-        const io::Import found =
-            io::import_cases(input(history.steps), "history.inp", bem::is_coupled);
+        const contact_program::Import found =
+            contact_program::import_cases(input(history.steps), "history.inp", bem::is_coupled);
         ASSERT_EQ(found.cases.size(), 1U);
         const contact::Case c = io::parse_case(found.cases[0].text, "history.toml");
         const bool about_origin = std::string(history.name).ends_with("origin");

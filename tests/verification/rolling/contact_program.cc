@@ -15,8 +15,8 @@
 #include "contact/bodies/cylinder.h"
 #include "contact/load_path.h"
 #include "contact/substrates/substrate.h"
-#include "io/case/case_reader.h"
 #include "contact_program/import.h"
+#include "io/case/case_reader.h"
 #include "rolling/run.h"
 #include "tests/unit/rolling/problems.h"
 #include "tests/verification/contact_program_prints.h"
@@ -130,7 +130,7 @@ rolling::RollingState imported_state(const std::string& example) {
         std::string(TRICONTACT_SOURCE_DIR) + "/tests/contact_program/" + example + ".inp";
     std::ifstream file(name);
     const std::string text(std::istreambuf_iterator<char>(file), {});
-    const auto found = io::import_cases(text, name, bem::is_coupled);
+    const auto found = contact_program::import_cases(text, name, bem::is_coupled);
     const contact::Case c = io::parse_case(found.cases.at(0).text, example);
     rolling::RollingProblem problem;
     problem.indenter = c.make_indenter();

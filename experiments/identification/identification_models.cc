@@ -1,0 +1,235 @@
+#include "experiments/identification/identification_models.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <optional>
+#include <variant>
+
+#include "experiments/identification/identification_tables.h"
+#include "io/case/case_keys.h"
+#include "io/case/measurement_models.h"
+
+namespace tricontact::experiments {
+
+namespace {
+
+using contact::Case;
+using Measurement = IdentificationInput::Measurement;
+
+// A layer's compliance that much above the indenter's: this is rigid, to 1e-3.
+constexpr double rigid_ratio = 1e-3;
+/// Whether results of the rig depend on R and b by their proportion to E alone.
+bool is_scaled(const Case& rig) {
+    const bool is_rigid =
+        !rig.indenter.material ||
+        rig.indenter.material->plane_compliance() < rigid_ratio * rig.substrate.plane_compliance();
+    return is_rigid && rig.layer.thickness && rig.layer.lower.empty() &&
+           rig.layer.base != Case::Base::half_space && !rig.layer.width && !rig.layer.depth &&
+           !rig.period && rig.indenter.shape == Case::Shape::paraboloid && !rig.indenter.roughness;
+}
+
+using TableModel = std::function<std::vector<double>(const IdentifiedRig&)>;
+
+/// Own wobble and that of the pivot, which is nothing but a slope.
+TableModel rolling_model(const std::string& model, const IdentificationInput& input,
+                         const IdentificationInput::Table& table,
+                         const contact::ModelRunner& runner) {
+    const Case rig = relaxed(input.rig);
+    if (!is_coupled(shift_model(model), rig, runner))
+        return [&table](const IdentifiedRig& at) { return rolled_shifts(at, 0, table.given); };
+    std::vector<double> forces;  // that bound mu where it is free
+    if (input.is_free("friction.coefficient"))
+        forces = input.find(Measurement::static_shift)->given;
+    const auto own = std::make_shared<WobbleTable>(shift_model(model), rig,
+                                                   largest_offset(table.given), forces, runner);
+    return [own, &table](const IdentifiedRig& at) {
+        return rolled_shifts(at, own->at(at.as_case), table.given);
+    };
+}
+
+TableModel table_model(const std::string& model, const IdentificationInput& input,
+                       const IdentificationInput::Table& table,
+                       const std::shared_ptr<PressTable>& presses_of,
+                       const contact::ModelRunner& runner) {
+    const bool is_mapped =
+        io::measurement_model(model).kind().is_read() && input.is_free("substrate.poisson");
+    const bool is_sheared = table.measurement == Measurement::static_shift;
+    if (table.measurement == Measurement::rolling_shift)
+        return rolling_model(model, input, table, runner);
+    if (!io::measurement_model(model).is_layer || (is_sheared ? is_mapped : !presses_of))
+        return [=, &table](const IdentifiedRig& rig) {
+            return measured_values(model, table, rig, table.given, runner);
+        };
+    if (is_sheared) {
+        const auto shifts = std::make_shared<ShiftTable>(shift_model(model), relaxed(input.rig),
+                                                         table.given, runner);
+        return [shifts](const IdentifiedRig& rig) { return shifts->at(rig.as_case); };
+    }
+    return [=, &table](const IdentifiedRig& rig) {
+        const Case& c = rig.as_case;
+        return from_zero_depth(table, rig, table.given, [&](const std::vector<double>& given) {
+            std::vector<Pressed> all;
+            for (const auto& control : controls_of(table, c, given))
+                all.push_back(presses_of->at(c, control));
+            return values_of_presses(table, c, given, all);
+        });
+    };
+}
+
+/// Terms of a Prony series, over the unrelaxed modulus.
+void set_term(contact::Relaxation& relaxation, const FreeParameter& p, double value,
+              std::vector<double>& relative) {
+    if (p.key == "substrate.relaxation.times")
+        relaxation.branches[p.index].time = value;
+    else
+        relative[p.index] = value;
+}
+
+/// Errors of a model's own shifts as two inputs.
+std::vector<InputContribution> own_contributions(const std::string& model,
+                                                 const IdentificationInput& input,
+                                                 const IdentificationTask& task,
+                                                 const Identification& found, const Case& rig,
+                                                 const std::vector<double>& observed) {
+    const auto table = std::ranges::find(input.tables, Measurement::static_shift,
+                                         &IdentificationInput::Table::measurement);
+    if (table == input.tables.end()) return {};
+    const std::vector<double> errors = static_shift_errors(model, relaxed(rig), table->given);
+    if (errors.empty()) return {};
+    std::size_t row = 0;
+    for (auto before = input.tables.begin(); before != table; ++before)
+        row += before->observed.size();
+    const auto [least, largest] = std::ranges::minmax(table->given);
+    std::vector<InputContribution> contributions;
+    for (const bool alike : {true, false}) {
+        std::vector<double> moved = observed;
+        for (std::size_t i = 0; i < errors.size(); ++i) {
+            const double place =
+                largest > least ? (2 * table->given[i] - least - largest) / (largest - least) : 0;
+            // Mean squares of 1, of forces that are evenly spread.
+            const double pattern = alike ? 1 : std::sqrt(3.) * place;
+            moved[row + i] -= pattern * errors[i] / std::sqrt(2.);
+        }
+        std::vector<double> change = best_nearby(task, found, moved);
+        for (std::size_t k = 0; k < change.size(); ++k) change[k] -= found.parameters[k].value;
+        contributions.push_back({alike ? "atlas" : "atlas.curve",
+                                 std::ranges::max(errors) / std::sqrt(2.), std::move(change)});
+    }
+    return contributions;
+}
+
+}  // namespace
+
+void check_lengths_scale(const IdentificationInput& input) {
+    if (!input.is_free("indenter.radius") && !input.is_free("substrate.thickness")) return;
+    for (const std::string& model : input.models)
+        if (io::measurement_model(model).is_layer && !is_scaled(input.rig))
+            throw contact::InputError(
+                "measurement.find: " + model +
+                " finds radius and thickness only of a rigid paraboloid on one layer on a rigid "
+                "base; find the modulus and friction, or take the model half-space");
+}
+
+Prediction prediction_of(const std::string& model, const IdentificationInput& input,
+                         const contact::ModelRunner& runner) {
+    std::shared_ptr<PressTable> presses_of;
+    if (is_scaled(input.rig) && io::measurement_model(model).is_layer)
+        presses_of = std::make_shared<PressTable>(model, relaxed(input.rig),
+                                                  input.is_free("substrate.poisson"), runner);
+    std::vector<TableModel> tables;
+    for (const auto& table : input.tables)
+        tables.push_back(table_model(model, input, table, presses_of, runner));
+    return [tables, &input,
+            parameters = parameters_of(input, model)](const std::vector<double>& values) {
+        const IdentifiedRig rig = rig_with(input, parameters, values);
+        std::vector<double> all;
+        for (const TableModel& table : tables)
+            std::ranges::copy(table(rig), std::back_inserter(all));
+        return all;
+    };
+}
+
+IdentifiedRig rig_with(const IdentificationInput& input,
+                       const std::vector<FreeParameter>& parameters,
+                       const std::vector<double>& values) {
+    IdentifiedRig rig{input.rig};
+    Case& c = rig.as_case;
+    std::vector<double> relative;
+    if (c.relaxation)
+        for (const auto& branch : c.relaxation->branches)
+            relative.push_back(branch.ratio / c.relaxation->instantaneous_ratio());
+    for (std::size_t k = 0; k < parameters.size(); ++k) {
+        const FreeParameter& p = parameters[k];
+        if (p.key.starts_with("substrate.relaxation."))
+            set_term(*c.relaxation, p, values[k], relative);
+        else if (p.key == pivot_key)
+            rig.pivot_height = values[k];
+        else if (p.key == zero_depth_key)
+            rig.zero_depth = values[k];
+        else
+            *io::number_of(*io::find_key(p.key), c) = values[k];
+    }
+    double relaxed_share = 1, last_time = 0;
+    for (const double share : relative) relaxed_share -= share;
+    if (!(relaxed_share > 0))
+        throw contact::InputError("relative moduli: nothing would be left at rest");
+    for (std::size_t i = 0; i < relative.size(); ++i) {
+        auto& branch = c.relaxation->branches[i];
+        branch.ratio = relative[i] / relaxed_share;
+        // Terms keep their order: exchanged they are the same series.
+        const bool was_later = i == 0 || input.rig.relaxation->branches[i].time >
+                                             input.rig.relaxation->branches[i - 1].time;
+        if (i > 0 && was_later != (branch.time > last_time))
+            throw contact::InputError("relaxation times: exchanged");
+        last_time = branch.time;
+    }
+    return rig;
+}
+
+std::vector<double> values_of_tables(const std::string& model, const IdentificationInput& input,
+                                     const IdentifiedRig& rig, const contact::ModelRunner& runner) {
+    std::vector<double> all;
+    for (const auto& table : input.tables)
+        std::ranges::copy(measured_values(model, table, rig, table.given, runner),
+                          std::back_inserter(all));
+    return all;
+}
+
+std::vector<InputContribution> input_contributions(const std::string& model,
+                                                   const IdentificationInput& input,
+                                                   const IdentificationTask& task,
+                                                   const Identification& found,
+                                                   const contact::ModelRunner& runner) {
+    const IdentifiedRig rig = rig_with(input, found.free, found.best());
+    const auto values_at = [&](const io::CaseKey& key, double change) {
+        IdentifiedRig other = rig;
+        *io::number_of(key, other.as_case) += change;
+        return values_of_tables(model, input, other, runner);
+    };
+    std::vector<double> observed;
+    for (const auto& table : input.tables)
+        std::ranges::copy(table.observed, std::back_inserter(observed));
+    const std::vector<double> unchanged = values_of_tables(model, input, rig, runner);
+    std::vector<InputContribution> contributions;
+    for (const auto& [key, error] : input.rig_errors) {
+        std::vector<double> changed, moved = observed;
+        double sign = 1;
+        try {
+            changed = values_at(*key, error);
+        } catch (const contact::InputError&) {  // as at nu = 1/2, which ends there
+            sign = -1;
+            changed = values_at(*key, -error);
+        }
+        for (std::size_t i = 0; i < changed.size(); ++i)
+            moved[i] -= sign * (changed[i] - unchanged[i]);
+        std::vector<double> change = best_nearby(task, found, moved);
+        for (std::size_t k = 0; k < change.size(); ++k) change[k] -= found.parameters[k].value;
+        contributions.push_back({std::string(key->path), error, std::move(change)});
+    }
+    for (auto& own : own_contributions(model, input, task, found, rig.as_case, observed))
+        contributions.push_back(std::move(own));
+    return contributions;
+}
+
+}  // namespace tricontact::experiments

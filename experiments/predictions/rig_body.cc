@@ -1,0 +1,58 @@
+#include "experiments/predictions/rig_body.h"
+
+#include <cmath>
+
+#include "comparisons/quantities/map_border.h"
+#include "contact/base/special_values.h"
+#include "contact/models/model_kind.h"
+#include "experiments/assumptions/check_rig.h"
+#include "experiments/records/experiment_evaluation.h"
+
+namespace tricontact::experiments {
+
+namespace {
+
+using contact::Case;
+using contact::History;
+
+statistics::Estimate with_error(double fine, double coarse) {
+    return {fine, std::abs(numerical_error(fine, coarse))};
+}
+
+BodyContact contact_by(const std::string& model, const Case& c,
+                       const contact::ModelRunner& runner) {
+    const History fine = runner.history_of(model, c), coarse = runner.history_of_coarser(model, c);
+    return {with_error(fine.scales.indentation, coarse.scales.indentation),
+            with_error(fine.scales.contact_radius, coarse.scales.contact_radius),
+            contact::has_conical_tip(c)
+                ? statistics::Estimate{contact::undefined}
+                : with_error(fine.scales.peak_pressure, coarse.scales.peak_pressure),
+            with_error(fine.static_shift, coarse.static_shift),
+            comparisons::border_force_share(c, fine).value_or(0)};
+}
+
+}  // namespace
+
+BodyContacts body_contacts(const Case& c, const contact::ModelRunner& runner) {
+    Case still = c;
+    still.rolling.reset();
+    still.tractive_rolling.reset();
+    still.relaxation.reset();
+    still.load.hold = 0;
+    still.load.normal_amplitude_ratio = still.load.tangential_amplitude_ratio = 0;
+    still.load.set_tangential_ratio(coupling_tangential_ratio);
+    Case uncoupled = still;
+    uncoupled.contact.coupling = false;
+    still.contact.coupling = true;
+    return {contact_by(contact::models::bem, uncoupled, runner),
+            contact_by(contact::models::bem_layer, uncoupled, runner),
+            contact_by(contact::models::bem_layer, still, runner).static_shift};
+}
+
+Rig rig_with_body(const io::RigFile& file, const contact::ModelRunner& runner) {
+    Rig rig = rolling_rig(file);
+    if (rig.kind == Rig::Kind::body) rig.body = body_contacts(file.c, runner);
+    return rig;
+}
+
+}  // namespace tricontact::experiments

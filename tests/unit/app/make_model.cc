@@ -1,0 +1,99 @@
+#include "app/models/make_model.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "contact/bodies/half_space_scales.h"
+#include "contact/error.h"
+#include "contact/run.h"
+
+namespace tricontact::make_model_test {
+namespace {
+
+using app::model_makers;
+using contact::Case;
+
+/// A paraboloid on a half-space or a layer, all scales other than 1.
+Case pressed_case() {
+    Case c;
+    c.indenter.radius = .04;
+    c.substrate = {5e6, .5};
+    c.friction_coefficient = .6;
+    c.load.normal_force = 20;
+    c.load.tangential_ratio = .5;
+    return c;
+}
+
+std::string why_refused(const std::string& model, const Case& c) {
+    try {
+        model_makers().make(model, c, 1, contact::silent);
+    } catch (const contact::InputError& why) {
+        return why.what();
+    }
+    return {};
+}
+
+TEST(ModelMakers, MakeEachKnownModelByItsName) {
+    Case c = pressed_case();
+    c.layer.thickness = 8e-3;
+    for (const contact::ModelKind& kind : app::known_models()) {
+        EXPECT_TRUE(model_makers().has(kind.name));
+        if (kind.is_read() || kind.is_meshed()) continue;  // run nothing; load a module
+        EXPECT_EQ(model_makers().make(kind.name, c, 1, contact::silent)->name(), kind.name);
+    }
+}
+
+TEST(ModelMakers, RefuseByName) {
+    EXPECT_FALSE(model_makers().has("fast"));
+    EXPECT_NE(why_refused("fast", pressed_case()).find("without the model fast"),
+              std::string::npos);
+    const std::string atlas = why_refused(contact::models::atlas, pressed_case());
+    EXPECT_NE(atlas.find("tricontact predict"), std::string::npos) << atlas;
+}
+
+// Springs at twice the distance, but one: halves that fall on springs of the whole agree by
+// accident.
+TEST(ModelMakers, CoarserSpringsAndCells) {
+    Case c = pressed_case();
+    c.mdr.springs = 400;
+    c.bem.spacing = 5e-4;
+    c.bem.cells_per_radius.reset();
+    const auto springs =
+        model_makers().make_coarser(contact::models::mdr, c, 2, 1, contact::silent);
+    EXPECT_EQ(springs.c.mdr.springs, 199);
+    const auto cells = model_makers().make_coarser(contact::models::bem, c, 2, 1, contact::silent);
+    EXPECT_EQ(cells.c.bem.spacing, 1e-3);
+    EXPECT_EQ(c.bem.spacing, 5e-4);
+    const auto surface = [](const contact::CoarserModel& coarser) {
+        contact::run(coarser.c, *coarser.model);
+        return coarser.model->surface();
+    };
+    EXPECT_NEAR(surface(cells).spacing[0], 1e-3, 1e-15);
+}
+
+TEST(ModelMakers, NoMeshIsCoarserThanThatOfAFile) {
+    Case c = pressed_case();
+    c.layer.thickness = 8e-3;
+    c.fem.mesh = "layer.msh";
+    try {
+        model_makers().make_coarser(contact::models::fem, c, 2, 1, contact::silent);
+        FAIL() << "not refused";
+    } catch (const contact::InputError& why) {
+        EXPECT_NE(std::string(why.what()).find("the mesh is a file's"), std::string::npos);
+    }
+}
+
+// Errors of springs and their edges are of the second order: two meshes bracket Hertz' solution.
+TEST(ModelRunner, RunsAModelOnTwoMeshes) {
+    const Case c = pressed_case();
+    const contact::ModelRunner runner(model_makers(), 1);
+    const double exact = contact::half_space_scales(c).indentation;
+    const double fine = runner.history_of(contact::models::mdr, c).scales.indentation;
+    const double coarse = runner.history_of_coarser(contact::models::mdr, c).scales.indentation;
+    EXPECT_NEAR(fine / exact, 1, 1e-7);  // 10000 springs
+    EXPECT_GT(std::abs(coarse - exact), std::abs(fine - exact));
+}
+
+}  // namespace
+}  // namespace tricontact::make_model_test
