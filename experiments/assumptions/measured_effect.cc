@@ -33,6 +33,44 @@ double largest_error(double of_friction, double of_force) {
     return largest;
 }
 
+/// What is taken to be 1 over what is larger by a share.
+Estimate over_larger(const Estimate& share) {
+    const double larger = 1 + share.value;
+    return {1 / larger - 1, share.standard_error / (larger * larger)};
+}
+
+/// What of a shift's relaxation is still to come: what is taken as relaxed over what has come.
+Estimate over_relaxed(const Estimate& left) {
+    return over_larger({-left.value, left.standard_error});
+}
+
+Estimate as_it_is(const Estimate& effect) {
+    return effect;
+}
+
+/// Of a relative error of mu on the static shift.
+Estimate of_friction(const Estimate& change) {
+    const double to_friction = std::abs(1 - shift_sensitivity_to_force(coupling_tangential_ratio));
+    return {largest_error(change.value, 0), to_friction * change.standard_error};
+}
+
+/// An effect that one number of an assumption gives.
+struct DirectEffect {
+    const char *assumption, *calculation;
+    Measured measured;
+    Estimate (*of)(const Estimate&);
+    bool is_bound = false;
+};
+constexpr DirectEffect direct_effects[] = {
+    {"small_strains", "strain_shift", Measured::static_shift, as_it_is},
+    {"small_strains", "strain_indentation", Measured::indentation, as_it_is},
+    {"no_adhesion", "adhesive_radius_change", Measured::contact_radius, over_larger},
+    {"unsaturated_contact", "saturation", Measured::static_shift, of_friction, true},
+    {"no_heating", "heating_change", Measured::static_shift, of_friction, true},
+    {"elastic_substrate", "creep_left", Measured::static_shift, over_relaxed},
+    {"far_edges", "side_effect", Measured::indentation, over_larger},
+    {"no_wear", "wear_ratio", Measured::indentation, as_it_is, true}};
+
 /// What the assumptions of one rig do to what it measures.
 class MeasuredEffects {
   public:
@@ -46,14 +84,11 @@ class MeasuredEffects {
             if (one.name == "uncoupled") add_ratio("coupling_effect", Measured::static_shift);
             if (one.name == "growth_by_rolling")
                 add_ratio("growth_difference", Measured::settled_shift);
-            if (one.name == "small_strains") add_small_strains();
-            if (one.name == "no_adhesion") add_adhesion();
-            if (one.name == "unsaturated_contact") add_friction("saturation");
-            if (one.name == "no_heating") add_friction("heating_change");
-            if (one.name == "elastic_substrate") add_creep();
-            if (one.name == "far_edges") add_sides();
             if (one.name == "level_surface") add_tilt();
-            if (one.name == "no_wear") add_bound("wear_ratio", Measured::indentation);
+            for (const DirectEffect& effect : direct_effects)
+                if (const Calculation* found =
+                        one.name == effect.assumption ? find(effect.calculation) : nullptr)
+                    add(effect.measured, effect.of(found->result), effect.is_bound);
         }
         return std::move(effects_);
     }
@@ -96,32 +131,18 @@ class MeasuredEffects {
         if (!effect) return false;
         const double on_half_space =
             unit->result.value * rig_.mu * theory::static_shift_ratio(coupling_tangential_ratio);
-        const double ratio = on_half_space / effect->given[1].value.value;
+        const double ratio = on_half_space / effect->given.back().value.value;
         add(Measured::static_shift, {ratio - 1, ratio * ratio * difference->result.standard_error});
         return true;
     }
 
-    /// The second of two given values over the first.
+    /// The last of two given values over the first: see relative_difference().
     void add_ratio(const std::string& name, Measured measured) {
         const Calculation* calculation = find(name);
         if (!calculation) return;
-        const double without = calculation->given[0].value.value,
-                     with = calculation->given[1].value.value;
+        const double without = calculation->given.front().value.value,
+                     with = calculation->given.back().value.value;
         add(measured, {with / without - 1, calculation->result.standard_error});
-    }
-
-    void add_small_strains() {
-        if (const Calculation* shift = find("strain_shift"))
-            add(Measured::static_shift, shift->result);
-        if (const Calculation* indentation = find("strain_indentation"))
-            add(Measured::indentation, indentation->result);
-    }
-
-    void add_sides() {
-        const Calculation* more = find("side_effect");
-        if (!more) return;
-        const double with = 1 + more->result.value;
-        add(Measured::indentation, {1 / with - 1, more->result.standard_error / (with * with)});
     }
 
     /// The weight on a slope is an error of F_T, of which it may be any part.
@@ -135,37 +156,6 @@ class MeasuredEffects {
         const double of_force = (share->result.value + share->result.standard_error) /
                                 (is_of_force ? 1 : coupling_tangential_ratio);
         add(Measured::static_shift, {largest_error(0, of_force), 0}, true);
-    }
-
-    void add_adhesion() {
-        const Calculation* change = find("adhesive_radius_change");
-        if (!change) return;
-        const double wider = 1 + change->result.value;
-        add(Measured::contact_radius,
-            {1 / wider - 1, change->result.standard_error / (wider * wider)});
-    }
-
-    /// What is taken as relaxed over what has come of it.
-    void add_creep() {
-        const Calculation* left = find("creep_left");
-        if (!left) return;
-        const double come = 1 - left->result.value;
-        add(Measured::static_shift, {1 / come - 1, left->result.standard_error / (come * come)});
-    }
-
-    void add_bound(const std::string& name, Measured measured) {
-        if (const Calculation* bound = find(name)) add(measured, bound->result, true);
-    }
-
-    /// Of a relative error of mu.
-    void add_friction(const std::string& name) {
-        const Calculation* change = find(name);
-        if (!change) return;
-        const double to_friction =
-            std::abs(1 - shift_sensitivity_to_force(coupling_tangential_ratio));
-        add(Measured::static_shift,
-            {largest_error(change->result.value, 0), to_friction * change->result.standard_error},
-            true);
     }
 
     const Rig& rig_;

@@ -3,7 +3,9 @@
 
 namespace tricontact::experiments {
 
-const std::vector<RigQuantity>& rig_quantities(Rig::Kind kind) {
+namespace {
+
+const std::vector<RigQuantity>& rolling_quantities() {
     using enum io::Dimension;
     static const std::vector<RigQuantity> rolling{
         {"R", &Rig::R, length, "indenter.radius"},
@@ -53,6 +55,11 @@ const std::vector<RigQuantity>& rig_quantities(Rig::Kind kind) {
         {"a", &Rig::a, length, {}, nullptr, half_size},
         {"q", &Rig::q},
         {"delta", &Rig::delta}};
+    return rolling;
+}
+
+const std::vector<RigQuantity>& walking_quantities() {
+    using enum io::Dimension;
     static const std::vector<RigQuantity> walking{
         {"m", &Rig::m, mass, "machine.mass"},
         {"D", &Rig::D, length, "rig.disc_diameter"},
@@ -83,7 +90,13 @@ const std::vector<RigQuantity>& rig_quantities(Rig::Kind kind) {
         {"k_s", &Rig::k_s, stiffness, {}, nullptr, [](const Rig& r) {
              return RigNumber(spring_stiffness(r).result);
          }}};
-    return kind == Rig::Kind::micro_walking ? walking : rolling;
+    return walking;
+}
+
+}  // namespace
+
+const std::vector<RigQuantity>& rig_quantities(Rig::Kind kind) {
+    return kind == Rig::Kind::micro_walking ? walking_quantities() : rolling_quantities();
 }
 
 const std::vector<PrintedKey>& printed_keys(Rig::Kind kind) {
