@@ -1,5 +1,5 @@
 // Normal contact of a cylinder on the finite element layer in plane strain, against the exact one
-// (theory/line_contact).
+// (theory/layer/line_contact).
 
 #include <gtest/gtest.h>
 

@@ -106,7 +106,7 @@ TEST(RadiusBounds, GrowWithTheLoadsCrestAndOnASofterLowerLayer) {
     EXPECT_EQ(contact_radius_bounds(parsed({}, lower + "\"70 GPa\"\n")).high, mean.high);
 }
 
-// Compressible or not, bonded or gliding, by theory/line_contact.
+// Compressible or not, bonded or gliding, by theory/layer/line_contact.
 TEST(RadiusBounds, EncloseTheExactHalfWidthOfALine) {
     const std::vector<std::string> line{"indenter.shape=cylinder", "indenter.length=80 mm",
                                         "load.normal_force=32.3 N"};
