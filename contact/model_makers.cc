@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "contact/error.h"
+#include "contact/base/error.h"
 #include "contact/run.h"
 
 namespace tricontact::contact {

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "contact/bodies/half_space_scales.h"
+#include "contact/half_space_scales.h"
 #include "contact_program/sequence_case.h"
 #include "io/case/case_reader.h"
 #include "io/keys/messages.h"

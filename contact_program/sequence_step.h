@@ -2,8 +2,8 @@
 
 #include <array>
 
+#include "contact/base/vector2.h"
 #include "contact/load_path.h"
-#include "contact/vector2.h"
 
 namespace tricontact::contact_program {
 

@@ -180,7 +180,7 @@ void verify_fem(const Runner& runner, Verification& all) {
 }
 
 void verify_layer(bool brief, const Runner& runner, Verification& all) {
-    verify_mdr_layer(say, all);
+    verify_mdr_layer(runner, all);
     const double cells = brief ? 5 : 8, coarser = brief ? 4 : 1, order = brief ? 0 : 1.2;
     Case c = layer_case();
     c.of<contact::Cells>().spacing = contact::half_space_scales(c).contact_radius / cells;

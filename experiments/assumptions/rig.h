@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
+#include "contact/base/special_values.h"
 #include "contact/case.h"
-#include "contact/special_values.h"
 #include "io/case/rig_file.h"
 #include "statistics/correlations.h"
 #include "statistics/estimate.h"

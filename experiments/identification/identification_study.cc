@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <tuple>
 
-#include "contact/error.h"
+#include "contact/base/error.h"
 #include "experiments/identification/identification_checks.h"
 #include "experiments/identification/identification_models.h"
 #include "io/case/measurement_models.h"

@@ -1,6 +1,6 @@
 #include "io/case/rolling_on.h"
 
-#include "contact/error.h"
+#include "contact/base/error.h"
 
 namespace tricontact::io {
 

@@ -4,9 +4,12 @@
 
 #include <cmath>
 
-#include "contact/bodies/half_space_scales.h"
-#include "contact/error.h"
+#include "contact/base/error.h"
+#include "contact/cells.h"
+#include "contact/half_space_scales.h"
 #include "contact/run.h"
+#include "fem/settings.h"
+#include "mdr/settings.h"
 
 namespace tricontact::make_model_test {
 namespace {
@@ -56,15 +59,15 @@ TEST(ModelMakers, RefuseByName) {
 // accident.
 TEST(ModelMakers, CoarserSpringsAndCells) {
     Case c = pressed_case();
-    c.mdr.springs = 400;
-    c.bem.spacing = 5e-4;
-    c.bem.cells_per_radius.reset();
+    c.of<mdr::Settings>().springs = 400;
+    c.of<contact::Cells>().spacing = 5e-4;
+    c.of<contact::Cells>().per_radius.reset();
     const auto springs =
         model_makers().make_coarser(contact::models::mdr, c, 2, 1, contact::silent);
-    EXPECT_EQ(springs.c.mdr.springs, 199);
+    EXPECT_EQ(springs.c.of<mdr::Settings>().springs, 199);
     const auto cells = model_makers().make_coarser(contact::models::bem, c, 2, 1, contact::silent);
-    EXPECT_EQ(cells.c.bem.spacing, 1e-3);
-    EXPECT_EQ(c.bem.spacing, 5e-4);
+    EXPECT_EQ(cells.c.of<contact::Cells>().spacing, 1e-3);
+    EXPECT_EQ(c.of<contact::Cells>().spacing, 5e-4);
     const auto surface = [](const contact::CoarserModel& coarser) {
         contact::run(coarser.c, *coarser.model);
         return coarser.model->surface();
@@ -75,7 +78,7 @@ TEST(ModelMakers, CoarserSpringsAndCells) {
 TEST(ModelMakers, NoMeshIsCoarserThanThatOfAFile) {
     Case c = pressed_case();
     c.layer.thickness = 8e-3;
-    c.fem.mesh = "layer.msh";
+    c.of<fem::Settings>().mesh = "layer.msh";
     try {
         model_makers().make_coarser(contact::models::fem, c, 2, 1, contact::silent);
         FAIL() << "not refused";

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "contact/error.h"
+#include "contact/base/error.h"
 
 namespace tricontact::model_makers_test {
 namespace {

@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "contact/error.h"
+#include "contact/base/error.h"
 #include "files/version.h"
 
 namespace tricontact::archive_test {

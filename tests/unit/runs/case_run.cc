@@ -6,7 +6,8 @@
 #include <nlohmann/json.hpp>
 
 #include "app/models/make_model.h"
-#include "contact/error.h"
+#include "contact/base/error.h"
+#include "mdr/settings.h"
 #include "runs/further_runs.h"
 #include "runs/numerical_error.h"
 
@@ -65,7 +66,7 @@ TEST(CaseRun, SummaryHasHertzAndMindlin) {
 // The +- covers what springs are off Hertz' solution.
 TEST(CaseRun, ErrorBarsCoverClosedForms) {
     Case c = sphere();
-    c.mdr.springs = 100;
+    c.of<mdr::Settings>().springs = 100;
     const auto run = run_of(c, true);
     ASSERT_TRUE(run.extras.numerical.has_value());
     EXPECT_EQ(run.extras.numerical->why_none, "");

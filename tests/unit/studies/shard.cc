@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "contact/error.h"
+#include "contact/base/error.h"
 #include "files/digest.h"
 
 namespace tricontact::shard_test {

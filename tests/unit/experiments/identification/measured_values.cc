@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "contact/error.h"
+#include "contact/base/error.h"
 
 namespace tricontact::measured_values_test {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "contact/error.h"
+#include "contact/base/error.h"
 #include "io/case/case_keys.h"
 
 namespace tricontact::uncertain_case_test {

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "contact/error.h"
+#include "contact/base/error.h"
 
 namespace tricontact::io::rolling_on_test {
 namespace {
