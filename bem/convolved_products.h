@@ -15,7 +15,7 @@
 
 namespace tricontact::bem {
 
-/// What the cells of a grid do to each other, as convolutions; see contact::Compliance.
+/// What cells do to each other, as convolutions; one caller at a time, see contact::Compliance.
 class ConvolvedProducts {
   public:
     virtual ~ConvolvedProducts() = default;

@@ -22,7 +22,7 @@ using contact::FftwComplex, contact::FftwPlan, contact::FftwReal;
 /// are real in Fourier space, or K(-x, -y) = -K(x, y), which are imaginary there. The transforms
 /// are pruned: rows that hold only zeros or that are not read are not transformed. Plans are
 /// estimated, not measured, and work is split into fixed pieces, so results do not depend on timing
-/// or on the number of threads.
+/// or on the number of threads. One caller at a time: products of a const object share scratch.
 ///
 /// With period_x >= 2 n_x - 1 (and y) the convolution is linear; with less it is periodic.
 class GridConvolution {

@@ -11,7 +11,7 @@ namespace tricontact::bem {
 /// GridConvolution of fields that y = 0 mirrors, on the rows y >= 0: a single field is even in y;
 /// of two, the first is even and the second odd. As f = even + i odd obeys f(x, -y) = f(x, y)*, one
 /// complex transform of half of the rows and half of the columns does the work of four real ones of
-/// them all.
+/// them all. One caller at a time.
 class MirroredConvolution {
   public:
     using Symbol = GridConvolution::Symbol;  ///< of the wave numbers k_y >= 0 only

@@ -201,7 +201,9 @@ std::string surface_file(const StudyPoint& point) {
 
 std::optional<comparisons::Results> results_of(const std::optional<io::PointOutcome>& outcome) {
     if (!outcome || !outcome->results) return {};
-    return comparisons::read_stored_results(json::parse(*outcome->results));
+    comparisons::Results results = comparisons::read_stored_results(json::parse(*outcome->results));
+    results.model = outcome->model;
+    return results;
 }
 
 }  // namespace tricontact::studies

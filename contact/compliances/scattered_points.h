@@ -9,7 +9,7 @@
 
 namespace tricontact::contact {
 
-/// Products with fields of some points alone by products with fields of all, zero elsewhere.
+/// Products of fields of some points by those of all, zero elsewhere. One caller at a time.
 class ScatteredPoints {
   public:
     /// `positions`: of the points among `n_all`.

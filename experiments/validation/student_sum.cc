@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "contact/root.h"
 #include "statistics/estimate.h"
 
 namespace tricontact::experiments {
@@ -53,15 +54,28 @@ void reduce(std::vector<EstimatedError>& errors) {
     errors[1] = {std::sqrt(variance), variance * variance / sum};
 }
 
-/// The half width at which `beyond` falls to 5 %.
+/// The half width at which `beyond`, which decreases, falls to 5 %, by bisection: the same digits
+/// however it comes about. The root is found first, and tells the sides of what is not close to it.
 template <class Beyond>
 double solve(double standard_error, const Beyond& beyond) {
-    double low = 0, high = 2 * standard_error;
-    while (beyond(high) > 1 - level_of_sum) high *= 2;
-    constexpr int bisections = 40;
+    constexpr double least = 1 - level_of_sum;
+    constexpr double close = 1e-11;  // of the root, whose own error is a hundredth of it
+    constexpr int root_bits = 44, bisections = 40;
+    double low = 0, high = 2 * standard_error, at_low = level_of_sum, at_high = 0;
+    while ((at_high = beyond(high) - least) > 0) {
+        low = high;
+        at_low = at_high;
+        high *= 2;
+    }
+    const double root =
+        contact::bracketed_root([&](double half_width) { return beyond(half_width) - least; }, low,
+                                high, at_low, at_high, root_bits);
+    low = 0;
     for (int i = 0; i < bisections; ++i) {
         const double middle = (low + high) / 2;
-        (beyond(middle) > 1 - level_of_sum ? low : high) = middle;
+        const bool is_low =
+            std::abs(middle - root) > close * root ? middle < root : beyond(middle) > least;
+        (is_low ? low : high) = middle;
     }
     return (low + high) / 2;
 }

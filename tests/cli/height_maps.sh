@@ -129,7 +129,8 @@ for name in plain corners; do
     printf '[rolling]\namplitude = "0.01 mm"\n' >>rolled_$name.toml
     "$program" limit rolled_$name.toml --tolerance 0.05 --output limit_$name >limit_$name.out 2>&1 ||
         complain "$(cat limit_$name.out)"
-    "$program" refine $name.toml --model bem --output refine_$name >refine_$name.out 2>&1 ||
+    # Levels from twice the cells on: the finest has those of the runs above.
+    "$program" refine $name.toml --model bem --set "bem.spacing=0.1 mm" --output refine_$name >refine_$name.out 2>&1 ||
         complain "$(cat refine_$name.out)"
     grep -q '25 x 25 nodes (x by y), 100.0 um apart' sweep_$name.out || complain "sweep: $(cat sweep_$name.out)"
     grep -q '25 x 25 nodes (x by y), 100.0 um apart' refine_$name.out || complain "refine: $(cat refine_$name.out)"
@@ -141,6 +142,7 @@ for command in sweep limit refine; do
         complain "$command: the report says nothing"
     ! grep -q "$said" ${command}_plain.out || complain "$command: a warning: $(cat ${command}_plain.out)"
 done
+grep -q 'warning: bem: cells at the border' refine_corners.out || complain "whose border: $(cat refine_corners.out)"
 grep -q '"border_force_share": 0.[0-9]' limit_corners/limit.json || complain "$(grep border limit_corners/limit.json)"
 grep -q 'in 2 of 2 runs contact reaches the border' sweep_corners.out || complain "$(cat sweep_corners.out)"
 
