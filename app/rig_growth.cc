@@ -15,7 +15,7 @@ Case sphere_on_layer(const experiments::Rig& rig) {
     c.indenter.radius = rig["R"].value;
     c.substrate = {rig["E_2"].value, rig["nu_2"].value};
     c.layer.thickness = rig["b"].value;
-    c.friction_coefficient = rig["mu"].value;
+    c.friction.coefficient = rig["mu"].value;
     c.load.normal_force = rig["F_N"].value;
     c.load.tangential_ratio = experiments::coupling_tangential_ratio;
     return c;

@@ -67,7 +67,7 @@ Json steady_json(const RollingState& state, double friction_coefficient) {
 }
 
 Json run_json(const RollingReport& report, const RollingRun& run) {
-    const double mu = report.c.friction_coefficient;
+    const double mu = report.c.friction_coefficient();
     const auto point = [&](const RollingState& s) -> Json {
         return {{"longitudinal_creepage", s.creepage.longitudinal},
                 {"force_ratio", force_ratio(s, mu)}};
@@ -83,7 +83,7 @@ Json run_json(const RollingReport& report, const RollingRun& run) {
 Json theories_json(const RollingReport& report) {
     if (!straight(report.c) || report.runs.empty()) return Json::array();
     const RollingState& steady = report.runs.front().history.steady;
-    const double f = force_ratio(steady, report.c.friction_coefficient);
+    const double f = force_ratio(steady, report.c.friction_coefficient());
     const double xi = steady.creepage.longitudinal;
     return report::list_of(creep_theories(report.c), [&](const CreepTheory& theory) -> Json {
         if (by_creepage(report.c))
@@ -118,7 +118,7 @@ std::string creep_csv(const RollingReport& report) {
     for (const RollingRun& run : report.runs) {
         if (!first && !run.creep_curve.empty()) first = &run.creep_curve;
         for (const RollingState& s : run.creep_curve) {
-            const double limit = report.c.friction_coefficient * s.normal_force;
+            const double limit = report.c.friction_coefficient() * s.normal_force;
             text +=
                 report::csv_row(run.model, s.creepage.longitudinal, s.force[0] / limit,
                                 s.force[1] / limit, s.stick_area / s.contact_area, s.dissipation);

@@ -12,7 +12,7 @@ namespace tricontact::rolling {
 namespace {
 
 report::DocumentTable steady_table(const RollingReport& report) {
-    const double mu = report.c.friction_coefficient, unit = creepage_unit(report.c);
+    const double mu = report.c.friction_coefficient(), unit = creepage_unit(report.c);
     report::DocumentTable table{
         .id = "steady",
         .title = "Steady rolling",
@@ -46,7 +46,7 @@ void add_model_columns(const RollingReport& report, report::DocumentTable& table
 
 /// What closed forms say beside the first model.
 report::DocumentTable theory_table(const RollingReport& report) {
-    const double mu = report.c.friction_coefficient, unit = creepage_unit(report.c);
+    const double mu = report.c.friction_coefficient(), unit = creepage_unit(report.c);
     const bool forces = by_creepage(report.c);
     report::DocumentTable table{
         .id = "theories",
@@ -115,7 +115,7 @@ report::DocumentTable resistance_theory_table(const RollingReport& report) {
 constexpr int curve_points = 200;
 
 report::Figure creep_figure(const RollingReport& report) {
-    const double mu = report.c.friction_coefficient, unit = creepage_unit(report.c);
+    const double mu = report.c.friction_coefficient(), unit = creepage_unit(report.c);
     const bool across = !straight(report.c);
     report::Figure figure{
         .id = "creep",
@@ -169,7 +169,7 @@ report::DocumentTable ratio_table(const RollingReport& report) {
     if (!mdr || mdr->creep_curve.empty() || report.runs.size() < 2) return table;
     for (const RollingRun& run : report.runs)
         if (&run != mdr) table.columns.push_back({"over " + report::display_name(run.model)});
-    const double mu = report.c.friction_coefficient, sign = drive_sign(report.c);
+    const double mu = report.c.friction_coefficient(), sign = drive_sign(report.c);
     for (const double f : {.1, .2, .3, .4, .5, .6, .7, .8, .9}) {
         const auto bed = creepage_at(*mdr, mu, sign * f);
         std::vector<report::Cell> row{sign * f};

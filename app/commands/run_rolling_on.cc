@@ -116,7 +116,7 @@ std::vector<std::pair<std::string, std::string>> files_of(const Case& c) {
 
 /// A row per model, and what closed forms say.
 std::string table_of(const RollingReport& report) {
-    const double mu = report.c.friction_coefficient;
+    const double mu = report.c.friction_coefficient();
     std::string text = fmt::format("{:<22} {:>12} {:>12} {:>12} {:>8}\n", "", "xi", "F_x/(mu F_N)",
                                    "F_y/(mu F_N)", "stick");
     for (const rolling::RollingRun& run : report.runs) {

@@ -91,7 +91,7 @@ contact::HalfSpaceScales hertz_of(const Values& x) {
     c.indenter.material = contact::Material{x[2], x[3]};
     c.load.normal_force = x[1];
     c.substrate = {x[4], x[5]};
-    c.friction_coefficient = 1;
+    c.friction.coefficient = 1;
     return contact::half_space_scales(c);
 }
 

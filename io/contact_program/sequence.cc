@@ -97,7 +97,7 @@ struct SequenceWriter {
                                  is_coupled_ ? turns_if_coupled : 1, case_.bem.tolerance);
         append_loads(step);
         if (!before) {
-            text_ += fmt::format(" {0} {0}   FSTAT, FKIN\n", case_.friction_coefficient);
+            text_ += fmt::format(" {0} {0}   FSTAT, FKIN\n", case_.friction_coefficient());
             append_materials(step);
             text_ +=
                 fmt::format(" 3   IPOTCN\n {} {} {} {} {} {}   MX, MY, XC1, YC1, DX, DY\n",
