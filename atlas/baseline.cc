@@ -90,7 +90,7 @@ Baseline::Baseline(const Case& base, const std::string& model,
     }
     const double radius = half_space_scales(base).contact_radius;
     poisson_ = source("substrate.poisson", base.substrate.poisson);
-    friction_ = source("friction.coefficient", base.friction_coefficient);
+    friction_ = source("friction.coefficient", base.friction_coefficient());
     const contact::ModelKind& kind = contact::model_kind(model);
     const bool has_layer = !kind.is_half_space() && base.layer.thickness;
     if (has_layer)

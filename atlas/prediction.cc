@@ -147,7 +147,7 @@ class Predictor {
                     .rest = {{angle_key, angle_of(c_)},
                              {thickness_key, layer.thickness_ratio()},
                              {poisson_key, c_.substrate.poisson},
-                             {friction_key, c_.friction_coefficient}}};
+                             {friction_key, c_.friction_coefficient()}}};
         Value limit = exact(1);
         if (c_.rolling) {
             place.w = set(quantities::amplitude_ratio, amplitude_over(radius));

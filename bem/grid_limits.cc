@@ -44,7 +44,7 @@ bool is_clear_of_edge(const contact::ContactPoints& grid, const std::vector<doub
 bool friction_moves_it(const contact::Compliance& compliance, const contact::Case& c) {
     if (!c.contact.coupling || !compliance.is_coupled() || c.tractive_rolling) return false;
     const double beta = std::abs(c.materials().dundurs_beta());
-    return c.friction_coefficient * (c.layer.thickness ? std::max(beta, beta_of_layers) : beta) >
+    return expected_friction(c) * (c.layer.thickness ? std::max(beta, beta_of_layers) : beta) >
            weak_coupling;
 }
 
@@ -53,7 +53,7 @@ bool holds(const contact::Compliance& compliance, const contact::Case& c,
            const std::shared_ptr<const contact::Indenter>& indenter,
            const contact::LoadStep& step) {
     contact::SurfaceModel model(contact::models::bem, {std::shared_ptr<const void>(), &compliance},
-                                indenter, c.friction_coefficient, probe_tolerance, c.contact);
+                                indenter, c.friction.law(), probe_tolerance, c.contact);
     try {
         model.advance(step);
     } catch (const contact::ContactAtEdge&) {
@@ -70,7 +70,7 @@ bool holds_with_friction(const contact::Compliance& compliance, const contact::C
                          const std::shared_ptr<const contact::Indenter>& indenter,
                          const contact::Vector2& extent, const contact::NormalControl& hardest,
                          double normal_force) {
-    const double limit = c.friction_coefficient * normal_force;
+    const double limit = expected_friction(c) * normal_force;
     // The model's own limit is at most 1.
     const double by_limit = c.load.is_by_limit() ? c.load.ratio_by_limit(1) : 0;
     const double ratio = c.load.tangential_ratio.value_or(by_limit);

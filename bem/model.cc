@@ -275,8 +275,8 @@ std::unique_ptr<contact::Substrate> make_substrate(const contact::Case& c, int n
 std::unique_ptr<contact::Model> make_model(const contact::Case& c, int n_threads, Body body) {
     auto model = std::make_unique<contact::SurfaceModel>(
         body == Body::layer ? contact::models::bem_layer : contact::models::bem,
-        *make_substrate(c, n_threads, body, 0, is_mirrored(c)), c.make_indenter(),
-        c.friction_coefficient, c.of<Settings>().tolerance, c.contact);
+        *make_substrate(c, n_threads, body, 0, is_mirrored(c)), c.make_indenter(), c.friction.law(),
+        c.of<Settings>().tolerance, c.contact);
     model->set_larger_grid([=, aside = 0.](const contact::ContactAtEdge& reached) mutable {
         aside = more_room(aside, reached);
         return make_substrate(c, n_threads, body, aside, is_mirrored(c));

@@ -42,13 +42,13 @@ double size_of(const benchmark::State& state) {
 struct Layer {
     explicit Layer(const Case& c) : layer(fem::LayerCondenser(c, {}).make(fem::make_mesh(c, {}))) {
         linear = std::make_unique<contact::SurfaceModel>(
-            "fem", layer, c.make_indenter(), c.friction_coefficient,
-            c.of<fem::Settings>().tolerance, c.contact);
+            "fem", layer, c.make_indenter(), c.friction.law(), c.of<fem::Settings>().tolerance,
+            c.contact);
         strained = std::make_unique<fem::StrainedModel>(fem::StrainedModel::Setup{
             .layer = layer,
             .indenter = c.make_indenter(),
             .rolling_radius = c.indenter.radius,
-            .friction_coefficient = c.friction_coefficient,
+            .friction = c.friction.law(),
             .tolerance = fem::of_fem_tolerance * c.of<fem::Settings>().tolerance,
             .relaxation = {}});
     }

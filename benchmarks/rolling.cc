@@ -76,7 +76,7 @@ BENCHMARK(among_contact<true>)
 std::unique_ptr<contact::Model> on_whole_grid(const contact::Case& c) {
     return std::make_unique<contact::SurfaceModel>(
         "bem", *bem::make_substrate(c, 1, bem::Body::half_space), c.make_indenter(),
-        c.friction_coefficient, c.of<bem::Settings>().tolerance, c.contact);
+        c.friction.law(), c.of<bem::Settings>().tolerance, c.contact);
 }
 
 /// 12 periods at 0.2 mm, tolerance 1e-7; `ms_per_step` CPU, `convolutions_per_step` counted. On

@@ -27,7 +27,7 @@ contact::Case rolled(double way_mm, bool sphere) {
     c.substrate = {800e6, .4};
     c.contact.coupling = false;
     c.relaxation = {{{1, way_mm * 1e-3}}};
-    c.friction_coefficient = .3;
+    c.friction.coefficient = .3;
     c.load.normal_force = sphere ? 5e3 : 6e5;
     c.tractive_rolling.emplace();
     c.tractive_rolling->speed = 1;
@@ -42,9 +42,9 @@ contact::Case rolled(double way_mm, bool sphere) {
 rolling::RollingProblem problem_of(const contact::Case& c) {
     rolling::RollingProblem problem;
     problem.indenter = c.make_indenter();
-    problem.friction_coefficient = c.friction_coefficient;
+    problem.friction = c.friction.law();
     problem.normal.value = *c.load.normal_force;
-    problem.drive.force[0] = .6 * c.friction_coefficient * *c.load.normal_force;
+    problem.drive.force[0] = .6 * c.friction_coefficient() * *c.load.normal_force;
     problem.coupling = false;
     problem.tolerance = c.of<bem::Settings>().tolerance;
     problem.speed = c.tractive_rolling->speed;

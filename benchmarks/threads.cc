@@ -23,7 +23,7 @@ contact::Case rough_case(int n, bool is_free) {
     constexpr double length = 1e-4;
     contact::Case c;
     c.substrate = {25e6 * .75, .5};
-    c.friction_coefficient = .5;
+    c.friction.coefficient = .5;
     c.of<contact::Cells>().spacing = length / n;
     c.of<bem::Settings>().tolerance = 1e-5;
     c.load.press_steps = 1;

@@ -1,5 +1,7 @@
 #include "contact/case.h"
 
+#include "contact/base/error.h"
+
 namespace tricontact::contact {
 
 const char* Case::Load::limit_key() const {
@@ -15,6 +17,13 @@ void Case::Load::set_tangential_ratio(double ratio) {
     limit_excess.reset();
     tangential_force.reset();
     tangential_ratio = ratio;
+}
+
+double Case::friction_coefficient() const {
+    if (const auto mu = friction.law()->coulomb()) return *mu;
+    throw InputError(
+        "friction: another law than Coulomb's, of whose coefficient this is a formula; give "
+        "friction.coefficient alone");
 }
 
 double Case::Layer::total_thickness() const {

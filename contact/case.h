@@ -10,6 +10,7 @@
 #include "contact/bodies/indenter.h"
 #include "contact/bodies/profile_curve.h"
 #include "contact/bodies/roughness.h"
+#include "contact/friction/friction.h"
 #include "contact/prescribed_path.h"
 #include "contact/solvers/contact_options.h"
 #include "contact/substrates/material.h"
@@ -150,7 +151,7 @@ struct Case {
     std::optional<Relaxation> relaxation;  ///< of the substrate; empty: elastic
     std::optional<double> period;          ///< of indenters and tractions along x and y [m]
     Layer layer;
-    double friction_coefficient = 0;
+    Friction friction;
     Contact contact;
     Load load;
     std::optional<Rolling> rolling;                   ///< empty: static loading only
@@ -175,6 +176,8 @@ struct Case {
     bool is_line_contact() const { return indenter.shape == Shape::cylinder; }
     /// Of a body along y that ends on either side, and rolls in x.
     bool is_cylindrical() const { return is_line_contact() || indenter.shape == Shape::roller; }
+    /// mu [-], for what presumes Coulomb's law. Throws InputError if friction follows another.
+    double friction_coefficient() const;
     MaterialPair materials() const { return {indenter.material, substrate}; }
     /// With its roughness.
     std::unique_ptr<Indenter> make_indenter() const;
@@ -191,10 +194,15 @@ struct HalfSpaceScales {
     double indentation;     ///< d [m]
     double normal_force;    ///< F_N [N]
     double peak_pressure;   ///< p0 [Pa] at the centre; the mean under a conical tip: infinite there
-    double unit_shift;      ///< U_max = mu (E*/G*) d [m]; see half_space_scales.cc for ellipses
+    double unit_shift;      ///< U_max = mu (E*/G*) d [m]; see half_space_scales.cc for ellipses;
+                            ///< NaN under another law than Coulomb's
     Vector2 half_widths{};  ///< of the contact along x and y [m]
 };
 HalfSpaceScales half_space_scales(const Case& c);
+
+/// Friction over pressure to be expected of the case [-]: mu of Coulomb's law, else that at its
+/// mean pressure on the half-space.
+double expected_friction(const Case& c);
 
 /// A smooth paraboloid or sphere: what formulas with one radius R are about.
 bool is_hertz_round(const Case& c);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "contact/base/error.h"
@@ -53,12 +54,17 @@ Spread spread(const Case::IndenterData& indenter) {
     return sum;
 }
 
+/// Of Coulomb's law, which U_max presumes; else NaN.
+double friction_of(const Case& c) {
+    return c.friction.law()->coulomb().value_or(std::numeric_limits<double>::quiet_NaN());
+}
+
 double shift_ratio(const MaterialPair& materials, double friction_coefficient) {
     return friction_coefficient * materials.effective_modulus() /
            materials.effective_shear_modulus();
 }
 double shift_ratio(const Case& c) {
-    return shift_ratio(c.materials(), c.friction_coefficient);
+    return shift_ratio(c.materials(), friction_of(c));
 }
 
 // Hertz (1882); Johnson (1985), ch. 4: a^2 = R d, F_N = 4/3 E* sqrt(R) d^(3/2).
@@ -76,9 +82,8 @@ HalfSpaceScales hertz_scales_at(double d, double radius, const MaterialPair& mat
 
 HalfSpaceScales hertz_scales(const Case& c) {
     const auto d = c.load.indentation;
-    return d ? hertz_scales_at(*d, c.indenter.radius, c.materials(), c.friction_coefficient)
-             : hertz_scales(c.materials(), c.indenter.radius, *c.load.normal_force,
-                            c.friction_coefficient);
+    return d ? hertz_scales_at(*d, c.indenter.radius, c.materials(), friction_of(c))
+             : hertz_scales(c.materials(), c.indenter.radius, *c.load.normal_force, friction_of(c));
 }
 
 // The centre moves under the traction mu p along x by Cerruti's solution, Johnson (1985), section
@@ -95,12 +100,12 @@ HalfSpaceScales elliptic_scales(const Case& c) {
                            ? std::sqrt(*c.load.indentation / unit.indentation)
                            : std::cbrt(*c.load.normal_force / e_star / unit.normal_force);
     const EllipticContact e = elliptic_contact(radius, ratio, a_x);
-    const double excess = shift_ratio(c) - c.friction_coefficient;
+    const double excess = shift_ratio(c) - friction_of(c);
     return {.contact_radius = std::sqrt(e.semi_axes[0] * e.semi_axes[1]),
             .indentation = e.indentation,
             .normal_force = e_star * e.normal_force,
             .peak_pressure = e_star * e.peak_pressure,
-            .unit_shift = c.friction_coefficient * e.indentation + excess * a_x * a_x / radius,
+            .unit_shift = friction_of(c) * e.indentation + excess * a_x * a_x / radius,
             .half_widths = e.semi_axes};
 }
 
@@ -160,7 +165,7 @@ HalfSpaceScales line_contact_scales(const Case& c) {
             .indentation = indentation_of(a, body),
             .normal_force = force,
             .peak_pressure = 2 * force / (pi * a * body.length),
-            .unit_shift = c.friction_coefficient * a * a / (2 * body.radius) *
+            .unit_shift = friction_of(c) * a * a / (2 * body.radius) *
                           line_shift_factor(materials, body.length / a),
             .half_widths = {a, body.length / 2}};
 }
@@ -211,6 +216,11 @@ double nominal_area(const Case& c) {
     if (c.period) return *c.period * *c.period;
     const Vector2 side = c.indenter.height_map->period();
     return side[0] * side[1];
+}
+
+double expected_friction(const Case& c) {
+    constexpr double mean_of_peak = 2. / 3;  // Hertz
+    return c.friction.law()->ratio_at(mean_of_peak * half_space_scales(c).peak_pressure);
 }
 
 double cell_side(const Case& c) {

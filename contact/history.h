@@ -77,7 +77,8 @@ struct Scales {
     double contact_radius = 0;  ///< a [m]
     double indentation = 0;     ///< d [m]
     double peak_pressure = 0;   ///< p0 [Pa]
-    double unit_shift = 0;      ///< U_max [m]: u_x at the contact centre under the traction mu p
+    double unit_shift = 0;  ///< U_max [m]: u_x at the contact centre under sliding friction along x
+    double sliding_force = 0;  ///< what friction carries in all [N]
 };
 
 /// What becomes of a contact that rolls to and fro for ever. Shakedown: everything sticks in the
@@ -111,7 +112,7 @@ struct History {
     Scales scales;
     double amplitude = 0;         ///< W of the rolling [m]
     double tangential_force = 0;  ///< F_T after loading [N]
-    double friction_limit = 0;    ///< mu F_N of the pressed state [N]
+    double friction_limit = 0;    ///< of the pressed state [N], mu F_N
     std::vector<StepRecord> steps;
     double static_shift = 0;                     ///< U after loading, before rolling [m]
     std::vector<double> shift_per_period;        ///< U with the roller upright, n = 1, 2, ... [m]

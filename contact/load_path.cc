@@ -115,7 +115,7 @@ std::vector<LoadStep> hold_steps(const LoadStep& loaded, double hold) {
 
 double check_friction_limit(const Case& c, double phase, double tangential_force,
                             double normal_force) {
-    const double limit = c.friction_coefficient * normal_force;
+    const double limit = c.friction.law()->limit({normal_force, infinity});
     if (tangential_force >= limit && tangential_force > 0)
         throw InputError(fmt::format(
             "load: the tangential force {:.6g} N reaches the friction limit mu F_N = {:.6g} N at "
@@ -189,11 +189,13 @@ bool is_mirror_symmetric(const Case& c) {
     return !c.rolling || std::abs(std::sin(c.rolling->angle)) < 1e-12;
 }
 
-LoadPath make_load_path(const Case& c, double normal_force, double contact_radius) {
+LoadPath make_load_path(const Case& c, double normal_force, double contact_radius,
+                        double sliding_force) {
     if (c.prescribed_path) return prescribed(c);
-    const double mean_force = c.load.tangential_force ? *c.load.tangential_force
-                                                      : c.load.tangential_ratio.value() *
-                                                            c.friction_coefficient * normal_force;
+    const double mean_force = c.load.tangential_force
+                                  ? *c.load.tangential_force
+                                  : c.friction.law()->limit({normal_force, sliding_force},
+                                                            c.load.tangential_ratio.value());
     auto loads_at = [&](LoadStep& step) {
         auto factor = [&](double ratio, double shift) {
             return ratio == 0

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "contact/base/special_values.h"
 #include "contact/base/vector2.h"
 #include "contact/case.h"
 #include "contact/solvers/load_step.h"
@@ -46,7 +47,8 @@ double check_friction_limit(const Case& c, double phase, double tangential_force
 /// The whole path; F_T is said by force or ratio (see own_limit.h). `normal_force` [N] and
 /// `contact_radius` [m] are the pressed model's own: what ratios over "the model" refer to. Throws
 /// InputError when F_T exceeds mu F_N somewhere on the path (force control).
-LoadPath make_load_path(const Case& c, double normal_force, double contact_radius);
+LoadPath make_load_path(const Case& c, double normal_force, double contact_radius,
+                        double sliding_force = infinity);
 
 /// F_T/(mu F_N) is prescribed under a depth whose F_N friction changes in coupled contact: what the
 /// ratio refers to is F_N of the step that loads the contact. A relaxing substrate's goes on

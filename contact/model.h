@@ -38,8 +38,9 @@ class Model {
     virtual Surface surface() const = 0;
     /// What every point did in the last step, also where `surface` is thinned out.
     virtual std::vector<ContactState> contact_states() const { return surface().contact_state; }
-    /// (1/F_N) ∫ min p dA, the minimum taken over all states since `start_limit`, F_N that at
-    /// `start_limit`: the exact shakedown limit of F_T/(mu F_N) in uncoupled contact.
+    /// What friction carries at the least pressures, the minimum taken over all states since
+    /// `start_limit`, over what it carries at `start_limit`: under Coulomb's law (1/F_N) ∫ min p
+    /// dA, the exact shakedown limit of F_T/(mu F_N) in uncoupled contact.
     virtual double limit_tangential_ratio() const = 0;
     virtual void start_limit() = 0;
     /// The inside of the substrate in the present state; null where the model does not know it.

@@ -23,8 +23,8 @@ FrictionlessLimit frictionless_limit(const Case& c, Model& model) {
     press.friction = false;
     model.advance(press);
     const Scales scales = model.scales();
-    const LoadPath path =
-        make_load_path(with_ratio(c, 0), scales.normal_force, scales.contact_radius);
+    const LoadPath path = make_load_path(with_ratio(c, 0), scales.normal_force,
+                                         scales.contact_radius, scales.sliding_force);
     model.start_limit();
     std::set<Vector2> visited{press.offset};
     for (LoadStep step : path.period) {

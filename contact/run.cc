@@ -150,8 +150,7 @@ class Run {
                                first.tangential[0].value / history_.friction_limit};
         take(first, true);
         mean_normal_force_ = history_.steps.back().normal_force;
-        history_.friction_limit = case_.friction_coefficient * mean_normal_force_;
-        path_ = make_load_path(case_, mean_normal_force_, history_.scales.contact_radius);
+        find_path_at(model_.scales().sliding_force);
         for (std::size_t k = 1; k < path_.loading.size(); ++k) take(path_.loading[k], true);
     }
 
@@ -196,13 +195,19 @@ class Run {
     void find_path() {
         history_.scales = model_.scales();
         const Scales& scales = history_.scales;
-        path_ = make_load_path(case_, scales.normal_force, scales.contact_radius);
-        history_.amplitude = path_.amplitude;
         mean_normal_force_ = scales.normal_force;
-        history_.friction_limit = case_.friction_coefficient * mean_normal_force_;
+        find_path_at(scales.sliding_force);
+        history_.amplitude = path_.amplitude;
         const std::size_t pressing = path_matters() ? path_.pressing.size() : 1;
         n_at_most_ = static_cast<int>(pressing + path_.loading.size()) +
                      path_.max_periods * static_cast<int>(path_.period.size());
+    }
+
+    /// Of the present mean F_N.
+    void find_path_at(double sliding_force) {
+        history_.friction_limit = case_.friction.law()->limit({mean_normal_force_, sliding_force});
+        path_ = make_load_path(case_, mean_normal_force_, history_.scales.contact_radius,
+                               sliding_force);
     }
 
     void roll() {

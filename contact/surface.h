@@ -28,7 +28,7 @@ struct Surface {
 
     std::vector<double> normal_traction;  ///< p [Pa], compression positive
     std::vector<double> tangential_traction_x, tangential_traction_y;  ///< on the substrate [Pa]
-    std::vector<double> friction_bound;                                ///< mu p [Pa]
+    std::vector<double> friction_bound;                                ///< see FrictionLaw [Pa]
     std::vector<double> displacement_x, displacement_y;                ///< of the surface [m]
     std::vector<double> displacement_z;                                ///< into the substrate [m]
     std::vector<double> gap;                                           ///< [m]

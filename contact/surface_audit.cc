@@ -172,7 +172,7 @@ void SurfaceModel::audit_step(const LoadStep& step, bool advected) {
              .slip = slip_,
              .contact_state = contact_state_,
              .control = tangential,
-             .length = now().shift_factor * friction_coefficient_ * now().normal->length,
+             .length = now().shift_factor * solver_->friction_ratio() * now().normal->length,
              .n_threads = substrate_->compliance().n_threads()},
             tolerance_, audit_);
     }
@@ -181,8 +181,8 @@ void SurfaceModel::audit_step(const LoadStep& step, bool advected) {
     // The forces' work is that on the surface plus what friction dissipates, of the order mu^2 F d.
     // Rounding goes with all that is turned over, F d under whatever friction: a product of the
     // compliance adds up a thousand terms, each to half an epsilon, or more where they cancel.
-    const double by_friction =
-        friction_coefficient_ * friction_coefficient_ * now().normal->force * now().normal->length;
+    const double mu = solver_->friction_ratio();
+    const double by_friction = mu * mu * now().normal->force * now().normal->length;
     const double by_rounding =
         std::max(product_rounding, now().normal->rounding) * energy.magnitude;
     audit_.record("energy_balance",

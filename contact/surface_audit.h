@@ -23,7 +23,7 @@ void audit_normal(const NormalSolution& solution, const NormalControl& control,
                   int n_threads = 1);
 
 struct TangentialFacts {
-    const std::vector<double>& bound;  ///< mu p [Pa]
+    const std::vector<double>& bound;  ///< see FrictionLaw [Pa]
     const std::vector<double>& area;   ///< [m^2]
     const TangentialField& traction;   ///< on the substrate [Pa]
     const TangentialField& slip;       ///< indenter over substrate in this step [m]

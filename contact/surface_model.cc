@@ -12,12 +12,13 @@
 namespace tricontact::contact {
 
 SurfaceModel::SurfaceModel(std::string name, const Substrate& substrate,
-                           std::shared_ptr<const Indenter> indenter, double friction_coefficient,
-                           double tolerance, const Case::Contact& options)
+                           std::shared_ptr<const Indenter> indenter,
+                           std::shared_ptr<const FrictionLaw> friction, double tolerance,
+                           const Case::Contact& options)
     : name_(std::move(name)),
       substrate_(substrate.fresh(options.coupling)),
       indenter_(std::move(indenter)),
-      friction_coefficient_(friction_coefficient),
+      friction_(std::move(friction)),
       tolerance_(tolerance),
       options_(options) {
     make_solver();
@@ -25,18 +26,19 @@ SurfaceModel::SurfaceModel(std::string name, const Substrate& substrate,
 }
 
 SurfaceModel::SurfaceModel(std::string name, std::shared_ptr<const Compliance> compliance,
-                           std::shared_ptr<const Indenter> indenter, double friction_coefficient,
-                           double tolerance, const Case::Contact& options)
+                           std::shared_ptr<const Indenter> indenter,
+                           std::shared_ptr<const FrictionLaw> friction, double tolerance,
+                           const Case::Contact& options)
     : SurfaceModel(std::move(name), ElasticSubstrate(std::move(compliance)), std::move(indenter),
-                   friction_coefficient, tolerance, options) {}
+                   std::move(friction), tolerance, options) {}
 
 void SurfaceModel::make_solver() {
-    solver_.emplace(name_, *substrate_, *indenter_, friction_coefficient_, tolerance_, options_);
+    solver_.emplace(name_, *substrate_, *indenter_, friction_, tolerance_, options_);
 }
 
 std::unique_ptr<Model> SurfaceModel::sibling(const Case::Contact& options) const {
-    auto other = std::make_unique<SurfaceModel>(name_, *substrate_, indenter_,
-                                                friction_coefficient_, tolerance_, options);
+    auto other = std::make_unique<SurfaceModel>(name_, *substrate_, indenter_, friction_,
+                                                tolerance_, options);
     other->set_larger_grid(larger_grid_);
     return other;
 }
@@ -94,7 +96,7 @@ StepRecord SurfaceModel::take(const LoadStep& step, const StepStart& before) {
 
 void SurfaceModel::update_slip(const StepStart& before) {
     const ContactSolution& s = now();
-    const double unit = std::max(s.shift_factor, 1.) * friction_coefficient_ * s.normal->length;
+    const double unit = std::max(s.shift_factor, 1.) * solver_->friction_ratio() * s.normal->length;
     const Vector2 moved = s.shift - before.shift;
     const TangentialField &u = s.displacement.in_surface, &old = before.displacement.in_surface;
     blocks(s.bound.size()).for_points([&](std::size_t i) {
@@ -114,11 +116,13 @@ void SurfaceModel::update_slip(const StepStart& before) {
 
 double SurfaceModel::limit_tangential_ratio() const {
     const auto& area = points().area;
-    const auto sum =
-        blocks(least_pressure_.size()).sum_points<double>([&](double& part, std::size_t i) {
-            part += area[i] * least_pressure_[i];
-        });
-    return sum / least_pressure_force_;
+    std::vector<double> bound(least_pressure_.size());
+    friction_->bounds({least_pressure_}, bound);
+    const auto least = blocks(bound.size()).sum_points<Sums<2>>([&](Sums<2>& sum, std::size_t i) {
+        sum[0] += area[i] * least_pressure_[i];
+        sum[1] += area[i] * bound[i];
+    });
+    return friction_->share({least[0], least[1]}, limit_start_);
 }
 
 std::unique_ptr<const Interior> SurfaceModel::interior() {

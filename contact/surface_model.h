@@ -6,12 +6,13 @@
 
 #include "contact/bodies/indenter.h"
 #include "contact/case.h"
+#include "contact/friction/friction_law.h"
 #include "contact/model.h"
 #include "contact/solvers/staggered_solver.h"
 
 namespace tricontact::contact {
 
-/// Contact of an indenter over any compliance, with Coulomb friction, in world-fixed coordinates:
+/// Contact of an indenter over any compliance, with friction, in world-fixed coordinates:
 /// surface points keep their displacement when the indenter rolls away from them.
 ///
 /// How a step is solved: StaggeredSolver.
@@ -19,12 +20,14 @@ class SurfaceModel final : public Model {
   public:
     /// `tolerance` [-]: see StaggeredSolver.
     SurfaceModel(std::string name, const Substrate& substrate,
-                 std::shared_ptr<const Indenter> indenter, double friction_coefficient,
-                 double tolerance, const Case::Contact& options = {});
+                 std::shared_ptr<const Indenter> indenter,
+                 std::shared_ptr<const FrictionLaw> friction, double tolerance,
+                 const Case::Contact& options = {});
     /// On an elastic substrate.
     SurfaceModel(std::string name, std::shared_ptr<const Compliance> compliance,
-                 std::shared_ptr<const Indenter> indenter, double friction_coefficient,
-                 double tolerance, const Case::Contact& options = {});
+                 std::shared_ptr<const Indenter> indenter,
+                 std::shared_ptr<const FrictionLaw> friction, double tolerance,
+                 const Case::Contact& options = {});
 
     /// The same body on a larger grid than that whose edge the contact has reached, a still larger
     /// one each time. Throws InputError, NotConverged.
@@ -56,7 +59,7 @@ class SurfaceModel final : public Model {
     double limit_tangential_ratio() const override;
     void start_limit() override {
         least_pressure_ = now().normal->pressure;
-        least_pressure_force_ = now().normal->force;
+        limit_start_ = solver_->total_friction();
     }
     std::unique_ptr<const Interior> interior() override;
     std::unique_ptr<Model> sibling(const Case::Contact& options) const override;
@@ -94,7 +97,7 @@ class SurfaceModel final : public Model {
     std::string name_;
     std::unique_ptr<Substrate> substrate_;
     std::shared_ptr<const Indenter> indenter_;
-    double friction_coefficient_;
+    std::shared_ptr<const FrictionLaw> friction_;
     double tolerance_;
     Case::Contact options_;
     LargerGrid larger_grid_;
@@ -106,7 +109,7 @@ class SurfaceModel final : public Model {
     std::vector<double> slip_path_, friction_work_;  // since start_period(), see Surface
     std::vector<ContactState> contact_state_;
     std::vector<double> least_pressure_;  // since start_limit()
-    double least_pressure_force_ = 0;     // F_N at start_limit()
+    FrictionLaw::Total limit_start_{};    // at start_limit()
     double energy_ = 0;                   // stored, of the present state [J]
     double material_dissipation_ = 0;     // of the last step [J]
     Audit audit_;

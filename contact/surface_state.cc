@@ -32,8 +32,15 @@ Scales SurfaceModel::scales() const {
     TangentialField sliding(now().bound.size(), n_threads);
     TangentialField displacement(now().bound.size(), n_threads);
     const Blocks all = blocks(now().bound.size());
-    all.for_points(
-        [&](std::size_t i) { sliding.x[i] = friction_coefficient_ * now().normal->pressure[i]; });
+    const double sliding_force =
+        all.sum<double>([&](std::size_t, std::size_t begin, std::size_t end) {
+            const std::size_t n = end - begin;
+            friction_->bounds({std::span(now().normal->pressure).subspan(begin, n)},
+                              std::span(sliding.x).subspan(begin, n));
+            double sum = 0;
+            for (std::size_t i = begin; i < end; ++i) sum += points.area[i] * sliding.x[i];
+            return sum;
+        });
     substrate_->relaxed().tangential(sliding, displacement);
     const auto centre =
         all.sum_points<Nearest>([&](Nearest& nearest, std::size_t i) {
@@ -48,7 +55,8 @@ Scales SurfaceModel::scales() const {
             .indentation = now().normal->indentation,
             .peak_pressure =
                 *std::max_element(now().normal->pressure.begin(), now().normal->pressure.end()),
-            .unit_shift = displacement.x[centre]};
+            .unit_shift = displacement.x[centre],
+            .sliding_force = friction_->limit({now().normal->force, sliding_force})};
 }
 
 Surface SurfaceModel::surface() const {
@@ -140,7 +148,7 @@ void transfer_solution(Archive& archive, Solution& s, Normal& normal) {
 template <class Archive, class Self>
 void SurfaceModel::transfer_rest(Archive& archive, Self& m) {
     archive(m.slip_.x, m.slip_.y, m.least_pressure_, m.slip_path_, m.friction_work_, m.phase_,
-            m.rotation_, m.least_pressure_force_, m.energy_, m.contact_state_);
+            m.rotation_, m.limit_start_, m.energy_, m.contact_state_);
     m.substrate_->transfer(archive);
 }
 

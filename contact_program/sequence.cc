@@ -99,7 +99,7 @@ struct SequenceWriter {
                                  case_.of<bem::Settings>().tolerance);
         append_loads(step);
         if (!before) {
-            text_ += fmt::format(" {0} {0}   FSTAT, FKIN\n", case_.friction_coefficient);
+            text_ += fmt::format(" {0} {0}   FSTAT, FKIN\n", case_.friction_coefficient());
             append_materials(step);
             text_ +=
                 fmt::format(" 3   IPOTCN\n {} {} {} {} {} {}   MX, MY, XC1, YC1, DX, DY\n",

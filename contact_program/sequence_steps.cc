@@ -152,7 +152,7 @@ struct StepWriter {
         return load.tangential_ratio
                    ? *load.tangential_ratio
                    : load.tangential_force.value_or(0) /
-                         (case_.friction_coefficient * load.normal_force.value_or(1));
+                         (case_.friction_coefficient() * load.normal_force.value_or(1));
     }
 
     TangentialControl control(const LoadStep& step, int axis) {
@@ -162,7 +162,7 @@ struct StepWriter {
         // Under a prescribed depth the path was made for F_N = 1 N.
         const bool force = step.normal.kind == NormalControl::Kind::force;
         return {Kind::ratio,
-                given.value / (case_.friction_coefficient * (force ? step.normal.value : 1))};
+                given.value / (case_.friction_coefficient() * (force ? step.normal.value : 1))};
     }
 
     const Case& case_;

@@ -19,13 +19,14 @@ namespace {
 
 const BedData& checked(const BedData& data) {
     if (!data.profile) throw InputError("mdr: no indenter profile");
+    if (!data.friction) throw InputError("mdr: no law of friction");
     auto positive = [](const char* name, double value) {
         if (!contact::is_positive_and_finite(value))
             throw InputError(fmt::format("mdr: {} = {:.6g} must be positive", name, value));
     };
     positive("effective modulus E*", data.effective_modulus);
     positive("effective shear modulus G*", data.effective_shear_modulus);
-    positive("friction coefficient", data.friction_coefficient);
+    positive("friction coefficient", coefficient_on_line(contact::models::mdr, *data.friction));
     positive("half length of the bed", data.half_length);
     if (data.n_springs < 10)
         throw InputError(fmt::format("mdr: {} springs are too few, give at least 10 (mdr.springs)",
@@ -55,12 +56,20 @@ double position_on_line(const std::string& model, const contact::LoadStep& step,
     return along;
 }
 
+double coefficient_on_line(const std::string& model, const contact::FrictionLaw& friction) {
+    if (const auto mu = friction.coulomb()) return *mu;
+    throw InputError(model +
+                     ": springs reduce the contact to a line by Coulomb's law of friction; take "
+                     "bem, bem-layer or fem for another");
+}
+
 Bed::Bed(const BedData& data)
     : effective_modulus_(checked(data).effective_modulus),
       effective_shear_modulus_(data.effective_shear_modulus),
-      friction_coefficient_(data.friction_coefficient),
+      law_(data.friction),
       direction_{std::cos(data.rolling_angle), std::sin(data.rolling_angle)},
-      bound_ratio_(friction_coefficient_ * effective_modulus_ / effective_shear_modulus_) {}
+      bound_ratio_(coefficient_on_line(contact::models::mdr, *law_) * effective_modulus_ /
+                   effective_shear_modulus_) {}
 
 void Bed::check_positive(const NormalControl& control) {
     if (!contact::is_positive_and_finite(control.value))
@@ -71,7 +80,7 @@ void Bed::check_positive(const NormalControl& control) {
 }
 
 void Bed::check_carried(const TangentialControl& control) const {
-    const double limit = friction_coefficient_ * normal_force_;
+    const double limit = friction_limit();
     if (!(std::abs(control.value) < limit))
         throw InputError(fmt::format(
             "mdr: the tangential force {:.6g} N reaches the friction limit mu F_N = {:.6g} N: the "
@@ -88,10 +97,8 @@ void Bed::audit_forces(const contact::LoadStep& step, const SlipSums& sums, doub
         audit_.record("normal_force", std::abs(normal_force_ / step.normal.value - 1), rounding);
     const TangentialControl& control = step.tangential[0];
     if (held && control.kind == TangentialControl::Kind::force)
-        audit_.record(
-            "tangential_force",
-            std::abs(tangential_force_ - control.value) / (friction_coefficient_ * normal_force_),
-            rounding);
+        audit_.record("tangential_force",
+                      std::abs(tangential_force_ - control.value) / friction_limit(), rounding);
 }
 
 contact::StepRecord Bed::record(const contact::LoadStep& step, const ShiftSolution& shift,
@@ -117,8 +124,8 @@ contact::StepRecord Bed::record(const contact::LoadStep& step, const ShiftSoluti
     r.force_residual = r.normal_residual;
     const TangentialControl& control = step.tangential[0];
     if (held && control.kind == TangentialControl::Kind::force)
-        r.force_residual = std::max(r.force_residual, std::abs(tangential_force_ - control.value) /
-                                                          (friction_coefficient_ * normal_force_));
+        r.force_residual = std::max(r.force_residual,
+                                    std::abs(tangential_force_ - control.value) / friction_limit());
     return r;
 }
 

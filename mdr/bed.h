@@ -7,6 +7,7 @@
 #include <string>
 
 #include "contact/base/vector2.h"
+#include "contact/friction/friction_law.h"
 #include "contact/load_path.h"
 #include "contact/model.h"
 #include "contact/models/model_kind.h"
@@ -21,10 +22,10 @@ struct BedData {
     std::unique_ptr<PlaneProfile> profile;
     double effective_modulus = 0;        ///< E* [Pa], of a relaxing bed when relaxed
     double effective_shear_modulus = 0;  ///< G* [Pa], likewise
-    double friction_coefficient = 0;     ///< mu [-], > 0
-    int n_springs = 0;                   ///< over the whole bed
-    double half_length = 0;              ///< of the bed about the starting position [m]
-    double rolling_angle = 0;            ///< of the line on which it rolls [rad]
+    std::shared_ptr<const contact::FrictionLaw> friction;  ///< Coulomb's, mu > 0
+    int n_springs = 0;                                     ///< over the whole bed
+    double half_length = 0;    ///< of the bed about the starting position [m]
+    double rolling_angle = 0;  ///< of the line on which it rolls [rad]
     std::optional<contact::Relaxation> relaxation{};  ///< empty: elastic
 };
 
@@ -37,6 +38,10 @@ double position_on_line(const std::string& model, const contact::LoadStep& step,
 
 /// Steps of independent springs are exact: slips below this part of the bound are rounding.
 inline constexpr double exact_steps = 1e-11;
+
+/// mu [-]. Springs and line elements carry mu times their pressure as points do, which other laws
+/// do not: throws contact::InputError, `model` being named.
+double coefficient_on_line(const std::string& model, const contact::FrictionLaw& friction);
 
 /// What elastic and relaxing beds of independent springs have in common.
 class Bed : public contact::Model {
@@ -75,7 +80,11 @@ class Bed : public contact::Model {
     contact::StepRecord record(const contact::LoadStep& step, const ShiftSolution& shift,
                                double depth, double spacing, const Springs& n, bool held) const;
 
-    double effective_modulus_, effective_shear_modulus_, friction_coefficient_;
+    /// Of the present F_N [N].
+    double friction_limit() const { return law_->limit({normal_force_, 0}); }
+
+    double effective_modulus_, effective_shear_modulus_;
+    std::shared_ptr<const contact::FrictionLaw> law_;
     contact::Vector2 direction_;                      // of rolling
     double bound_ratio_;                              // mu E*/G*
     double normal_force_ = 0, tangential_force_ = 0;  // [N]

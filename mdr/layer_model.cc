@@ -119,14 +119,17 @@ std::vector<double> line_load(std::vector<double> traction) {
 }  // namespace
 
 LayerModel::LayerModel(std::shared_ptr<const LayerSprings> springs,
-                       std::shared_ptr<const PlaneProfile> profile, double friction_coefficient,
-                       double rolling_angle, const std::optional<contact::Relaxation>& relaxation)
+                       std::shared_ptr<const PlaneProfile> profile,
+                       std::shared_ptr<const contact::FrictionLaw> friction, double rolling_angle,
+                       const std::optional<contact::Relaxation>& relaxation)
     : springs_(std::move(springs)),
       profile_(std::move(profile)),
-      friction_coefficient_(friction_coefficient),
+      friction_(std::move(friction)),
       direction_{std::cos(rolling_angle), std::sin(rolling_angle)},
       model_(name(), *substrate_of(springs_, relaxation), std::make_shared<PlaneIndenter>(profile_),
-             friction_coefficient_, tolerance) {}
+             friction_, tolerance) {
+    coefficient_on_line(name(), *friction_);
+}
 
 contact::StepRecord LayerModel::advance(const contact::LoadStep& step) {
     contact::LoadStep on_line = step;
@@ -178,7 +181,7 @@ contact::Surface LayerModel::surface() const {
     const PointRow& row = springs_->row();
     const auto normal = line_load(s.normal_traction), along = line_load(s.tangential_traction_x);
     return make_line_surface(
-        row, static_cast<int>(s.gap.size()), s.offset[0], friction_coefficient_,
+        row, static_cast<int>(s.gap.size()), s.offset[0], *friction_,
         even_loads(row, normal, along, s.offset[0]), [&](int i, int k, contact::Surface& shown) {
             shown.contact_state[k] = s.contact_state[i];
             shown.displacement_x[k] = s.displacement_x[i];
@@ -207,7 +210,7 @@ std::unique_ptr<contact::Model> make_layer_model(const contact::Case& c, int ele
         throw contact::InputError(
             "mdr-layer: coarser elements would not resolve the layer's thickness");
     return std::make_unique<LayerModel>(springs_of(c, final_margin * a.largest + path, spacing),
-                                        profile, c.friction_coefficient, contact::path_direction(c),
+                                        profile, c.friction.law(), contact::path_direction(c),
                                         contact::common_relaxation(contact::models::mdr_layer, c));
 }
 

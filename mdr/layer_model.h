@@ -26,8 +26,9 @@ class LayerModel final : public contact::Model {
   public:
     /// `relaxation`: of all the compliance; empty: elastic. `rolling_angle` [rad].
     LayerModel(std::shared_ptr<const LayerSprings> springs,
-               std::shared_ptr<const PlaneProfile> profile, double friction_coefficient,
-               double rolling_angle, const std::optional<contact::Relaxation>& relaxation);
+               std::shared_ptr<const PlaneProfile> profile,
+               std::shared_ptr<const contact::FrictionLaw> friction, double rolling_angle,
+               const std::optional<contact::Relaxation>& relaxation);
 
     std::string name() const override { return contact::models::mdr_layer; }
     double step_accuracy() const override { return contact::layer_springs_accuracy; }
@@ -53,7 +54,7 @@ class LayerModel final : public contact::Model {
 
     std::shared_ptr<const LayerSprings> springs_;
     std::shared_ptr<const PlaneProfile> profile_;
-    double friction_coefficient_;
+    std::shared_ptr<const contact::FrictionLaw> friction_;
     contact::Vector2 direction_;  // of rolling
     contact::SurfaceModel model_;
 };

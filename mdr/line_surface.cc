@@ -113,7 +113,7 @@ EvenLoads even_loads(const PointRow& row, std::span<const double> normal,
 }
 
 contact::Surface make_line_surface(const PointRow& row, int n, double position,
-                                   double friction_coefficient, const EvenLoads& loads,
+                                   const contact::FrictionLaw& friction, const EvenLoads& loads,
                                    const ShowPoint& show) {
     const int stride = (n + most_surface_points - 1) / most_surface_points;
     contact::Surface s;
@@ -136,7 +136,7 @@ contact::Surface make_line_surface(const PointRow& row, int n, double position,
             s.normal_traction[k] = back_transform(loads.positions, loads.normal, weights);
             s.tangential_traction_x[k] = back_transform(loads.positions, loads.tangential, weights);
         }
-        s.friction_bound[k] = friction_coefficient * s.normal_traction[k];
+        s.friction_bound[k] = friction.bound(s.normal_traction[k]);
         show(k * stride, k, s);
         s.dissipation[k] = std::abs(s.tangential_traction_x[k] * s.slip_x[k]);
     }

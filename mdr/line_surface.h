@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "contact/friction/friction_law.h"
 #include "contact/surface.h"
 
 namespace tricontact::mdr {
@@ -72,7 +73,7 @@ EvenLoads even_loads(const PointRow& row, std::span<const double> normal,
 /// |s| gives its path; once the contact has rolled, no radius belongs to a spring.
 using ShowPoint = std::function<void(int i, int k, contact::Surface& surface)>;
 contact::Surface make_line_surface(const PointRow& row, int n, double position,
-                                   double friction_coefficient, const EvenLoads& loads,
+                                   const contact::FrictionLaw& friction, const EvenLoads& loads,
                                    const ShowPoint& show);
 
 }  // namespace tricontact::mdr

@@ -46,7 +46,7 @@ std::unique_ptr<contact::Model> make_model(const contact::Case& c) {
     data.profile = make_plane_profile(*c.make_axisymmetric_indenter(), table);
     data.effective_modulus = c.materials().effective_modulus();
     data.effective_shear_modulus = c.materials().effective_shear_modulus();
-    data.friction_coefficient = c.friction_coefficient;
+    data.friction = c.friction.law();
     data.n_springs = c.of<Settings>().springs;
     data.rolling_angle = contact::path_direction(c);
     // 1 % more: the discrete contact is not exactly as wide as the continuous one.

@@ -48,7 +48,8 @@ contact::Scales RelaxingBed::scales() const {
             .contact_radius = even.half_width(),
             .indentation = depth_,
             .peak_pressure = even.centre_pressure(),
-            .unit_shift = bound_ratio_ * depth_};
+            .unit_shift = bound_ratio_ * depth_,
+            .sliding_force = friction_limit()};
 }
 
 contact::Surface RelaxingBed::surface() const {
@@ -59,8 +60,8 @@ contact::Surface RelaxingBed::surface() const {
         tangential.push_back(effective_shear_modulus_ * stiffness * sheared_[i]);
     }
     return make_line_surface(
-        row_, size(), position_, friction_coefficient_,
-        even_loads(row_, normal, tangential, position_), [&](int i, int k, contact::Surface& s) {
+        row_, size(), position_, *law_, even_loads(row_, normal, tangential, position_),
+        [&](int i, int k, contact::Surface& s) {
             const double x = std::abs(row_.position(i) - position_);
             const double u_z = normal_.deflection()[i];
             const double gap = profile_->value(std::min(x, profile_->range())) + u_z - depth_;

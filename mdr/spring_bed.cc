@@ -203,7 +203,7 @@ double SpringBed::limit_tangential_ratio() const {
     contact::CompensatedSum sum;
     for (const double bound : part(least_bounds_, least_contact_)) sum.add(bound);
     return effective_shear_modulus_ * normal_.spacing() * sum.value() /
-           (friction_coefficient_ * limit_normal_force_);
+           law_->limit({limit_normal_force_, 0});
 }
 
 void SpringBed::audit_step(const LoadStep& step, const SlipSums& sums, double force_before) {
@@ -222,8 +222,7 @@ void SpringBed::audit_step(const LoadStep& step, const SlipSums& sums, double fo
     // no more than 2 L b of work, 4 L b of slip and L b of what is stored.
     const double work = shift_increment_ * (tangential_force_ + force_before) / 2;
     const double used = stiffness * (sums.stored + sums.trapezoidal + sums.unmet);
-    const double largest_limit =
-        friction_coefficient_ * std::max(normal_force_, normal_force_before_);
+    const double largest_limit = law_->limit({std::max(normal_force_, normal_force_before_), 0});
     const double farthest = std::max(bound_ratio_ * std::max(normal_.depth(), depth_before_),
                                      std::abs(shift_increment_));
     audit_.record("energy_balance", std::abs(work - used) / (largest_limit * farthest), rounding);
@@ -236,13 +235,13 @@ contact::Scales SpringBed::scales() const {
             .indentation = normal_.depth(),
             .peak_pressure =
                 effective_modulus_ / std::numbers::pi * normal_.profile().centre_integral(a),
-            .unit_shift = bound_ratio_ * normal_.depth()};
+            .unit_shift = bound_ratio_ * normal_.depth(),
+            .sliding_force = friction_limit()};
 }
 
 Surface SpringBed::surface() const {
     return make_line_surface(
-        {normal_.spring_position(0), normal_.spacing()}, normal_.size(), normal_.position(),
-        friction_coefficient_,
+        {normal_.spring_position(0), normal_.spacing()}, normal_.size(), normal_.position(), *law_,
         loads_of(normal_, deflections_, effective_modulus_, effective_shear_modulus_),
         [this](int i, int k, Surface& s) { set_spring_fields(i, k, s); });
 }

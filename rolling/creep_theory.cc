@@ -84,7 +84,7 @@ double creepage_unit(const Case& c) {
     const contact::HalfSpaceScales scales = contact::half_space_scales(c);
     const double slope = c.is_line_contact() ? scales.contact_radius / c.indenter.radius
                                              : scales.indentation / scales.contact_radius;
-    return c.friction_coefficient * slope;
+    return c.friction_coefficient() * slope;
 }
 
 std::vector<CreepTheory> creep_theories(const Case& c) {
@@ -96,7 +96,7 @@ std::vector<CreepTheory> creep_theories(const Case& c) {
     const contact::HalfSpaceScales scales = contact::half_space_scales(c);
     const auto [a, b] = scales.half_widths;
     const auto sliding = [&](double coefficient) {
-        return theory::sliding_creepage(c.friction_coefficient * scales.normal_force,
+        return theory::sliding_creepage(c.friction_coefficient() * scales.normal_force,
                                         material.shear_modulus, a * b, coefficient);
     };
     std::vector<CreepTheory> theories;

@@ -32,6 +32,7 @@ RollingState state_of(const contact::Surface& s, const contact::Indenter& indent
         const double p = s.normal_traction[i];
         const double t_x = s.tangential_traction_x[i], t_y = s.tangential_traction_y[i];
         state.normal_force += area * p;
+        state.friction_bound += area * s.friction_bound[i];
         state.force[0] += area * t_x;
         state.force[1] += area * t_y;
         state.spin_moment += area * ((x - centre[0]) * t_y - (y - centre[1]) * t_x);

@@ -7,6 +7,7 @@
 
 #include "contact/base/vector2.h"
 #include "contact/bodies/indenter.h"
+#include "contact/friction/friction_law.h"
 #include "contact/history.h"
 #include "contact/load_path.h"
 #include "contact/surface.h"
@@ -39,7 +40,7 @@ struct Drive {
 /// What rolls over a substrate.
 struct RollingProblem {
     std::shared_ptr<const contact::Indenter> indenter;
-    double friction_coefficient = 0;
+    std::shared_ptr<const contact::FrictionLaw> friction;
     contact::NormalControl normal;
     Drive drive;
     bool coupling = true;     ///< of normal and tangential contact
@@ -49,19 +50,20 @@ struct RollingProblem {
 
 /// One state of the contact, steady or on the way there.
 struct RollingState {
-    double distance = 0;       ///< rolled since the contact was at rest [m]; infinite: steady
-    Creepage creepage;         ///< of the last rolled cell
-    double normal_force = 0;   ///< F_N [N]
-    double indentation = 0;    ///< d [m]
-    contact::Vector2 force{};  ///< friction on the substrate [N]
-    double spin_moment = 0;    ///< of friction about the centre of spin, on the substrate [N m]
-    double half_length = 0;    ///< of the contact in x [m]
-    double half_width = 0;     ///< of the contact in y [m]
-    double peak_pressure = 0;  ///< [Pa]
-    double contact_area = 0;   ///< [m^2]
-    double stick_area = 0;     ///< [m^2]
-    double slip_area = 0;      ///< [m^2]
-    double dissipation = 0;    ///< of friction, per rolled way [J/m]
+    double distance = 0;        ///< rolled since the contact was at rest [m]; infinite: steady
+    Creepage creepage;          ///< of the last rolled cell
+    double normal_force = 0;    ///< F_N [N]
+    double friction_bound = 0;  ///< summed over the contact [N]
+    double indentation = 0;     ///< d [m]
+    contact::Vector2 force{};   ///< friction on the substrate [N]
+    double spin_moment = 0;     ///< of friction about the centre of spin, on the substrate [N m]
+    double half_length = 0;     ///< of the contact in x [m]
+    double half_width = 0;      ///< of the contact in y [m]
+    double peak_pressure = 0;   ///< [Pa]
+    double contact_area = 0;    ///< [m^2]
+    double stick_area = 0;      ///< [m^2]
+    double slip_area = 0;       ///< [m^2]
+    double dissipation = 0;     ///< of friction, per rolled way [J/m]
     double material_dissipation = 0;  ///< of a relaxing substrate, per rolled way [J/m]
     /// Of the pressure on the body's slope, against the rolling [N]: what it takes of work per way.
     double resistance = 0;

@@ -19,7 +19,7 @@ std::string driven_by(const Case& c, const RollingRun& run) {
     const auto& s = run.history.steady;
     if (by_creepage(c))
         return fmt::format("driven by ξ = {}", report::significant(s.creepage.longitudinal, 4));
-    const double f = force_ratio(s, c.friction_coefficient);
+    const double f = force_ratio(s, c.friction_coefficient());
     if (std::abs(f) < 1e-9) return "rolling freely";  // the solver's rounding
     return fmt::format("driven by F_x = {} μ F_N", report::significant(f, 3));
 }
@@ -30,7 +30,7 @@ std::string steady_sentence(const RollingReport& report, const RollingRun& run) 
     std::string text = fmt::format("{}, {}: ", report::display_name(run.model), driven_by(c, run));
     text += by_creepage(c)
                 ? fmt::format("F_x = {} μ F_N",
-                              report::significant(force_ratio(s, c.friction_coefficient), 4))
+                              report::significant(force_ratio(s, c.friction_coefficient()), 4))
                 : fmt::format("ξ = {}", report::significant(s.creepage.longitudinal, 4));
     text += fmt::format(", {} % of the contact sticks",
                         report::significant(100 * s.stick_area / s.contact_area, 3));
@@ -57,7 +57,7 @@ std::string ratio_sentence(const RollingReport& report) {
     const RollingRun* mdr = run_of_springs(report);
     const RollingRun* bem = run_of_half_space(report);
     if (!mdr || !bem || by_creepage(report.c) || !has_thesis_creep_ratio(report.c)) return {};
-    if (!(force_ratio(bem->history.steady, report.c.friction_coefficient) > 0)) return {};
+    if (!(force_ratio(bem->history.steady, report.c.friction_coefficient()) > 0)) return {};
     const double measured =
         mdr->history.steady.creepage.longitudinal / bem->history.steady.creepage.longitudinal;
     if (!std::isfinite(measured)) return {};
@@ -94,7 +94,7 @@ Settings settings_of(const Case& c) {
                       {"a, on the half-space", report::quantity(scales.contact_radius, "m")},
                       {"E", report::given_quantity(c.substrate.young, "Pa")},
                       {"ν", report::as_given(c.substrate.poisson)},
-                      {"μ", report::as_given(c.friction_coefficient)},
+                      {"μ", report::as_given(c.friction_coefficient())},
                       {"rolled way", report::as_given(c.tractive_rolling->distance) + " a"},
                       {"unit of creepage", report::significant(creepage_unit(c), 4)},
                       {"spin φ", report::as_given(c.tractive_rolling->spin) + " rad/m"}};

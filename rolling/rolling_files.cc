@@ -50,7 +50,7 @@ Json row_json(const RollingState& s) {
 }
 
 Json run_json(const RollingReport& report, const RollingRun& run) {
-    const double mu = report.c.friction_coefficient;
+    const double mu = report.c.friction_coefficient();
     const auto point = [&](const RollingState& s) -> Json {
         return {{"longitudinal_creepage", s.creepage.longitudinal},
                 {"force_ratio", force_ratio(s, mu)}};
@@ -103,7 +103,7 @@ std::string history_csv(const RollingRun& run) {
 }
 
 report::DocumentTable steady_table(const RollingReport& report) {
-    const double mu = report.c.friction_coefficient, unit = creepage_unit(report.c);
+    const double mu = report.c.friction_coefficient(), unit = creepage_unit(report.c);
     const auto row_of = [&](const RollingRun& run) {
         const RollingState& s = run.history.steady;
         Json row = state_json(s, mu);
@@ -151,7 +151,7 @@ std::string creep_csv(const RollingReport& report) {
     for (const RollingRun& run : report.runs) {
         if (!first && !run.creep_curve.empty()) first = &run.creep_curve;
         for (const RollingState& s : run.creep_curve) {
-            const double limit = report.c.friction_coefficient * s.normal_force;
+            const double limit = report.c.friction_coefficient() * s.normal_force;
             text +=
                 report::csv_row(run.model, s.creepage.longitudinal, s.force[0] / limit,
                                 s.force[1] / limit, s.stick_area / s.contact_area, s.dissipation);

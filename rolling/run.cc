@@ -18,9 +18,11 @@ constexpr double steady_change = 1e-5;
 constexpr double farthest_rolled = 1000;  // half lengths of the contact
 
 /// Largest change between two states [-].
-double change(const RollingState& from, const RollingState& to, double friction_coefficient) {
-    const double force = friction_coefficient * to.normal_force;
-    const double creepage = friction_coefficient * to.indentation / to.half_length;
+double change(const RollingState& from, const RollingState& to,
+              const contact::FrictionLaw& friction) {
+    const contact::FrictionLaw::Total total{to.normal_force, to.friction_bound};
+    const double force = friction.limit(total);
+    const double creepage = friction.ratio(total) * to.indentation / to.half_length;
     double worst = 0;
     for (const auto& [a, b, unit] : {
              std::array{from.force[0], to.force[0], force},
@@ -37,13 +39,13 @@ double change(const RollingState& from, const RollingState& to, double friction_
 
 /// What rolling on for ever would still change, if each contact length changes the same fraction of
 /// what the one before did.
-bool is_steady(const std::vector<RollingState>& states, double cell, double friction_coefficient) {
+bool is_steady(const std::vector<RollingState>& states, double cell,
+               const contact::FrictionLaw& friction) {
     const int window = std::max(1, static_cast<int>(2 * states.back().half_length / cell));
     const int last = static_cast<int>(states.size()) - 1;
     if (last < 2 * window + 1) return false;  // at rest nothing slid yet
-    const double before =
-        change(states[last - 2 * window], states[last - window], friction_coefficient);
-    const double now = change(states[last - window], states[last], friction_coefficient);
+    const double before = change(states[last - 2 * window], states[last - window], friction);
+    const double now = change(states[last - window], states[last], friction);
     return now <= steady_change / 100 ||
            (now < before && now * now <= steady_change * (before - now));
 }
@@ -56,8 +58,8 @@ TransientRolling::TransientRolling(const contact::Substrate& substrate,
                                    const RollingProblem& problem)
     : problem_(problem),
       cell_(substrate.relaxed().points().spacing[0]),
-      model_("rolling", substrate, problem.indenter, problem.friction_coefficient,
-             problem.tolerance, {.coupling = problem.coupling}) {}
+      model_("rolling", substrate, problem.indenter, problem.friction, problem.tolerance,
+             {.coupling = problem.coupling}) {}
 
 /// What is prescribed of a step, but for the way that it slides by.
 contact::LoadStep TransientRolling::step() const {
@@ -116,8 +118,8 @@ contact::Surface TransientRolling::surface() const {
 }
 
 SteadyRolling roll_until_steady(TransientRolling& rolling, std::vector<RollingState> states) {
-    const double friction_coefficient = rolling.problem().friction_coefficient;
-    while (!is_steady(states, rolling.cell(), friction_coefficient)) {
+    const contact::FrictionLaw& friction = *rolling.problem().friction;
+    while (!is_steady(states, rolling.cell(), friction)) {
         if (states.back().distance > farthest_rolled * states.back().half_length)
             throw contact::NotConverged(fmt::format(
                 "rolling: not steady after {:.4g} m, {:.0f} half lengths of the contact",

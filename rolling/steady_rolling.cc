@@ -133,20 +133,26 @@ class StaggeredIteration {
     }
 
     void solve_tangential() {
-        bound_ = normal_.pressure;
-        for (double& bound : bound_) bound *= problem_.friction_coefficient;
+        bound_.resize(points_.size());
+        problem_.friction->bounds({normal_.pressure}, bound_);
         coupling_.update_displacement(normal_.pressure);
         if (drive_.force_ratio)
-            drive_.force[0] = *drive_.force_ratio * problem_.friction_coefficient * normal_.force;
+            drive_.force[0] = problem_.friction->limit(total_friction(), *drive_.force_ratio);
         solve_steady(compliance_,
                      {bound_, coupling_.displacement(), drive_, problem_.indenter->lowest_point()},
                      problem_.tolerance, steady_);
         iterations_ += steady_.iterations;
     }
 
+    contact::FrictionLaw::Total total_friction() const {
+        double bound = 0;
+        for (std::size_t i = 0; i < bound_.size(); ++i) bound += points_.area[i] * bound_[i];
+        return {normal_.force, bound};
+    }
+
     /// mu d over the half length [-]: about the creepage of full sliding.
     double sliding_creepage(double half_length) const {
-        return problem_.friction_coefficient * normal_.length / half_length;
+        return problem_.friction->ratio(total_friction()) * normal_.length / half_length;
     }
 
     /// Dissipation and zones, from tractions and slip.

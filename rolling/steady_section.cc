@@ -60,7 +60,7 @@ report::DocumentTable resistance_theory_table(const RollingReport& report) {
 constexpr int curve_points = 200;
 
 report::Figure creep_figure(const RollingReport& report) {
-    const double mu = report.c.friction_coefficient, unit = creepage_unit(report.c);
+    const double mu = report.c.friction_coefficient(), unit = creepage_unit(report.c);
     const bool across = !straight(report.c);
     report::Figure figure{
         .id = "creep",
@@ -114,7 +114,7 @@ report::DocumentTable ratio_table(const RollingReport& report) {
     if (!mdr || mdr->creep_curve.empty() || report.runs.size() < 2) return table;
     for (const RollingRun& run : report.runs)
         if (&run != mdr) table.columns.push_back({"over " + report::display_name(run.model)});
-    const double mu = report.c.friction_coefficient, sign = drive_sign(report.c);
+    const double mu = report.c.friction_coefficient(), sign = drive_sign(report.c);
     for (const double f : {.1, .2, .3, .4, .5, .6, .7, .8, .9}) {
         const auto bed = creepage_at(*mdr, mu, sign * f);
         std::vector<report::Cell> row{sign * f};
@@ -135,7 +135,7 @@ std::vector<std::pair<CreepTheory, std::optional<double>>> theory_values(
     std::vector<std::pair<CreepTheory, std::optional<double>>> values;
     if (!straight(report.c) || report.runs.empty()) return values;
     const RollingState& steady = report.runs.front().history.steady;
-    const double f = force_ratio(steady, report.c.friction_coefficient);
+    const double f = force_ratio(steady, report.c.friction_coefficient());
     for (CreepTheory& theory : creep_theories(report.c)) {
         std::optional<double> value;
         if (by_creepage(report.c))
@@ -148,7 +148,7 @@ std::vector<std::pair<CreepTheory, std::optional<double>>> theory_values(
 }
 
 report::DocumentTable theory_table(const RollingReport& report) {
-    const double mu = report.c.friction_coefficient;
+    const double mu = report.c.friction_coefficient();
     const bool forces = by_creepage(report.c);
     report::DocumentTable table{
         .id = "theories",

@@ -34,7 +34,7 @@ std::string at_rest(const RollingReport& report) {
 /// What follows from what is prescribed along x, over the way.
 report::Figure way_figure(const RollingReport& report) {
     const bool forces = by_creepage(report.c);
-    const double mu = report.c.friction_coefficient, unit = creepage_unit(report.c);
+    const double mu = report.c.friction_coefficient(), unit = creepage_unit(report.c);
     report::Figure figure{
         .id = "way",
         .title =
@@ -73,7 +73,7 @@ std::string line_name(const CentreLine& line, double half_length) {
 
 /// The closed forms of rest and of steady rolling, where there are.
 void add_theories(const RollingReport& report, const RollingRun& run, report::Figure& figure) {
-    const double f = force_ratio(run.history.steady, report.c.friction_coefficient);
+    const double f = force_ratio(run.history.steady, report.c.friction_coefficient());
     if (!straight(report.c) || by_creepage(report.c) || !(f > 0 && f < 1)) return;
     if (creep_theories(report.c).empty()) return;
     const auto add = [&](const std::string& name, const auto& traction) {

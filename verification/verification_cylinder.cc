@@ -19,7 +19,7 @@ Case cylinder_case() {
     c.indenter.radius = 40e-3;
     c.indenter.length = 8;
     c.substrate = {3.6e6, 0.5};
-    c.friction_coefficient = 0.79;
+    c.friction.coefficient = 0.79;
     c.contact.coupling = false;
     c.load.normal_force = 3230;
     c.load.tangential_ratio = cylinder_force;

@@ -43,7 +43,7 @@ void add_closed_forms(const Levels& levels, const HalfSpaceTolerances& allowed, 
     loaded.add(stick_ratio,
                "Johnson, Contact Mechanics (1985), eq. 7.40; whole cells stick or slip",
                theory::stick_radius_ratio(force), allowed.stick);
-    const double friction_work = c.friction_coefficient * hertz.normal_force * hertz.unit_shift;
+    const double friction_work = c.friction_coefficient() * hertz.normal_force * hertz.unit_shift;
     const double rest = 1 - force;
     Rows(levels, "Energy balance", all)
         .add(loading_energy, "work of F_T, Johnson, Contact Mechanics (1985), eq. 7.42b integrated",
@@ -61,7 +61,7 @@ double cycle_dissipation(contact::Model& model, const Case& c, double f) {
     contact::LoadStep step = contact::press_step(c);
     model.advance(step);
     const auto dissipation_to = [&](double end) {
-        step.tangential[0].value = end * c.friction_coefficient * *c.load.normal_force;
+        step.tangential[0].value = end * c.friction_coefficient() * *c.load.normal_force;
         return model.advance(step).dissipation;
     };
     dissipation_to(f);
@@ -74,7 +74,7 @@ void add_cycle(const std::string& model, Case base, const Allowed& allowed, cons
     const double f = 0.6;
     base.load.tangential_ratio = f;
     const double exact =
-        theory::cycle_dissipation({base.friction_coefficient, *base.load.normal_force,
+        theory::cycle_dissipation({base.friction_coefficient(), *base.load.normal_force,
                                    base.materials().effective_shear_modulus(),
                                    contact::half_space_scales(base).contact_radius, f});
     add_row(

@@ -38,7 +38,7 @@ void add_pressed(const Levels& levels, const LayerTolerances& allowed, Verificat
     rows.add(indentation, fredholm, exact.indentation * 1e3, allowed.others);
     rows.add(peak_pressure, fredholm, exact.centre_pressure * 1e-6, allowed.pressure);
     rows.add(unit_shift, "displacement under the pressure of that equation along x",
-             c.friction_coefficient * exact.unit_shift.value() * 1e3, allowed.others);
+             c.friction_coefficient() * exact.unit_shift.value() * 1e3, allowed.others);
 }
 
 void add_layer(const Levels& levels, const LayerTolerances& allowed, Verification& all) {

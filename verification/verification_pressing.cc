@@ -19,7 +19,7 @@ Case pressing_case(double nu, double friction) {
     Case c;
     c.indenter.radius = 40e-3;
     c.substrate = {5e6, nu};
-    c.friction_coefficient = friction;
+    c.friction.coefficient = friction;
     c.load.normal_force = 20;
     c.load.tangential_force = 0;
     return c;
@@ -65,7 +65,7 @@ Case rubber() {
     c.indenter.radius = 40e-3;
     c.substrate = {4.5e6, .5};
     c.relaxation = contact::Relaxation{{{ratio, relaxes_in}}, {}};
-    c.friction_coefficient = .5;
+    c.friction.coefficient = .5;
     c.contact.coupling = false;
     c.load.normal_force = 21.1;
     c.load.tangential_force = 0;

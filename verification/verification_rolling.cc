@@ -154,7 +154,7 @@ void verify_free_rolling(bool brief, const Runner& runner, Verification& all) {
     Case c = cylinder();
     c.substrate.poisson = 0;
     c.contact.coupling = true;
-    c.friction_coefficient = .002;
+    c.friction.coefficient = .002;
     c.load.tangential_ratio = 0;
     add_row({"Free rolling, Dundurs' beta = 0.5", "xi R/a, mu = 0.002", contact::models::bem,
              "Bentall and Johnson (1967), Int. J. Mech. Sci. 9, 389, without friction "

@@ -83,7 +83,7 @@ Case rig_sphere(double poisson, double tangential_ratio) {
     Case c;
     c.indenter.radius = 40e-3;
     c.substrate = {5.2e6, poisson};
-    c.friction_coefficient = 0.57;
+    c.friction.coefficient = 0.57;
     c.contact.coupling = false;
     c.load.normal_force = 21.1;
     c.load.tangential_ratio = tangential_ratio;

@@ -52,7 +52,7 @@ std::string derived_values(const Case& c) {
     if (c.tractive_rolling && c.tractive_rolling->longitudinal_creepage) return text;
     const comparisons::Reference r = comparisons::reference(c);
     if (std::isfinite(r.tangential_ratio)) {
-        line("F_T", r.tangential_ratio * c.friction_coefficient * hertz.normal_force, "N",
+        line("F_T", r.tangential_ratio * c.friction_coefficient() * hertz.normal_force, "N",
              "tangential force");
         line("f_T", r.tangential_ratio, "-", "F_T/(mu F_N)");
     }

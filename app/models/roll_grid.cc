@@ -36,7 +36,7 @@ RollingProblem problem_of(const Case& c, const contact::Substrate& substrate) {
     const Case::TractiveRolling& given = *c.tractive_rolling;
     RollingProblem problem{
         .indenter = c.make_indenter(),
-        .friction_coefficient = c.friction_coefficient,
+        .friction = c.friction.law(),
         .normal = contact::press_step(c).normal,
         .drive = {.creepage = {given.longitudinal_creepage, given.lateral_creepage},
                   .force = {},
@@ -52,7 +52,7 @@ RollingProblem problem_of(const Case& c, const contact::Substrate& substrate) {
     }
     problem.drive.force[0] = c.load.tangential_force
                                  ? *c.load.tangential_force
-                                 : *c.load.tangential_ratio * c.friction_coefficient *
+                                 : *c.load.tangential_ratio * c.friction_coefficient() *
                                        normal_force(c, substrate, problem);
     return problem;
 }
@@ -77,7 +77,7 @@ double sliding_creepage(const Case& c) {
     if (c.is_line_contact()) return rolling::creepage_unit(c);
     const theory::CombinedMaterial material = theory::combined_material(c.materials());
     const contact::HalfSpaceScales scales = contact::half_space_scales(c);
-    return theory::sliding_creepage(c.friction_coefficient * scales.normal_force,
+    return theory::sliding_creepage(c.friction_coefficient() * scales.normal_force,
                                     material.shear_modulus,
                                     scales.half_widths[0] * scales.half_widths[1],
                                     theory::vermeulen_johnson_coefficient(material.poisson));
@@ -90,7 +90,7 @@ RollingRun roll_on_grid(const std::string& model, const Case& c, const RollRuns&
         contact::model_kind(model).is_half_space() ? bem::Body::half_space : bem::Body::layer;
     const auto substrate = bem::make_substrate(c, runs.threads, body, aside);
     RollingProblem problem = problem_of(c, *substrate);
-    RollRecorder recorder{{model, {}, {}, {}}, runs, c.friction_coefficient};
+    RollRecorder recorder{{model, {}, {}, {}}, runs, c.friction_coefficient()};
     rolling::TransientRolling rolling(*substrate, problem);
     roll_on(c, rolling, recorder);
     contact::require_sound(rolling.audit(), model);

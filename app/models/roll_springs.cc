@@ -23,8 +23,7 @@ using rolling::RollingState;
 class RollingBed {
   public:
     /// `distance` [m] as far as it is to roll; farther the bed grows.
-    RollingBed(const Case& c, double distance)
-        : mu_(c.friction_coefficient), relaxes_(c.relaxation.has_value()) {
+    RollingBed(const Case& c, double distance) : relaxes_(c.relaxation.has_value()) {
         const double a = contact::half_space_scales(c).contact_radius;
         const int springs = c.of<mdr::Settings>().springs;
         const double n_springs = springs + springs % 2;
@@ -42,7 +41,7 @@ class RollingBed {
         if (relaxes_) duration_ = step_length_ / c.tractive_rolling->speed;
     }
 
-    double friction_limit() const { return mu_ * model_->scales().normal_force; }
+    double friction_limit() const { return model_->scales().sliding_force; }
     int steps_per_radius() const { return steps_per_radius_; }
     const contact::Model& model() const { return *model_; }
 
@@ -123,7 +122,7 @@ class RollingBed {
                 .residual = last_.tangential_residual};
     }
 
-    double mu_, start_ = 0;
+    double start_ = 0;
     bool relaxes_;
     double duration_ = 0;  // of a step; elastic springs feel none [s]
     std::unique_ptr<contact::Model> model_;
@@ -160,7 +159,7 @@ RollingRun roll_springs(const Case& c, const RollRuns& runs) {
     const Case::TractiveRolling& given = *c.tractive_rolling;
     const double a = contact::half_space_scales(c).contact_radius;
     RollingBed bed(c, given.distance * a);
-    RollRecorder recorder{{contact::models::mdr, {}, {}, {}}, runs, c.friction_coefficient};
+    RollRecorder recorder{{contact::models::mdr, {}, {}, {}}, runs, c.friction_coefficient()};
     const auto note = [&](const RollingState& state, int step) {
         recorder.note(state, step / static_cast<double>(bed.steps_per_radius()),
                       [&] { return bed.model().surface(); });

@@ -76,7 +76,7 @@ Json place_json(const Case& c) {
             {"common_poisson", common_poisson(c)},
             {"is_layer", place.is_layer},
             {"thickness_ratio", place.thickness_ratio},
-            {"friction", c.friction_coefficient},
+            {"friction", c.friction_coefficient()},
             {"equal_amplitude", has_own_amplitude(c) ? "w" : "W"},
             {"equal_load", c.load.is_by_limit() ? "share" : "F_T"}};
 }

@@ -70,7 +70,7 @@ report::Document strain_document(const StrainDeviation& deviation) {
                      {"R", report::given_quantity(c.indenter.radius, "m")},
                      {"F_N", report::quantity(own.normal_force, "N")},
                      {"f_T", report::significant(own.tangential_ratio, 3)},
-                     {"mu", report::as_given(c.friction_coefficient)}},
+                     {"mu", report::as_given(c.friction_coefficient())}},
         .sections = {{.id = "here", .heading = "This case", .tables = {strain_table(deviation)}},
                      {.id = "maps",
                       .heading = "Other loads and layers",

@@ -17,13 +17,13 @@ std::optional<double> unit_dissipation(const Case& c, const History& history) {
     const double f = comparisons::tangential_ratio(history);
     if (!in_unit_range(f)) return {};
     if (c.is_cylindrical()) {
-        const double bound = c.friction_coefficient * history.scales.normal_force;
+        const double bound = c.friction_coefficient() * history.scales.normal_force;
         return theory::line_cycle_dissipation(f) * bound * bound * 2 /
                (std::numbers::pi * c.materials().effective_modulus() * c.indenter.length);
     }
     if (!contact::is_hertz_round(c)) return {};
     return theory::cycle_dissipation(
-        {.friction_coefficient = c.friction_coefficient,
+        {.friction_coefficient = c.friction_coefficient(),
          .normal_force = history.scales.normal_force,
          .effective_shear_modulus = c.materials().effective_shear_modulus(),
          .contact_radius = history.scales.contact_radius,

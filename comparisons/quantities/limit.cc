@@ -44,7 +44,7 @@ constinit const Quantity stick_ratio{
         if (!s.c.is_line_contact() || s.history.verdict.state != contact::State::shakedown ||
             s.history.shift_per_period.empty())
             return {};
-        return finite(stick_half_width(s.history, s.c.friction_coefficient).value_or(NAN) /
+        return finite(stick_half_width(s.history, s.c.friction_coefficient()).value_or(NAN) /
                       s.history.scales.contact_radius);
     }};
 

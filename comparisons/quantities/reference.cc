@@ -30,7 +30,7 @@ double tangential_ratio(const contact::Case& c, double normal_force) {
     if (c.load.is_by_limit() || c.prescribed_path) return std::numeric_limits<double>::quiet_NaN();
     return c.load.tangential_ratio
                ? *c.load.tangential_ratio
-               : c.load.tangential_force.value_or(0) / (c.friction_coefficient * normal_force);
+               : c.load.tangential_force.value_or(0) / (c.friction_coefficient() * normal_force);
 }
 
 double amplitude_ratio(const contact::History& history) {

@@ -144,7 +144,7 @@ void add_bodies(const Case& c, Settings& settings) {
     add_layer(c, settings);
     if (c.of<bem::Settings>().influence)
         settings.add("influence coefficients (bem)", "from a file");
-    settings.add("friction coefficient μ", c.friction_coefficient);
+    settings.add("friction coefficient μ", c.friction_coefficient());
 }
 
 void add_oscillation(const std::string& what, double ratio, double phase, Settings& settings) {
@@ -245,7 +245,7 @@ report::DocumentTable derived_table(const Case& c) {
         r.hertz.peak_pressure, "Pa");
     add(c.prescribed_path ? "largest normal force F_N" : "normal force F_N", r.hertz.normal_force,
         "N");
-    add("friction limit μF_N", c.friction_coefficient * r.hertz.normal_force, "N");
+    add("friction limit μF_N", c.friction_coefficient() * r.hertz.normal_force, "N");
     add("unit of shift U_max", r.hertz.unit_shift, "m");
     if (std::isfinite(r.tangential_ratio)) add("f_T = F_T/(μF_N)", r.tangential_ratio);
     if (c.rolling) add("w = W/a", r.amplitude_ratio);

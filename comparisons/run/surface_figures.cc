@@ -168,7 +168,7 @@ Figures surface_figures(const contact::Case& c, const Histories& histories) {
         };
         const char* const p = drawn_pressure_symbol(c);
         add("traction_surface_", "Traction over the contact, ", fmt::format("τ_x/(μ {})", p),
-            s.tangential_traction_x, c.friction_coefficient * drawn_pressure(c, scales),
+            s.tangential_traction_x, c.friction_coefficient() * drawn_pressure(c, scales),
             fmt::format("τ_x / (μ {})", p));
         add("displacement_surface_", "Displacement of the surface, ", "u_x/U_max", s.displacement_x,
             scales.unit_shift, "u_x / U_max");

@@ -56,7 +56,7 @@ void add_models(const contact::Case& c, const Histories& histories, Axis axis,
                 report::Figure& figure) {
     for (const History& history : histories) {
         const CentreLine line =
-            centre_line(history, c.friction_coefficient, axis, drawn_pressure(c, history.scales));
+            centre_line(history, c.friction_coefficient(), axis, drawn_pressure(c, history.scales));
         if (line.position.empty()) continue;
         auto& curve = figure.curves.emplace_back(curve_of(history));
         for (const std::size_t i : report::thinned(line.position.size(), most_points))

@@ -98,8 +98,9 @@ void StaggeredSolver::solve_growing(const TangentialProblem& problem, const Step
     before_touch_ = {};
     if (met.empty()) return solve(problem);
     const double ratio = local_ratio();
-    const double allowed = tolerance_ * looseness_ * friction_coefficient_ *
-                           std::max(now_.shift_factor, 1.) * now_.normal->length;
+    const double mu = friction_ratio();
+    const double allowed =
+        tolerance_ * looseness_ * mu * std::max(now_.shift_factor, 1.) * now_.normal->length;
     FixedPoint iteration;
     double last_change = infinity, weight = 1;
     for (int k = 1;; ++k) {
@@ -123,8 +124,7 @@ void StaggeredSolver::solve_growing(const TangentialProblem& problem, const Step
             for (int d = 0; d < 3; ++d) met_traction_[d] += weight * (found[d] - met_traction_[d]);
         }
         last_change = change;
-        for (double& part : met_traction_)
-            part = std::clamp(part, -friction_coefficient_, friction_coefficient_);
+        for (double& part : met_traction_) part = std::clamp(part, -mu, mu);
     }
 }
 

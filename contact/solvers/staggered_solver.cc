@@ -21,11 +21,11 @@ constexpr double of_gap = .1, first_gap = 1e-2;
 }  // namespace
 
 StaggeredSolver::StaggeredSolver(std::string name, Substrate& substrate, const Indenter& indenter,
-                                 double friction_coefficient, double tolerance,
+                                 std::shared_ptr<const FrictionLaw> friction, double tolerance,
                                  const ContactOptions& options)
     : name_(std::move(name)),
       substrate_(substrate),
-      friction_coefficient_(friction_coefficient),
+      friction_(std::move(friction)),
       tolerance_(tolerance),
       focused_(options.coupling && substrate.compliance().is_coupled() &&
                        substrate.compliance().dense()
@@ -52,9 +52,7 @@ void StaggeredSolver::release() {
 
 void StaggeredSolver::make_solvers() {
     normal_solver_.emplace(compliance(), 0.1 * tolerance_);
-    // Where friction lowers the surface, its errors come back in the gap, mu times those over mu p.
-    const double finer = coupling_.is_decoupled() ? 1 : std::min(1., .1 / friction_coefficient_);
-    tangential_solver_.emplace(compliance(), finer * tolerance_);
+    tangential_solver_.emplace(compliance(), tolerance_);
 }
 
 Vector2 StaggeredSolver::rotated(const StepStart& before, std::size_t i) const {
@@ -165,8 +163,7 @@ std::array<TangentialControl, 2> StaggeredSolver::forces_and_shifts(const LoadSt
     std::array<TangentialControl, 2> control = step.tangential;
     for (TangentialControl& one : control)
         if (one.kind == TangentialControl::Kind::ratio)
-            one = {TangentialControl::Kind::force,
-                   one.value * friction_coefficient_ * now_.normal->force};
+            one = {TangentialControl::Kind::force, friction_->limit(total_friction(), one.value)};
     return control;
 }
 
@@ -177,11 +174,31 @@ void StaggeredSolver::solve_friction(const LoadStep& step, const StepStart& befo
         slide_freely(step);
 }
 
+/// Of the present pressures. The area on which friction acts [m^2].
+double StaggeredSolver::update_bounds() {
+    const auto [area, bound] =
+        blocks()
+            .sum<Sums<2>>([&](std::size_t, std::size_t begin, std::size_t end) {
+                const std::size_t n = end - begin;
+                friction_->bounds({std::span(now_.normal->pressure).subspan(begin, n)},
+                                  std::span(now_.bound).subspan(begin, n));
+                Sums<2> sum;
+                for (std::size_t i = begin; i < end; ++i) {
+                    if (now_.bound[i] > 0) sum[0] += points().area[i];
+                    sum[1] += points().area[i] * now_.bound[i];
+                }
+                return sum;
+            })
+            .values;
+    now_.total_bound = bound;
+    return area;
+}
+
 void StaggeredSolver::solve_tangential(const LoadStep& step, const StepStart& before) {
-    const auto contact_area = blocks().sum_points<double>([&](double& sum, std::size_t i) {
-        now_.bound[i] = friction_coefficient_ * now_.normal->pressure[i];
-        if (now_.bound[i] > 0) sum += points().area[i];
-    });
+    const double contact_area = update_bounds();
+    // Where friction lowers the surface, its errors come back in the gap, mu times those over mu p.
+    if (!coupling_.is_decoupled())
+        tangential_solver_->set_tolerance(std::min(1., .1 / friction_ratio()) * tolerance_);
     std::array<TangentialControl, 2> control = forces_and_shifts(step);
     const double stiffness = substrate_.stiffness();
     for (int d = 0; d < 2; ++d)
@@ -239,7 +256,7 @@ void StaggeredSolver::find_shift_factor() {
                                    })
                                    .values;
     const double mean = work / force;
-    const double across = friction_coefficient_ * substrate_.stiffness() * now_.normal->length;
+    const double across = friction_ratio() * substrate_.stiffness() * now_.normal->length;
     now_.shift_factor = mean > of_half_spaces * across ? mean / across : 1;
 }
 
@@ -250,6 +267,7 @@ void StaggeredSolver::slide_freely(const LoadStep& step) {
     now_.tangential = {};
     now_.tangential.traction = TangentialField(n);
     now_.tangential.displacement = TangentialField(n);
+    update_bounds();
     now_.bound.assign(n, 0);
     for (int d = 0; d < 2; ++d) {
         if (step.tangential[d].kind == TangentialControl::Kind::shift)

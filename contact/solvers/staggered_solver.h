@@ -9,6 +9,7 @@
 
 #include "contact/compliances/blocks.h"
 #include "contact/compliances/focused_compliance.h"
+#include "contact/friction/friction_law.h"
 #include "contact/solvers/coupling.h"
 #include "contact/solvers/load_step.h"
 #include "contact/solvers/normal_solver.h"
@@ -32,7 +33,8 @@ struct ContactSolution {
     NormalControl control{};  ///< what is prescribed normal to the surface
     Vector2 shift{};          ///< U [m]
     std::shared_ptr<const NormalSolution> normal;
-    std::vector<double> bound;  ///< mu p [Pa]
+    std::vector<double> bound;  ///< of friction [Pa]
+    double total_bound = 0;     ///< of friction on these pressures [N]
     TangentialSolution tangential;
     SurfaceField displacement;  ///< by all tractions [m]
     double gap_residual = 0;    ///< of coupled contact, over the length of `normal` [-]
@@ -40,7 +42,7 @@ struct ContactSolution {
     int normal_iterations = 0, tangential_iterations = 0;
 };
 
-/// Normal and tangential contact with Coulomb friction in one step. Uncoupled, one after the other;
+/// Normal and tangential contact with friction in one step. Uncoupled, one after the other;
 /// coupled by a staggered iteration (Panagiotopoulos 1975), Anderson-accelerated (see FixedPoint),
 /// until what the friction does to the gap no longer changes. A relaxing substrate is stepped as an
 /// elastic one whose displacements are the effective ones, stiffness u + offset: heights, shifts
@@ -52,7 +54,8 @@ class StaggeredSolver {
     /// `name`: for messages. `tolerance` [-]: of the tangential solver and of the staggered
     /// iteration, over mu d and d; the normal solver gets a tenth of it.
     StaggeredSolver(std::string name, Substrate& substrate, const Indenter& indenter,
-                    double friction_coefficient, double tolerance, const ContactOptions& options);
+                    std::shared_ptr<const FrictionLaw> friction, double tolerance,
+                    const ContactOptions& options);
 
     const ContactSolution& now() const { return now_; }
     const Coupling& coupling() const { return coupling_; }
@@ -68,6 +71,9 @@ class StaggeredSolver {
     void resume(ContactSolution solution, double phase);
     /// What is prescribed of a step, ratios as the forces that they are at the present F_N.
     std::array<TangentialControl, 2> forces_and_shifts(const LoadStep& step) const;
+    FrictionLaw::Total total_friction() const { return {now_.normal->force, now_.total_bound}; }
+    /// Bound over pressure, in the mean of the present contact [-]: mu of Coulomb's law.
+    double friction_ratio() const { return friction_->ratio(total_friction()); }
     /// Shift of the indenter at a point by its rotation in the step [m].
     Vector2 rotated(const StepStart& before, std::size_t i) const;
     /// By how much the indenter has moved over a point in the step before they met within it [m],
@@ -107,6 +113,7 @@ class StaggeredSolver {
     bool look_at_all();
     void find_highest();
     void solve_normal(NormalControl control, const std::vector<double>& height);
+    double update_bounds();
     void solve_friction(const LoadStep& step, const StepStart& before);
     void solve_tangential(const LoadStep& step, const StepStart& before);
     void keep_gap(const LoadStep& step, const StepStart& before);
@@ -122,7 +129,8 @@ class StaggeredSolver {
 
     std::string name_;
     Substrate& substrate_;
-    double friction_coefficient_, tolerance_;
+    std::shared_ptr<const FrictionLaw> friction_;
+    double tolerance_;
     std::optional<FocusedCompliance> focused_;  // of a dense one that is coupled
     Coupling coupling_;
     std::vector<std::uint8_t> focus_;  // per point, empty: all

@@ -14,7 +14,7 @@ namespace tricontact::contact {
 /// |t| <= bound, such that the slip s = D dU + u_previous - A t vanishes where |t| < bound and
 /// points along t where |t| = bound.
 struct TangentialProblem {
-    const std::vector<double>& bound;              ///< mu p [Pa] per point, 0 outside the contact
+    const std::vector<double>& bound;              ///< per point [Pa], 0 outside the contact
     const TangentialField& previous_displacement;  ///< [m], before the step
     /// Per direction: total force on the substrate [N], or increment of the rigid shift [m].
     std::array<TangentialControl, 2> control;
@@ -49,6 +49,7 @@ struct TangentialSolution {
 class TangentialSolver {
   public:
     TangentialSolver(const Compliance& compliance, double tolerance);
+    void set_tolerance(double tolerance) { tolerance_ = tolerance; }
 
     /// Updates `solution`, whose traction is the start (may be zero; clipped to the bound), and its
     /// shift increment too where a force is prescribed (zero: unknown).

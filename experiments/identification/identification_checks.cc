@@ -193,7 +193,7 @@ void check_friction(const Input& input, const io::Document& document) {
     const Table* shifts = input.find(Measurement::static_shift);
     if (!shifts || input.is_free("friction.coefficient")) return;
     const double largest = std::ranges::max(shifts->given);
-    const double limit = input.rig.friction_coefficient * *input.rig.load.normal_force;
+    const double limit = input.rig.friction_coefficient() * *input.rig.load.normal_force;
     if (largest >= limit)
         io::refuse(document, "friction.coefficient",
                    "the contact would slide: F_T of the table reaches " + io::shortest(largest) +

@@ -175,7 +175,7 @@ std::vector<std::pair<std::string, std::string>> settings_of(const Identificatio
     if (!input.find(Measurement::static_shift) && !input.find(Measurement::rolling_shift))
         return settings;
     settings.emplace_back("F_N", report::given_quantity(*rig.load.normal_force, "N"));
-    add("friction.coefficient", "mu", report::as_given(rig.friction_coefficient));
+    add("friction.coefficient", "mu", report::as_given(rig.friction_coefficient()));
     return settings;
 }
 

@@ -45,7 +45,7 @@ std::vector<double> logarithms(std::vector<double> values) {
 }
 
 double largest_ratio(const Case& rig, const std::vector<double>& forces) {
-    return forces.empty() ? rig.friction_coefficient
+    return forces.empty() ? rig.friction_coefficient()
                           : std::ranges::max(forces) / *rig.load.normal_force;
 }
 
@@ -78,7 +78,7 @@ LazyTable::Rows LoadAndFriction::rows() const {
 
 double LoadAndFriction::row_of(const Case& c) const {
     if (!has_rows_) return 0;
-    const double friction = std::clamp(c.friction_coefficient, least_, most_);
+    const double friction = std::clamp(c.friction_coefficient(), least_, most_);
     return last_row * (1 / (1 + least_) - 1 / (1 + friction)) / z_range();
 }
 
@@ -116,7 +116,7 @@ ShiftTable::ShiftTable(std::string model, const Case& rig, std::vector<double> f
              log_step, 1, axes_.rows()) {}
 
 std::vector<double> ShiftTable::at(const Case& c) {
-    const double mu = c.friction_coefficient;
+    const double mu = c.friction_coefficient();
     const auto logs = table_.at(axes_.logarithm_of_load(c), axes_.row_of(c));
     const boost::math::barycentric_rational<double> curve(places_.data(), logs.data(),
                                                           places_.size(), curve_order);
@@ -131,7 +131,7 @@ std::vector<double> ShiftTable::at(const Case& c) {
 std::vector<double> ShiftTable::node(double young, double friction) const {
     Case c = rig_;
     c.substrate.young = young;
-    c.friction_coefficient = friction;
+    c.friction.coefficient = friction;
     std::vector<double> forces;
     for (const double s : places_)
         forces.push_back((1 - s * s * s) * friction * *c.load.normal_force);
@@ -149,7 +149,7 @@ WobbleTable::WobbleTable(std::string model, const Case& rig, double amplitude,
               double x, double row) {
               Case c = rig_;
               c.substrate.young = std::exp(x);
-              if (!is_known) c.friction_coefficient = axes_.friction_at(row);
+              if (!is_known) c.friction.coefficient = axes_.friction_at(row);
               return std::vector<double>{own_wobble(model, c, amplitude, runner)};
           },
           log_step, 1, axes_.rows()) {}

@@ -39,7 +39,7 @@ void press(contact::Model& model, const Case& c) {
 
 std::vector<double> half_space_shifts(const Case& rig, const std::vector<double>& forces) {
     const contact::HalfSpaceScales hertz = contact::half_space_scales(rig);
-    const double limit = rig.friction_coefficient * hertz.normal_force;
+    const double limit = rig.friction_coefficient() * hertz.normal_force;
     std::vector<double> shifts;
     for (const double force : forces)  // rounding may make the largest one reach the limit
         shifts.push_back(hertz.unit_shift *
@@ -86,7 +86,7 @@ std::vector<atlas::Value> mapped_shifts(Case c, const std::vector<double>& force
     for (const double force : forces) {
         // Below the maps' least load the shift goes on as that of the half-space.
         const double least_load = maps.axis("load.tangential_ratio")->from;
-        const double f = force / (c.friction_coefficient * *c.load.normal_force);
+        const double f = force / (c.friction_coefficient() * *c.load.normal_force);
         const double read = std::max(f, least_load);
         c.load.set_tangential_ratio(read);
         const atlas::Prediction p = atlas::predict(c, contact::models::bem_layer);

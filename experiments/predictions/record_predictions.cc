@@ -139,7 +139,7 @@ class RecordPredictions {
         if (c.load.tangential_ratio)
             followed.load.tangential_ratio =
                 recorded_->tangential_force.mean /
-                (c.friction_coefficient * recorded_->normal_force.mean);
+                (c.friction_coefficient() * recorded_->normal_force.mean);
         else
             followed.load.tangential_force = recorded_->tangential_force.mean;
         return followed;
@@ -190,7 +190,7 @@ class RecordPredictions {
             name, shift_of(history), state_of(history), wobble_of(c, history), {}};
         const UncertainCase uncertain =
             recorded_ ? uncertain_case(c, input_.uncertain)
-                      : uncertain_case(c, history.friction_limit / c.friction_coefficient,
+                      : uncertain_case(c, history.friction_limit / c.friction_coefficient(),
                                        history.amplitude, input_.uncertain);
         for (const CaseQuantity& quantity : uncertain.quantities)
             prediction.raised.push_back(raised(name, uncertain.set, quantity, prediction.shift));

@@ -13,7 +13,7 @@ contact::Case sphere_on_layer(const Rig& rig) {
     c.indenter.radius = rig.c.indenter.radius;
     c.substrate = rig.c.substrate;
     c.layer.thickness = rig.c.layer.thickness;
-    c.friction_coefficient = rig.c.friction_coefficient;
+    c.friction = rig.c.friction;
     c.load.normal_force = rig.c.load.normal_force;
     c.load.tangential_ratio = coupling_tangential_ratio;
     return c;

@@ -25,7 +25,7 @@ std::optional<CaseQuantity> set_quantity(const io::CaseKey& key, double standard
     if (stated && name == "load.tangential_ratio")
         return CaseQuantity{
             .name = name,
-            .standard_error = standard_error * c.friction_coefficient * normal_force,
+            .standard_error = standard_error * c.friction_coefficient() * normal_force,
             .of_case = [](Case& set) -> double& { return *set.load.tangential_force; }};
     if (stated && name == "rolling.amplitude_ratio")
         return CaseQuantity{

@@ -12,7 +12,7 @@ using contact::Case;
 
 double tangential_ratio(const Case& c) {
     return *c.load.tangential_force /
-           (c.friction_coefficient * contact::half_space_scales(c).normal_force);
+           (c.friction_coefficient() * contact::half_space_scales(c).normal_force);
 }
 
 using OfCase = std::function<double(const Case&, double measured)>;
@@ -55,7 +55,8 @@ Estimate propagated(const OfCase& f, Case c, const std::vector<CaseQuantity>& qu
 
 Case as_the_rig_sets(Case c, double normal_force, double amplitude) {
     if (c.load.tangential_ratio) {
-        c.load.tangential_force = *c.load.tangential_ratio * c.friction_coefficient * normal_force;
+        c.load.tangential_force =
+            *c.load.tangential_ratio * c.friction_coefficient() * normal_force;
         c.load.tangential_ratio.reset();
     }
     if (c.rolling && c.rolling->amplitude_ratio) {

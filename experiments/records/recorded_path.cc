@@ -286,7 +286,7 @@ Case RecordedPath::followed_by(const Case& c) const {
         row.offset = {along * std::cos(c.rolling->angle), along * std::sin(c.rolling->angle)};
         row.normal.value *= normal;
         row.tangential[0].value *= tangential;
-        const double limit = c.friction_coefficient * row.normal.value;
+        const double limit = c.friction_coefficient() * row.normal.value;
         if (std::abs(row.tangential[0].value) >= limit)
             throw contact::InputError(
                 fmt::format("the records: at {:.4g} s after loading F_T = {:.4g} N reaches mu F_N "

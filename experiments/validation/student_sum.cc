@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "contact/root.h"
+#include "contact/base/root.h"
 #include "statistics/estimate.h"
 
 namespace tricontact::experiments {

@@ -86,7 +86,7 @@ std::array<double, 4> pressed_values(const Case& c, double size, double radius,
     still.prescribed_path.reset();
     contact::SurfaceModel model(
         contact::models::fem, condenser.make(make_layer_mesh(spec_for(still, size, radius))),
-        still.make_indenter(), c.friction_coefficient, c.of<Settings>().tolerance, c.contact);
+        still.make_indenter(), c.friction.law(), c.of<Settings>().tolerance, c.contact);
     contact::LoadStep press = contact::press_step(c);
     press.friction = false;
     model.advance(press);

@@ -80,7 +80,7 @@ double shift_to_expect(const Case& c, double contact_radius) {
     // The limit of which a fraction is given is at most 1.
     const double by_limit = load.is_by_limit() ? load.ratio_by_limit(1) : 1;
     const double f = std::min(1., std::abs(load.tangential_ratio.value_or(by_limit)));
-    return c.friction_coefficient * f * contact_radius * contact_radius / c.indenter.radius;
+    return contact::expected_friction(c) * f * contact_radius * contact_radius / c.indenter.radius;
 }
 
 Plan plan(const Case& c, LayerCondenser& condenser) {
@@ -116,7 +116,7 @@ std::unique_ptr<contact::Model> make_strained(const Case& c, const std::optional
     StrainedModel::Setup setup{.layer = {},
                                .indenter = c.make_indenter(),
                                .rolling_radius = c.indenter.radius,
-                               .friction_coefficient = c.friction_coefficient,
+                               .friction = c.friction.law(),
                                .tolerance = of_fem_tolerance * c.of<Settings>().tolerance,
                                .c01_ratio = {c.c01_ratio.value_or(0), c.c01_ratio.value_or(0)},
                                .relaxation = c.relaxation.value_or(contact::Relaxation{})};
@@ -162,7 +162,7 @@ std::unique_ptr<contact::Model> make_model(const Case& c, const Say& say) {
     auto relaxed = contact::relaxes_as_one(c) ? of_elastic(c) : nullptr;
     return std::make_unique<contact::SurfaceModel>(
         contact::models::fem, *contact::make_substrate(c, false, std::move(relaxed), of_elastic),
-        c.make_indenter(), c.friction_coefficient, c.of<Settings>().tolerance, c.contact);
+        c.make_indenter(), c.friction.law(), c.of<Settings>().tolerance, c.contact);
 }
 
 }  // namespace tricontact::fem

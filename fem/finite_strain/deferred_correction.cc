@@ -136,14 +136,13 @@ void DeferredCorrection::solve_contact(const LoadStep& step, const ContactedBody
                                        ContactedBody& now, Report& report) const {
     const auto& points = problem_.compliance.points();
     const std::size_t n = points.size();
-    const double mu = problem_.friction_coefficient;
     const DenseCompliance& compliance = contact.compliance;
     const StepSlip slip = step_slip(before, now.pose);
     const Vector2 present_shift = now.pose.shift - before.pose.shift;
     const contact::Tilt tilt(frames.slope());
 
     // What all but the tractions do: to the gap, and to the slip with the indenter as it is.
-    std::vector<double> bare_height(n), height(n), lowering(n), bound(n);
+    std::vector<double> bare_height(n), height(n), lowering(n);
     TangentialField bare_slip(n), u(n), by_pressure(n), previous(n);
     compliance.normal(now.pressure, height);
     compliance.normal_from_tangential(now.traction, lowering);
@@ -177,14 +176,15 @@ void DeferredCorrection::solve_contact(const LoadStep& step, const ContactedBody
             break;
         }
         compliance.tangential_from_normal(now.pressure, by_pressure);
-        double area = 0, force = 0;
+        const std::vector<double> bound = bounds(now, frames);
+        double area = 0, force = 0, total = 0;
         Vector2 carried{};
         for (std::size_t i = 0; i < n; ++i) {
-            bound[i] = mu * frames.stretch(i) * now.pressure[i];
             previous.set(i, bare_slip.at(i) - by_pressure.at(i));
             if (!(bound[i] > 0)) continue;
             area += points.area[i];
             force += points.area[i] * now.pressure[i];
+            total += points.area[i] * bound[i];
             carried = carried + points.area[i] * now.pressure[i] * frames.slope().at(i);
         }
         std::array<TangentialControl, 2> controls = step.tangential;
@@ -192,7 +192,7 @@ void DeferredCorrection::solve_contact(const LoadStep& step, const ContactedBody
             auto& [kind, value] = controls[d];
             if (kind == TangentialControl::Kind::ratio) {
                 kind = TangentialControl::Kind::force;
-                value *= mu * (report.normal.force + by_friction);
+                value = problem_.friction.limit({report.normal.force + by_friction, total}, value);
             }
             value -= kind == TangentialControl::Kind::shift ? before.pose.shift[d] : carried[d];
         }

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "contact/friction/friction_law.h"
 #include "contact/load_path.h"
 #include "contact/solvers/normal_solver.h"
 #include "contact/solvers/tangential_solver.h"
@@ -44,9 +45,9 @@ class DeferredCorrection {
         const SingleFactor& factor;             ///< of the linear stiffness
         const contact::Compliance& compliance;  ///< of the same, on the contact points
         const contact::Indenter& indenter;
-        double rolling_radius;        ///< [m]
-        double friction_coefficient;  ///< [-]
-        double tolerance;             ///< [-] on forces over the largest, and lengths over d
+        double rolling_radius;  ///< [m]
+        const contact::FrictionLaw& friction;
+        double tolerance;  ///< [-] on forces over the largest, and lengths over d
     };
     /// What an iteration and the solution left.
     struct Report {
@@ -70,6 +71,8 @@ class DeferredCorrection {
     StepSlip step_slip(const ContactedBody& before, const Pose& now) const;
     /// F_N downwards and F_T in the plane [N], of the whole contact.
     Vector3 forces(const ContactedBody& state) const;
+    /// Of friction, over the areas of the undeformed surface [Pa].
+    std::vector<double> bounds(const ContactedBody& state, const ContactFrames& frames) const;
 
   private:
     struct Contact;

@@ -6,6 +6,7 @@
 
 #include "contact/base/special_values.h"
 #include "fem/finite_strain/deferred_correction.h"
+#include "fem/finite_strain/present_area.h"
 
 namespace tricontact::fem {
 
@@ -131,6 +132,18 @@ StepSlip DeferredCorrection::step_slip(const ContactedBody& before, const Pose& 
             problem_.rolling_radius,
             {before.pose, before.position, before.pressure},
             now};
+}
+
+std::vector<double> DeferredCorrection::bounds(const ContactedBody& state,
+                                               const ContactFrames& frames) const {
+    const auto& points = problem_.compliance.points();
+    const std::vector<double> area = present_areas(points, state.position);
+    std::vector<double> pressure(points.size()), bound(points.size());
+    for (std::size_t i = 0; i < points.size(); ++i)
+        pressure[i] = state.pressure[i] * frames.stretch(i) * points.area[i] / area[i];
+    problem_.friction.bounds({pressure}, bound);
+    for (std::size_t i = 0; i < points.size(); ++i) bound[i] *= area[i] / points.area[i];
+    return bound;
 }
 
 Vector3 DeferredCorrection::forces(const ContactedBody& state) const {

@@ -34,7 +34,7 @@ double halfway(double a, double b) {
 StrainedModel::Solver::Solver(const Setup& s)
     : body(s.layer->corrected().discretisation, s.c01_ratio, s.relaxation),
       correction({s.layer->corrected().discretisation, body, s.layer->corrected().factor, *s.layer,
-                  *s.indenter, s.rolling_radius, s.friction_coefficient, s.tolerance}) {}
+                  *s.indenter, s.rolling_radius, *s.friction, s.tolerance}) {}
 
 StrainedModel::StrainedModel(Setup setup)
     : setup_(std::move(setup)), solver_(std::make_unique<Solver>(setup_)) {
@@ -98,7 +98,8 @@ LoadStep StrainedModel::present_step(const LoadStep& next) const {
     now.offset = now_.pose.offset;
     now.normal.value =
         next.normal.kind == NormalControl::Kind::force ? normal_force_ : now_.pose.indentation;
-    const double limit = setup_.friction_coefficient * normal_force_;
+    const double limit =
+        setup_.friction->limit(total_friction(solver_->correction.bounds(now_, frames())));
     for (int d = 0; d < 2; ++d) {
         auto& [kind, value] = now.tangential[d];
         value = kind == TangentialControl::Kind::shift   ? now_.pose.shift[d]
@@ -161,29 +162,31 @@ void StrainedModel::end_step(const LoadStep& step, const ContactedBody& before,
     audit_energy(before, relaxing, report.energy);
 }
 
+contact::FrictionLaw::Total StrainedModel::total_friction(const std::vector<double>& bound) const {
+    double sum = 0;
+    for (std::size_t i = 0; i < bound.size(); ++i) sum += points().area[i] * bound[i];
+    return {normal_force_, sum};
+}
+
 void StrainedModel::update_slip(const ContactedBody& before, const ContactFrames& frames) {
-    const double mu = setup_.friction_coefficient;
     const StepSlip slip = solver_->correction.step_slip(before, now_.pose);
-    double total = 0, area = 0;
-    for (std::size_t i = 0; i < points().size(); ++i) {
-        if (!(now_.pressure[i] > 0)) continue;
-        area += points().area[i];
-        total += points().area[i] * mu * now_.pressure[i];
-    }
+    const std::vector<double> bound = solver_->correction.bounds(now_, frames);
+    const contact::FrictionLaw::Total total = total_friction(bound);
+    double area = 0;
+    for (std::size_t i = 0; i < points().size(); ++i)
+        if (now_.pressure[i] > 0) area += points().area[i];
     // Tractions at the bound are known to the solver's tolerance of all, not of a small one's own.
-    const double unknown = 10 * setup_.tolerance * total / area;
+    const double unknown = 10 * setup_.tolerance * total.bound / area;
     for (std::size_t i = 0; i < points().size(); ++i) {
-        const double p = now_.pressure[i];
         contact_state_[i] = ContactState::open;
         now_.slip.set(i, {0, 0});
-        if (!(p > 0)) continue;
+        if (!(now_.pressure[i] > 0)) continue;
         const Vector2 s = slip.at(i, frames, now_.position[i]);
         now_.slip.set(i, s);
         // As SurfaceModel: on the bound without having moved is stick.
-        const bool moves =
-            contact::norm(s) > 10 * setup_.tolerance * std::max(mu, .1) * now_.pose.indentation;
+        const bool moves = contact::norm(s) > 10 * setup_.tolerance * compared_slip(total);
         const Vector2 t = now_.traction.at(i);
-        const bool at_bound = contact::norm(t) >= mu * frames.stretch(i) * p - unknown;
+        const bool at_bound = contact::norm(t) >= bound[i] - unknown;
         contact_state_[i] = at_bound && moves ? ContactState::slip : ContactState::stick;
         const Vector2 told = contact::told_slip(contact_state_[i], s);
         slip_.set(i, slip_.at(i) + told);

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <algorithm>
 #include <functional>
 #include <memory>
 
+#include "contact/friction/friction_law.h"
 #include "contact/model.h"
 #include "contact/models/model_kind.h"
 #include "fem/condensed_compliance.h"
@@ -23,8 +25,8 @@ class StrainedModel final : public contact::Model {
     struct Setup {
         std::shared_ptr<const CondensedCompliance> layer;
         std::shared_ptr<const contact::Indenter> indenter;
-        double rolling_radius;                              ///< [m]
-        double friction_coefficient;                        ///< [-]
+        double rolling_radius;  ///< [m]
+        std::shared_ptr<const contact::FrictionLaw> friction;
         double tolerance;                                   ///< see DeferredCorrection
         std::array<double, meshes::n_regions> c01_ratio{};  ///< see StrainedBody
         contact::Relaxation relaxation;
@@ -68,8 +70,12 @@ class StrainedModel final : public contact::Model {
     void audit_energy(const ContactedBody& before, const RelaxingStep& relaxing, double energy);
     double work_of_springs(const StrainedState& from, const StrainedState& to) const;
     contact::StepRecord record(const contact::LoadStep& step) const;
-    /// Of the deformed surface [m^2].
-    std::vector<double> present_areas() const;
+    /// Of bounds per point [Pa], and of the present F_N.
+    contact::FrictionLaw::Total total_friction(const std::vector<double>& bound) const;
+    /// What slips are compared with [m].
+    double compared_slip(const contact::FrictionLaw::Total& total) const {
+        return std::max(setup_.friction->ratio(total), .1) * now_.pose.indentation;
+    }
     template <class Archive, class Self>
     static void transfer(Archive& archive, Self& model);
 

@@ -8,7 +8,7 @@
 #include "contact/mirrored_surface.h"
 #include "contact/solvers/contact_region.h"
 #include "contact/surface_audit.h"
-#include "fem/finite_strain/element_batch.h"
+#include "fem/finite_strain/present_area.h"
 #include "fem/finite_strain/strained_model.h"
 
 namespace tricontact::fem {
@@ -22,49 +22,9 @@ using contact::TangentialControl;
 using contact::TangentialField;
 using contact::Vector2;
 
-namespace {
-
-/// Place of each node of a biquadratic quadrilateral, VTK's order, in a 3 x 3 tensor product.
-constexpr std::array<int, 9> place_in_quad{0, 2, 8, 6, 1, 5, 7, 3, 4};
-
-/// Areas that belong to the nodes of a surface of quadrilaterals: row sums of its mass.
-std::vector<double> tributary_areas(const std::vector<std::array<int, 9>>& quads,
-                                    const std::vector<Vector3>& position) {
-    std::vector<double> area(position.size());
-    const auto& [value, derivative, weight] = line_functions;
-    for (const auto& quad : quads)
-        for (int q = 0; q < 9; ++q) {
-            const auto &nx = value[q % 3], &ny = value[q / 3];
-            const auto &dx = derivative[q % 3], &dy = derivative[q / 3];
-            Vector3 along{}, across{};
-            for (int k = 0; k < 9; ++k) {
-                const int at = place_in_quad[k];
-                for (int a = 0; a < 3; ++a) {
-                    along[a] += dx[at % 3] * ny[at / 3] * position[quad[k]][a];
-                    across[a] += nx[at % 3] * dy[at / 3] * position[quad[k]][a];
-                }
-            }
-            const Vector3 normal{along[1] * across[2] - along[2] * across[1],
-                                 along[2] * across[0] - along[0] * across[2],
-                                 along[0] * across[1] - along[1] * across[0]};
-            const double size = std::sqrt(dot(normal, normal)) * weight[q % 3] * weight[q / 3];
-            for (int k = 0; k < 9; ++k)
-                area[quad[k]] += size * nx[place_in_quad[k] % 3] * ny[place_in_quad[k] / 3];
-        }
-    return area;
-}
-
-}  // namespace
-
-std::vector<double> StrainedModel::present_areas() const {
-    std::vector<double> area = tributary_areas(points().quads, now_.position);
-    for (double& a : area) a /= modelled_part(points());
-    return area;
-}
-
 contact::Scales StrainedModel::scales() const {
     const auto& points = this->points();
-    const std::vector<double> area = present_areas();
+    const std::vector<double> area = present_areas(points, now_.position);
     const ContactFrames present = frames();
     contact::ContactPoints moved = points;
     std::vector<double> pressure(points.size());
@@ -77,23 +37,25 @@ contact::Scales StrainedModel::scales() const {
         moved.area[i] = area[i] / present.stretch(i);  // as seen from above
         pressure[i] = now_.pressure[i] * points.area[i] / moved.area[i];
         peak = std::max(peak, pressure[i]);
-        sliding.x[i] = setup_.friction_coefficient * now_.pressure[i];
         const double distance = std::hypot(moved.x[i] - now_.pose.lowest_point()[0],
                                            moved.y[i] - now_.pose.lowest_point()[1]);
         if (distance < nearest) nearest = distance, centre = i;
     }
+    setup_.friction->bounds({now_.pressure}, sliding.x);
     setup_.layer->tangential(sliding, displacement);
     return {.normal_force = normal_force_,
             .contact_radius = contact::contact_radius(moved, pressure, now_.pose.lowest_point()),
             .indentation = now_.pose.indentation,
             .peak_pressure = peak,
-            .unit_shift = displacement.x[centre]};
+            .unit_shift = displacement.x[centre],
+            .sliding_force =
+                setup_.friction->limit(total_friction(solver_->correction.bounds(now_, present)))};
 }
 
 Surface StrainedModel::surface() const {
     const auto& points = this->points();
     const std::size_t n = points.size();
-    const std::vector<double> area = present_areas();
+    const std::vector<double> area = present_areas(points, now_.position);
     const ContactFrames present = frames();
     Surface s;
     s.layout = Surface::Layout::nodes;
@@ -114,7 +76,6 @@ Surface StrainedModel::surface() const {
         s.normal_traction[i] = now_.pressure[i] * present.stretch(i) * to_true;
         s.tangential_traction_x[i] = now_.traction.x[i] * to_true;
         s.tangential_traction_y[i] = now_.traction.y[i] * to_true;
-        s.friction_bound[i] = setup_.friction_coefficient * s.normal_traction[i];
         s.displacement_x[i] = now_.position[i][0] - points.x[i];
         s.displacement_y[i] = now_.position[i][1] - points.y[i];
         s.displacement_z[i] = now_.position[i][2];
@@ -123,6 +84,7 @@ Surface StrainedModel::surface() const {
         s.slip_y[i] = slip_.y[i];
         s.dissipation[i] = work_[i] * to_true;
     }
+    setup_.friction->bounds({s.normal_traction}, s.friction_bound);
     s.slip_path = slip_path_;
     s.friction_work = friction_work_;
     s.contact_state = contact_state_;
@@ -138,7 +100,7 @@ std::unique_ptr<const contact::Interior> StrainedModel::interior() {
 }
 
 StepRecord StrainedModel::record(const LoadStep& step) const {
-    const std::vector<double> area = present_areas();
+    const std::vector<double> area = present_areas(points(), now_.position);
     StepRecord r;
     r.phase = step.phase;
     r.offset = step.offset;
@@ -169,7 +131,7 @@ StepRecord StrainedModel::record(const LoadStep& step) const {
 /// in its plane, forces.
 void StrainedModel::audit_step(const LoadStep& step, const ContactFrames& frames,
                                const DeferredCorrection::Report& report) {
-    const double tolerance = setup_.tolerance, mu = setup_.friction_coefficient;
+    const double tolerance = setup_.tolerance;
     const double d = now_.pose.indentation;
     audit_.record("force_balance", report.force_residual, tolerance);
     double gap = 0;
@@ -184,23 +146,22 @@ void StrainedModel::audit_step(const LoadStep& step, const ContactFrames& frames
     if (!step.friction || normal_force_ == 0) return;
     std::array<TangentialControl, 2> no_forces;
     for (auto& control : no_forces) control.kind = TangentialControl::Kind::shift;
-    std::vector<double> bound(points().size());
-    for (std::size_t i = 0; i < bound.size(); ++i)
-        bound[i] = mu * frames.stretch(i) * now_.pressure[i];
+    const std::vector<double> bound = solver_->correction.bounds(now_, frames);
+    const contact::FrictionLaw::Total total = total_friction(bound);
     contact::audit_tangential({.bound = bound,
                                .area = points().area,
                                .traction = now_.traction,
                                .slip = now_.slip,
                                .contact_state = contact_state_,
                                .control = no_forces,
-                               .length = std::max(mu, .1) * d,
+                               .length = compared_slip(total),
                                // the surface's frames are those of the last iteration
                                .excess_allowed = tolerance},
                               tolerance, audit_);
     for (int a = 0; a < 2; ++a) {
         const auto& [kind, value] = step.tangential[a];
         if (kind == TangentialControl::Kind::shift || (a == 1 && points().mirrored)) continue;
-        const double limit = mu * normal_force_;
+        const double limit = setup_.friction->limit(total);
         const double wanted = kind == TangentialControl::Kind::ratio ? value * limit : value;
         audit_.record("tangential_force", std::abs(forces_[a] - wanted) / limit, tolerance);
     }

@@ -11,6 +11,7 @@ namespace tricontact::io {
 namespace {
 
 using contact::Case;
+using contact::Friction;
 using contact::Material;
 using contact::Relaxation;
 using contact::Roughness;
@@ -271,7 +272,7 @@ std::vector<CaseKey> relaxation_keys() {
 std::vector<CaseKey> contact_keys() {
     return {{number_key("friction.coefficient", above_zero(100), "0.57",
                         "Coulomb's coefficient of friction", {.required = true}),
-             at<&Case::friction_coefficient>},
+             at<&Case::friction, &Friction::coefficient>},
             {boolean_key("contact.coupling", "false",
                          "normal and tangential contact influence each other",
                          {.default_value = "true"}),

@@ -101,7 +101,7 @@ void check_carried(const Case& c, const Document& document) {
     for (std::size_t r = 0; r < rows.size(); ++r) {
         const double force = contact::prescribed_force(rows[r].tangential);
         if (force == 0 || rows[r].normal.kind != NormalControl::Kind::force) continue;
-        const double limit = c.friction_coefficient * rows[r].normal.value;
+        const double limit = c.friction.law()->limit({rows[r].normal.value, contact::infinity});
         if (force <= (springs_alone ? 1 : 1 - closest_to_sliding) * limit && force < limit)
             continue;
         refuse(document, path_key(document),

@@ -191,16 +191,14 @@ void check_friction_limit(const Case& c, const HalfSpaceScales& scales, const Do
     check_load_by_limit(c, document);
     if (c.load.indentation) return check_at_depth(c, scales, document);
     if (!c.load.tangential_ratio && !c.load.tangential_force) return;
-    const double mean =
-        std::abs(c.load.tangential_ratio
-                     ? *c.load.tangential_ratio
-                     : *c.load.tangential_force / (c.friction_coefficient * *c.load.normal_force));
+    const double limit = c.friction.law()->limit({*c.load.normal_force, contact::infinity});
+    const double mean = std::abs(c.load.tangential_ratio ? *c.load.tangential_ratio
+                                                         : *c.load.tangential_force / limit);
     const std::string key = used(document, "load.tangential_ratio", "load.tangential_force");
     if (mean >= 1)
         refuse(document, key,
                "F_T/(mu F_N) = " + rounded(mean) + " is not below 1: the contact slides",
-               "reduce it below mu F_N = " +
-                   rounded(c.friction_coefficient * *c.load.normal_force) + " N");
+               "reduce it below mu F_N = " + rounded(limit) + " N");
     const double worst = largest_ratio(c.load, mean, [](double factor) { return factor; });
     check_oscillating_ratio(key, worst, document);
     check_tells_sliding(c, key, worst, document);

@@ -127,6 +127,11 @@ found=$(grep -rnE --include='*.cc' --include='*.h' '"|models::' "${rooms[@]}" | 
     grep -vE 'R"\(\[' || true)
 [ -z "$found" ] || complain "the name of a model: $found: ask contact::model_kind()"
 
+# What friction carries is asked of the law: models and rolling see no coefficient.
+found=$(grep -rnE --include='*.cc' --include='*.h' 'friction_coefficient' contact bem fem mdr rolling/{run,steady_rolling,steady_solver,steady_normal,rolling_contact}.cc |
+    grep -vE '^contact/case\.(h|cc):' || true)
+[ -z "$found" ] || complain "a coefficient of friction: $found: ask contact::FrictionLaw"
+
 # What a merge leaves where two changed the same lines.
 found=$(grep -rnE '^(<{7}|>{7}) ' "${rooms[@]}" docs tests scripts benchmarks examples ./*.md CMakeLists.txt cmake || true)
 [ -z "$found" ] || complain "marks of a merge: $found"

@@ -146,7 +146,7 @@ class Drawing {
 
     /// Forces in turn, or motions; oblique loading without slip on the half-space is known exactly.
     void follow_path(bool springs) {
-        const double force = *c_.load.normal_force, limit = c_.friction_coefficient * force;
+        const double force = *c_.load.normal_force, limit = c_.friction_coefficient() * force;
         PrescribedPath path;
         const bool oblique = chance(.3), moves = !oblique && chance(.3);
         const int n_rows = oblique ? 2 : whole(2, 4);

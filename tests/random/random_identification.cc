@@ -78,7 +78,7 @@ IdentificationInput drawn_input(const Case& real, const Case& stated,
     IdentificationInput input;
     input.rig = stated;
     input.confidence = .95;
-    const double load = *real.load.normal_force * real.friction_coefficient;
+    const double load = *real.load.normal_force * real.friction_coefficient();
     const double depth = contact::half_space_scales(real).indentation;
     const auto add = [&](Measurement measurement, double held, const std::vector<double>& given) {
         input.tables.push_back(measured(measurement, real, held, given, states_errors, random));
@@ -189,7 +189,7 @@ IdentificationInput drawn_table(int kind, Errors errors, bool states_errors, Cas
         find.insert(find.end(),
                     {"substrate.relaxation.relative_moduli", "substrate.relaxation.times"});
     } else if (kind == 1) {
-        const double load = *real.load.normal_force * real.friction_coefficient;
+        const double load = *real.load.normal_force * real.friction_coefficient();
         table.given = equal_steps(between(random, {.2, .97}) * load);
         find.emplace_back("friction.coefficient");
     } else {

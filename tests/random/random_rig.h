@@ -24,7 +24,7 @@ inline contact::Case drawn_sphere_on_layer(Random& random, const Bounds& frictio
     c.indenter.radius = between(random, {10e-3, 60e-3});
     c.substrate = {between(random, {1e6, 10e6}), .5};
     c.load.normal_force = between(random, {5, 30});
-    c.friction_coefficient = between(random, friction);
+    c.friction.coefficient = between(random, friction);
     c.load.tangential_force = 0;
     c.layer.thickness =
         2 * contact::half_space_scales(c).contact_radius * between(random, thickness);

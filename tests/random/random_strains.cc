@@ -46,7 +46,7 @@ Case drawn_case(std::uint64_t seed, std::uint64_t index) {
     c.layer.thickness = scale(2e-3, 16e-3);
     c.law = uniform(0, 1) < .5 ? Case::Law::neo_hookean : Case::Law::mooney_rivlin;
     if (c.law == Case::Law::mooney_rivlin) c.c01_ratio = uniform(0, 1);
-    c.friction_coefficient = scale(.05, 1);
+    c.friction.coefficient = scale(.05, 1);
     c.load.normal_force = scale(2, 168);
     c.load.tangential_ratio = uniform(0, .99);
     c.load.press_steps = 2;
@@ -121,9 +121,10 @@ void print(std::uint64_t index, const Case& c, const Outcome& outcome) {
         "{:3} {:9} R {:5.1f} b {:5.2f} F {:6.1f} nu {:.3f} mu {:.2f} f {:.2f} w/h {:4.1f} "
         "most {:3} {:5.1f} s {} {}\n",
         index, c.law == Case::Law::neo_hookean ? "neo" : "mooney", 1e3 * c.indenter.radius,
-        1e3 * *c.layer.thickness, *c.load.normal_force, c.substrate.poisson, c.friction_coefficient,
-        *c.load.tangential_ratio, *c.rolling->amplitude / *c.of<fem::Settings>().size, most,
-        outcome.seconds, outcome.kind, outcome.why);
+        1e3 * *c.layer.thickness, *c.load.normal_force, c.substrate.poisson,
+        c.friction_coefficient(), *c.load.tangential_ratio,
+        *c.rolling->amplitude / *c.of<fem::Settings>().size, most, outcome.seconds, outcome.kind,
+        outcome.why);
     std::fflush(stdout);
 }
 

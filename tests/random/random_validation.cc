@@ -39,7 +39,7 @@ struct Number {
 const std::array<Number, 5> numbers{
     {{"substrate.young", .03, [](Case& c) -> double& { return c.substrate.young; }},
      {"substrate.thickness", .02, [](Case& c) -> double& { return *c.layer.thickness; }},
-     {"friction.coefficient", .02, [](Case& c) -> double& { return c.friction_coefficient; }},
+     {"friction.coefficient", .02, [](Case& c) -> double& { return c.friction.coefficient; }},
      {"load.normal_force", .005, [](Case& c) -> double& { return *c.load.normal_force; }},
      {"indenter.radius", .01, [](Case& c) -> double& { return c.indenter.radius; }}}};
 constexpr int n_repeats = 3;
@@ -49,7 +49,7 @@ Case drawn_rig(Random& random) {
     Case c = drawn_sphere_on_layer(random, {.6, 1.1}, {.4, 4});
     const double radius = contact::half_space_scales(c).contact_radius;
     c.load.tangential_force =
-        between(random, {.15, .5}) * c.friction_coefficient * *c.load.normal_force;
+        between(random, {.15, .5}) * c.friction_coefficient() * *c.load.normal_force;
     c.rolling.emplace();
     c.rolling->amplitude = between(random, {.08, .3}) * radius;
     return c;

@@ -56,7 +56,7 @@ inline contact::Case body_case(contact::Case::Shape shape, double exponent) {
     c.indenter.flat_radius = .003;
     c.indenter.profile = worn_sphere(c.indenter.radius, .002);
     c.substrate = {5.2e6, .5};
-    c.friction_coefficient = .57;
+    c.friction.coefficient = .57;
     c.contact.coupling = false;
     c.load.normal_force = 21.1;
     c.load.tangential_ratio = .3;

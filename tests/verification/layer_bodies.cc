@@ -60,11 +60,11 @@ TEST_P(LayerBodies, ArePressedAsTheExactContact) {
         // it, as does the infinite pressure under a tip.
         EXPECT_NEAR(line.indentation / exact.indentation, 1, 3e-4);
         EXPECT_NEAR(line.contact_radius / exact.contact_radius, 1, 2e-3);
-        EXPECT_NEAR(line.unit_shift / c.friction_coefficient / *exact.unit_shift, 1, 1e-3);
+        EXPECT_NEAR(line.unit_shift / c.friction_coefficient() / *exact.unit_shift, 1, 1e-3);
         // Cells: the edge cuts them, O(h^1.5); 0.2 % are demanded of closed forms.
         EXPECT_NEAR(cells.indentation / exact.indentation, 1, 2e-3);
         EXPECT_NEAR(cells.contact_radius / exact.contact_radius, 1, 2e-2);  // a quarter of a cell
-        EXPECT_NEAR(cells.unit_shift / c.friction_coefficient / *exact.unit_shift, 1, 2e-3);
+        EXPECT_NEAR(cells.unit_shift / c.friction_coefficient() / *exact.unit_shift, 1, 2e-3);
     }
 }
 

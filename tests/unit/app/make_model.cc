@@ -22,7 +22,7 @@ Case pressed_case() {
     Case c;
     c.indenter.radius = .04;
     c.substrate = {5e6, .5};
-    c.friction_coefficient = .6;
+    c.friction.coefficient = .6;
     c.load.normal_force = 20;
     c.load.tangential_ratio = .5;
     return c;

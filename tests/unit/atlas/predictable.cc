@@ -17,7 +17,7 @@ Case layer() {
     c.indenter.radius = .04;
     c.substrate = {5.2e6, .5};
     c.layer.thickness = 8e-3;
-    c.friction_coefficient = .57;
+    c.friction.coefficient = .57;
     c.load.normal_force = 21.1;
     c.load.tangential_ratio = .3;
     c.rolling.emplace();

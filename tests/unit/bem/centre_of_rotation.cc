@@ -35,7 +35,7 @@ Case pressed_steel() {
     Case c;
     c.indenter.radius = radius;
     c.indenter.material = c.substrate = contact::Material{210e9, .28};
-    c.friction_coefficient = .3;
+    c.friction.coefficient = .3;
     c.load.indentation = depth;
     c.load.tangential_force = 0;
     c.of<contact::Cells>().spacing = cell;
@@ -84,7 +84,7 @@ TEST(CentreOfRotation, DoesNotDependOnTheWindowOfAMap) {
         EXPECT_NEAR(c.make_indenter()->lowest_point()[0], (i - n_x / 2) * cell, 1e-12);
         last_row(c).rotation = 1e-3;
         const StepRecord twisted = last_step(c);
-        const double limit = c.friction_coefficient * twisted.normal_force;
+        const double limit = c.friction_coefficient() * twisted.normal_force;
         EXPECT_NEAR(twisted.tangential_force[0] / limit, 0, 1e-6);
         EXPECT_NEAR(twisted.tangential_force[1] / limit, 0, 1e-6);
         last_row(c).tangential[0].value = 5e-7;
@@ -108,7 +108,7 @@ TEST(CentreOfRotation, SlidesAsTheClosedForms) {
     last_row(c).rotation = 1;
     const double a = half_space_scales(c).contact_radius;
     const StepRecord spun = last_step(c);
-    const double limit = c.friction_coefficient * spun.normal_force;
+    const double limit = c.friction_coefficient() * spun.normal_force;
     // Seven cells in the radius: the edge costs a percent.
     EXPECT_NEAR(spun.torque / (limit * a), theory::torque_ratio(0), .01 * theory::torque_ratio(0));
     const double arm = 100 * a;

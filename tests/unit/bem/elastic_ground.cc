@@ -119,7 +119,7 @@ Case pressed_case() {
     c.layer.thickness = 3e-3;
     c.layer.base = Case::Base::half_space;
     c.layer.ground = c.substrate;
-    c.friction_coefficient = .57;
+    c.friction.coefficient = .57;
     c.load.normal_force = 21.1;
     c.load.tangential_ratio = .5;
     c.of<contact::Cells>().per_radius = 16;

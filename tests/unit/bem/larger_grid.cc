@@ -23,7 +23,7 @@ Case pushed_aside() {
     Case c;
     c.indenter.radius = 7.88e-6;
     c.substrate = {18.5e6, -.585};
-    c.friction_coefficient = 1.68;
+    c.friction.coefficient = 1.68;
     c.load.indentation = 7e-11;
     c.load.tangential_ratio = .2167;
     c.load.press_steps = 2;
@@ -40,7 +40,7 @@ contact::SurfaceModel on_wide_grid(const Case& c) {
     return {"bem",
             *bem::make_substrate(c, 1, bem::Body::half_space, 1),
             c.make_indenter(),
-            c.friction_coefficient,
+            c.friction.law(),
             c.of<bem::Settings>().tolerance,
             c.contact};
 }
@@ -74,7 +74,7 @@ void expect_as_on_a_wide_grid(const Case& c) {
     ASSERT_LT(expected.steps.size(), 20U);
     for (std::size_t k = 0; k < expected.steps.size(); ++k) {
         const auto &is = grown.steps[k], &should = expected.steps[k];
-        EXPECT_NEAR(is.shift[0], should.shift[0], tolerance * c.friction_coefficient * d) << k;
+        EXPECT_NEAR(is.shift[0], should.shift[0], tolerance * c.friction_coefficient() * d) << k;
         EXPECT_NEAR(is.indentation, should.indentation, tolerance * d) << k;
         EXPECT_NEAR(is.normal_force, should.normal_force, tolerance * f) << k;
     }
@@ -93,7 +93,7 @@ TEST(BemLargerGrid, SiblingsHaveOneToo) {
 TEST(BemLargerGrid, WithoutOneTheContactEndsAtTheEdge) {
     const Case c = pushed_aside();
     contact::SurfaceModel model("bem", *bem::make_substrate(c, 1, bem::Body::half_space),
-                                c.make_indenter(), c.friction_coefficient,
+                                c.make_indenter(), c.friction.law(),
                                 c.of<bem::Settings>().tolerance, c.contact);
     EXPECT_THROW(contact::run(c, model), contact::ContactAtEdge);
 }

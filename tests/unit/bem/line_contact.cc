@@ -27,7 +27,7 @@ Case rig(double cells_per_radius) {
     c.indenter.radius = 40e-3;
     c.indenter.length = 80e-3;
     c.substrate = {3.6e6, .5};
-    c.friction_coefficient = .79;
+    c.friction.coefficient = .79;
     c.load.normal_force = 32.3;
     c.load.tangential_ratio = .4;
     c.of<contact::Cells>().per_radius = cells_per_radius;

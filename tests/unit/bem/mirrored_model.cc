@@ -20,7 +20,7 @@ contact::Case rolling(bool coupled) {
     c.indenter.radius = 0.04;
     c.indenter.material = contact::Material{206e9, 0.3};
     c.substrate = {5.2e6, 0.5};
-    c.friction_coefficient = 0.57;
+    c.friction.coefficient = 0.57;
     c.load.normal_force = 21.1;
     c.load.tangential_ratio = 0.56;
     c.rolling.emplace();
@@ -46,8 +46,7 @@ TEST(MirroredModel, IsHalfOfTheWholeOne) {
         ASSERT_TRUE(bem::is_mirrored(c));
         const auto body = coupled ? bem::Body::layer : bem::Body::half_space;
         contact::SurfaceModel whole("bem", *bem::make_substrate(c, 1, body), c.make_indenter(),
-                                    c.friction_coefficient, c.of<bem::Settings>().tolerance,
-                                    c.contact);
+                                    c.friction.law(), c.of<bem::Settings>().tolerance, c.contact);
         const auto half = bem::make_model(c, 1, body);
         const auto a = contact::run(c, whole), b = contact::run(c, *half);
         ASSERT_EQ(a.steps.size(), b.steps.size());

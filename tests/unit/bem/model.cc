@@ -22,7 +22,7 @@ Case small_case() {
     Case c;
     c.indenter.radius = .04;
     c.substrate = {5.2e6, .5};
-    c.friction_coefficient = .57;
+    c.friction.coefficient = .57;
     c.load.normal_force = 21.1;
     c.load.tangential_ratio = .5;
     c.of<contact::Cells>().per_radius = 8;
@@ -73,7 +73,7 @@ TEST(BemModel, TangentialRatioIsThatOfTheLoadedContactUnderADepth) {
     const contact::History h = contact::run(c, *model);
     const contact::StepRecord& loaded = h.steps[c.load.press_steps];
     EXPECT_EQ(loaded.phase, 0);
-    EXPECT_NEAR(loaded.tangential_force[0] / (c.friction_coefficient * loaded.normal_force), .5,
+    EXPECT_NEAR(loaded.tangential_force[0] / (c.friction_coefficient() * loaded.normal_force), .5,
                 1e-9);
     EXPECT_GT(loaded.normal_force, 1.005 * h.scales.normal_force);  // of pressing without friction
     EXPECT_NEAR(h.tangential_force / h.friction_limit, .5, 1e-9);
@@ -172,7 +172,7 @@ contact::SurfaceModel model_on(int cells) {
     const auto grid =
         contact::ContactPoints::grid(cells, cells, {-(cells / 2) * h, -(cells / 2) * h}, {h, h});
     return {"bem", bem::half_space_compliance(c.materials(), grid, 1), c.make_indenter(),
-            c.friction_coefficient, 1e-7};
+            c.friction.law(), 1e-7};
 }
 
 TEST(SurfaceModel, SaysWhenTheContactReachesTheEdge) {

@@ -230,7 +230,7 @@ Case pressed_case() {
     c.indenter.radius = 40e-3;
     c.substrate = {5.2e6, .5};
     c.layer.thickness = 8e-3;
-    c.friction_coefficient = .57;
+    c.friction.coefficient = .57;
     c.load.normal_force = 21.1;
     c.load.tangential_ratio = .5;
     c.of<contact::Cells>().spacing = .5e-3;

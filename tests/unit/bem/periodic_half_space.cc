@@ -15,6 +15,7 @@
 #include "contact/base/error.h"
 #include "contact/bodies/height_map.h"
 #include "contact/bodies/roughness.h"
+#include "contact/friction/friction.h"
 #include "contact/solvers/contact_region.h"
 #include "contact/solvers/normal_solver.h"
 #include "contact/surface_model.h"
@@ -170,7 +171,8 @@ TEST(BemPeriodicHalfSpace, MicroSlipOfARoughPlaneIsThatOfItsPressures) {
     const MaterialPair pair{{}, Material{10e6, 0}};
     const double mu = .4, area = 1e-6, force = .05 * pair.effective_modulus() * .1 * area;
     const auto compliance = std::make_shared<PeriodicCompliance>(pair, period_grid(1e-3, 64), 1);
-    contact::SurfaceModel model("bem", compliance, rough.indenter, mu, 1e-8, {.coupling = false});
+    contact::SurfaceModel model("bem", compliance, rough.indenter, contact::Friction{mu}.law(),
+                                1e-8, {.coupling = false});
     contact::LoadStep press = pressed(force, 0);
     press.friction = false;
     const double depth = model.advance(press).indentation;
@@ -178,8 +180,8 @@ TEST(BemPeriodicHalfSpace, MicroSlipOfARoughPlaneIsThatOfItsPressures) {
     for (const double ratio : {.2, .5, .8, .95}) {
         const auto record = model.advance(pressed(force, ratio * mu * force));
         const auto surface = model.surface();
-        contact::SurfaceModel less("bem", compliance, rough.indenter, mu, 1e-8,
-                                   {.coupling = false});
+        contact::SurfaceModel less("bem", compliance, rough.indenter, contact::Friction{mu}.law(),
+                                   1e-8, {.coupling = false});
         contact::LoadStep lighter = pressed((1 - ratio) * force, 0);
         lighter.friction = false;
         const double shallow = less.advance(lighter).indentation;
@@ -204,8 +206,8 @@ TEST(BemPeriodicHalfSpace, HoldsInFullContactTangentially) {
     const double full = pi * pair.effective_modulus() * wave / 1e-3, force = 2 * full * 1e-6;
     contact::SurfaceModel model(
         "bem", compliance,
-        std::make_shared<contact::RoughIndenter>(std::make_unique<contact::Plane>(), map), .4,
-        1e-7);
+        std::make_shared<contact::RoughIndenter>(std::make_unique<contact::Plane>(), map),
+        contact::Friction{.4}.law(), 1e-7);
     contact::LoadStep press = pressed(force, 0);
     press.friction = false;
     model.advance(press);

@@ -32,7 +32,7 @@ Case relaxing(double way) {
     c.relaxation = {{{1, relaxation_time}, {.3, .1 * relaxation_time}},
                     contact::Relaxation::Bulk::elastic};
     c.indenter.radius = radius;
-    c.friction_coefficient = .35;
+    c.friction.coefficient = .35;
     c.load.normal_force = 4. / 3 * 3e6 / .91 * std::pow(half_length, 3) / radius;
     c.tractive_rolling.emplace();
     c.tractive_rolling->speed = way * half_length / relaxation_time;

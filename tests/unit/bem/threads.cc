@@ -15,7 +15,7 @@ std::vector<double> shifts(int cells_per_radius) {
     contact::Case c;
     c.indenter.radius = 40e-3;
     c.substrate = {5.2e6, .5};
-    c.friction_coefficient = .57;
+    c.friction.coefficient = .57;
     c.load.normal_force = 21.1;
     c.load.set_tangential_ratio(.3);
     c.of<contact::Cells>().per_radius = cells_per_radius;

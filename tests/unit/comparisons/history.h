@@ -31,7 +31,7 @@ inline contact::Case unit_case(const Options& options = {}) {
     c.models = {"mdr", "bem"};
     c.indenter.radius = 1;
     c.substrate = {1, 0};  // nu = 0: E* = G* = E under a rigid indenter
-    c.friction_coefficient = 1;
+    c.friction.coefficient = 1;
     c.load.indentation = 1;
     c.load.tangential_ratio = options.f;
     if (options.rolling) {

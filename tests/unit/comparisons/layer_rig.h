@@ -12,7 +12,7 @@ inline contact::Case layer_rig() {
     c.indenter.radius = .04;
     c.substrate = {5.2e6, .5};
     c.layer.thickness = 8e-3;
-    c.friction_coefficient = .57;
+    c.friction.coefficient = .57;
     c.load.normal_force = 21.1;
     c.load.tangential_ratio = .56;
     c.rolling.emplace();

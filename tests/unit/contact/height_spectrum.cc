@@ -119,7 +119,7 @@ TEST(HeightSpectrum, OfACaseIsThatOfItsCells) {
     c.indenter.radius = 10e-3;
     c.indenter.roughness = rough;
     c.substrate = {3e6, .5};
-    c.friction_coefficient = .5;
+    c.friction.coefficient = .5;
     c.load.normal_force = .1;
     c.of<contact::Cells>().spacing = rough.long_wavelength / 128;
     const HeightSpectrum s = surface_spectrum(c),

@@ -22,7 +22,7 @@ Case rolling_case() {
     Case c;
     c.indenter.radius = .04;
     c.substrate = {3. / 4 * 20 / (4. / 3 * .2 * 8e-6), .5};  // E* = 4 E/3
-    c.friction_coefficient = friction;
+    c.friction.coefficient = friction;
     c.load.normal_force = normal_force;
     c.load.tangential_ratio = .6;
     c.rolling.emplace();

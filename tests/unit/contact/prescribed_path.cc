@@ -24,7 +24,7 @@ PrescribedPath::Row row(double normal, double tangential, int steps = 1) {
 
 contact::Case with(PrescribedPath path) {
     contact::Case c;
-    c.friction_coefficient = .5;
+    c.friction.coefficient = .5;
     c.load.normal_force = path.hardest_normal().value;
     c.load.tangential_force = 0;
     c.prescribed_path = std::move(path);

@@ -72,7 +72,7 @@ Case rolling_case(int periods) {
     Case c;
     c.indenter.radius = .04;
     c.substrate = {3e6, .5};
-    c.friction_coefficient = .5;
+    c.friction.coefficient = .5;
     c.load.normal_force = 20;
     c.load.tangential_ratio = .3;
     c.rolling.emplace();

@@ -24,7 +24,7 @@ Case near_limit(double distance, int periods) {
     Case c;
     c.indenter.radius = .04;
     c.substrate = {3e6, .5};
-    c.friction_coefficient = .5;
+    c.friction.coefficient = .5;
     c.load.normal_force = 20;
     c.load.tangential_ratio = limit * (1 - distance);
     c.rolling.emplace();

@@ -78,7 +78,7 @@ void expect_same_back(const std::vector<std::string>& overrides, const std::stri
     expect_close(pair.effective_shear_modulus(), pair_back.effective_shear_modulus(), "G*");
     EXPECT_NEAR(pair.dundurs_beta(), pair_back.dundurs_beta(), 1e-14);
     EXPECT_EQ(first.c.indenter.material.has_value(), back.indenter.material.has_value());
-    EXPECT_EQ(first.c.friction_coefficient, back.friction_coefficient);
+    EXPECT_EQ(first.c.friction_coefficient(), back.friction_coefficient());
     EXPECT_EQ(first.c.of<bem::Settings>().tolerance, back.of<bem::Settings>().tolerance);
     expect_close(first.grid.spacing[0], *back.of<contact::Cells>().spacing, "spacing");
     EXPECT_EQ(first.c.is_line_contact(), back.is_line_contact());

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "contact/compliances/focused_compliance.h"
+#include "contact/friction/friction.h"
 #include "contact/surface_model.h"
 #include "fem/dense_compliance.h"
 
@@ -101,7 +102,8 @@ TEST(FocusedContact, ProductsAmongSomePointsAreThoseAmongAll) {
 TEST(FocusedContact, FindsContactFarFromTheLastOne) {
     const auto compliance = half_space();
     constexpr double tolerance = 1e-8, mu = .4;
-    contact::SurfaceModel model("model", compliance, std::make_shared<TwoBumps>(.8), mu, tolerance);
+    contact::SurfaceModel model("model", compliance, std::make_shared<TwoBumps>(.8),
+                                contact::Friction{mu}.law(), tolerance);
     contact::LoadStep step;
     step.normal = {contact::NormalControl::Kind::indentation, .6};
     step.tangential[0] = {contact::TangentialControl::Kind::shift, .05};

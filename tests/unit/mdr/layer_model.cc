@@ -23,7 +23,7 @@ Case layer_case() {
     c.indenter.radius = 40e-3;
     c.substrate = {5.2e6, 0.5};
     c.layer.thickness = 8e-3;
-    c.friction_coefficient = 0.57;
+    c.friction.coefficient = 0.57;
     c.load.normal_force = 21.1;
     c.load.tangential_ratio = .56;
     c.rolling.emplace();

@@ -27,7 +27,7 @@ class Sphere {
     Sphere() {
         case_.indenter.radius = .04;
         case_.substrate = {5.2e6, .5};
-        case_.friction_coefficient = mu;
+        case_.friction.coefficient = mu;
         case_.of<mdr::Settings>().springs = 20'000;
     }
     /// Of the rows {F_N, F_T}, both in N.

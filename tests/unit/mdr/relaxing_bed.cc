@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "contact/base/error.h"
+#include "contact/friction/friction.h"
 #include "mdr/model.h"
 #include "mdr/spring_bed.h"
 #include "tests/verification/mdr/roller.h"
@@ -41,7 +42,7 @@ mdr::BedData bed_data(const Units& units, const std::optional<Relaxation>& relax
     data.profile = std::make_unique<mdr::PowerLawProfile>(1 / (2 * units.length), 2);
     data.effective_modulus = units.modulus;
     data.effective_shear_modulus = units.shear_modulus;
-    data.friction_coefficient = units.friction;
+    data.friction = contact::Friction{units.friction}.law();
     data.n_springs = springs;
     data.half_length = half_length * units.length;
     data.relaxation = relaxation;

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "contact/base/error.h"
+#include "contact/friction/friction.h"
 #include "mdr/plane_profile.h"
 
 namespace tricontact::spring_bed_test {
@@ -34,7 +35,7 @@ mdr::BedData bed_data(const Units& units, int springs = 400, double half_length 
     data.profile = std::make_unique<mdr::PowerLawProfile>(1 / (2 * units.length), 2);
     data.effective_modulus = units.modulus;
     data.effective_shear_modulus = units.shear_modulus;
-    data.friction_coefficient = units.friction;
+    data.friction = contact::Friction{units.friction}.law();
     data.n_springs = springs;
     data.half_length = half_length * units.length;
     return data;
@@ -81,7 +82,8 @@ TEST(MdrSpringBed, RefusesDataOutOfRange) {
               "mdr: effective modulus E* = 0 must be positive");
     EXPECT_EQ(with([](auto& d) { d.effective_shear_modulus = std::nan(""); }),
               "mdr: effective shear modulus G* = nan must be positive");
-    EXPECT_EQ(with([](auto& d) { d.friction_coefficient = -.5; }),
+    EXPECT_EQ(with([](auto& d) { d.friction.reset(); }), "mdr: no law of friction");
+    EXPECT_EQ(with([](auto& d) { d.friction = contact::Friction{-.5}.law(); }),
               "mdr: friction coefficient = -0.5 must be positive");
     EXPECT_EQ(with([](auto& d) { d.half_length = std::numeric_limits<double>::infinity(); }),
               "mdr: half length of the bed = inf must be positive");

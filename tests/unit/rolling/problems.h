@@ -10,6 +10,7 @@
 #include "bem/grid_compliance.h"
 #include "contact/bodies/cylinder.h"
 #include "contact/bodies/indenter.h"
+#include "contact/friction/friction.h"
 #include "rolling/run.h"
 
 namespace tricontact::rolling_test {
@@ -56,7 +57,7 @@ struct Rig {
     rolling::RollingProblem sphere(double tangential_ratio) const {
         rolling::RollingProblem problem;
         problem.indenter = std::make_shared<contact::Paraboloid>(radius);
-        problem.friction_coefficient = friction;
+        problem.friction = contact::Friction{friction}.law();
         problem.normal.value = sphere_force();
         problem.drive.force[0] = tangential_ratio * friction * sphere_force();
         problem.tolerance = 1e-9;

@@ -94,7 +94,7 @@ TEST(SteadyRelaxing, IsWhereRollingOnEnds) {
     c.substrate = {3e6, .2};
     c.relaxation = {{{1, relaxation_time}}, contact::Relaxation::Bulk::elastic};
     c.indenter.radius = .07;
-    c.friction_coefficient = .35;
+    c.friction.coefficient = .35;
     const Rig rig{.substrate = c.substrate, .n = 3};
     c.load.normal_force = rig.sphere_force();
     c.tractive_rolling.emplace();

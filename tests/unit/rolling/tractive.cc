@@ -24,7 +24,7 @@ Case rubber(double nu) {
     c.models = {"mdr", "bem"};
     c.indenter.radius = 40e-3;
     c.substrate = {5.2e6, nu};
-    c.friction_coefficient = .57;
+    c.friction.coefficient = .57;
     c.load.normal_force = 21.1;
     c.load.tangential_ratio = force;
     c.tractive_rolling.emplace().distance = 4;
@@ -40,7 +40,7 @@ CreepTheory theory_of(const Case& c, const std::string& key) {
 /// Of a model that obeys a theory, dissipation as the energy balance has it.
 RollingState state_of(const Case& c, const CreepTheory& theory, double f) {
     const contact::HalfSpaceScales scales = contact::half_space_scales(c);
-    const double friction = c.friction_coefficient * scales.normal_force;
+    const double friction = c.friction_coefficient() * scales.normal_force;
     const double xi = theory.creepage(f), area = 3 * scales.contact_radius * scales.contact_radius;
     return {.creepage = {.longitudinal = xi},
             .normal_force = scales.normal_force,
@@ -86,8 +86,8 @@ RollingRun run_by(const Case& c, const std::string& model, const std::string& ke
     }
     for (double f = .05; f < .99; f += .06) run.creep_curve.push_back(state_of(c, theory, f));
     run.lines = {
-        centre_line(run.history.surface, c.friction_coefficient, 0),
-        centre_line(run.history.surface, c.friction_coefficient, run.history.steady.distance)};
+        centre_line(run.history.surface, c.friction_coefficient(), 0),
+        centre_line(run.history.surface, c.friction_coefficient(), run.history.steady.distance)};
     return run;
 }
 
@@ -260,7 +260,7 @@ TEST(CreepTheories, OfAnEllipsoidAreKalkers) {
     const double linear = rolling_test::kalker_force(theory::combined_material(c.materials()), a, b,
                                                      {.longitudinal = xi})
                               .longitudinal;
-    const double friction = c.friction_coefficient * *c.load.normal_force;
+    const double friction = c.friction_coefficient() * *c.load.normal_force;
     for (const CreepTheory& theory : theories)
         EXPECT_NEAR(theory.force_ratio(xi) * friction / linear, 1, 1e-4) << theory.key;
     c.indenter.radius_y = 1e-4;

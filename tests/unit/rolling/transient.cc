@@ -27,8 +27,8 @@ std::shared_ptr<const contact::Compliance> long_grid(const Rig& rig, int steps) 
 std::vector<contact::Vector2> shifts_in_fixed_coordinates(const Rig& rig,
                                                           const rolling::RollingProblem& problem,
                                                           int steps) {
-    contact::SurfaceModel model("fixed", long_grid(rig, steps), problem.indenter,
-                                problem.friction_coefficient, problem.tolerance);
+    contact::SurfaceModel model("fixed", long_grid(rig, steps), problem.indenter, problem.friction,
+                                problem.tolerance);
     contact::LoadStep step;
     step.normal = problem.normal;
     for (int d = 0; d < 2; ++d) step.tangential[d].value = problem.drive.force[d];

@@ -25,7 +25,7 @@ Case sphere() {
     c.models = {contact::models::mdr};
     c.indenter.radius = .04;
     c.substrate = {5.2e6, 0};
-    c.friction_coefficient = friction;
+    c.friction.coefficient = friction;
     c.contact.coupling = false;
     c.load.normal_force = normal_force;
     c.load.tangential_ratio = load;

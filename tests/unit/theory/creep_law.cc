@@ -18,7 +18,7 @@ contact::Case sphere(double nu, double f) {
     contact::Case c;
     c.indenter.radius = 40e-3;
     c.substrate = {5.2e6, nu};
-    c.friction_coefficient = .57;
+    c.friction.coefficient = .57;
     c.contact.coupling = false;
     c.load.normal_force = 21.1;
     c.load.tangential_ratio = f;
@@ -28,7 +28,7 @@ contact::Case sphere(double nu, double f) {
 double sliding_creepage_of(const contact::Case& c, double (*coefficient)(double)) {
     const CombinedMaterial material = combined_material(c.materials());
     const double a = contact::half_space_scales(c).contact_radius;
-    return sliding_creepage(c.friction_coefficient * *c.load.normal_force, material.shear_modulus,
+    return sliding_creepage(c.friction_coefficient() * *c.load.normal_force, material.shear_modulus,
                             a * a, coefficient(material.poisson));
 }
 
@@ -42,7 +42,7 @@ double rolled_creepage(contact::Case c, int springs_per_radius) {
     contact::LoadStep step = contact::press_step(c);
     bed->advance(step);
     step.tangential[0].value =
-        *c.load.tangential_ratio * c.friction_coefficient * *c.load.normal_force;
+        *c.load.tangential_ratio * c.friction_coefficient() * *c.load.normal_force;
     double shift = bed->advance(step).shift[0], before = shift;
     const int n_steps = 5 * springs_per_radius;
     for (int i = 1; i <= n_steps; ++i) {
@@ -76,7 +76,7 @@ TEST(CreepLaw, IsTheThesisOnes) {
     for (const double nu : {0., .3, .5}) {
         const contact::Case c = sphere(nu, .56);
         const double a = contact::half_space_scales(c).contact_radius;
-        const double unit = c.friction_coefficient * a / c.indenter.radius;
+        const double unit = c.friction_coefficient() * a / c.indenter.radius;
         const contact::MaterialPair materials = c.materials();
         const double johnson = sliding_creepage_of(c, vermeulen_johnson_coefficient) / unit;
         const double mdr = sliding_creepage_of(c, mdr_coefficient) / unit;

@@ -49,7 +49,7 @@ class Loaded {
     /// To F_T = f mu F_N in x.
     contact::StepRecord load(double f) {
         contact::LoadStep step = contact::press_step(case_);
-        step.tangential[0].value = f * case_.friction_coefficient * hertz_.normal_force;
+        step.tangential[0].value = f * case_.friction_coefficient() * hertz_.normal_force;
         return model_->advance(step);
     }
     /// Of the cycle from f to -f and back in equal steps, once the contact has been at f.
@@ -62,13 +62,13 @@ class Loaded {
     }
     contact::Surface surface() const { return model_->surface(); }
     const contact::HalfSpaceScales& hertz() const { return hertz_; }
-    double peak_bound() const { return case_.friction_coefficient * hertz_.peak_pressure; }
+    double peak_bound() const { return case_.friction_coefficient() * hertz_.peak_pressure; }
     /// Work of a cycle between -f and f, by Mindlin, and as found.
     double cycle_ratio(double f) {
         load(f);
         double work = 0;
         for (const double end : {-f, f}) work += load(end).dissipation;
-        return work / theory::cycle_dissipation({case_.friction_coefficient, hertz_.normal_force,
+        return work / theory::cycle_dissipation({case_.friction_coefficient(), hertz_.normal_force,
                                                  case_.materials().effective_shear_modulus(),
                                                  hertz_.contact_radius, f});
     }
@@ -246,11 +246,11 @@ TEST(BemCattaneoMindlin, OneStepOrManyWithoutCrossTraction) {
 TEST(BemCattaneoMindlin, TurningTheForceTurnsTheAnswer) {
     const contact::Case c = equal_bodies(.5, .6, 11);
     contact::LoadStep step = contact::press_step(c);
-    const double force = .6 * c.friction_coefficient * *c.load.normal_force;
+    const double force = .6 * c.friction_coefficient() * *c.load.normal_force;
     auto shift_under = [&](contact::Vector2 f) {
         // Of the whole contact, which is not symmetric under a force across.
         contact::SurfaceModel model("bem", *bem::make_substrate(c, 1, bem::Body::half_space),
-                                    c.make_indenter(), c.friction_coefficient,
+                                    c.make_indenter(), c.friction.law(),
                                     c.of<bem::Settings>().tolerance);
         model.advance(contact::press_step(c));
         for (int d = 0; d < 2; ++d) step.tangential[d].value = f[d];

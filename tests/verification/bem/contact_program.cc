@@ -10,6 +10,7 @@
 #include "bem/grid_compliance.h"
 #include "bem/model.h"
 #include "contact/cells.h"
+#include "contact/friction/friction.h"
 #include "contact/load_path.h"
 #include "contact/solvers/contact_region.h"
 #include "contact/surface_model.h"
@@ -140,8 +141,8 @@ TEST(BemContactProgram, SpencePressing) {
     const double h = .2 * mm, aside = 1e-4 * mm;  // as in the example
     auto grid = contact::ContactPoints::grid(41, 41, {-20 * h + aside, -20 * h + aside}, {h, h});
     contact::SurfaceModel model("bem", bem::half_space_compliance(pair, std::move(grid), 1),
-                                std::make_shared<contact::Paraboloid>(1 / (2 * 4.116)), .2986,
-                                1e-6);
+                                std::make_shared<contact::Paraboloid>(1 / (2 * 4.116)),
+                                contact::Friction{.2986}.law(), 1e-6);
     contact::LoadStep step;
     StepRecord last;
     for (int k = 1; k <= 35; ++k) {

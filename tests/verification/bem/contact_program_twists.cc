@@ -139,7 +139,7 @@ TEST(ContactProgramTwists, RandomHistories) {
         for (std::size_t k = 0; k < steps.size(); ++k) {
             SCOPED_TRACE(k);
             const Printed& there = history.printed[k];
-            const double limit = c.friction_coefficient * there.normal;
+            const double limit = c.friction_coefficient() * there.normal;
             EXPECT_NEAR(steps[k].normal_force / there.normal, 1, printed);
             EXPECT_NEAR((steps[k].tangential_force[0] + there.x) / limit, 0, printed);
             EXPECT_NEAR((steps[k].tangential_force[1] + there.y) / limit, 0, printed);

@@ -90,7 +90,7 @@ TEST(BemInterior, PeaksWhereHertzContactDoes) {
 TEST(BemInterior, BelowASlidingSphere) {
     for (const double mu : {.25, .5}) {
         Case c = pressed_case(20);
-        c.friction_coefficient = mu;
+        c.friction.coefficient = mu;
         c.load.tangential_ratio = 1 - 1e-9;
         EXPECT_LT(worst_stress(fields_of(c), mu), 2.5e-3);
     }

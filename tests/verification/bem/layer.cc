@@ -71,7 +71,7 @@ TEST(BemLayer, NormalContactOfAnyThickness) {
                 EXPECT_NEAR(scales.contact_radius / reference.contact_radius, 1, of_radius)
                     << place;
                 if (!reference.unit_shift) continue;
-                const double unit_shift = c.friction_coefficient * *reference.unit_shift;
+                const double unit_shift = c.friction_coefficient() * *reference.unit_shift;
                 EXPECT_NEAR(scales.unit_shift / unit_shift, 1, tolerance) << place;
             }
 }

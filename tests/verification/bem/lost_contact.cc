@@ -19,7 +19,7 @@ contact::Case rubber(double nu = .5) {
     contact::Case c;
     c.indenter.radius = .04;
     c.substrate = {4.5e6, nu};
-    c.friction_coefficient = .5;
+    c.friction.coefficient = .5;
     c.of<contact::Cells>().per_radius = 12;
     return relaxing(c);
 }

@@ -28,7 +28,7 @@ Case long_cylinder(double w, double f, double cells) {
     c.indenter.radius = 40e-3;
     c.indenter.length = 2;
     c.substrate = {3.6e6, .5};
-    c.friction_coefficient = .79;
+    c.friction.coefficient = .79;
     c.load.normal_force = 32.3 / 80e-3 * c.indenter.length;
     c.load.tangential_ratio = f;
     c.rolling.emplace();
@@ -62,7 +62,7 @@ TEST(BemOscillatingCylinder, SettlesAsTheExactSolution) {
         EXPECT_NEAR(shift / scales.unit_shift / exact.shift, 1, 1e-4) << w << ' ' << f;
 
         const auto surface = model->surface();
-        const double unit = c.friction_coefficient * scales.peak_pressure;
+        const double unit = c.friction_coefficient() * scales.peak_pressure;
         double square = 0, n_stick = 0;
         for (int i = 0; i < surface.n_x; ++i) {
             const double x = surface.x(i) / scales.contact_radius;
@@ -103,7 +103,7 @@ TEST(BemOscillatingCylinder, TellsTheExactTractionFromTheEllipses) {
     contact::run(c, *model);
     const auto surface = model->surface();
     const double centre = surface.tangential_traction_x[surface.n_x / 2] /
-                          (c.friction_coefficient * contact::half_space_scales(c).peak_pressure);
+                          (c.friction_coefficient() * contact::half_space_scales(c).peak_pressure);
     const double exact = theory::line_shakedown_traction(0, w, exact_of(c).stick);
     const double thesis =
         theory::thesis_line_traction(0, w, theory::thesis_line_stick_half_width(w, f).value());
@@ -172,8 +172,8 @@ TEST(BemOscillatingCylinder, LayerInPlaneStrain) {
     EXPECT_NEAR(s.indentation / exact.indentation, 1, 1e-4);
     EXPECT_NEAR(history.limit_tangential_ratio,
                 exact.load_beyond(.26 * exact.half_width) / exact.load, 3e-4);
-    const double shift =
-        c.friction_coefficient * shift_under(exact, {c.substrate, 5e-3, theory::LayerBase::bonded});
+    const double shift = c.friction_coefficient() *
+                         shift_under(exact, {c.substrate, 5e-3, theory::LayerBase::bonded});
     EXPECT_NEAR(s.unit_shift / shift, 1, 3e-4);
     EXPECT_EQ(history.verdict.state, contact::State::shakedown);
 }

@@ -35,7 +35,7 @@ Case oscillating(double w, int steps_per_quarter, double mean = .3, double part 
 /// forces on a contact that does not roll.
 double work_ratio(const Case& c, const History& h) {
     const double cycle = theory::cycle_dissipation(
-        {.friction_coefficient = c.friction_coefficient,
+        {.friction_coefficient = c.friction_coefficient(),
          .normal_force = h.scales.normal_force,
          .effective_shear_modulus = c.materials().effective_shear_modulus(),
          .contact_radius = h.scales.contact_radius,

@@ -48,7 +48,7 @@ double worst_torque(double cells_per_radius) {
     Case c = following({row(21.1)}, cells_per_radius, 1);
     c.indenter.material.reset();  // rigid
     const double a = half_space_scales(c).contact_radius;
-    const double friction = c.friction_coefficient * 21.1, shear = c.substrate.shear_modulus();
+    const double friction = c.friction_coefficient() * 21.1, shear = c.substrate.shear_modulus();
     for (const double c_over_a : stick_radii) {
         c.prescribed_path->rows.push_back(row(21.1));
         c.prescribed_path->rows.back().rotation =
@@ -180,7 +180,7 @@ TEST(BemPrescribedPath, HeldTwistRelaxes) {
     c.load.normal_force.reset();
     c.load.indentation = 4e-4;
     c.indenter.material.reset();
-    c.friction_coefficient = 100;
+    c.friction.coefficient = 100;
     c.relaxation = contact::Relaxation{{{ratio, tau}}, contact::Relaxation::Bulk::proportional};
     c.load.press_steps = 1;
     const auto steps = run_bem(c).steps;

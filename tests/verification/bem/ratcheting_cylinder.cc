@@ -25,7 +25,7 @@ Case rig(double w, double f, int cells, int steps_per_quarter) {
     c.indenter.radius = 40e-3;
     c.indenter.length = 80e-3;
     c.substrate = {3.6e6, .5};
-    c.friction_coefficient = .79;
+    c.friction.coefficient = .79;
     c.load.normal_force = 32.3;
     c.load.tangential_ratio = f;
     c.rolling.emplace();

@@ -12,7 +12,7 @@ inline contact::Case rig_case(double w, double tangential_ratio, int periods) {
     c.indenter.radius = 0.04;
     c.indenter.material = contact::Material{206e9, 0.3};
     c.substrate = {5.2e6, 0.5};
-    c.friction_coefficient = 0.57;
+    c.friction.coefficient = 0.57;
     c.load.normal_force = 21.1;
     c.load.tangential_ratio = tangential_ratio;
     c.rolling = contact::Case::Rolling{};

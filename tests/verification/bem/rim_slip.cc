@@ -33,7 +33,7 @@ Case ball_on_layer() {
     c.indenter.radius = .015;
     c.substrate = {12e6, .3};
     c.layer.thickness = .003;
-    c.friction_coefficient = .4;
+    c.friction.coefficient = .4;
     c.load.normal_force = 9;
     c.load.tangential_ratio = .5;
     c.load.press_steps = 5;

@@ -96,7 +96,7 @@ contact::Case rolled_plane(double tangential_ratio) {
                                               .short_wavelength = .125e-3,
                                               .seed = 1};
     c.substrate = {3e6, .5};
-    c.friction_coefficient = .5;
+    c.friction.coefficient = .5;
     c.load.normal_force = .02;
     c.load.tangential_ratio = tangential_ratio;
     c.load.press = contact::Case::Press::frictionless;

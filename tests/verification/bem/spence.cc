@@ -25,7 +25,7 @@ Pressed press(double nu, double friction, int n_steps, double cells_per_radius) 
     Case c;
     c.indenter.radius = .04;
     c.substrate = {5e6, nu};
-    c.friction_coefficient = friction;
+    c.friction.coefficient = friction;
     c.load.normal_force = 20;
     c.load.tangential_force = 0;
     c.of<contact::Cells>().per_radius = cells_per_radius;

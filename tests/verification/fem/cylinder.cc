@@ -77,7 +77,7 @@ double exact_unit_shift(const Case& c) {
     for (int i = 0; i < 400; ++i)
         sum += boost::math::quadrature::gauss<double, 20>::integrate(integrand, i * panel,
                                                                      (i + 1) * panel);
-    return c.friction_coefficient * sum / pi;
+    return c.friction_coefficient() * sum / pi;
 }
 
 TEST(FemCylinder, UnitOfShiftIsThatOfTheLayersCompliance) {

@@ -108,7 +108,7 @@ TEST(FiniteStrainBalance, AContactThatSlidesIsRefused) {
     const auto model = make_layer_model(c);
     press(*model, c);
     LoadStep step = contact::press_step(c);
-    const double limit = c.friction_coefficient * 21.1;
+    const double limit = c.friction_coefficient() * 21.1;
     step.tangential[0].value = 1.02 * limit;
     const std::string message = why<contact::InputError>([&] { model->advance(step); });
     EXPECT_NE(message.find("the contact slides as a whole; lower the tangential force"),

@@ -91,7 +91,7 @@ std::vector<contact::StepRecord> timed(const Case& c, const meshes::HexMesh& mes
     StrainedModel model({.layer = LayerCondenser(c, {}).make(mesh),
                          .indenter = c.make_indenter(),
                          .rolling_radius = c.indenter.radius,
-                         .friction_coefficient = c.friction_coefficient,
+                         .friction = c.friction.law(),
                          .tolerance = of_fem_tolerance * c.of<fem::Settings>().tolerance,
                          .relaxation = c.relaxation.value_or(contact::Relaxation{})});
     std::vector<contact::StepRecord> records;

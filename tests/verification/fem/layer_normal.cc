@@ -38,8 +38,9 @@ Errors pressed_errors(Case c) {
     return {record.normal_force / exact.normal_force - 1,
             scales.contact_radius / exact.contact_radius - 1,
             scales.peak_pressure / exact.centre_pressure - 1, inner,
-            exact.unit_shift ? scales.unit_shift / (c.friction_coefficient * *exact.unit_shift) - 1
-                             : 0};
+            exact.unit_shift
+                ? scales.unit_shift / (c.friction_coefficient() * *exact.unit_shift) - 1
+                : 0};
 }
 
 struct Layer {

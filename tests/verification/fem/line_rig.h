@@ -12,7 +12,7 @@ inline contact::Case line_case(double size, double nu = .5) {
     c.indenter.length = .08;
     c.substrate.young = 3.6e6;
     c.layer.thickness = 5e-3;
-    c.friction_coefficient = .79;
+    c.friction.coefficient = .79;
     c.load.normal_force = 32.3;
     return c;
 }

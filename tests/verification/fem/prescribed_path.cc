@@ -61,7 +61,8 @@ TEST(FemPrescribedPath, ForcesThatRiseTogetherNeedNoSmallSteps) {
         path.rows[1].normal = contact::press_step(c).normal;
         path.rows[0].normal = path.rows[1].normal;
         path.rows[0].normal.value = 0;
-        path.rows[1].tangential[0].value = .2 * c.friction_coefficient * path.rows[1].normal.value;
+        path.rows[1].tangential[0].value =
+            .2 * c.friction_coefficient() * path.rows[1].normal.value;
         path.rows[1].steps = steps;
         c.prescribed_path = path;
         c.of<contact::Cells>().spacing = 3e-4;

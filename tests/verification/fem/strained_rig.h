@@ -20,13 +20,13 @@ struct BothModels {
     explicit BothModels(const contact::Case& c)
         : layer(LayerCondenser(c, {}).make(make_mesh(c, {}))) {
         linear = std::make_unique<contact::SurfaceModel>(
-            "fem", layer, c.make_indenter(), c.friction_coefficient,
-            c.of<fem::Settings>().tolerance, c.contact);
+            "fem", layer, c.make_indenter(), c.friction.law(), c.of<fem::Settings>().tolerance,
+            c.contact);
         strained = std::make_unique<StrainedModel>(
             StrainedModel::Setup{.layer = layer,
                                  .indenter = c.make_indenter(),
                                  .rolling_radius = c.indenter.radius,
-                                 .friction_coefficient = c.friction_coefficient,
+                                 .friction = c.friction.law(),
                                  .tolerance = of_fem_tolerance * c.of<fem::Settings>().tolerance,
                                  .c01_ratio = {c.c01_ratio.value_or(0), c.c01_ratio.value_or(0)},
                                  .relaxation = {}});

@@ -7,6 +7,7 @@
 #include <memory>
 #include <numbers>
 
+#include "contact/friction/friction.h"
 #include "mdr/spring_bed.h"
 
 namespace tricontact::mdr_cattaneo_mindlin_test {
@@ -26,7 +27,7 @@ mdr::SpringBed bed(const Units& units, int springs) {
     data.profile = std::make_unique<mdr::PowerLawProfile>(1 / (2 * units.length), 2);
     data.effective_modulus = units.modulus;
     data.effective_shear_modulus = units.shear_modulus;
-    data.friction_coefficient = units.friction;
+    data.friction = contact::Friction{units.friction}.law();
     data.n_springs = springs;
     data.half_length = 1.02 * units.length;
     return mdr::SpringBed(std::move(data));

@@ -78,7 +78,7 @@ Case rig() {
     c.indenter.radius = 40e-3;
     c.substrate = {5.2e6, 0.5};
     c.layer.thickness = 8e-3;
-    c.friction_coefficient = 0.57;
+    c.friction.coefficient = 0.57;
     c.load.normal_force = 21.1;
     c.load.tangential_ratio = .56;
     return c;
@@ -94,7 +94,7 @@ TEST(MdrLayer, Rig) {
     EXPECT_NEAR(s.contact_radius * 1e3, 4.3638, 1e-4);
     EXPECT_NEAR(s.indentation * 1e3, .3229, 1e-4);
     EXPECT_NEAR(s.peak_pressure * 1e-6, .5330, 1e-4);
-    EXPECT_NEAR(s.unit_shift / c.friction_coefficient * 1e3, .6651, 1e-4);
+    EXPECT_NEAR(s.unit_shift / c.friction_coefficient() * 1e3, .6651, 1e-4);
     // The approximation: boundary elements, uncoupled, have .15108 mm. As on the half-space, what
     // is left out is the traction across, 0.2 % here.
     EXPECT_NEAR(history.static_shift * 1e3 / .15108, 1.0019, 2e-4);

@@ -15,7 +15,7 @@ inline contact::Case sphere_rig(double w, double f, int springs, int steps_per_q
     c.indenter.radius = 40e-3;
     c.indenter.material = contact::Material{206e9, 0.3};
     c.substrate = {5.2e6, 0.5};
-    c.friction_coefficient = 0.57;
+    c.friction.coefficient = 0.57;
     c.load.normal_force = 21.1;
     c.load.tangential_ratio = f;
     c.rolling.emplace();

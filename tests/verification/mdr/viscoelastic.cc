@@ -15,6 +15,7 @@
 #include <numeric>
 #include <vector>
 
+#include "contact/friction/friction.h"
 #include "contact/run.h"
 #include "mdr/model.h"
 #include "mdr/relaxing_bed.h"
@@ -37,7 +38,7 @@ mdr::RelaxingBed make_bed(double friction = .5, int springs = 4000) {
     data.profile = std::make_unique<mdr::PowerLawProfile>(1 / (2 * radius), 2);
     data.effective_modulus = modulus;
     data.effective_shear_modulus = shear_modulus;
-    data.friction_coefficient = friction;
+    data.friction = contact::Friction{friction}.law();
     data.n_springs = springs;
     data.half_length = 6e-3;
     data.relaxation = Relaxation{{{ratio, relaxes_in}}, {}};

@@ -29,7 +29,7 @@ inline double drawn_scale(double low, double high) {
 inline void draw_scales(contact::Case& c) {
     c.indenter.radius = drawn_scale(1e-3, 1);
     c.substrate.young = drawn_scale(1e5, 1e11);
-    c.friction_coefficient = drawn_scale(.05, 1.5);
+    c.friction.coefficient = drawn_scale(.05, 1.5);
     const double a = c.indenter.radius * drawn_scale(.02, .3);
     c.load.normal_force =
         4. / 3 * c.materials().effective_modulus() * a * a * a / c.indenter.radius;

@@ -82,12 +82,12 @@ double check_step(const contact::Case& c, contact::Model& model, const contact::
     const Surface before = model.surface();
     const auto record = model.advance(step);
     const Surface s = model.surface();
-    const double unit = c.friction_coefficient * record.indentation;
-    check_points(s, c.friction_coefficient, unit);
+    const double unit = c.friction_coefficient() * record.indentation;
+    check_points(s, c.friction_coefficient(), unit);
     const Vector2 increment = {record.shift[0] - shift[0], record.shift[1] - shift[1]};
     shift = record.shift;
     const Balance b = balance_of(before, s, increment);
-    const double limit = c.friction_coefficient * b.normal_force;
+    const double limit = c.friction_coefficient() * b.normal_force;
     if (step.normal.kind == contact::NormalControl::Kind::force)
         RC_ASSERT(std::abs(b.normal_force / step.normal.value - 1) <= 1e-9);
     for (int d = 0; d < 2; ++d)
@@ -127,7 +127,7 @@ RC_GTEST_PROP(PropertiesPhysics, RandomWalksOfTheBoundaryElementsAreSound, ()) {
     const auto model = bem::make_model(c, 1);
     const auto press = contact::press_step(c);
     model->advance(press);
-    const double limit = c.friction_coefficient * *c.load.normal_force;
+    const double limit = c.friction_coefficient() * *c.load.normal_force;
     const auto scales = contact::half_space_scales(c);
     const double reach = *c.rolling->amplitude_ratio * scales.contact_radius / std::sqrt(2);
     Vector2 shift{};
@@ -155,7 +155,7 @@ RC_GTEST_PROP(PropertiesPhysics, EveryStepOfTheSpringBedIsSound, ()) {
     const auto model = mdr::make_model(c);
     const auto h = contact::run(c, *model);
     for (const auto& step : h.steps) {
-        const double limit = c.friction_coefficient * step.normal_force;
+        const double limit = c.friction_coefficient() * step.normal_force;
         RC_ASSERT(step.force_residual <= 1e-12);
         RC_ASSERT(step.dissipation >= -1e-12 * limit * h.scales.unit_shift);
         RC_ASSERT(std::abs(step.tangential_force[0]) <= limit);
@@ -185,7 +185,7 @@ TEST(PropertiesPhysics, DissipationIsFirstOrderInTheStep) {
         contact::Case c;
         c.indenter.radius = .04;
         c.substrate = {5.2e6, .5};
-        c.friction_coefficient = .57;
+        c.friction.coefficient = .57;
         c.load.normal_force = 21.1;
         c.load.tangential_ratio = .5;
         c.rolling.emplace();

@@ -117,7 +117,7 @@ TEST(PropertiesScaling, RatiosDoMatter) {
     Case c;
     c.indenter.radius = .04;
     c.substrate = {5.2e6, .5};
-    c.friction_coefficient = .57;
+    c.friction.coefficient = .57;
     c.load.normal_force = 21.1;
     c.load.tangential_ratio = .4;
     c.rolling.emplace();

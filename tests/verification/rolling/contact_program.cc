@@ -13,6 +13,7 @@
 #include "bem/model.h"
 #include "bem/steady_compliance.h"
 #include "contact/bodies/cylinder.h"
+#include "contact/friction/friction.h"
 #include "contact/load_path.h"
 #include "contact/substrates/substrate.h"
 #include "contact_program/import.h"
@@ -51,10 +52,10 @@ spacing = "0.25 mm"
     constexpr auto& shifts = test::catt_to_cart_shifts;
     rolling::RollingProblem problem;
     problem.indenter = c.make_indenter();
-    problem.friction_coefficient = c.friction_coefficient;
+    problem.friction = c.friction.law();
     problem.normal.value = *c.load.normal_force;
     problem.drive.force[0] =
-        *c.load.tangential_ratio * c.friction_coefficient * *c.load.normal_force;
+        *c.load.tangential_ratio * c.friction_coefficient() * *c.load.normal_force;
     rolling::TransientRolling rolling(*bem::make_substrate(c, 1, bem::Body::half_space), problem);
     rolling.press();
     for (std::size_t k = 0; k < shifts.size(); ++k)
@@ -110,7 +111,7 @@ TEST(RollingContactProgram, RelaxingCylinders) {
             false);
         rolling::RollingProblem problem;
         problem.indenter = std::make_shared<contact::Cylinder>(radius, length);
-        problem.friction_coefficient = .3;
+        problem.friction = contact::Friction{.3}.law();
         problem.normal.value = force;
         problem.drive.force[0] = .6 * .3 * force;
         const auto state = rolling::steady_rolling(compliance, problem).state;
@@ -134,7 +135,7 @@ rolling::RollingState imported_state(const std::string& example) {
     const contact::Case c = io::parse_case(found.cases.at(0).text, example);
     rolling::RollingProblem problem;
     problem.indenter = c.make_indenter();
-    problem.friction_coefficient = c.friction_coefficient;
+    problem.friction = c.friction.law();
     problem.normal = contact::press_step(c).normal;
     problem.drive.creepage = {c.tractive_rolling->longitudinal_creepage,
                               c.tractive_rolling->lateral_creepage};

@@ -90,10 +90,10 @@ double stiffness_ratio(const contact::Case& given, double cells) {
     c.of<contact::Cells>().per_radius = cells;
     const auto theories = rolling::creep_theories(c);
     const auto linear = std::ranges::find(theories, "kalker_linear", &rolling::CreepTheory::key);
-    const double friction = c.friction_coefficient * *c.load.normal_force;
+    const double friction = c.friction_coefficient() * *c.load.normal_force;
     rolling::RollingProblem problem;
     problem.indenter = c.make_indenter();
-    problem.friction_coefficient = c.friction_coefficient;
+    problem.friction = c.friction.law();
     problem.normal.value = *c.load.normal_force;
     problem.drive.creepage[0] = .01 * linear->creepage(.9);
     const auto substrate = bem::make_substrate(c, 1, bem::Body::half_space);
@@ -108,7 +108,7 @@ TEST(RollingKalker, EllipsoidsOfACaseCreepAsTheTableSays) {
     c.models = {"bem"};
     c.indenter.shape = contact::Case::Shape::ellipsoid;
     c.substrate = {3e6, .5};
-    c.friction_coefficient = .5;
+    c.friction.coefficient = .5;
     c.load.normal_force = 12;
     c.tractive_rolling.emplace();
     for (const auto& [radius, radius_y] : {std::pair(.06, .02), std::pair(.02, .06)}) {

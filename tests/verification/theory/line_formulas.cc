@@ -64,7 +64,7 @@ TEST(AtlasFormulas, PressedCylinderOnALayer) {
                     const contact::Case c = atlas::case_of_runs(atlas::shipped(name), p[2]);
                     const contact::HalfSpaceScales hertz = half_space_scales(c);
                     const double unit =
-                        hertz.unit_shift / (c.friction_coefficient * kept_lambda(name, p[2]));
+                        hertz.unit_shift / (c.friction_coefficient() * kept_lambda(name, p[2]));
                     return theory::line_layer_depth_factor({p[1], p[2]}) * unit / hertz.indentation;
                 }});
     const Table limit = table(quantities::limit_tangential_ratio);

@@ -23,7 +23,7 @@ contact::Case rolling_case() {
     c.models = {"bem"};
     c.indenter.radius = 40e-3;
     c.substrate = {5e6, .5};
-    c.friction_coefficient = .6;
+    c.friction.coefficient = .6;
     c.load.normal_force = 20;
     c.load.tangential_ratio = .5;
     c.rolling.emplace();

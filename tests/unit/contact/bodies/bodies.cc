@@ -27,7 +27,7 @@ Case body_case(Case::Shape shape) {
     c.indenter.shape = shape;
     c.indenter.radius = .04;
     c.substrate = {5.2e6, .4};
-    c.friction_coefficient = .3;
+    c.friction.coefficient = .3;
     c.load.normal_force = 12;
     return c;
 }

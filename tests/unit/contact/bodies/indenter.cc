@@ -113,7 +113,7 @@ TEST(CaseScales, HertzByForceAndByIndentation) {
     contact::Case c;
     c.indenter.radius = .04;
     c.substrate = {3e6, .5};  // rigid indenter: E* = 4 MPa, E*/G* = 3/2
-    c.friction_coefficient = .5;
+    c.friction.coefficient = .5;
     c.load.indentation = 4e-4;
     const auto s = contact::half_space_scales(c);
     EXPECT_NEAR(s.contact_radius, 4e-3, 1e-17);

@@ -108,17 +108,17 @@ TEST(LevelLine, IsExactOfLinearFunctions) {
 // A power law: each relative error counts with its exponent (JCGM 100:2008, 5.1.6).
 TEST(PlannedComparison, SeesWhatAPowerLawAllows) {
     contact::Case c;
-    c.friction_coefficient = 0.5;
+    c.friction.coefficient = 0.5;
     c.substrate = {2e6, 0.5};
     const std::vector<CaseQuantity> quantities{
         {.name = "friction.coefficient",
          .standard_error = 0.005,
-         .of_case = [](contact::Case& any) -> double& { return any.friction_coefficient; }},
+         .of_case = [](contact::Case& any) -> double& { return any.friction.coefficient; }},
         {.name = "substrate.young",
          .standard_error = 4e4,
          .of_case = [](contact::Case& any) -> double& { return any.substrate.young; }}};
     const auto shift = [](const contact::Case& any) {
-        return any.friction_coefficient * std::pow(any.substrate.young, -2. / 3);
+        return any.friction_coefficient() * std::pow(any.substrate.young, -2. / 3);
     };
     const double u = shift(c);
     const ComparisonError e = planned_comparison(u, input_errors(shift, c, quantities),

@@ -21,7 +21,7 @@ contact::Case rig(double modulus, double mu) {
     contact::Case c;
     c.indenter.radius = 40e-3;
     c.substrate = {modulus, .5};
-    c.friction_coefficient = mu;
+    c.friction.coefficient = mu;
     c.load.normal_force = normal_force;
     return c;
 }

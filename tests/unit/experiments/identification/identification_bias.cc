@@ -25,7 +25,7 @@ contact::Case rig(double young) {
     c.indenter.radius = 40e-3;
     c.substrate = {young, .5};
     c.layer.thickness = 8e-3;
-    c.friction_coefficient = friction;
+    c.friction.coefficient = friction;
     c.load.normal_force = normal_force;
     return c;
 }

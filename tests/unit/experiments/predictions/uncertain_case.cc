@@ -20,7 +20,7 @@ Case rig() {
     Case c;
     c.indenter.radius = .04;
     c.substrate = {5e6, .5};
-    c.friction_coefficient = friction;
+    c.friction.coefficient = friction;
     c.load.normal_force = normal_force;
     c.load.tangential_ratio = .5;
     return c;

@@ -228,14 +228,14 @@ TEST(Experiment, NormalisedErrorsAreThoseOfTheFormulas) {
     contact::Case c;
     c.indenter.radius = 0.04;
     c.substrate = {5.2e6, 0.5};
-    c.friction_coefficient = 0.57;
+    c.friction.coefficient = 0.57;
     c.load.normal_force = 21.1;
     c.load.tangential_force = 6.7;
     std::mt19937_64 random(8);
     auto e = tests::evaluated(SyntheticRecord(), random);
     normalise(e, c,
               {{"friction.coefficient", 0.02,
-                [](contact::Case& k) -> double& { return k.friction_coefficient; }},
+                [](contact::Case& k) -> double& { return k.friction.coefficient; }},
                {"load.normal_force", 0.1,
                 [](contact::Case& k) -> double& { return *k.load.normal_force; }}});
     // f_T = F_T/(mu F_N); U_max = mu (E*/G*) d with d ~ F_N^(2/3), a ~ F_N^(1/3).

@@ -19,7 +19,7 @@ TEST(Experiment, RatiosOfTheCaseStandForTheForceAndTheLengthThatTheRigSets) {
     contact::Case c;
     c.indenter.radius = 0.04;
     c.substrate = {5.2e6, 0.5};
-    c.friction_coefficient = 0.57;
+    c.friction.coefficient = 0.57;
     c.load.normal_force = 21.1;
     c.load.tangential_ratio = 0.56;
     c.rolling.emplace();
@@ -28,7 +28,7 @@ TEST(Experiment, RatiosOfTheCaseStandForTheForceAndTheLengthThatTheRigSets) {
     auto e = tests::evaluated(SyntheticRecord(), random);
     normalise(e, c,
               {{"friction.coefficient", 0.02,
-                [](contact::Case& k) -> double& { return k.friction_coefficient; }},
+                [](contact::Case& k) -> double& { return k.friction.coefficient; }},
                {"load.normal_force", 0.1,
                 [](contact::Case& k) -> double& { return *k.load.normal_force; }}});
     const auto& r = *e.normalised;
@@ -67,7 +67,7 @@ TEST(Experiment, AnErrorAtTheEndOfARangeGoesInwards) {
     contact::Case c;
     c.indenter.radius = 0.04;
     c.substrate = {5.2e6, 0.5};
-    c.friction_coefficient = 0.57;
+    c.friction.coefficient = 0.57;
     c.load.normal_force = 21.1;
     c.load.tangential_force = 6.7;
     std::mt19937_64 random(8);

@@ -38,7 +38,7 @@ Experiment experiment_with_forces() {
 
 contact::Case rig() {
     contact::Case c;
-    c.friction_coefficient = 0.5;
+    c.friction.coefficient = 0.5;
     c.load.normal_force = 25;
     c.load.tangential_force = 5;
     c.rolling.emplace();

@@ -115,7 +115,7 @@ std::vector<double> history(double w, double f, State expected) {
     contact::Case c;
     c.indenter.radius = 0.04;
     c.substrate = {5.2e6, 0.5};
-    c.friction_coefficient = 0.57;
+    c.friction.coefficient = 0.57;
     c.load.normal_force = 21.1;
     c.load.tangential_ratio = f;
     c.rolling.emplace();

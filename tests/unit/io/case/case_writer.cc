@@ -167,13 +167,13 @@ Case any_case() {
     if (!fem &&
         *rc::gen::arbitrary<bool>())  // the same material twice, or a rigid indenter: beta = 0
         c.indenter.material = c.substrate = {c.substrate.young, between(-0.9, 0.5)};
-    c.friction_coefficient = of_magnitude(-2, 1);
+    c.friction.coefficient = of_magnitude(-2, 1);
     const double d = between(1e-4, 0.1) * c.indenter.radius;
     const double a = std::sqrt(c.indenter.radius * d);
     const double force = 4. / 3 * c.materials().effective_modulus() * a * d;
     if (*rc::gen::arbitrary<bool>()) c.rolling = any_rolling(a);
     const bool oscillating = c.rolling && c.rolling->steps != Case::Steps::turning_points;
-    c.load = any_load(c.friction_coefficient, force, d, oscillating);
+    c.load = any_load(c.friction_coefficient(), force, d, oscillating);
     if (*rc::gen::arbitrary<bool>())
         c.of<contact::Cells>().spacing = a * between(0.02, 0.4);
     else
@@ -289,7 +289,7 @@ void same(const Case& a, const Case& b) {
     if (a.indenter.material) same(*a.indenter.material, *b.indenter.material);
     same(a.substrate, b.substrate);
     same(a.relaxation, b.relaxation);
-    same(a.friction_coefficient, b.friction_coefficient);
+    same(a.friction_coefficient(), b.friction_coefficient());
     same(a.load, b.load);
     RC_ASSERT(a.rolling.has_value() == b.rolling.has_value());
     if (a.rolling) same(*a.rolling, *b.rolling);

@@ -87,7 +87,7 @@ TEST(ElasticLayer, ThickLayersAreHertzian) {
         contact::Case rig;
         rig.indenter.radius = .04;
         rig.substrate = {5.2e6, nu};
-        rig.friction_coefficient = 1;
+        rig.friction.coefficient = 1;
         rig.load.normal_force = 21.1;
         const auto hertz = contact::half_space_scales(rig);
         for (const LayerBase base : {LayerBase::bonded, LayerBase::frictionless}) {

@@ -27,7 +27,7 @@ Case body_case(Case::Shape shape, double exponent = 0) {
     c.indenter.angle = .1;
     c.indenter.flat_radius = .003;
     c.substrate = {5.2e6, .4};
-    c.friction_coefficient = .3;
+    c.friction.coefficient = .3;
     c.load.normal_force = 12;
     c.rolling = Case::Rolling{};
     return c;
