@@ -140,7 +140,9 @@ report::DocumentTable steady_table(const RollingReport& report) {
 std::string steady_text(const RollingReport& report) {
     constexpr std::size_t up_to_stick = 6;
     const report::DocumentTable theories = theory_table(report);
-    return report::table_text(steady_table(report), up_to_stick) +
+    return fmt::format("creepages ξ and η in units of {}\n",
+                       report::significant(creepage_unit(report.c), 4)) +
+           report::table_text(steady_table(report), up_to_stick) +
            (theories.rows.empty() ? "" : report::table_text(theories));
 }
 

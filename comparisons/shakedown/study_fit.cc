@@ -1,10 +1,8 @@
 #include "comparisons/shakedown/study_fit.h"
 
-#include <nlohmann/json.hpp>
-
 #include "comparisons/shakedown/fit_document.h"
 #include "report/csv.h"
-#include "report/json_number.h"
+#include "report/json_table.h"
 
 namespace tricontact::comparisons {
 
@@ -18,13 +16,8 @@ static void to_json(json& out, const Computed& value) {
 
 static void to_json(json& out, const FittedForm& form) {
     json parameters = json::object();
-    for (std::size_t k = 0; k < form.parameters.size(); ++k) {
-        const statistics::Estimate& e = form.fit.parameters[k];
-        parameters[form.parameters[k]] = {{"value", e.value},
-                                          {"standard_error", e.standard_error},
-                                          {"low", e.low},
-                                          {"high", e.high}};
-    }
+    for (std::size_t k = 0; k < form.parameters.size(); ++k)
+        parameters[form.parameters[k]] = form.fit.parameters[k];
     out = {{"form", form.form},
            {"parameters", parameters},
            {"explained_sum_of_squares", form.of_left_side.explained},
