@@ -93,7 +93,7 @@ double layer_modulus_of(const Values& x) {
         const Values layer{x[0], x[1], x[6], x[4] * std::exp(log_factor), x[5]};
         return std::log(*layer_of(layer).unit_shift / wanted);
     };
-    // A layer is stiffer than its half-space, by less than the thickness effect of 20.
+    // A layer is stiffer than its half-space, by a factor below exp(3) = 20: the bracket.
     return x[4] * std::exp(contact::bracketed_root(excess, -3., 0.5, 40));
 }
 

@@ -175,12 +175,12 @@ report::DocumentTable stages_table(const ExperimentEvaluation& e) {
         .id = "stages",
         .title = "Verdict per amplitude",
         .note = "Walk and curvature: intervals at " + level(verdict_confidence) + ".",
-        .columns = report::columns("run", "W [mm]", "periods", "walk ΔU [µm]",
-                                   "verdict by the walk", "curvature", "verdict by it")};
+        .columns = report::columns("run", "W [mm]", "periods", "increment ΔU [µm]", "verdict by it",
+                                   "curvature", "verdict by the curvature")};
     for (const RunEvaluation& run : e.runs)
         for (const StageEvaluation& s : run.stages)
             table.rows.push_back({run.name, mm * s.amplitude, double(s.periods()),
-                                  interval(s.settling.increment, um), word(s.by_walk),
+                                  interval(s.settling.increment, um), word(s.by_increment),
                                   interval(s.curvature, 1), word(s.by_curvature)});
     return table;
 }
@@ -205,7 +205,7 @@ report::DocumentTable limits_table(const ExperimentEvaluation& e) {
 
 report::DocumentTable model_stages_table(const ExperimentEvaluation& e) {
     report::DocumentTable table{.id = "model_stages",
-                                .title = "What the models say at these amplitudes",
+                                .title = "The models at these amplitudes",
                                 .note = "Amplitudes of the first run; each rolled from rest.",
                                 .columns = {{"W [mm]"}}};
     for (const PredictedLimit& limit : e.model_limits)
@@ -277,16 +277,17 @@ report::DocumentTable criteria_table(const ExperimentEvaluation& e) {
     report::DocumentTable table{
         .id = "criteria_by_run",
         .title = "Both criteria",
-        .note = "Intervals at " + level(verdict_confidence) +
-                ". Residual: of the values upright about transient and walk; noise: what their "
-                "errors explain. Curvature of all samples: as the thesis takes it, without an "
-                "interval, since neighbours in the record are not independent.",
-        .columns = report::columns("run", "walk ΔU [µm]", "verdict by the walk", "q:2",
+        .note =
+            "Intervals at " + level(verdict_confidence) +
+            ". Residual: of the values upright about transient and ratcheting; noise: what their "
+            "errors explain. Curvature of all samples: as the thesis takes it, without an "
+            "interval, since neighbours in the record are not independent.",
+        .columns = report::columns("run", "increment ΔU [µm]", "verdict by it", "q:2",
                                    "residual [µm]:2", "noise [µm]:2", "curvature", "verdict by it",
                                    "curvature of all samples:3")};
     for (const RunEvaluation& run : e.runs) {
         const StageEvaluation& s = run.stages.front();
-        table.rows.push_back({run.name, interval(s.settling.increment, um), word(s.by_walk),
+        table.rows.push_back({run.name, interval(s.settling.increment, um), word(s.by_increment),
                               s.settling.ratio, um * s.settling.residual_deviation,
                               um * s.shift_error[s.shift_error.size() / 2],
                               interval(s.curvature, 1), word(s.by_curvature), s.sampled_curvature});

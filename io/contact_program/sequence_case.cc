@@ -32,7 +32,7 @@ class SequenceReading {
         for (const ProgramCase& one : steps)
             if (one.rotation != 0)
                 refuse(one.loads_line, fmt::format("CPHI = {}", one.rotation),
-                       "a case that rolls to and fro has no twist", "give 0");
+                       "a case that rolls back and forth has no twist", "give 0");
         find_loading();
         find_period();
     }
@@ -136,7 +136,7 @@ class SequenceReading {
                                 const std::string& rule) {
             if (!holds)
                 refuse(line, what, rule,
-                       "give the steps of a case (docs/how-to/contact-program.md)");
+                       "give the steps of a case (docs/reference/contact-program.md)");
         };
         demand(given.digits.tangential == expected.tangential, given.digits.line,
                fmt::format("T = {}", given.digits.tangential), "is another kind of step than due");

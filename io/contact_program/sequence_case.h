@@ -7,9 +7,9 @@
 
 namespace tricontact::io {
 
-/// The case that is pressed, loaded and perhaps rolled to and fro in whole periods of equal steps
-/// as these shifts are (T = 0, 1); each step is compared with the case's. `heading`: what comes
-/// before the sections. Throws contact::InputError, naming file and line, for steps that are
+/// The case that is pressed, loaded and perhaps rolled back and forth in whole periods of equal
+/// steps as these shifts are (T = 0, 1); each step is compared with the case's. `heading`: what
+/// comes before the sections. Throws contact::InputError, naming file and line, for steps that are
 /// others.
 std::string sequence_case(ProgramSequence steps, const std::string& name, bool is_coupled,
                           const std::string& heading);
