@@ -140,7 +140,7 @@ int run_program(int argc, char** argv) {
         if (!command.is_part())
             app.add_subcommand(command.parser)->group(app::title_of(command.group));
     app.require_subcommand(1);
-    app.footer("tricontact COMMAND --help tells the options of a command");
+    app.footer("tricontact COMMAND --help lists the options of a command");
     if (const auto wrong = what_is_wrong(app, commands, argc, argv); !wrong.empty())
         return fail(exit_bad_input, wrong);
     try {

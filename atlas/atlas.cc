@@ -121,8 +121,9 @@ Value Reader::read_with_errors(const Map& map, std::vector<double> coordinates,
 
 Value said(const Atlas& atlas, const Map& map, const Value& value) {
     if (std::isnan(value.value))
-        throw OutsideDomain(fmt::format("{}: atlas {} does not say it there, with a bar of {:.2g}",
-                                        map.quantity->key, atlas.name, value.error));
+        throw OutsideDomain(
+            fmt::format("{}: atlas {} gives no value there: its error bar would be {:.2g}",
+                        map.quantity->key, atlas.name, value.error));
     return value;
 }
 

@@ -58,7 +58,7 @@ std::string what_is_not_mapped(const Case& c, const std::string& model) {
 
 std::vector<std::string> predictable_models(const Case& c) {
     std::vector<std::string> models;
-    // A half-space in the place of a layer has to be asked for.
+    // A half-space instead of a layer has to be asked for.
     std::string what = c.layer.thickness ? what_is_not_mapped(c, contact::models::bem_layer) : "";
     if (!what.empty())
         throw contact::InputError("no atlas is about " + what + "; tricontact run computes it" +

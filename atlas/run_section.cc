@@ -134,8 +134,8 @@ std::optional<report::DocumentSection> place_in_maps(const Case& c,
     const Prediction here = predict(c, drawn);
     report::DocumentSection section{.id = "maps", .heading = "The case in the maps"};
     section.paragraphs.push_back(
-        "The shipped maps say without a run what contacts at other amplitudes and loads come to: "
-        "tricontact predict.");
+        "The shipped maps predict contacts at other amplitudes and loads without a run: tricontact "
+        "predict.");
     for (const std::string& gap : here.gaps)
         section.paragraphs.push_back("Not predicted: " + gap + ".");
     section.figures.push_back(figure_of(c, here));

@@ -7,6 +7,11 @@
 #include "contact/base/error.h"
 #include "contact/cells.h"
 
+// A cell's centre lies at the origin, unless the case shifts it: the indenter's lowest point is
+// then seen by one cell, and rolling by whole cells brings back the same heights. Along a line
+// contact the grid is one row of strips; a body that ends along y has its rows end there, too, at
+// its ends exactly.
+
 namespace tricontact::bem {
 
 namespace {

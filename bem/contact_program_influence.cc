@@ -11,6 +11,10 @@
 #include "contact/base/error.h"
 #include "files/regular_file.h"
 
+// From K(substrate minus indenter) to CONTACT's A = G K (body 1, the indenter, minus body 2): signs
+// and order of columns in docs/reference/contact-program.md, "The file of coefficients". Tangential
+// tractions and displacements both change their sign, so that only couplings do.
+
 namespace tricontact::bem {
 
 namespace {

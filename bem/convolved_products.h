@@ -13,6 +13,12 @@
 #include "contact/compliances/compliance.h"
 #include "contact/substrates/substrate.h"
 
+// Products of a grid with its kernels, and approximate inverses for the conjugate gradients.
+// - `convolution` has room for zeros beside the fields: exact products of a free contact.
+// - `bare` has the bare grid's period. The inverse of its symbol per wave number is the inverse of
+//   the periodic problem, which differs from the free one at the edges of the contact only: a good
+//   preconditioner at a quarter of the cost.
+
 namespace tricontact::bem {
 
 /// What cells do to each other, as convolutions; one caller at a time, see contact::Compliance.

@@ -13,6 +13,20 @@
 #include "contact/compliances/scattered_points.h"
 #include "contact/substrates/normal_tangential.h"
 
+// Elasticity on the cells of a grid, docs/explanation/models/bem.md and bem-layer.md: influence
+// coefficients of one cell at all relative positions (`Quadrants`: x, y >= 0, the rest by parity),
+// transformed once, and two convolutions per product.
+//
+//   xx, yy, zz   even in x and in y      xz   odd in x, even in y
+//   xy           odd in both             yz   even in x, odd in y
+//
+// The symbols of the bare, periodic grid are inverted per wave number for the preconditioner
+// (`inverse`): 2 x 2 for tangential fields, since xy couples them.
+//
+// `among`: a contact that fills a small part of the grid is multiplied on a window around it.
+// Periods are rounded up to lengths that FFTW is fast at, and windows of one such size share their
+// symbols.
+
 namespace tricontact::bem {
 
 namespace {
@@ -129,6 +143,8 @@ GridConvolution::Symbol GridCompliance::normal_symbol(const auto& convolution) c
     return quadrants_.symbol(convolution, normal_quadrant_, 1, 1);
 }
 
+// A normal contact alone needs K_zz, half of the memory; the other symbols are made when friction
+// asks for them (`rest`).
 /// On the grid or a window on it.
 template <class Convolution>
 std::unique_ptr<const ConvolvedProducts> GridCompliance::make_products(const Size& size,
@@ -179,6 +195,9 @@ std::shared_ptr<const ConvolvedProducts> GridCompliance::window(const Size& size
     return products;
 }
 
+// A window's period is rounded up to a good length of transforms, and its cells to all that this
+// length has room for. A contact that grows by a row then keeps its window, and windows of one size
+// share their symbols (`windows_`).
 std::unique_ptr<const contact::ActiveOperator> GridCompliance::among(
     const std::vector<std::size_t>& active) const {
     if (active.empty()) return nullptr;

@@ -8,6 +8,34 @@
 #include "contact/base/fftw.h"
 #include "contact/base/memory.h"
 
+// u(i) = sum over j of K(i - j) t(j): docs/explanation/models/bem.md. Conventions, N = period:
+//
+//   forward   f^(m) = sum over j of f(j) exp(-2 pi i j m/N)         FFTW_FORWARD, r2c
+//   backward  f(j)  = sum over m of f^(m) exp(+2 pi i j m/N)        FFTW_BACKWARD, c2r
+//
+// neither with a factor: backward after forward gives N f. The factor 1/(N_x N_y) is part of the
+// symbol, and products need none. The wave number of m is 2 pi m/N up to m = N/2 and 2 pi (m - N)/N
+// beyond (`wrapped`). Along x the fields are real, f^(-m) = f^(m)*, and m = 0 ... N_x/2 are kept.
+//
+// Zeros beside a field keep the images of its period away from it: with N_x >= 2 n_x - 1 the
+// positions i - j = -(n_x - 1) ... n_x - 1 are all different modulo N_x.
+//
+//        n_x     zeros                 1. rows:     r2c of the n_y rows that hold something
+//     +-------+-----------+            2. columns:  zeros appended, forward, times the symbols,
+//     | field |           | n_y           backward, eight columns at a time: they stay in the cache
+//     +-------+-----------+            3. rows:     c2r of the n_y rows that are read
+//     |     never touched |
+//     +-------+-----------+ N_y        `tile`: the layout of memory between 1 and 2, and 2 and 3
+//
+// A kernel even under (x, y) -> (-x, -y) has a real symbol: K_xx, K_xy, K_yy, K_zz. One odd there
+// has an imaginary one: K_xz, K_yz. What is stored of it is the imaginary part s, and `phase`
+// multiplies by i ("forward", u_x and u_y by p) or by -i ("backward", u_z by t_x and t_y: the
+// adjoint, since K_zx at a position is K_xz at the opposite one).
+//
+// The kernel at half a period stands for both signs of that position: the mean of both is taken
+// (`fourier_coefficients`). Only even periods have such an element, and no product of a padded
+// field reads it.
+
 namespace tricontact::bem {
 
 /// Smallest even number >= n whose only prime factors are 2, 3, 5, 7: lengths FFTW is fast at.

@@ -23,8 +23,8 @@ std::vector<double> interior_depths(double spacing, double contact_radius, doubl
 /// Displacements and stresses below the cells' centres of `grid` and half of its shorter side
 /// around it, under tractions that are constant on cells, as a contact::Interior on a rectilinear
 /// grid: exact for such tractions but for the layers' kernel. `applied` is their force and
-/// `strain_energy` half their work. Zero-padded FFT convolution per depth: one transform per
-/// coefficient (27, or 9 without tangential tractions) and nine back.
+/// `strain_energy` half their work. Zero-padded FFT convolution per depth: two transforms
+/// per field (18, or 9 without tangential tractions) and nine back.
 ///
 /// A side of more than 256 cells is taken by blocks of 3, 5, ... cells with their mean tractions;
 /// points are thinned to 128 along a side, and more and more outside the grid. Both bound time and

@@ -17,6 +17,12 @@
 #include "contact/solvers/normal_solver.h"
 #include "contact/surface_model.h"
 
+// How large a grid has to be, and whether it fits into memory. Friction moves a coupled contact
+// aside by a way that no formula here gives for all bodies; so a grid is tried (`covers`): the
+// hardest press where the path reaches farthest, and the largest tangential force. What still
+// reaches the edge later throws ContactAtEdge, and the run begins again with more room
+// (docs/explanation/models/bem.md).
+
 namespace tricontact::bem {
 
 namespace {

@@ -6,10 +6,40 @@
 #include <cmath>
 #include <numbers>
 
+// Frame and signs of all coefficients, Johnson (1985), section 3.2 and 3.6; bem.md and bem-layer.md
+// in docs/explanation/models use them:
+//
+//            p > 0 presses          u: substrate minus indenter, at (x, y) from the centre
+//              |  t_x > 0           K_zz > 0: pressure sinks the surface
+//      --------v==>-------- x       K_xx > 0: it follows the traction on the substrate
+//              |   substrate        K_xz < 0 at x > 0: pressure draws the surface of a
+//              v z                     half-space towards itself, nu < 1/2
+//
+// Forces on a half-space at the distance s = sqrt(x^2 + y^2), eq. 3.19 for P and 3.75 at z = 0 for
+// Q:
+//
+//   u_z = (1 - nu)/(2 pi G) P/s                   u_x = Q/(2 pi G) [(1 - nu)/s + nu x^2/s^3]
+//   u_x = -(1 - 2 nu)/(4 pi G) P x/s^2            u_y = Q/(2 pi G) nu x y/s^3
+//
+// A rectangle's coefficient is the integral over its area: the antiderivative F in x and y
+// (`Corner`) at the four corners, F(a) - F(b) - F(c) + F(d), exact at any distance, the rectangle
+// itself included.
+//
+// Layers add the difference of both bodies' compliances, D(k) = C_layers - C_half-space. That falls
+// as exp(-2 k b), so the Hankel integrals of LayerKernel converge at r = 0, too, and the singular
+// part stays in closed form. The integrals are the same for all cells: they are tabulated over
+// asinh(r/b), whose steps are even near the force and grow with r beyond b.
+
 namespace tricontact::bem {
 
 namespace {
 
+// The antiderivatives of `Corner`, each checked by differentiating in x and in y, s^2 = x^2 + y^2:
+//
+//   1/s        x asinh(y/|x|) + y asinh(x/|y|)
+//   x^2/s^3    y asinh(x/|y|)
+//   x y/s^3    -s
+//   x/s^2      y ln s + x atan(y/x)
 /// Antiderivatives in x and y of the kernels, s = sqrt(x^2 + y^2). Terms that cancel between the
 /// corners of a rectangle are left out: y ln(x + s) = y asinh(x/|y|) + y ln|y|.
 struct Corner {

@@ -14,6 +14,8 @@
 #include "contact/base/special_values.h"
 #include "files/regular_file.h"
 
+// The format is docs/reference/influence-format.md: text, so that other programs can write it.
+
 namespace tricontact::bem {
 
 namespace {

@@ -8,6 +8,16 @@
 
 #include "bem/influence.h"
 
+// Fields below the surface, docs/how-to/subsurface.md, of a point force: plane waves of
+// theory/layer/layer_stack.h, along the wave vector, across it and down, summed over its
+// directions. That sum leaves Bessel functions. Under pressure, which has no direction in the
+// plane, u_z and sigma_zz go with J0, what points along r with J1, and the difference of the
+// principal stresses with J2. A force along x adds a factor cos theta or sin theta: orders go from
+// 0 to 3 (`order`).
+//
+// Of layers only the difference from the half-space of the top layer is summed, which is smooth;
+// the half-space itself is integrated over the cell in closed form (`corner`).
+
 namespace tricontact::bem {
 
 namespace {

@@ -3,6 +3,12 @@
 #include <algorithm>
 #include <cstring>
 
+// There are 27 kernels in each depth: 9 fields, 3 loads. A kernel's parity under (x, y) -> (-x, -y)
+// makes its spectrum real or imaginary: the response to a pressing force and that to a force along
+// x have opposite parities in every field. Both kernels are added into one real field, whose
+// spectrum separates them into real and imaginary part (`add_product`). Two transforms per field
+// instead of three, and one back.
+
 namespace tricontact::bem {
 
 namespace {

@@ -4,6 +4,18 @@
 
 #include <algorithm>
 
+// f = even + i odd on the rows y >= 0 has f(x, -y) = f(x, y)*. Three things follow for its
+// transform F, with k' = (k_x, -k_y) the mirror image of k:
+//
+//   F(-k_x, k_y) = F(k_x, k_y)*                        half of the wave numbers k_x are enough
+//   even^(k) = [F(k) + F(k')]/2                        one complex transform serves two real fields
+//   odd^(k)  = [F(k) - F(k')]/(2 i)
+//
+// The first is the sum over f exp(-i k x) with y replaced by -y. In `multiply` a kernel that is
+// even in k_y acts on both parts alike; K_xy, odd in k_x and k_y, swaps them: in terms of F(k) and
+// F(k') that is the mean (xx + yy)/2, the half difference, and i xy with the signs of both wave
+// vectors.
+
 namespace tricontact::bem {
 
 namespace {
@@ -35,6 +47,9 @@ struct Pair {
 
 using Phase = GridConvolution::Phase;
 
+// Derived from even^ and odd^ above, t = (even, odd) and K per wave vector:
+//   xx even^ + xy odd^ = new even^,   xy even^ + yy odd^ = new odd^,
+// and F' of the new field at k and k' by F = even^ + i odd^, F' = even^ - i odd^.
 template <std::size_t n_out, std::size_t n_in>
 Pair multiply(const double* const (&s)[n_out][n_in], int k, const Pair& f) {
     if constexpr (n_out == 1 && n_in == 1) {

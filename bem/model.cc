@@ -20,6 +20,16 @@
 #include "contact/surface_model.h"
 #include "theory/layer/layer_stack.h"
 
+// From a case to a model of docs/explanation/models/bem.md or bem-layer.md:
+//
+//   cells_of --> grid around the path --> compliance --> covers? --no--> 1.25 times the margin
+//                                                          |
+//                                                         yes --> Substrate --> SurfaceModel
+//
+// The contact may still leave the grid when friction drags it (ContactAtEdge); then all begins
+// again with more_room beside the path. Grids are not enlarged within a run: symbols and kept
+// solutions belong to one grid.
+
 namespace tricontact::bem {
 
 namespace {
@@ -101,6 +111,8 @@ contact::Vector2 widest_half(const contact::Case& c, const Cells& cells, double 
     return {half(table.n_x, cells.spacing[0]), half(table.n_y, cells.spacing[1])};
 }
 
+// The margin grows by a quarter at a time: a grid too large costs its square in every product, one
+// too small only another probe.
 /// On a grid that is enlarged until it covers the contact.
 std::unique_ptr<GridCompliance> fitting(const contact::Case& c, double spacing,
                                         const MakeCompliance& make, double aside,

@@ -5,6 +5,12 @@
 #include <numbers>
 #include <vector>
 
+// Coarser grids for NormalNewton, by Galerkin projection: pressures uniform on squares of four
+// cells ((1, 1) per direction) and the means of displacements over them ((1/2, 1/2)) are together
+// the weights w = (1/2, 1, 1/2), whose transform is 2 cos^2(theta/2). Reading every second cell
+// folds the wave numbers m and m + P/2 onto each other. The coarse symbol is a sum of four
+// products: a quarter of the size, without a transform.
+
 namespace tricontact::bem {
 
 namespace {
@@ -25,6 +31,9 @@ std::vector<int> nearest(int period, int other_period) {
     return at;
 }
 
+// The preconditioner's wave numbers are those of the bare grid, the symbol's those of the padded
+// one: the nearest is taken. It need not be exact, but positive, also where truncation makes K
+// negative.
 /// 1/|K|, sampled where the wave numbers of a grid without padding are.
 Symbol inverse_on(const GridConvolution& bare, const GridConvolution& padded,
                   const Symbol& symbol) {

@@ -8,6 +8,19 @@
 
 #include "contact/base/error.h"
 
+// Periodic contact, docs/explanation/models/bem-layer.md ("Periodic"). A traction uniform on a cell
+// of the edge h and repeated with the period L = n h has Fourier coefficients at all k = 2 pi m/L,
+// not only at the n wave numbers of the grid. Displacements are read at the cells' centres, where
+// the wave numbers m and m + q n coincide:
+//
+//   k_x h/2 = theta + pi q, theta = pi m/n:   sinc = (-1)^q sin(theta)/(theta + pi q)
+//
+// so the symbol of m is the sum over all these aliases q of C(k) sinc sinc. Because of C ~ 1/k and
+// the sincs the terms fall as 1/q^2 with alternating signs: eight plain ones, then Euler's averages
+// of ten partial sums.
+//
+// At m = 0 only q = 0 has a sinc: the uniform load, an oedometer and simple shear (`uniform_load`).
+
 namespace tricontact::bem {
 
 namespace {

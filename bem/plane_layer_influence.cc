@@ -6,12 +6,23 @@
 
 #include "contact/base/error.h"
 
+// Line contact: docs/explanation/cylinder.md, and docs/explanation/models/bem-layer.md for the
+// layers. Under strips without end only waves across them are left, so that Hankel transforms
+// become cosine and sine transforms over k. A line load on a half-space displaces as ln s, without
+// a datum at infinity; on layers the rigid ground is one. What of the compliance C behaves as 1/k
+// is therefore subtracted with its long waves cut off, C0 (1 - exp(-2 k b))/k, whose transforms are
+// the logarithm and the arc tangent of `even_part` and `odd_part`. The rest is smooth in k and
+// falls as exp(-2 k b).
+
 namespace tricontact::bem {
 
 namespace {
 
 using theory::LayerStack;
 
+// From ∫ exp(-k c) cos(k s) dk = c/(c^2 + s^2) and ∫ exp(-k c) sin(k s) dk = s/(c^2 + s^2), both
+// over k > 0, by integration over c from 0: the factor (1 - exp(-k c))/k appears on the left, on
+// the right the logarithm and the arc tangent below. Both are integrated over the strip once more.
 /// ∫_0^inf (1 - exp(-k c)) cos(k s)/k dk = ln(1 + c^2/s^2)/2, integrated over s from 0.
 double even_part(double s, double c) {
     return s == 0 ? 0 : s / 2 * std::log1p(c * c / (s * s)) + c * std::atan(s / c);

@@ -2,6 +2,10 @@
 
 #include <utility>
 
+// Coefficients at i, j >= 0 alone: bodies are isotropic and cells rectangles, so that the other
+// three quadrants follow by the parities in grid_compliance.cc. That is a quarter of the closed
+// forms to evaluate, which on large grids cost more than the transforms.
+
 namespace tricontact::bem {
 
 Quadrants::Quadrants(CellInfluence influence, int columns, int rows, contact::Vector2 spacing,

@@ -3,6 +3,17 @@
 #include <cmath>
 #include <cstdlib>
 
+// Steady rolling on a relaxing body: docs/explanation/rolling.md and
+// docs/explanation/models/relaxation.md. A cell of the material has been loaded by what passed over
+// it: the response ahead of a load differs from that behind it, and kernels are neither even nor
+// odd. Each is the sum of both parts,
+//
+//   K(x) = [K(x) + K(-x)]/2 + [K(x) - K(-x)]/2,
+//
+// one with a real symbol, one with an imaginary one, and a product is two convolutions.
+//
+// The preconditioners are the inverses of the even parts on the bare grid.
+
 namespace tricontact::bem {
 
 namespace {
@@ -47,6 +58,9 @@ struct SteadyGridCompliance::Table {
     }
 };
 
+// Rows along x are complete, of both signs, for what is ahead differs from what is behind; rows
+// along y are j >= 0, by parity. Coefficients beyond the grid (`ahead`) enter the creep, but no
+// convolution.
 SteadyGridCompliance::Table SteadyGridCompliance::crept(const std::vector<CellInfluence>& bodies,
                                                         const contact::CreepModes& modes,
                                                         double speed) const {

@@ -12,6 +12,11 @@
 #include "contact/relaxing_case.h"
 #include "theory/layer/layer_stack.h"
 
+// Steady rolling on relaxing bodies (docs/explanation/rolling.md): each coefficient needs the
+// elastic one all along the way that the material has come. Near the contact that is the body's
+// own; beyond known_layers thicknesses the layers are no more than what lies on both sides of them
+// (`bodies_beyond`).
+
 namespace tricontact::bem {
 
 namespace {

@@ -5,6 +5,10 @@
 
 #include "bem/grid_compliance.h"
 
+// Relaxing bodies are weighted sums of elastic ones on one grid
+// (docs/explanation/models/relaxation.md): where y = 0 mirrors, one transform of the tractions
+// serves all of them.
+
 namespace tricontact::bem {
 
 namespace {

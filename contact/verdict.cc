@@ -186,7 +186,7 @@ std::string Judge::missing() const {
     }
     if (step <= judged_.negligible_shift)
         return "no point sticks throughout a period, so that increments below the solver's "
-               "tolerance may go on for ever; lower it";
+               "tolerance may never end; lower it";
     return fmt::format(
         "the increments, {:.2g} U_max in the last period, may still sink to zero or "
         "stay{}",
@@ -205,7 +205,8 @@ Bounded still_to_come(std::span<const double> series, double noise) {
     const Bounded unknown{0, quiet > 0 ? noise : infinity};
     const auto now = continued(series.first(n)), before = continued(series.first(n - (n > 0)));
     if (!now || !before) return unknown;
-    // What was said before, as far as the changes of the series leave it to be said again.
+    // Largest disagreement with extrapolations from earlier periods, scaled to the present
+    // increment.
     double spread = 0, since = 0;
     for (std::size_t k = 1; k <= std::max<std::size_t>(2, n / 4); ++k) {
         since += series[n - k];

@@ -46,7 +46,7 @@ struct Import {
     std::vector<LeftOutCases> left_out;
 };
 
-/// What an input file of CONTACT's module 3 becomes (docs/how-to/contact-program.md): a case for
+/// What an input file of CONTACT's module 3 becomes (docs/reference/contact-program.md): a case for
 /// each sequence that begins anew, P = 2, and each steady state. `name` stands for the file in
 /// messages. `pressed_depth` tells a depth PEN from that of a force on the case's own cells. Throws
 /// contact::InputError with line and column for what is no such file, and with the first reason

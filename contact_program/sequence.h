@@ -22,10 +22,10 @@ std::vector<SequenceStep> sequence_of(const contact::Case& c, bool is_coupled);
 /// for rigid from a tenth of it on.
 inline constexpr double rigid_shear_ratio = 1e10;
 
-/// The case as input of CONTACT's module 3 (docs/how-to/contact-program.md): one of its cases per
-/// step, on these cells, the first of them with materials, cells and friction. The indenter is body
-/// 1, the substrate body 2; mm, N, N/mm^2. `influence`: name of the file of the coefficients, C =
-/// 9; empty: half-spaces, C = 2. Throws contact::InputError as sequence_of(), and for too many
+/// The case as input of CONTACT's module 3 (docs/reference/contact-program.md): one of its cases
+/// per step, on these cells, the first of them with materials, cells and friction. The indenter is
+/// body 1, the substrate body 2; mm, N, N/mm^2. `influence`: name of the file of the coefficients,
+/// C = 9; empty: half-spaces, C = 2. Throws contact::InputError as sequence_of(), and for too many
 /// cells.
 std::string sequence_text(const contact::Case& c, const contact::ContactPoints& grid,
                           bool is_coupled, const std::optional<std::string>& influence);

@@ -60,7 +60,7 @@ void check_path(const Case& c) {
     const bool by_depth = path.rows.front().normal.kind == NormalControl::Kind::indentation;
     for (const int axis : {0, 1})
         if (by_depth && is_forced(axis) && is_loaded(axis))
-            io::fail(path_key(c), "", "CONTACT takes F_T over F_N, which d does not tell",
+            io::fail(path_key(c), "", "CONTACT takes F_T over F_N, which d does not determine",
                      "give normal_force, or shifts");
     // What needs no force along y by symmetry needs no shift either.
     if (!is_forced(0) && is_forced(1) && !is_symmetric_in_y(c))
@@ -76,7 +76,7 @@ void check_rolling_on(const Case& c) {
                  "CONTACT prescribes no creepage along x beside a force along y (F = 0, 1, 2)",
                  "give it");
     if (c.load.indentation && c.load.tangential_force.value_or(0) != 0)
-        io::fail("load.tangential_force", "", "CONTACT takes F_T over F_N, which d does not tell",
+        io::fail("load.tangential_force", "", "CONTACT takes F_T over F_N, which d does not determine",
                  "give load.tangential_ratio");
 }
 
@@ -95,7 +95,7 @@ void check_loads(const Case& c) {
         io::fail("load.indentation", "", "CONTACT takes F_T over the F_N of each step",
                  "give load.normal_force where the indenter rolls");
     if (c.load.tangential_force)
-        io::fail("load.tangential_force", "", "CONTACT takes F_T over F_N, which d does not tell",
+        io::fail("load.tangential_force", "", "CONTACT takes F_T over F_N, which d does not determine",
                  "give load.tangential_ratio");
 }
 

@@ -5,6 +5,17 @@
 #include "fem/discretisation.h"
 #include "fem/memory.h"
 
+// Two passes over the elements: `pattern` finds which unknowns couple, node by node (all three
+// directions of two nodes couple or none), then `add` sums the element stiffnesses into the rows
+// that are there. Only the lower triangle is kept, by columns, as CHOLMOD wants it.
+//
+// `held_rows`: K u over the held components, summed by direction, is the force of what holds the
+// body. It costs three vectors and lets the reaction of the ground be compared with the applied
+// force in every step, without the solution of the whole system (missing_reaction).
+//
+// Stresses come from the 2 x 2 x 2 Gauss points, where strains of quadratic elements have one order
+// more than elsewhere (Barlow 1976).
+
 namespace tricontact::fem {
 
 namespace {
@@ -27,6 +38,9 @@ struct CellsOfNodes {
     }
 };
 
+// A node's unknowns are coupled with those of all nodes of its elements. The cells of a node come
+// first (CellsOfNodes), so that rows are found without a set: `seen_by` marks what the row has
+// already.
 // Calls visit(node, sorted unknowns of all nodes that share one of the cells with it).
 template <typename Visit>
 void for_neighbourhoods(const Q2Space& space, const Unknowns& unknowns, const CellsOfNodes& cells,
@@ -46,6 +60,7 @@ void for_neighbourhoods(const Q2Space& space, const Unknowns& unknowns, const Ce
     }
 }
 
+// Counted first, filled then: the largest arrays of an assembly are allocated once.
 SparseMatrix pattern(const Q2Space& space, const Unknowns& unknowns, std::span<const int> some) {
     const CellsOfNodes cells(space, some);
     SparseMatrix matrix;
@@ -92,6 +107,9 @@ struct LocalUnknowns {
     }
 };
 
+// Unknowns of an element increase, and so do the rows of a column: one walk down the column finds
+// all. What falls on a held component goes to the sums of its direction instead of the matrix,
+// since held components have no row.
 void add(const ElementStiffness& k, const LocalUnknowns& local, AssembledStiffness& to) {
     auto& [n, start, row, value] = to.matrix;
     for (std::size_t c = 0; c < local.free.size(); ++c) {

@@ -9,6 +9,15 @@
 #include "fem/memory.h"
 #include "fem/mirror_symmetry.h"
 
+// u = P a with a on the half x >= middle; -: the component changes its sign in the other half:
+//
+//               u_x    u_y    u_z       on the plane x = middle
+//   even         -      +      +        u_x = 0
+//   odd          +      -      -        u_y = u_z = 0
+//
+// Both parts are stiffnesses of the same half, K_half a = share P' f with share = 1/2, because f
+// acts on both sides. Displacements of the body are the sum of both parts.
+
 namespace tricontact::fem {
 
 namespace {
@@ -47,6 +56,8 @@ Unknowns half_of(const Unknowns& body, const MirrorSymmetry& mirror) {
 
 using Signs = std::array<bool, 3>;  // which displacements change it from one side to the other
 
+// Both parts share one assembled stiffness of the half and one order of elimination; they differ in
+// the unknowns held on the plane, which leave the order.
 // A body of two halves: the stiffness of one serves both parts, which hold other displacements on
 // the plane.
 class Halves {

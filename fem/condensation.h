@@ -8,6 +8,22 @@
 #include "fem/matrices.h"
 #include "fem/single_factor.h"
 
+// Static condensation onto the contact patch C; I: the interior (docs/explanation/models/fem.md).
+//
+//       [ K_II  K_IC ]                    [ L_II       ]
+//   K = [            ] = L L',        L = [            ]
+//       [ K_CI  K_CC ]                    [ L_CI  L_CC ]
+//
+//   S = K_CC - K_CI K_II^-1 K_IC = L_CC L_CC',       compliance = S^-1
+//
+// With the contact unknowns last, L_CC is the trailing block of the factor of K: no second
+// factorisation. S^-1 is dense and exact for every contact on the patch, whatever its loads and
+// path; that is why it is worth keeping on disk.
+//
+// The order of I is METIS' nested dissection of the nodes. CHOLMOD would order for itself, but then
+// the contact unknowns were not last. The elimination tree is put into postorder, which joins
+// columns of equal structure to wide supernodes: dense kernels do the work.
+
 namespace tricontact::fem {
 
 /// Sparse Cholesky factor of a stiffness whose last unknowns are those of the contact patch:

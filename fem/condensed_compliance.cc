@@ -5,6 +5,20 @@
 
 #include "contact/substrates/material.h"
 
+// Frames: elements have z out of the substrate and x, y, z of each node; contact has z into it. The
+// cross blocks change their sign (`seen_from_the_indenter`), normal and tangential ones stay:
+//
+//    fem:  z ^                  contact:   --------> x
+//            |                                 |
+//            +-----> x                         v z,  p > 0 into the substrate
+//
+// A mirrored body is half of one. Forces on the whole contact are twice those on the model, and the
+// compliance is per force on the whole.
+//
+// Tractions on nodes are forces over row sums of the surface mass: those are positive for nine-node
+// faces, so that p >= 0 is a condition on forces. As a field on the surface the consistent mass is
+// the better inverse (`consistent_traction`), which may be negative beside the contact's edge.
+
 namespace tricontact::fem {
 
 using contact::TangentialField;
@@ -79,6 +93,9 @@ std::vector<double> CondensedCompliance::consistent_traction(std::span<const dou
     return {consistent.data(), consistent.data() + n};
 }
 
+// Reaction of the ground plus the contact's forces: zero in equilibrium, from one product per
+// direction with what unit forces leave (condensed_layer.cc). The sign of p: z out of the substrate
+// there.
 std::optional<std::array<double, 3>> CondensedCompliance::missing_reaction(
     std::span<const double> p, const TangentialField& t) const {
     const std::size_t n = points().size();

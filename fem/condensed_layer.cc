@@ -9,6 +9,15 @@
 #include "fem/body_parts.h"
 #include "fem/discretisation.h"
 
+// From parts to the compliance of the patch (docs/explanation/models/fem.md, "Condensation"): parts
+// are condensed one after the other, so that one factor exists at a time, and added up with the
+// signs of their displacements.
+//
+// Missing reaction: the ground's force under a unit force on the patch has to be its opposite. By
+// reciprocity it is minus the displacement of the patch when the ground moves by one, one solution
+// per direction instead of one per contact component. What is left is rounding, which K/G
+// multiplies.
+
 namespace tricontact::fem {
 
 namespace {
@@ -99,6 +108,9 @@ void refuse_too_large(double needed) {
         refuse(fmt::format("{:.1f} GB of memory", needed / 1e9), needed, available);
 }
 
+// Memory is asked for before hours are spent: the symbolic factor says how large the numeric one
+// and the dense compliance will be. At the peak there are one factor and what earlier parts have
+// left.
 // Peak of what `condense_parts` will take on top of now.
 double predicted_bytes(const std::vector<BodyPart>& parts, std::size_t n_components) {
     const double compliance = 8. * static_cast<double>(n_components * n_components);
@@ -182,6 +194,9 @@ double predicted_bytes(const LayerProblem& problem) {
     return bytes;
 }
 
+// Means over y of a slice in plane strain: a traction uniform along y gives each node its share of
+// the row's area, and the displacement of the row is the mean with the same shares. Rows and
+// columns are weighted alike, so that the compliance stays symmetric.
 CondensedLayer contact_line(const CondensedLayer& slice) {
     CondensedLayer line;
     line.points = line_points(slice.points);

@@ -7,6 +7,13 @@
 
 #include "contact/base/error.h"
 
+// Row sums of the mass of a nine-node face are 1/36, 1/9 and 4/9 of a parallelogram for corners,
+// edges and centre: Simpson's rule, all positive. With eight nodes those of the corners would be
+// negative, and a contact pressure could not be read from nodal forces.
+//
+// Nodes on lines of equal distance become a grid (`arrange`), x fastest; others stay points with
+// the nine-node quadrilaterals between them.
+
 namespace tricontact::fem {
 
 namespace {
@@ -30,6 +37,8 @@ std::size_t nearest(const std::vector<double>& sorted, double value) {
     return after - sorted.begin() - (value - after[-1] < *after - value ? 1 : 0);
 }
 
+// Lines of coordinates within `tolerance`: a mesh file has nine digits, and a node a digit beside
+// its line would make a patch irregular that is not.
 // Lines of nodes along x and y, sorted.
 struct Lines {
     std::vector<double> x, y;

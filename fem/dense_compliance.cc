@@ -4,6 +4,9 @@
 
 #include "contact/compliances/dense_products.h"
 
+// The matrix by columns, components one after another: x of all points, y, z. A block of it is a
+// product's, and a traction of zero skips its column, which outside the contact is most of them.
+
 namespace tricontact::fem {
 
 using contact::TangentialField;

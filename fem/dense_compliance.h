@@ -2,6 +2,13 @@
 
 #include "contact/compliances/compliance.h"
 
+// Which block of the matrix does what; x, y, z: displacement and traction, z into the substrate.
+//
+//                t_x   t_y   p
+//         u_x  [  .     .    . ]        tangential: the four upper left blocks
+//         u_y  [  .     .    . ]        normal: the lower right one
+//         u_z  [  .     .    . ]        coupling: the rest, each the transpose of the other
+
 namespace tricontact::fem {
 
 /// Forces on the modelled body over tractions times areas: half of a mirrored one is modelled.

@@ -6,6 +6,17 @@
 #include "fem/memory.h"
 #include "fem/settings.h"
 
+// Numbering of unknowns, docs/explanation/models/fem.md. Held components have no number, so that no
+// row of the matrix is a condition. Boundary conditions by the face a node lies on; a node on two
+// faces is held in what either of them holds:
+//
+//   base       bonded: x, y, z      frictionless: z
+//   sides      free: none           held: x, y, z
+//   symmetry   y
+//
+// z points out of the substrate in this room, into it in contact/ (condensed_compliance.cc changes
+// the signs of the cross blocks).
+
 namespace tricontact::fem {
 
 namespace {
@@ -44,6 +55,9 @@ void refuse_rigid_motions(bool has_base, bool has_sides, Case::Base base, Sides 
 
 namespace {
 
+// Contact unknowns come by direction, x of all nodes, then y, then z: the blocks of the compliance
+// are then contiguous. Those of the interior come node by node, in which order does not matter:
+// dissection_order() finds a better one.
 Unknowns number_unknowns(const Q2Space& space, const std::vector<int>& contact_nodes,
                          Case::Base base, Sides sides) {
     const auto has = [&](Boundary boundary) {

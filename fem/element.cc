@@ -2,6 +2,19 @@
 
 #include <cmath>
 
+// The element Q2/P1 of docs/explanation/models/fem.md. Volume and shape are integrated apart,
+//
+//   int 2 G dev eps : dev eps + K (P div u)^2,
+//
+// P the projection onto psi = {1, x, y, z} of the element. With the mass matrix of psi, M = L L',
+// and b_m = int psi_m div u, it is (P div u)^2 integrated = b' M^-1 b = |L^-1 b|^2: the rows of Y =
+// L^-1 b are what `Dilatation` keeps. Q2 has 81 unknowns for these four conditions, so K/G may be
+// 1e6 without locking; continuous pressures could not be eliminated per element, and fewer of them
+// would let pressures oscillate (Brezzi and Fortin 1991).
+//
+// psi is taken about the element's centre and over its size: M is then well conditioned wherever
+// the element lies.
+
 namespace tricontact::fem {
 
 namespace {

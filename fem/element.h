@@ -5,6 +5,9 @@
 #include "contact/substrates/material.h"
 #include "fem/q2_space.h"
 
+// The element: docs/explanation/models/fem.md, "Elements". Derivation of the projected dilatation:
+// element.cc.
+
 namespace tricontact::fem {
 
 /// Moduli as the elements see them.

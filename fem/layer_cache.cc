@@ -21,6 +21,12 @@
 
 // What a condensed layer depends on, as the name of its file.
 
+// A condensed layer is kept under the digest of all it depends on: mesh, moduli, boundary
+// conditions, element, file format and the sources that condense. Nothing has to be invalidated:
+// another layer has another name. Files appear by renaming, complete or not at all; who needs a
+// layer that another process makes waits for its reservation (docs/explanation/models/fem.md,
+// "Condensation").
+
 namespace tricontact::fem {
 
 namespace {
@@ -168,6 +174,8 @@ std::string LayerCache::path_of(const std::string& key) const {
     return (fs::path(folder_) / (key + layer_file_ending)).string();
 }
 
+// A kept layer is never an error: one that is damaged counts as absent, with the reason in a line
+// of the run, and one that cannot be written leaves a run that has its layer.
 std::optional<CondensedLayer> LayerCache::load(const std::string& key, std::string* why) const {
     if (why) why->clear();
     if (keeps_nothing()) return std::nullopt;
@@ -230,6 +238,9 @@ std::unique_ptr<files::PartialFile> LayerCache::reserve(const std::string& key,
     }
 }
 
+// Looked up, reserved, looked up again: between the first look and the reservation another process
+// may have finished. Who holds the reservation makes the layer; it is gone with its process, so
+// that nobody waits for one that was killed.
 LayerCache::Claim LayerCache::claim(const std::string& key,
                                     const std::function<void()>& waits) const {
     Claim claim;

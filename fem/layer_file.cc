@@ -10,6 +10,9 @@
 
 #include "fem/matrices.h"
 
+// A layer's file: version, key, sizes, numbers, checksum. Everything is checked before it is used,
+// since a wrong byte in a compliance is a wrong result without a symptom (read_layer).
+
 namespace tricontact::fem {
 
 namespace {

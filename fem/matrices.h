@@ -5,6 +5,10 @@
 #include <cstdint>
 #include <vector>
 
+// Matrices are symmetric: sparse ones keep their lower triangle by columns, as CHOLMOD takes it;
+// dense ones are whole, by columns, since products with a part of the columns then read memory in
+// one run.
+
 namespace tricontact::fem {
 
 /// Copies the lower triangle of an n x n matrix to its upper one.

@@ -9,6 +9,11 @@
 
 extern "C" int openblas_get_num_threads(void);
 
+// glibc maps a large block on its own and unmaps it when it is freed: the next block is fresh
+// memory, which the system fills with zeros page by page. While FreedMemoryStays lives, blocks come
+// from the heap (M_MMAP_MAX = 0) and the heap does not shrink. Both are settings of the whole
+// process, so they are set back at its end.
+
 namespace tricontact::fem {
 
 void return_freed_memory() {
@@ -36,6 +41,7 @@ void* allocate_in_large_pages(std::size_t bytes) {
     return memory;
 }
 
+// OpenBLAS reserves a buffer of 128 MiB per thread, and one for the caller.
 double blas_buffer_bytes() {
     return 128. * 1024 * 1024 * (openblas_get_num_threads() + 1);
 }

@@ -4,6 +4,10 @@
 
 #include "contact/base/memory.h"
 
+// A condensation allocates a few blocks of gigabytes, each written once and read a few times. First
+// touch of fresh memory costs as much as the computation, and small pages a third more: hence large
+// pages for CHOLMOD, and freed memory that stays in the process until the condensation is done.
+
 namespace tricontact::fem {
 
 using contact::available_bytes;

@@ -5,6 +5,14 @@
 #include <cmath>
 #include <numbers>
 
+// A body that a plane x = const mirrors has even and odd displacements that do not couple: two
+// problems on half of the mesh with one pattern (body_parts.h). A factor grows faster than the
+// number of unknowns in three dimensions, its work with the square: two halves take less memory and
+// time than the whole.
+//
+// Symmetry is looked for in the mesh, not in the case: generated meshes and those from a file
+// alike. Images are found by sorting nodes by |x - middle|, y and z in units far above rounding.
+
 namespace tricontact::fem {
 
 namespace {

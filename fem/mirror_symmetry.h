@@ -6,6 +6,8 @@
 
 #include "fem/q2_space.h"
 
+// Why it is worth looking for: mirror_symmetry.cc; what is done with it: body_parts.h.
+
 namespace tricontact::fem {
 
 /// How a body is its own mirror image in a plane x = const.

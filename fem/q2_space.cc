@@ -15,6 +15,9 @@
 
 #include "contact/base/error.h"
 
+// What comes from deal.II: the triangulation, the numbering of triquadratic nodes, integration. Its
+// types end here: no header of this room includes deal.II.
+
 namespace tricontact::fem {
 
 namespace {
@@ -68,6 +71,10 @@ namespace {
 
 constexpr std::size_t face_gauss_points = 3, nodes_of_face = 9;
 
+// Two numberings meet here: deal.II's within a cell and on its faces, and VTK's, which everything
+// else in this program uses. They are matched by positions on the unit cell, so that no table of
+// deal.II's is copied. Face nodes go round counter-clockwise seen from outside (right hand,
+// outward).
 // For each of VTK's nodes, its number within a cell of `fe`.
 std::array<unsigned, 27> numbers_within_cell(const dealii::FiniteElement<3>& fe) {
     std::array<unsigned, 27> numbers{};
@@ -148,6 +155,8 @@ void Q2Space::add_face(std::size_t c, int f) {
     parts_->cell_of_face.emplace_back(c, f);
 }
 
+// Three Gauss points per axis integrate the products of two quadratic functions, of degree 4,
+// exactly on a parallelogram (degree 5).
 std::array<std::array<double, 9>, 9> Q2Space::face_mass(std::size_t face) const {
     const auto [c, f] = parts_->cell_of_face[face];
     dealii::FEFaceValues<3> values(parts_->mapping, parts_->fe,

@@ -19,6 +19,19 @@ void sgemv_(const char* transposed, const int* n_rows, const int* n_columns, con
             float* y, const int* y_stride);
 }
 
+// L x = f by panels. A panel holds L11^-1 and L21 L11^-1 in place of L11 and L21, so that one
+// matrix-vector product per panel does substitution and update: reading the factor bounds the time,
+// and single precision halves what is read.
+//
+//   [ L11      ] [ x1 ]   [ f1 ]        x1 = L11^-1 f1
+//   [ L21  L22 ] [ x2 ] = [ f2 ],       f2 <- f2 - (L21 L11^-1) f1
+//
+// Errors of 1e-6 do no harm: who uses it corrects what the last solution left
+// (deferred_correction.h). A solution comes in two halves, since contact needs the surface's
+// displacements by all other forces before its own are known: x = L^-1 f (`eliminate`); L' of the
+// contact panels gives the surface (`contact_displacements`); contact forces are added to x, and L'
+// of all panels gives the rest (`complete`).
+
 namespace tricontact::fem {
 
 SingleFactor::SingleFactor(std::vector<int> order, int n_interior, std::size_t n_values)
@@ -26,6 +39,8 @@ SingleFactor::SingleFactor(std::vector<int> order, int n_interior, std::size_t n
     reserve_large(values_, n_values);
 }
 
+// The panel of the double factor becomes [L11^-1; L21 L11^-1], in double precision, and is rounded
+// once.
 void SingleFactor::add(int n_columns, std::span<const std::int64_t> row, const double* column,
                        std::size_t ld) {
     const int n_rows = static_cast<int>(row.size()), n_below = n_rows - n_columns;

@@ -12,6 +12,10 @@ extern const char* const page_style;
 /// What the scripts that draw share; stands before them.
 extern const char* const charts_script;
 
+/// A map with a marker on it, and the charts beside it.
+extern const char* const marked_map_style;
+extern const char* const marked_map_script;
+
 extern const char* const document_template;
 /// Its parts.
 extern const char* const table_template;

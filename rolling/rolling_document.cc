@@ -114,7 +114,7 @@ report::Document rolling_document(const RollingReport& report) {
         .title = report.c.title.empty() ? "A contact that rolls on" : report.c.title,
         .lead =
             "The indenter rolls on to the right, from rest and steadily: how force and creepage go "
-            "together, where the contact sticks, and what closed forms say. Creepage is the "
+            "together, where the contact sticks, and closed forms. Creepage is the "
             "sliding of the indenter over the substrate per rolled way.",
         .settings = settings_of(report.c),
         .sections = {steady_section(report), resistance_section(report), transient_section(report),

@@ -6,8 +6,8 @@
 // the map and to other readings, and back again.
 async function check_marker(expect, settle) {
     const part = id => document.getElementById(id);
-    const marker = part("marker");
-    if (!marker) return;
+    const marker = part("map_marker");
+    if (!part("slider_x")) return;
     const seen = () => ({
         motion: [...part("chart_motion").querySelectorAll("path.js-line")]
             .map(path => path.getAttribute("d")).join(),
@@ -23,9 +23,9 @@ async function check_marker(expect, settle) {
         }
         await settle();
     }
-    const box = part("pointer").getBoundingClientRect();
+    const box = part("map_area").getBoundingClientRect();
     function point(type, across, up) {
-        part("pointer").dispatchEvent(new PointerEvent(type, {
+        part("map_area").dispatchEvent(new PointerEvent(type, {
             bubbles: true, cancelable: true, pointerId: 7, pointerType: "mouse",
             clientX: box.left + across * box.width, clientY: box.bottom - up * box.height}));
     }
@@ -215,7 +215,7 @@ async function check_player(expect, settle) {
 // pictures change; each map is drawn; numbers beyond an atlas say so; and back to the case.
 async function check_atlas(expect, settle) {
     const part = id => document.getElementById(id), marker = part("map_marker");
-    if (!marker) return;
+    if (!part("slider_w")) return;
     const seen = () => ({
         curves: [...part("chart_curve").querySelectorAll("path.point, path.js-line")]
             .map(path => path.getAttribute("d") + path.getAttribute("transform")).join(),

@@ -4,7 +4,7 @@
 usage: contact_examples.py [PROGRAM] [FOLDER] [EXAMPLE]...
 
 PROGRAM: tricontact (build/release/app/tricontact). FOLDER: the examples (tests/contact_program of the sources, or
-those of CONTACT itself). The table (Markdown) is that of docs/how-to/contact-program.md.
+those of CONTACT itself). The table (Markdown) is that of docs/explanation/contact-program.md.
 """
 
 import csv

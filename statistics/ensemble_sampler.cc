@@ -112,7 +112,7 @@ EnsembleSample sample_ensemble(const LogDensity& log_density, Points walkers, st
     }
     throw contact::NotConverged(fmt::format(
         "posterior: the walkers still remember where they were after {} steps; the data may not "
-        "tell the properties apart",
+        "distinguish the properties",
         most_steps));
 }
 

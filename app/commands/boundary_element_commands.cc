@@ -129,7 +129,8 @@ Command influence_command() {
 Command contact_command() {
     const auto none = [](const CommandOptions&) {
         throw contact::InputError(
-            "contact: it is not said what to do; give export with a case, or import with a file of "
+            "contact: neither export nor import is given; give export with a case, or import with "
+            "a file of "
             "CONTACT (tricontact contact --help)");
     };
     return Declared<CommandOptions>(

@@ -19,7 +19,7 @@ std::vector<std::string> left_out_of(const Case& c,
     if (c.rolling && evaluation.amplitude > 0)
         lines.emplace_back(
             "experiment leaves out rolling.amplitude and rolling.periods of the case: models roll "
-            "as the record says");
+            "as recorded");
     if (c.load.hold > 0 && evaluation.rolled_as.hold && *evaluation.rolled_as.hold != c.load.hold)
         lines.emplace_back(
             "experiment leaves out load.hold of the case: the rest before rolling is that of the "

@@ -32,7 +32,7 @@ std::string text_of(const Prediction& p) {
                                      : report::with_error(value.value, value.error),
                             *quantity->unit ? std::string(" ") + quantity->unit : "");
     }
-    for (const std::string& gap : p.gaps) text += "  not said: " + gap + '\n';
+    for (const std::string& gap : p.gaps) text += "  no value: " + gap + '\n';
     for (const std::string& one : p.left_out) text += "  leaves out " + one + '\n';
     return text + fmt::format("  rests on {}\n", fmt::join(p.rests_on, ", "));
 }
@@ -163,10 +163,10 @@ void predict_case(PredictOptions& options) {
 
 Command predict_command() {
     return Declared<PredictOptions>(Group::compute, "predict",
-                                    "What the atlases say of a case, without a run", predict_case)
+                                    "Predict a case from the atlases, without a run", predict_case)
         .on_case()
         .models("Models (those that an atlas is about)")
-        .output("Folder for prediction.json and, of spheres, atlas.html, a page to play with")
+        .output("Folder for prediction.json and, of spheres, atlas.html, an interactive page")
         .number("--samples", &PredictOptions::samples,
                 "Points of the uncertain numbers of the case, for distributions and Sobol' indices",
                 2, 1'000'000)

@@ -1,11 +1,55 @@
 "use strict";
-// The atlases of the page at one place: the closed forms of MDR, the maps with their error bars, and
-// what these say of a half-space and of a layer side by side. Draws nothing and asks nothing of the
-// page: a test runs it by itself. The numbers are those of `tricontact predict`.
+// The atlases of the page at one place: the maps with their error bars, and what they state for a half-space and a layer
+// side by side. There is no formula of mechanics here: those of `atlas_theory` are the program's, translated when it is
+// built (cmake/page_formulas.cmake). It draws nothing and does not touch the page: tests/cli/predict_page.sh compares it
+// with `tricontact predict`.
 
 const atlas_maps = (() => {
 
-const {closed_forms, static_shift, shakedown_limit, amplitude_limit, settled_shift} = atlas_formulas;
+// A root between low and high, where the values differ in sign: regula falsi, Illinois' variant (Dowell and Jarratt 1971).
+function bracketed_root(value, low, high) {
+    let at_low = value(low), at_high = value(high), root = low;
+    if (at_low === 0) return low;
+    if (at_high === 0) return high;
+    for (let i = 0; i < 200; ++i) {
+        const before = root;
+        root = (low * at_high - high * at_low) / (at_high - at_low);
+        const at = value(root);
+        if (at === 0 || Math.abs(root - before) <= 1e-15 * Math.abs(root)) break;
+        if (at > 0 !== at_high > 0) [low, at_low] = [high, at_high];
+        else at_low /= 2;
+        [high, at_high] = [root, at];
+    }
+    return root;
+}
+const theory = atlas_theory(bracketed_root);
+
+// ---- What maps are multiples of: atlas/baseline.cc ----
+
+// Their ranges: beyond, the value at the end.
+const mapped = p => ({amplitude_ratio: Math.min(p.w, theory.largest_amplitude), tangential_ratio: p.f, angle: p.angle,
+                      poisson: p.poisson});
+const layer_of = p => ({thickness_ratio: Math.max(p.thickness_ratio, theory.least_thickness), poisson: p.poisson});
+// The load by the layer's own limit.
+const with_layer_load = p => ({...p, f: p.load_at(theory.layer_shakedown_limit(layer_of(p), mapped(p).amplitude_ratio))});
+const is_beyond = p => p.f > p.limit;
+
+// By the names in the files of the atlases; NaN where undefined. A point: see Reader.point.
+const closed_forms = {
+    "": () => 1,
+    "u_stat of Cattaneo and Mindlin": p => theory.static_shift_ratio(p.f),
+    "u_sd of the mapped formula": p =>
+        p.f < p.limit ? theory.settled_shift_ratio(p.w, p.f, theory.half_space_mapping(mapped(p))) : NaN,
+    "kappa of the mapped formula": p => p.f < p.limit ? theory.half_space_mapping(mapped(p)) : NaN,
+    "u_stat of a lifted contact": p => theory.layer_static_shift_ratio(layer_of(p), with_layer_load(p).f),
+    "u_sd of a lifted contact": p => theory.layer_settled_shift_ratio(
+        layer_of(p), mapped(with_layer_load(p)), Math.max(p.friction, theory.least_friction)),
+    "1/w": p => 1 / p.w,
+    "f_T,lim of Hertz' pressure": p => p.limit,
+    "Delta u of the formula": p => is_beyond(p) ? theory.half_space_shift_increment_ratio(mapped(p)) : NaN,
+    "eta of the formula": p => is_beyond(p) ? theory.half_space_ratcheting_slope(mapped(p)) : NaN,
+    "w - w_lim": p => is_beyond(p) ? p.w - theory.amplitude_limit(p.f) : NaN,
+};
 
 // ---- Maps: atlas/atlas.h ----
 
@@ -109,7 +153,7 @@ class Reader {
     // The point of closed forms that a place in the atlas has; load_at: f at another limit.
     point(coordinates) {
         const value = Object.fromEntries(this.axes.map(({key}, d) => [key, coordinates[d]]));
-        const w = value["rolling.amplitude_ratio"] ?? 0, limit = shakedown_limit(w), load = value[this.load];
+        const w = value["rolling.amplitude_ratio"] ?? 0, limit = theory.shakedown_limit(w), load = value[this.load];
         const load_at = at => this.load === by_fraction ? load * at
             : this.load === by_excess ? at + load * (1 - at) : this.load === by_ratio ? load : NaN;
         return {w, limit, load_at, f: load_at(limit), angle: value["rolling.angle"] ?? 0,
@@ -263,12 +307,12 @@ function read_atlases(given) {
     }
 
     function springs(place) {
-        const body = begin(exact(place.w), exact(place.f), exact(shakedown_limit(place.w)));
+        const body = begin(exact(place.w), exact(place.f), exact(theory.shakedown_limit(place.w)));
         if (body.state === "none") return body;
-        body.static_shift_ratio = exact(static_shift(place.f));
+        body.static_shift_ratio = exact(theory.static_shift_ratio(place.f));
         if (body.state === "shakedown") {
-            body.settled_shift_ratio = exact(settled_shift(place.w, place.f));
-            body.kappa = exact(1.5);
+            body.settled_shift_ratio = exact(theory.settled_shift_ratio(place.w, place.f));
+            body.kappa = exact(theory.mdr_mapping);
         } else if (body.state === "ratcheting") {
             const excess = (place.f - body.limit.value) / (1 - body.limit.value);
             read_into(body, "sphere_springs_ratcheting", [place.w, excess], [], {}, results);
@@ -277,10 +321,10 @@ function read_atlases(given) {
     }
     // `keys`: of the results that are wanted.
     function half_space(place, keys = results) {
-        const body = begin(exact(place.w), exact(place.f), exact(shakedown_limit(place.w)));
+        const body = begin(exact(place.w), exact(place.f), exact(theory.shakedown_limit(place.w)));
         if (body.state !== "none")
             add_maps(body, "sphere_half_space", rest_of(place, false),
-                     w => exact(shakedown_limit(w)), keys);
+                     w => exact(theory.shakedown_limit(w)), keys);
         return body;
     }
     // Where the layer is, without its shifts. `scale`: of pressed_layer, which a picture asks once.
@@ -288,8 +332,8 @@ function read_atlases(given) {
         const w = place.equal_amplitude === "W" ? ratio(exact(place.w), scale.contact_radius_m) : exact(place.w);
         const limit = place.w === 0 ? exact(1) : layer_limit(place, w);
         if (place.equal_load !== "share") return begin(w, exact(place.f), limit);
-        const f = by_limit(place.f, shakedown_limit(place.w), limit.value);
-        const above = by_limit(place.f, shakedown_limit(place.w), limit.value + limit.error);
+        const f = by_limit(place.f, theory.shakedown_limit(place.w), limit.value);
+        const above = by_limit(place.f, theory.shakedown_limit(place.w), limit.value + limit.error);
         return begin(w, {value: f, error: Math.abs(above - f)}, limit);
     }
     function layer(place, scale = pressed_layer(place), keys = results) {
@@ -309,7 +353,7 @@ function read_atlases(given) {
     }
     // f_T of the half-space at which the layer is at its limit, at this w.
     function layer_limit_line(place, scale) {
-        if (place.equal_load === "share") return shakedown_limit(place.w);
+        if (place.equal_load === "share") return theory.shakedown_limit(place.w);
         return layer_place({...place, f: 0}, scale).limit.value;
     }
 
@@ -334,5 +378,5 @@ function read_atlases(given) {
     };
 }
 
-return {read_atlases, shakedown_limit, settled_shift, static_shift, amplitude_limit, ratio, degrees_of};
+return {read_atlases, shakedown_limit: w => theory.shakedown_limit(w), ratio, degrees_of};
 })();

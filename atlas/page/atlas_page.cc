@@ -45,21 +45,21 @@ bool has_own_amplitude(const Case& c) {
            c.rolling->amplitude_reference == Case::AmplitudeReference::model;
 }
 
+/// A layer outside the maps leaves the place that the half-space has, and the page says why.
 void add_layer(const Case& c, MarkedPlace& place) {
     place.is_layer = true;
+    const Prediction layer = predict(c, contact::models::bem_layer);
     Case forced = c;
-    try {
-        const Prediction layer = predict(c, contact::models::bem_layer);
+    if (const auto* force = layer.find(quantities::normal_force)) {
         forced.load.indentation.reset();
-        forced.load.normal_force = value_of(layer, quantities::normal_force);
-        if (!has_own_amplitude(c))
-            place.w =
-                value_of(layer, quantities::amplitude) / half_space_scales(forced).contact_radius;
-        if (!c.load.is_by_limit()) place.f = value_of(layer, quantities::tangential_ratio);
-    } catch (const OutsideDomain&) {
-        // The page says so itself.
+        forced.load.normal_force = force->value.value;
     }
-    place.thickness_ratio = *c.layer.thickness / (2 * half_space_scales(forced).contact_radius);
+    const double radius = half_space_scales(forced).contact_radius;
+    const auto* amplitude = layer.find(quantities::amplitude);
+    if (amplitude && !has_own_amplitude(c)) place.w = amplitude->value.value / radius;
+    const auto* load = layer.find(quantities::tangential_ratio);
+    if (load && !c.load.is_by_limit()) place.f = load->value.value;
+    place.thickness_ratio = *c.layer.thickness / (2 * radius);
 }
 
 Json place_json(const Case& c) {
@@ -126,7 +126,8 @@ Json atlas_page_json(const AtlasPage& page) {
 
 std::string atlas_page(const AtlasPage& page) {
     kainjow::mustache::data data{kainjow::mustache::data::type::object};
-    data.set("style", std::string(report::page_style) + report::document_style + atlas_page_style);
+    data.set("style", std::string(report::page_style) + report::document_style +
+                          report::marked_map_style + atlas_page_style);
     data.set("version", page.version);
     data.set("title", page.title);
     data.set("title_html", report::typeset(page.title));
@@ -135,8 +136,9 @@ std::string atlas_page(const AtlasPage& page) {
     data.set("has_command", !page.command.empty());
     data.set("atlas", report::script_json(atlas_page_json(page)));
     data.set("library", std::string(report::chart_library()));
-    data.set("script", std::string(report::charts_script) + atlas_formulas_script +
-                           atlas_maps_script + atlas_charts_script + atlas_page_script);
+    data.set("script", std::string(report::charts_script) + report::marked_map_script +
+                           atlas_theory_script + atlas_maps_script + atlas_charts_script +
+                           atlas_page_script);
     kainjow::mustache::mustache engine{atlas_page_template};
     if (!engine.is_valid())
         throw std::logic_error("atlas_page.html.mustache: " + engine.error_message());

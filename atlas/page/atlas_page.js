@@ -1,12 +1,10 @@
 "use strict";
-// Moves the marker by mouse, finger, keyboard and sliders, and says what the atlases say there:
-// sentence, table and pictures. Numbers come from atlas_maps.js, pictures from atlas_charts.js.
+// Shows what the atlases state at the marker: sentence, table and pictures. Numbers come from atlas_maps.js, pictures from atlas_charts.js.
 
 (() => {
 const given = JSON.parse(document.getElementById("atlas").textContent);
 const maps = atlas_maps.read_atlases(given);
 const part = id => document.getElementById(id);
-const quiet = {displayModeBar: false, responsive: true, staticPlot: true};
 const drawing = {map: {width: 720, height: 640}, curve: {width: 720, height: 420}};
 const models = ["mdr", "bem", "bem-layer"];
 const start = {w: 0.3, f: 0.3, angle: 0, poisson: 0.5, common_poisson: 0.5, is_layer: false, thickness_ratio: 1,
@@ -137,7 +135,7 @@ function ratcheting_words(model, name) {
 
 function words() {
     const layer = bodies["bem-layer"], half_space = bodies.bem;
-    if (half_space.state === "none") return "Here is no contact that sticks.";
+    if (half_space.state === "none") return "No sticking contact here.";
     if (half_space.is_at_rest) {
         const shift = (layer?.static_shift_ratio ? layer : half_space).static_shift_ratio ?? bodies.mdr.static_shift_ratio;
         return `Without rolling the shift stays the static one, <b>${with_error(shift)}</b> <i>U</i><sub>max</sub>.`;
@@ -156,8 +154,8 @@ function words() {
     const said = parts.filter(Boolean).join(" ");
     if (said) return said;
     const shift = bodies.mdr.settled_shift_ratio;
-    if (!shift) return "Here no atlas tells what the contact does.";
-    return `MDR’s settled shift is ${short(shift.value)} <i>U</i><sub>max</sub>; ${half_space.gap || "no other model tells it here"}.`;
+    if (!shift) return "No atlas covers this place.";
+    return `MDR’s settled shift is ${short(shift.value)} <i>U</i><sub>max</sub>; ${half_space.gap || "no other model gives it here"}.`;
 }
 
 // ---- Pictures ----
@@ -178,25 +176,12 @@ function other_limit() {
     const scale = maps.pressed_layer(place);
     return scale.gap ? null : w => maps.layer_limit_line({...place, w}, scale);
 }
-const charts_of = {
+const {draw, draw_all} = chart_page({
     map: theme => atlas_charts.draw_map(shown_map(), {quantity, is_layer: is_map_of_layer(), other_limit: other_limit(),
                                                       mark: given.case}, theme),
     curve: theme => atlas_charts.draw_curves(atlas_charts.sample_curves(maps, place), place, Object.fromEntries(
         models.map(model => [model, bodies[model] && maps.common_shift(bodies[model], "settled_shift_ratio")])), theme),
-};
-function draw(name, theme = charts.screen(), size = {width: undefined, height: atlas_charts.height[name]}) {
-    const [traces, layout] = charts_of[name](theme);
-    return Plotly.react("chart_" + name, traces, {...layout, ...size}, quiet);
-}
-
-// The area inside the map's axes, where the marker moves.
-function place_marker() {
-    const chart = part("chart_map"), {l, r, t, b} = atlas_charts.margin.map;
-    Object.assign(part("map_area").style, {
-        left: chart.clientLeft + l + "px", top: chart.clientTop + t + "px",
-        width: chart.clientWidth - l - r + "px", height: atlas_charts.height.map - t - b + "px"});
-    Object.assign(part("map_marker").style, {left: 100 * place.w + "%", top: 100 * (1 - place.f) + "%"});
-}
+}, atlas_charts.height, drawing);
 
 function csv_of() {
     const curves = atlas_charts.sample_curves(maps, place), lines = ["model,f_T,settled_shift,error"];
@@ -314,41 +299,17 @@ function change(what) {
 
 const inside = value => Math.min(Math.max(value, 0), 1);
 const whole = value => Math.round(inside(value) * 1000) / 1000;
-function go_to_pointer(event) {
-    const box = part("map_area").getBoundingClientRect();
-    change({w: whole((event.clientX - box.left) / box.width), f: whole((box.bottom - event.clientY) / box.height)});
-}
-
-// A finger drags the marker itself; elsewhere on the map it scrolls the page, and a tap calls the
-// marker. A mouse drags from anywhere.
-function listen() {
-    const area = part("map_area"), marker = part("map_marker");
-    let dragged_by = null;
-    area.addEventListener("pointerdown", event => {
-        if (event.pointerType === "touch" && event.target !== marker) return;
-        event.preventDefault();
-        dragged_by = event.pointerId;
-        marker.focus({focusVisible: false, preventScroll: true});
-        if (event.target !== marker) go_to_pointer(event);
-    });
-    // Beyond the map too, where the marker stays at its edge.
-    addEventListener("pointermove", event => {
-        if (event.pointerId === dragged_by) go_to_pointer(event);
-    });
-    for (const end of ["pointerup", "pointercancel"])
-        addEventListener(end, event => { if (event.pointerId === dragged_by) dragged_by = null; });
-    area.addEventListener("click", event => {
-        if (event.target !== marker) go_to_pointer(event);
-    });
-    marker.addEventListener("keydown", event => {
-        const step = event.shiftKey ? 0.05 : 0.005;
-        const [right, up] = {ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1],
-                             PageUp: [0, 10], PageDown: [0, -10]}[event.key] ?? [0, 0];
-        if (!right && !up) return;
-        event.preventDefault();
-        const moved = (value, by) => by ? inside(Number((value + by * step).toFixed(6))) : value;
+const place_marker = map_marker({
+    margin: atlas_charts.margin.map, height: atlas_charts.height.map, far: 10,
+    where: () => [place.w, place.f],
+    go_to: ([w, f]) => change({w: whole(w), f: whole(f)}),
+    step([right, up]) {
+        const moved = (value, by) => by ? inside(Number((value + by * 0.005).toFixed(6))) : value;
         change({w: moved(place.w, right), f: moved(place.f, up)});
-    });
+    },
+});
+
+function listen() {
     part("quantity").addEventListener("change", event => {
         quantity = event.target.value;
         redraw("map");
@@ -361,14 +322,6 @@ function listen() {
     // Made when it is asked for: as the marker moves, it would be made each time for nothing.
     const prepare = () => { part("data_curve").href = "data:text/csv;charset=utf-8," + encodeURIComponent(csv_of()); };
     for (const event of ["pointerenter", "focus", "click"]) part("data_curve").addEventListener(event, prepare);
-    for (const name of ["map", "curve"])
-        part("save_" + name).addEventListener("click",
-            () => charts.save(...charts_of[name](charts.paper), drawing[name], name, document.title));
-    new ResizeObserver(place_marker).observe(part("chart_map"));
-}
-
-function draw_all(theme) {
-    for (const name of ["map", "curve"]) draw(name, theme);
 }
 
 for (const [key, {name}] of Object.entries(atlas_charts.quantities))
@@ -381,7 +334,4 @@ tell();
 draw_all(charts.screen());
 place_marker();
 listen();
-matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => draw_all(charts.screen()));
-addEventListener("beforeprint", () => draw_all(charts.paper));
-addEventListener("afterprint", () => draw_all(charts.screen()));
 })();

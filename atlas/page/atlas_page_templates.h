@@ -7,7 +7,7 @@ namespace tricontact::atlas {
 extern const char* const atlas_page_template;
 extern const char* const atlas_page_style;
 /// Numbers, pictures, and what moves them: they stand in this order.
-extern const char* const atlas_formulas_script;
+extern const char* const atlas_theory_script;
 extern const char* const atlas_maps_script;
 extern const char* const atlas_charts_script;
 extern const char* const atlas_page_script;

@@ -38,7 +38,7 @@ report::DocumentSection strain_method(const StrainDeviation& deviation) {
             report::as_given(contact.elements) +
             " elements in the contact radius of the linear layer, at least three in its "
             "thickness. The quotient of both depends on the mesh far less than either. d, a and "
-            "p_0 are those of pressing without friction; U_stat follows pressing as the case says.",
+            "p_0 are those of pressing without friction; U_stat follows pressing as in the case.",
         "Errors: the change of the case's own deviation on elements smaller by sqrt(2) with twice "
         "the steps of pressing; it stands for the other points as well.",
         "Between the points deviations are monotone interpolants, over the cube root of F_N, with "

@@ -37,7 +37,7 @@ struct StrainPoint {
     double normal_force = 0;      ///< F_N [N]
     double thickness = 0;         ///< b [m]
     double tangential_ratio = 0;  ///< f_T [-]
-    bool rolled = false;          ///< to and fro by turning points until it settles
+    bool rolled = false;          ///< back and forth by turning points until it settles
     int level = 0;                ///< of refinement
 
     friend bool operator==(const StrainPoint&, const StrainPoint&) = default;

@@ -86,8 +86,8 @@ report::DocumentSection rolled_section(const HalfSpaceDeviation& deviation) {
     }
     section.paragraphs = {
         "Boundary elements of the layer (bem-layer) over those of the half-space (bem), each at "
-        "the same F_N, f_T and w = W/a of its own contact radius a, pressed as the case says. "
-        "Shifts are compared in metres (capital letters) and over each body's own U_max (small "
+        "the same F_N, f_T and w = W/a of its own contact radius a, pressed as in the case. Shifts "
+        "are compared in metres (capital letters) and over each body's own U_max (small "
         "letters): what U_max explains drops out of the latter.",
         "Each value was computed with 8, 11 and 16 cells in Hertz' contact radius; the finest is "
         "given, the error is the largest distance of the others from it. Shifts per period are "

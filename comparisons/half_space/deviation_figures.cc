@@ -63,7 +63,7 @@ report::Figure material_figure(const HalfSpaceDeviation& deviation, const Quanti
         fmt::format("materials_{}", ratio_key(*q)),
         fmt::format("{} by Poisson's ratio and base", q->symbol),
         fmt::format("Exact {} of the layer over that of the half-space of the same material under "
-                    "the same force; bonded base where nothing else is said.",
+                    "the same force; bonded base unless stated otherwise.",
                     q->name),
         {fmt::format("{} over half-space [-]", q->symbol)});
     for (const ExactCurve& curve : deviation.curves)
@@ -159,7 +159,7 @@ std::vector<report::Figure> rolled_figures(const HalfSpaceDeviation& deviation) 
         report::Figure figure = over_thickness(
             fmt::format("computed_{}", ratio_key(*q)), fmt::format("{}: {}", q->symbol, q->name),
             fmt::format("Boundary elements of the bonded layer over those of the half-space, "
-                        "coupled where nothing else is said, f_T = {}, {}; bars: numerical error.",
+                        "coupled unless stated otherwise, f_T = {}, {}; bars: numerical error.",
                         report::significant(deviation.contact.tangential_ratio, 3),
                         unrolled ? "before rolling" : "w = " + report::significant(w, 3)),
             {fmt::format("{} over half-space [-]", q->symbol)});

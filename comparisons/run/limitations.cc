@@ -39,13 +39,14 @@ std::string thickness_sentence(const contact::Case& c, const Summaries& summarie
         if (is_half_space(s.model) && !is_tabulated(c, s.model)) models.push_back(s.model);
     if (models.empty()) return {};
     const bool told = c.layer.thickness && why_no_exact_theory(c).empty();
-    return fmt::format("{} the bodies as {}half-spaces: {}.", taking(models, summaries),
-                       c.relaxation ? "" : "elastic ",
-                       c.layer.thickness
-                           ? fmt::format("the thickness of the layer is not seen{}",
-                                         told ? " (The layer, below, says what that changes)" : "")
-                           : "a layer of finite thickness, usually stiffer on its rigid base, is "
-                             "not seen");
+    return fmt::format(
+        "{} the bodies as {}half-spaces: {}.", taking(models, summaries),
+        c.relaxation ? "" : "elastic ",
+        c.layer.thickness
+            ? fmt::format("the thickness of the layer is not seen{}",
+                          told ? " (The section on the layer, below, gives the effect)" : "")
+            : "a layer of finite thickness, usually stiffer on its rigid base, is "
+              "not seen");
 }
 
 /// Who couples and who does not, where half-spaces are taken.

@@ -188,7 +188,7 @@ std::string caption_of(const Sweep& sweep, const std::vector<SweepScale>& scales
     else if (lines && !further.empty()) {
         std::vector<std::string> keys;
         for (const std::size_t i : further) keys.push_back(sweep.axes[i].key);
-        text += fmt::format(" One line per value of {}; the pointer and the data say which.",
+        text += fmt::format(" One line per value of {}; the pointer and the data give the values.",
                             fmt::join(keys, " and "));
     }
     if (sweep.levels > 1) text += fmt::format(" The finest of {} levels.", sweep.levels);

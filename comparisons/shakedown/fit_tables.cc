@@ -46,7 +46,7 @@ report::DocumentTable form_table(const std::string& id, const std::string& title
             "Of the form's left side: SSE, the sum of squared errors (observed minus fitted), as "
             "in table A.1.1 of the thesis; SSR, the sum of squares of the regression (fitted "
             "minus mean); R² = SSR/(SSR + SSE). Residuals of a model are no noise: the interval "
-            "says how well the form describes the model.",
+            "measures how well the form describes the model.",
         .columns =
             report::columns("model", "group", "form", "parameter", "value:5", "standard error:2",
                             "low:5", "high:5", "SSE:3", "SSR:3", "R²:6", "points")};

@@ -96,7 +96,7 @@ std::string difference_sentence(const ModelDifference& d) {
                     report::display_name(d.second), d.group, d.quantity->symbol);
     if (d.n_with_bars() == 0)
         return names +
-               " cannot be said to differ: no numerical error bars (levels = 1, or steps "
+               " are not distinguishable: no numerical error bars (levels = 1, or steps "
                "of one length)";
     if (d.n_different() == 0) return names + ": no difference beyond the numerical error";
     const PointDifference& worst = d.worst();

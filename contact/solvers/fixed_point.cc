@@ -3,6 +3,16 @@
 #include <algorithm>
 #include <cmath>
 
+// Anderson's acceleration of x = g(x) with r = g(x) - x. From the last m changes of r and g, dr_j
+// and dg_j, and a damping b:
+//
+//   gamma = argmin |r - sum gamma_j dr_j|,   x_next = x + b r - sum gamma_j (dg_j - (1 - b) dr_j)
+//
+// since the change of x is dg - dr. Of linear g these are the iterates of GMRES (Walker and Ni
+// 2011), which is why an iteration with factors above 1 in modulus may converge. The least squares
+// are solved by a complete orthogonal decomposition: changes that repeat each other leave the
+// matrix without full rank.
+
 namespace tricontact::contact {
 
 namespace {

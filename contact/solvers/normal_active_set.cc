@@ -9,6 +9,21 @@
 #include "contact/base/special_values.h"
 #include "contact/compliances/cholesky.h"
 
+// Of a set S of points in contact, in forces f, since the matrix A (displacement over force) is
+// symmetric:
+//
+//   A_SS f_S = d - h_S,  f = 0 elsewhere;   next S: f > 0 within S, gap < 0 outside of it
+//
+// Force prescribed: f_S = f_0 + d f_1 with A_SS f_0 = -h_S and A_SS f_1 = 1 (`unit`), d from the
+// sum of forces. Settled sets are solutions: every sign of Signorini's conditions has been looked
+// at.
+//
+// Hintermüller, Ito and Kunisch (2003) prove that it settles for M-matrices. A compliance is none,
+// therefore `max_changes` and the way back to the conjugate gradients.
+//
+// Points that enter extend the Cholesky factor, points that leave begin it anew. The last factor is
+// taken in the order of the points, so that no bit of the solution depends on the way to it.
+
 namespace tricontact::contact {
 
 namespace {

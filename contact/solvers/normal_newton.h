@@ -5,6 +5,19 @@
 #include "contact/solvers/normal_grid.h"
 #include "contact/solvers/normal_solver.h"
 
+// Semismooth Newton method on grids too large for the other methods. The set of points in contact
+// is that of the last pressures and penetrations; on it the gap is closed by preconditioned
+// conjugate gradients, each step one convolution over the whole grid. The gap is closed to
+// `reduction` only while the set still changes: an exact solution on a wrong set is wasted.
+//
+// Start: the same problem on the grid's `coarser()`, and so on down (nested iteration). Pressures
+// of the coarser grid are interpolated; the contact's edge is then right to a coarse cell, and a
+// few sets suffice on every level.
+//
+// Memory decides the layout. One field goes into products (`pressure_`), holding the pressures
+// between sets, and gap or direction within `close_gap`; pressures of the set wait in `set_`
+// meanwhile.
+
 namespace tricontact::contact {
 
 /// Normal contact on large grids: Newton's method on the set of points in contact (points that pull

@@ -11,6 +11,28 @@
 #include "contact/solvers/normal_newton.h"
 #include "contact/solvers/pressure_correction.h"
 
+// Signorini's conditions, g = u + h - d >= 0, p >= 0, p g = 0 with u = A p, are those of
+//
+//   min 1/2 <p, A p> + <p, h - d>  over p >= 0,
+//
+// whose gradient is the gap. If the force is prescribed, d is the multiplier of sum p a = F_N: the
+// mean gap of the points in contact vanishes (`indentation_of_contact`). Equations in
+// docs/explanation/models/common.md, "What is solved in a step".
+//
+// Polonsky and Keer's iteration, one product with A per step:
+// 1. gap g, and direction q = g + beta q_last on the contact, zero elsewhere;
+// 2. step <q, g>/<q, A q>, A q less its mean where F_N is prescribed; p <- p - step q;
+// 3. points that would pull leave: p = 0. Points that penetrate enter with p = -step g. Those make
+//    q useless: beta = 0 in the next step. Those that leave do not;
+// 4. all p scaled to the force.
+//
+// u is carried along by increments and therefore drifts: a residual below the tolerance counts only
+// after u = A p was computed again.
+//
+// Which method runs (`solve`): with a matrix NormalActiveSet, which closes gaps exactly; on large
+// grids NormalNewton; from a start close by PressureCorrection, whose products are among the points
+// in contact only; this iteration for what is left, and where one of those gives up.
+
 namespace tricontact::contact {
 
 namespace {

@@ -8,6 +8,11 @@
 #include "contact/compliances/active_operator.h"
 #include "contact/solvers/conjugate_gradients.h"
 
+// Between neighbouring steps and staggered iterations gaps change by less than a hundredth of d and
+// the contact by a rim of points. A Newton step on the points in contact needs products among these
+// alone (Compliance::among). The other points are looked at once the pressures on the set are
+// right: those that penetrate join it.
+
 namespace tricontact::contact {
 
 namespace {

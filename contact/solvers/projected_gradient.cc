@@ -6,6 +6,15 @@
 #include "contact/compliances/blocks.h"
 #include "contact/compliances/point_sums.h"
 
+// min 1/2 <t, A t> - <t, u_previous + D dU> over |t| <= bound, dU the multiplier of the prescribed
+// forces: the frictional contact of TangentialSolver at given pressures is convex.
+//
+// A step: y - (A y - u_previous)/L, L the largest eigenvalue of A, then the nearest admissible
+// point. Of a prescribed shift that is one projection per point, of a force the shift is found
+// first for which the projected tractions carry it: a balance of two equations, monotone in two
+// unknowns. Nesterov's momentum makes the error fall as 1/k^2; it is dropped where a step goes
+// uphill (O'Donoghue and Candes 2015).
+
 namespace tricontact::contact {
 
 namespace {

@@ -10,6 +10,29 @@
 #include "contact/compliances/point_sums.h"
 #include "contact/solvers/fixed_point.h"
 
+// Coupled contact: docs/explanation/models/common.md ("What is solved in a step") and bem-layer.md.
+// One staggered iteration (Panagiotopoulos 1975), h the height of the indenter over the points:
+//
+//   h_k --> normal contact: p_k --> bounds mu p_k, displacement in the surface by p_k
+//    ^                                        |
+//    |                                        v
+//   h_k+1 <-- Anderson <-- g(h_k) = height + what t_k moves down <-- frictional contact: t_k
+//
+// Both halves are convex problems with symmetric matrices; their union is not, since mu p is the
+// bound of t. The iteration contracts like mu beta (Dundurs' constant beta) and is accelerated in h
+// alone, because p and t follow from it.
+//
+// It ends when g(h) - h is below the tolerance of d where something touches and the last frictional
+// contact was solved exactly. Before that it is solved to a tenth of the gap that is left
+// (`looseness_`): the next iteration makes an exacter solution worthless.
+//
+// Relaxing substrates enter as elastic ones: u_effective = stiffness u + offset (Substrate,
+// docs/explanation/models/relaxation.md). Heights and shifts are multiplied by the stiffness on the
+// way in, and indentation and shift divided by it on the way out.
+//
+// The parts of the class: staggered_starts.cc (starts of a period), staggered_focus.cc (points that
+// may touch), staggered_growth.cc (points that meet within a step).
+
 namespace tricontact::contact {
 
 namespace {

@@ -83,8 +83,8 @@ class StaggeredSolver {
     }
 
   private:
-    /// The last solution at a phase of the period. A contact that rolls to and fro comes back to
-    /// nearly the same pressures and tractions one period later: the best start for an iteration
+    /// The last solution at a phase of the period. A contact that rolls back and forth comes back
+    /// to nearly the same pressures and tractions one period later: the best start for an iteration
     /// that is to find them. Starts change no result by more than the solvers' tolerance.
     struct PeriodStart {
         std::shared_ptr<const NormalSolution> normal;

@@ -8,6 +8,31 @@
 #include "contact/solvers/control.h"
 #include "contact/solvers/tangential_system.h"
 
+// The problem: docs/explanation/models/common.md, "What is solved in a step". Coulomb's law is one
+// equation per point (Alart and Curnier 1991), P the projection onto the disc of the radius mu p:
+//
+//   t = P(y),  y = t + s/alpha,  s = D dU + u_previous - A t
+//
+//        .-----.             y inside the disc:  t = y, hence s = 0: the point sticks
+//      /    t   \            y outside of it:    t on the edge and s along t: it slips
+//     |     *----|---> y
+//      \   mu p  /           alpha > 0 changes the zones on the way, but no solution
+//        '-----'
+//
+// A Newton step takes the zones that y gives. A sticking point has two unknowns and the equation s
+// = 0. The traction of a slipping point has the length mu p: it moves along the tangent e of its
+// disc by z, which turns t by z/(mu p), and s has to turn with it: (s.t/|t|)/(mu p) z is the term
+// `curvature` of the system. It is clipped at zero where s points against t, so that the matrix
+// stays positive definite. Afterwards t is put back on the edge (`onto_edge`), an error of second
+// order.
+//
+// Pressures stand still here. That keeps the matrix symmetric; with p as an unknown the bound mu p
+// would make it unsymmetric. StaggeredSolver changes the pressures.
+//
+// Newton's method on zones may cycle, as any active set method with a full step. Projected
+// gradients cannot: the problem at given pressures is a convex minimum (projected_gradient.h). They
+// take over after `patience` steps without progress, each time for twice as many steps.
+
 namespace tricontact::contact {
 
 /// One step of frictional contact at given pressures: find tractions t on the substrate,

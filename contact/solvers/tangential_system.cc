@@ -8,6 +8,23 @@
 
 #include "contact/solvers/conjugate_gradients.h"
 
+// Two equations in the step z of the tractions and the shift dU (see the header), residual r:
+//
+//   [ H   -C ] [ z  ]   [ r ]     H = P A P + D, symmetric and positive definite on z = P z
+//   [ C'   0 ] [ dU ] = [ c ]     C: forces of unit tractions; columns of prescribed forces only
+//
+// Solved by conjugate gradients on the null space of C' (Gould, Hribar and Nocedal 2001). M is the
+// compliance's preconditioner, S = C' M^-1 C has two rows at most:
+// 1. `carry`: z_0 = M^-1 C S^-1 c carries the missing force.
+// 2. `precondition_balanced`: z = M^-1 (r - C lambda), lambda = S^-1 C' M^-1 r, carries no force.
+//    What is taken from the residual is what a shift by -lambda takes, so dU follows without a
+//    system of its own.
+//
+// S is singular where all points slip in one direction and no tangent carries more force: the zones
+// are refused (`set_zones`), and gradients go on.
+//
+// Inner products are weighted by the points' areas: in these A is self-adjoint, see Compliance.
+
 namespace tricontact::contact {
 
 /// E follows from turning (0, 0, 1) to the normal (-slope, 1)/n: D = 1 - slope slope'/(n (n + 1)).

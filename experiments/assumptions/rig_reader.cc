@@ -151,7 +151,8 @@ void check_covered(const io::RigFile& file) {
                    "omit it, or take shape = \"cylinder\"");
     for (const char* key : {"rig.viscosity", "rig.maxwell_ratio"})
         if (c.relaxation && document.find(key))
-            io::refuse(document, key, "[substrate.relaxation] says how the substrate relaxes",
+            io::refuse(document, key,
+                       "[substrate.relaxation] gives the relaxation of the substrate",
                        "omit one of the two");
 }
 

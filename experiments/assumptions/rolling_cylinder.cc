@@ -57,7 +57,7 @@ std::string line_sentence(const Rig& rig) {
     const auto& [width, pressure, indentation] = line_quantities;
     return fmt::format(
         "The contact width is {}, the peak pressure {}. The indentation is {}; a half-space has "
-        "none of its own in plane strain, the formula of a block of length L on it says {}.",
+        "none of its own in plane strain, the formula of a block of length L on it gives {}.",
         beside(width), beside(pressure), quantity(indentation.layer(rig), "m", 3),
         quantity(indentation.half_space(rig), "m", 3));
 }

@@ -91,7 +91,7 @@ double layer_modulus_of(const RigData& r) {
         layer.E_2 = r.E_2 * std::exp(log_factor);
         return std::log(*layer_of(layer).unit_shift / wanted);
     };
-    // A layer is stiffer than its half-space, by less than the thickness effect of 20.
+    // A layer is stiffer than its half-space, by a factor below exp(3) = 20: the bracket.
     return r.E_2 * std::exp(contact::bracketed_root(excess, -3., 0.5, 40));
 }
 

@@ -129,7 +129,7 @@ DesignInput read_design(const io::RigFile& rig) {
     DesignInput input{.rig = rig};
     if (!document.find_section("design"))
         io::fail(document.name + ":1:1", "", "missing section [design]",
-                 "say what shall hold and what may vary (docs/how-to/design.md)");
+                 "give what shall hold and what may vary (docs/how-to/design.md)");
     read_keys(input, document);
     const io::Document varied = varied_of(document);
     if (!varied.sections.empty())

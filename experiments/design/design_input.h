@@ -24,7 +24,7 @@ struct DesignInput {
     io::RigFile rig;  ///< as the file has it
     std::vector<DesignAxis> axes;
     std::vector<std::string> assumptions;  ///< that shall hold, or criteria of them
-    double deviation = 0;                  ///< in the place of the rig check's accepted difference
+    double deviation = 0;                  ///< instead of the rig check's accepted difference
     std::optional<double> resolution;      ///< that the comparison shall have, relative
     std::string quantity;                  ///< that is compared
     RecordPlan record;

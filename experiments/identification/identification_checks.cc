@@ -75,7 +75,7 @@ void check_models(const Input& input, const io::Document& document) {
                 "write \"layer\" instead");
         if (!kind.has_rolling_shift && input.find(Measurement::rolling_shift))
             io::refuse(document, "measurement.models",
-                       "the maps do not say how far free rolling shifts a contact",
+                       "the maps do not contain the shift of free rolling",
                        "take bem-layer, or leave out rolling_shift");
     }
 }
@@ -130,7 +130,7 @@ void check_find(const Input& input, const std::vector<std::string>& find,
         refuse("zero_depth is where force_indentation begins, and there is no such table",
                "add it, or leave zero_depth out");
     if (is_free(zero_depth_key) && find.size() == 1 && input.tables.size() == 1)
-        refuse("force_indentation tells zero_depth only beside the modulus",
+        refuse("force_indentation determines zero_depth only together with the modulus",
                "add \"substrate.young\"");
     const bool is_timed = std::ranges::any_of(input.tables, &Table::is_history);
     for (const char* key : {"substrate.relaxation.relative_moduli", "substrate.relaxation.times"})

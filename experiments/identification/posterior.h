@@ -18,7 +18,7 @@ struct Posterior {
     double acceptance = 0;            ///< of the sampler's proposals
     double autocorrelation_time = 0;  ///< the longest one [steps]
     double effective_size = 0;        ///< independent points that are as good
-    /// Where another observation in the place of each one would lie, of `confidence`: the model's
+    /// Where another observation instead of each one would lie, of `confidence`: the model's
     /// values at points of the posterior, with the noise of the table.
     std::vector<Interval> predicted;
 };

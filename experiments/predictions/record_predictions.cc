@@ -277,7 +277,7 @@ class RecordPredictions {
             return {};
         }
     }
-    /// One or the other; by the walk where the run does not decide.
+    /// One or the other; by the fitted increment where the run does not decide.
     bool settles_or_ratchets(const History& history, bool ratchets) const {
         contact::State state = state_of(history);
         if (state == contact::State::undecided) state = state_by_walk(shift_of(history));

@@ -20,8 +20,7 @@ std::string why_not_compared(const D& d, double creep) {
     if (d.rest_is_missing)
         return "how long F_T acted before the rolling is not known: whether they differ is not "
                "resolved";
-    if (d.is_spoilt)
-        return "a record is damaged, as said below: whether they differ is not resolved";
+    if (d.is_spoilt) return "a record is damaged, see below: whether they differ is not resolved";
     if (d.slides)
         return "within the uncertainty of the case the contact slides: whether they differ is "
                "not resolved";

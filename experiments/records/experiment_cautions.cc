@@ -79,17 +79,17 @@ std::vector<report::Verdict> limit_within_verdicts(const ExperimentEvaluation& e
     return verdicts;
 }
 
-Estimate walk_of_runs(const ExperimentEvaluation& e) {
-    std::vector<Estimate> walks;
+Estimate increment_of_runs(const ExperimentEvaluation& e) {
+    std::vector<Estimate> increments;
     double drift = 0;
     for (const RunEvaluation& run : e.runs) {
         const StageEvaluation& stage = run.stages.front();
-        walks.push_back(stage.settling.increment);
+        increments.push_back(stage.settling.increment);
         if (run.drift_changes)  // the same way in all runs
             drift = std::max(drift, run.drift.standard_error * stage.period);
     }
-    if (walks.size() == 1) return walks.front();
-    Estimate mean = repeated(walks, verdict_confidence).at_95;
+    if (increments.size() == 1) return increments.front();
+    Estimate mean = repeated(increments, verdict_confidence).at_95;
     mean.widen(drift, statistics::normal_quantile(verdict_confidence) * drift);
     return mean;
 }

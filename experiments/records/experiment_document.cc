@@ -93,26 +93,26 @@ report::Figure criterion_figure(const ExperimentEvaluation& e) {
     const double rise = stage.shift.back() - stage.shift.front();
     report::Figure figure{
         .id = "criterion",
-        .title = "Curvature, and transient with a walk",
-        .caption =
-            fmt::format("{}: shift and time of the interval normalised to run from 0 to 1, the "
-                        "thesis' parabola (its curvature {} is its criterion), and the fit of a "
-                        "geometric transient with a steady walk, which the verdict is based on.",
-                        e.runs.front().name, report::significant(stage.curvature.value, 3)),
+        .title = "Curvature, and transient with ratcheting",
+        .caption = fmt::format(
+            "{}: shift and time of the interval normalised to run from 0 to 1, the "
+            "thesis' parabola (its curvature {} is its criterion), and the fit of a "
+            "geometric transient with steady ratcheting, which the verdict is based on.",
+            e.runs.front().name, report::significant(stage.curvature.value, 3)),
         .x = {"time (t - t_0)/(t_N - t_0) [-]"},
         .y = {"shift (U - u_0)/(u_N - u_0) [-]"}};
     report::Curve values{.name = "values upright", .kind = report::Curve::Kind::points};
-    report::Curve walk{.name = "transient and walk"};
+    report::Curve fit{.name = "transient and ratcheting"};
     for (std::size_t n = 0; n < stage.shift.size(); ++n) {
         const double t =
             (stage.time[n] - stage.time.front()) / (stage.time.back() - stage.time.front());
         values.add(t, (stage.shift[n] - stage.shift.front()) / rise);
-        walk.add(t, (stage.settling.fitted[n] - stage.shift.front()) / rise);
+        fit.add(t, (stage.settling.fitted[n] - stage.shift.front()) / rise);
     }
     const auto parabola = fit_polynomial(values.x, values.y, 2).fitted;
     figure.curves = {
         values,
-        walk,
+        fit,
         {.name = "parabola of the thesis", .x = values.x, .y = parabola, .theory = true}};
     return figure;
 }
@@ -140,7 +140,7 @@ report::Figure loads_figure(const RecordedPath& recorded) {
         .title = "Loads that the models follow",
         .caption =
             "By straight lines through the recorded forces around each step, means of the "
-            "runs; what no column says is constant. Time from the first touch.",
+            "runs; what has no column is constant. Time from the first touch.",
         .x = {"time t [s]"},
         .y = {"force [N]"},
         .curves = {{.name = "F_N"}, {.name = "F_T"}}};
@@ -237,9 +237,10 @@ report::DocumentSection criteria_section(const ExperimentEvaluation& e) {
         .paragraphs = {fmt::format(
                            "Verdict: U_n = U_0 + A (1 - qⁿ) + ΔU n is fitted to the values "
                            "upright; shakedown if the upper end of the {:.4g} % interval of the "
-                           "walk ΔU adds less than {:.4g} % of the shift over the interval, else "
+                           "ratcheting increment ΔU adds less than {:.4g} % of the shift over the "
+                           "interval, else "
                            "ratcheting if its lower end is positive, else it is undecided.",
-                           100 * verdict_confidence, 100 * negligible_walk),
+                           100 * verdict_confidence, 100 * negligible_ratcheting),
                        "The thesis takes the sign of a parabola's curvature. Steady ratcheting has "
                        "none: the sign is then that of the noise, or of the transient before it."},
         .figures = {criterion_figure(e)},
@@ -256,7 +257,7 @@ report::Document experiment_document(const ExperimentEvaluation& e) {
         .lead = limit
                     ? "At which rolling amplitude does the contact begin to ratchet, and where was "
                       "it then?"
-                    : "Did the contact settle or ratchet, how far, and what do the models say?",
+                    : "Did the contact settle or ratchet, how far, and do the models agree?",
         .settings = {{"runs", std::to_string(e.runs.size())},
                      {"periods", std::to_string(e.periods)},
                      {"confidence", level(e.confidence)}}};

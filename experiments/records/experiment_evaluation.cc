@@ -40,7 +40,7 @@ Estimate increment_at(const RunEvaluation& run, std::size_t n, double confidence
 State joint_state(const std::vector<RunEvaluation>& runs) {
     State joint = State::undecided;
     for (const RunEvaluation& run : runs) {
-        const State state = run.stages.front().by_walk;
+        const State state = run.stages.front().by_increment;
         if (state == State::undecided) continue;
         if (joint != State::undecided && joint != state) return State::undecided;
         joint = state;
@@ -134,7 +134,7 @@ void read_limits(ExperimentEvaluation& e) {
         e.limits_by_curvature.push_back(
             read_limit(run, &StageEvaluation::by_curvature, e.confidence));
         const auto limit =
-            e.limits.emplace_back(read_limit(run, &StageEvaluation::by_walk, e.confidence));
+            e.limits.emplace_back(read_limit(run, &StageEvaluation::by_increment, e.confidence));
         if (!limit) continue;
         const double half = (limit->amplitude_high - limit->amplitude_low) / 2;
         const double mean = limit->amplitude_low + half;

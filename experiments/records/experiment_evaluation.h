@@ -147,7 +147,7 @@ struct ExperimentEvaluation {
     std::string title;
     double confidence = 0;
     std::vector<RunEvaluation> runs;
-    contact::State state{};  ///< by the walk, of all runs that can tell; undecided if none or
+    contact::State state{};  ///< by the increment, of all runs that decide; undecided if none or
                              ///< if they contradict each other
     int periods = 0;         ///< of the shortest run, of the first stage
     double amplitude = 0;    ///< mean of the first stages [m]; 0: unknown
@@ -167,7 +167,7 @@ struct ExperimentEvaluation {
     /// changes.
     std::optional<Repeated> wobble;
 
-    /// Limit runs, by the walk: per run, empty where it cannot be read.
+    /// Limit runs, by the increment: per run, empty where it cannot be read.
     std::vector<std::optional<LimitReading>> limits;
     std::vector<std::optional<LimitReading>> limits_by_curvature;  ///< by the thesis' criterion
     std::optional<Repeated> limit_amplitude;  ///< middle between the two stages [m]

@@ -95,11 +95,11 @@ static void to_json(json& to, const StageEvaluation& s) {
           {"shift_m", s.shift},
           {"shift_standard_error_m", s.shift_error},
           {"increment_m", s.increment},
-          {"steady_walk_m", s.settling.increment},
+          {"ratcheting_increment_m", s.settling.increment},
           {names::settled_shift.key, s.settling.settled},
           {"transient_ratio", s.settling.ratio},
           {"residual_deviation_m", s.settling.residual_deviation},
-          {"state_by_walk", contact::name_of(s.by_walk)},
+          {"state_by_increment", contact::name_of(s.by_increment)},
           {"curvature", s.curvature},
           {"curvature_of_samples", s.sampled_curvature},
           {"state_by_curvature", contact::name_of(s.by_curvature)}};

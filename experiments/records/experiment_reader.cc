@@ -84,7 +84,7 @@ void check_drive(const Experiment& e, const io::Document& document) {
                  "add it to all, or evaluate them in two files");
     if (all && document.find_section("record.drive"))
         io::fail(document.find_section("record.drive")->place, "",
-                 "[record.drive] and the column drive of the runs say it twice",
+                 "[record.drive] and the column drive of the runs both give it",
                  "omit one of the two");
     if (all) return;
     if (e.kind == Experiment::Kind::limit)
@@ -95,7 +95,7 @@ void check_drive(const Experiment& e, const io::Document& document) {
                  "add start = \"60 s\" and periods = 12 below [record.drive]");
     if (e.drive.period && e.drive.speed)
         io::fail(document.place_of("record.drive.speed"), "record.drive.speed",
-                 "period and speed say the same", "omit one of the two");
+                 "period and speed determine each other", "omit one of the two");
     if (e.drive.speed && !e.drive.amplitude)
         io::fail(document.place_of("record.drive.speed"), "record.drive.speed",
                  "gives the period only together with record.drive.amplitude",

@@ -20,39 +20,39 @@ std::string runs(const ExperimentEvaluation& e) {
     return e.runs.size() == 1 ? "one run" : fmt::format("{} runs", e.runs.size());
 }
 
-// Runs of this verdict by the walk.
+// Runs of this verdict by the increment.
 auto count(const ExperimentEvaluation& e, State state) {
-    return std::ranges::count(e.runs, state,
-                              [](const RunEvaluation& run) { return run.stages.front().by_walk; });
+    return std::ranges::count(
+        e.runs, state, [](const RunEvaluation& run) { return run.stages.front().by_increment; });
 }
 
-std::string range_of_walk(double low, double high) {
+std::string range_of_increment(double low, double high) {
     return fmt::format("between {} and {} µm", report::significant(um * low, 3),
                        report::significant(um * high, 3));
 }
 
 // Ratcheting: the mean of the runs by its scatter; what cannot be told: the range of all runs,
-// which differ in what they say; shakedown: the run that walks most.
-std::string walk(const ExperimentEvaluation& e) {
+// whose verdicts differ; shakedown: the run with the largest upper end.
+std::string increment_words(const ExperimentEvaluation& e) {
     const auto high = [](const RunEvaluation& r) { return r.stages[0].settling.increment.high; };
     const auto low = [](const RunEvaluation& r) { return r.stages[0].settling.increment.low; };
     const auto most = std::ranges::max_element(e.runs, {}, high);
     const bool repeats = e.runs.size() > 1;
     if (e.state == State::ratcheting)
         return fmt::format("the residual ratcheting beside the transient is {} per period ({}{})",
-                           shift_text(walk_of_runs(e)), level(verdict_confidence),
+                           shift_text(increment_of_runs(e)), level(verdict_confidence),
                            repeats ? ", by the scatter of the runs" : "");
     if (e.state != State::shakedown)
         return fmt::format(
             "the residual ratcheting beside the transient is {} per period ({}{})",
-            range_of_walk(low(*std::ranges::min_element(e.runs, {}, low)), high(*most)),
+            range_of_increment(low(*std::ranges::min_element(e.runs, {}, low)), high(*most)),
             level(verdict_confidence), repeats ? " of each run" : "");
     const StageEvaluation& stage = most->stages.front();
     const double added = std::max(0., stage.settling.increment.high * stage.periods());
     return fmt::format(
         "residual ratcheting contributes at most {:.2g} % of the shift in {} periods ({}{})",
         100 * added / std::abs(stage.shift.back()), stage.periods(), level(verdict_confidence),
-        repeats ? ", the run that walks most" : "");
+        repeats ? ", the run that ratchets most" : "");
 }
 
 Verdict state_verdict(const ExperimentEvaluation& e) {
@@ -62,11 +62,11 @@ Verdict state_verdict(const ExperimentEvaluation& e) {
         return {not_resolved,
                 fmt::format("Shakedown and ratcheting are not resolved after {} periods: "
                             "{}; of {}, {} settle and {} ratchet.",
-                            e.periods, walk(e), runs(e), count(e, State::shakedown),
+                            e.periods, increment_words(e), runs(e), count(e, State::shakedown),
                             count(e, State::ratcheting))};
     const std::string state = e.state == State::shakedown ? "Shakedown" : "Ratcheting";
     const std::string where = n == 1 ? "" : fmt::format(" in {} of {} runs", count(e, e.state), n);
-    return {expected ? pass : fail, state + where + ": " + walk(e) + "."};
+    return {expected ? pass : fail, state + where + ": " + increment_words(e) + "."};
 }
 
 Verdict curvature_verdict(const ExperimentEvaluation& e) {
@@ -78,7 +78,7 @@ Verdict curvature_verdict(const ExperimentEvaluation& e) {
         word(state), report::significant(c.value, 3), level(verdict_confidence),
         report::significant(c.low, 3), report::significant(c.high, 3));
     if (e.state == State::ratcheting && state == State::shakedown)
-        sentence += " It sees the transient bend, not the walk behind it, which is straight.";
+        sentence += " It measures the bend of the transient; steady ratcheting is straight.";
     if (e.state == State::ratcheting && state == State::undecided)
         sentence += " A contact that ratchets steadily has no curvature.";
     return {finding, sentence};
@@ -166,7 +166,7 @@ Verdict curvature_limit_verdict(const ExperimentEvaluation& e) {
         limit ? fmt::format("puts the limit between {} mm and {} mm",
                             report::significant(mm * limit->amplitude_low, 4),
                             report::significant(mm * limit->amplitude_high, 4))
-              : fmt::format("finds no limit: it says ratcheting of {} of {} amplitudes", ratchets,
+              : fmt::format("finds no limit: it finds ratcheting at {} of {} amplitudes", ratchets,
                             stages.size());
     return {finding, fmt::format("The thesis' criterion, the curvature of a parabola "
                                  "(5.1.5-5.1.8), {} in the first run, at {}.",

@@ -19,9 +19,9 @@ std::vector<report::Verdict> comparison_verdicts(const ExperimentEvaluation& e);
 std::vector<report::Verdict> record_verdicts(const ExperimentEvaluation& e);
 /// Of each model whose limit lies within the uncertainty of the case.
 std::vector<report::Verdict> limit_within_verdicts(const ExperimentEvaluation& e);
-/// The walk beside the transient at verdict_confidence [m]: of several runs their mean, by its
-/// scatter.
-Estimate walk_of_runs(const ExperimentEvaluation& e);
+/// The ratcheting increment beside the transient at verdict_confidence [m]: of several runs their
+/// mean, by its scatter.
+Estimate increment_of_runs(const ExperimentEvaluation& e);
 
 /// The text of experiment.json: fixed keys in fixed order, SI units in the names, undefined and
 /// non-finite numbers as null.

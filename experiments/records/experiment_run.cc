@@ -57,7 +57,7 @@ void judge(StageEvaluation& stage, const RunEvaluation& run, const Part& samples
         // is the least.
         if (const double least = half(level, noise); e.half_width() < least)
             e = {e.value, noise, e.value - least, e.value + least};
-        e.widen(drift, half(level, drift));  // an error of the drift is one of the walk
+        e.widen(drift, half(level, drift));  // an error of the drift is one of the increment
         return e;
     };
     stage.increment = increment(confidence);
@@ -68,9 +68,10 @@ void judge(StageEvaluation& stage, const RunEvaluation& run, const Part& samples
     stage.curvature = normalised_curvature(stage.time, stage.shift, verdict_confidence);
     stage.sampled_curvature =
         normalised_curvature(samples.time, samples.shift, verdict_confidence).value;
-    stage.by_walk = judge_walk(stage.settling.increment, stage.periods(), stage.shift.back());
+    stage.by_increment =
+        judge_increment(stage.settling.increment, stage.periods(), stage.shift.back());
     stage.by_curvature = contact::state_of(stage.curvature.low, stage.curvature.high, 0);
-    if (run.is_spoilt()) stage.by_walk = stage.by_curvature = State::undecided;
+    if (run.is_spoilt()) stage.by_increment = stage.by_curvature = State::undecided;
 }
 
 /// Noise that is louder while it rolls is counted as it is there.
@@ -166,14 +167,14 @@ double RunEvaluation::share_of_rest_after() const {
     return (drift.value - before.value) / (after->value - before.value);
 }
 
-State judge_walk(const Estimate& increment, int periods, double last_shift) {
+State judge_increment(const Estimate& increment, int periods, double last_shift) {
     return contact::state_of(increment.low, increment.high,
-                             negligible_walk * std::abs(last_shift) / periods);
+                             negligible_ratcheting * std::abs(last_shift) / periods);
 }
 
-State state_by_walk(const std::vector<double>& shift) {
-    return judge_walk(fit_settling(shift, verdict_confidence).increment,
-                      static_cast<int>(shift.size()) - 1, shift.back());
+State state_by_increment(const std::vector<double>& shift) {
+    return judge_increment(fit_settling(shift, verdict_confidence).increment,
+                           static_cast<int>(shift.size()) - 1, shift.back());
 }
 
 Estimate late_increment(const std::vector<double>& shift, double confidence) {

@@ -15,8 +15,8 @@ namespace tricontact::experiments {
 
 /// Level of the intervals that verdicts are based on.
 inline constexpr double verdict_confidence = 0.95;
-/// A walk that could add less than this part of the shift over the whole interval is none.
-inline constexpr double negligible_walk = 0.05;
+/// Ratcheting that adds less than this part of the shift over the whole interval is shakedown.
+inline constexpr double negligible_ratcheting = 0.05;
 
 /// Samples of a rest, fewer of which tell no drift.
 inline constexpr std::size_t fewest_rest_samples = 30;
@@ -40,7 +40,7 @@ struct StageEvaluation {
     Estimate increment;               ///< Du: slope of the second half, `confidence` [m]
     Estimate increment_95;            ///< the same at verdict_confidence
     /// Undecided: cannot tell. By the curvature's interval on one side of 0 (5.1.7, 5.1.8).
-    contact::State by_walk{}, by_curvature{};
+    contact::State by_increment{}, by_curvature{};
 
     int periods() const { return static_cast<int>(shift.size()) - 1; }
 };
@@ -83,11 +83,12 @@ struct RunEvaluation {
 /// although the kind says one.
 RunEvaluation evaluate_run(const Record& record, const Experiment& experiment);
 
-/// Verdict by the walk: shakedown if the upper end of its interval adds less than negligible_walk
-/// of the last shift over the interval; else ratcheting if the lower end is positive.
-contact::State judge_walk(const Estimate& increment, int periods, double last_shift);
+/// Verdict by the increment: shakedown if the upper end of its interval adds less than
+/// negligible_ratcheting of the last shift over the interval; else ratcheting if the lower end is
+/// positive.
+contact::State judge_increment(const Estimate& increment, int periods, double last_shift);
 /// The same of shifts at the ends of periods that somebody else computed [m].
-contact::State state_by_walk(const std::vector<double>& shift);
+contact::State state_by_increment(const std::vector<double>& shift);
 
 /// Slope of the straight line through the second half of the shifts at the ends of periods.
 Estimate late_increment(const std::vector<double>& shift, double confidence);

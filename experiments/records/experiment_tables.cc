@@ -192,7 +192,7 @@ report::DocumentTable limits_table(const ExperimentEvaluation& e) {
 
 report::DocumentTable model_stages_table(const ExperimentEvaluation& e) {
     report::DocumentTable table{.id = "model_stages",
-                                .title = "What the models say at these amplitudes",
+                                .title = "The models at these amplitudes",
                                 .note = "Amplitudes of the first run; each rolled from rest.",
                                 .columns = {{"W [mm]"}}};
     for (const PredictedLimit& limit : e.model_limits)
@@ -269,22 +269,22 @@ report::DocumentTable stages_table(const ExperimentEvaluation& e) {
     return report::table_of(
         {.id = "stages",
          .title = "Verdicts by both criteria, per run and amplitude",
-         .note = "Walk and curvature: half widths of the intervals at " +
+         .note = "Increment and curvature: half widths of the intervals at " +
                  level(verdict_confidence) +
-                 " behind ±. Residual: of the values upright about transient and walk; noise: what "
+                 " behind ±. Residual: of the values upright about transient and ratcheting; noise: what "
                  "their errors explain. Curvature of all samples: as the thesis takes it, without "
                  "an interval, since neighbours in the record are not independent."},
         rows,
         {{"run", "run"},
          {names::amplitude.key, "W [mm]", 1 / mm},
          {"periods", "periods"},
-         {"steady_walk_m", "walk ΔU [µm]", 1 / um},
-         {"state_by_walk", "verdict by the walk"},
+         {"ratcheting_increment_m", "increment ΔU [µm]", 1 / um},
+         {"state_by_increment", "verdict by it"},
          {"transient_ratio", "q:2"},
          {"residual_deviation_m", "residual [µm]:2", 1 / um},
          {"noise_m", "noise [µm]:2", 1 / um},
          {"curvature", "curvature"},
-         {"state_by_curvature", "verdict by it"},
+         {"state_by_curvature", "verdict by the curvature"},
          {"curvature_of_samples", "curvature of all samples:3"}});
 }
 

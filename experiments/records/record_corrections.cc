@@ -185,7 +185,7 @@ void RecordCorrections::know_noise(double resolution) {
     run_.findings.push_back(
         {RecordFinding::Kind::correlation,
          fmt::format("the noise is correlated over {:.2g} s: the rest before rolling, {:.3g} s, "
-                     "holds {:.1f} independent values, which do not tell its error well; "
+                     "holds {:.1f} independent values, from which its error is poorly known; "
                      "record a longer rest",
                      run_.noise.correlated_samples * mean_interval(),
                      rest_.time.back() - rest_.time.front(), independent)});

@@ -19,7 +19,7 @@ struct Slice {
     statistics::Fit fit;
 };
 
-std::vector<Slice> slices(const std::vector<double>& shift, bool walks) {
+std::vector<Slice> slices(const std::vector<double>& shift, bool ratchets) {
     std::vector<Slice> all;
     std::vector<double> ones(shift.size(), 1.), count(shift.size());
     for (std::size_t n = 0; n < shift.size(); ++n) count[n] = static_cast<double>(n);
@@ -28,7 +28,7 @@ std::vector<Slice> slices(const std::vector<double>& shift, bool walks) {
         std::vector<double> transient(shift.size());
         for (std::size_t n = 0; n < shift.size(); ++n) transient[n] = -std::pow(q, count[n]);
         std::vector<std::vector<double>> columns{ones, transient};
-        if (walks) columns.push_back(count);
+        if (ratchets) columns.push_back(count);
         all.push_back({q, statistics::fit_linear(columns, shift)});
     }
     return all;
@@ -68,15 +68,15 @@ Estimate profile(const std::vector<Slice>& all, std::size_t k, double confidence
 
 SettlingFit fit_settling(const std::vector<double>& shift, double confidence) {
     if (shift.size() < fewest_periods + 1)
-        throw std::invalid_argument("a transient and a walk need five periods");
+        throw std::invalid_argument("a transient and ratcheting need five periods");
     // Three parameters and two degrees of freedom need five values.
     const std::size_t late = shift.size() >= 9 ? (shift.size() - 1) / 2 : 0;
     const std::vector<double> second_half(shift.begin() + static_cast<std::ptrdiff_t>(late),
                                           shift.end());
-    const auto walking = slices(shift, true), settling = slices(second_half, false);
-    const Slice& best = best_of(walking);
+    const auto ratcheting = slices(shift, true), settling = slices(second_half, false);
+    const Slice& best = best_of(ratcheting);
     SettlingFit result;
-    result.increment = profile(walking, 2, confidence);
+    result.increment = profile(ratcheting, 2, confidence);
     result.settled = profile(settling, 0, confidence);
     result.ratio = best.ratio;
     result.fitted = best.fit.fitted;

@@ -8,18 +8,18 @@ namespace tricontact::experiments {
 
 using statistics::Estimate;
 
-/// Shift at the ends of periods as a transient that dies out geometrically and a steady walk:
+/// Shift at the ends of periods as a transient that dies out geometrically and steady ratcheting:
 ///   u_n = limit - A q^n + increment n,   n = 0 ... N.
 /// Estimates with intervals by the profile of the sum of squares over q in [0, 0.95] (slower
-/// transients look like a walk): all values for which it grows by no more than t^2/dof of its
-/// minimum, t Student's. Asymmetric, finite whatever q, and wide where walk and transient cannot be
-/// told apart. Standard error: half the width over t.
+/// transients look like ratcheting): all values for which it grows by no more than t^2/dof of its
+/// minimum, t Student's. Asymmetric, finite whatever q, and wide where ratcheting and transient
+/// cannot be told apart. Standard error: half the width over t.
 struct SettlingFit {
-    Estimate increment;  ///< Du per period of the steady walk [m]
-    /// The limit without a walk, from the second half of the periods [m]: a contact settles by
+    Estimate increment;  ///< Du per period of steady ratcheting [m]
+    /// The limit without ratcheting, from the second half of the periods [m]: a contact settles by
     /// several transients, of which the slowest is left there.
     Estimate settled;
-    double ratio = 0;               ///< q of the fit with a walk
+    double ratio = 0;               ///< q of the fit with ratcheting
     std::vector<double> fitted;     ///< of that fit [m]
     double residual_deviation = 0;  ///< of that fit [m]
 };

@@ -8,6 +8,10 @@
 #include "fem/condensed_layer.h"
 #include "fem/settings.h"
 
+// Condensing takes minutes and gigabytes, a product milliseconds: so a layer is looked for in the
+// cache first, waited for if another process makes it, and kept afterwards
+// (docs/explanation/models/fem.md, "Condensation"). What was done is said in a line of the run.
+
 namespace tricontact::fem {
 
 using contact::Case;

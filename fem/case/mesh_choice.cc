@@ -14,6 +14,19 @@
 #include "fem/settings.h"
 #include "meshes/layer_mesh.h"
 
+// How fine, and how far: docs/explanation/models/fem.md, "Mesh". The patch has to hold the contact
+// along its path before anything is known of the contact on the layer, so it is probed:
+//
+//   half-space radius --> coarse mesh, 3 elements in it --> pressed --> radius on the layer
+//                             ^                                |
+//                             +-- larger patch, if the edge ---+
+//                                 is reached
+//
+// With `fem.accuracy` two coarse meshes, 4 and 5.66 elements in the radius, give the error of the
+// second by extrapolation with the order 1.5 (`assumed_order`), which is less than observed: the
+// size is on the safe side. Memory decides last: the symbolic factor predicts what condensing
+// takes, and an error names the size that fits.
+
 namespace tricontact::fem {
 
 using contact::Case;
@@ -134,6 +147,9 @@ double size_that_fits(const Case& c, meshes::LayerMeshSpec spec, const MemorySho
 
 }  // namespace
 
+// Sides are `far_sides` thicknesses away unless the case gives them; what a contact larger than
+// that needs is half of it beyond the patch. Patches end on whole elements, since the mesh inside
+// them is regular.
 meshes::LayerMeshSpec spec_for(const Case& c, double size, double contact_radius, double shift) {
     const Vector2 extent = path_extent(c, contact_radius);
     meshes::LayerMeshSpec spec;
@@ -176,6 +192,10 @@ double probe_radius(const Case& c, const contact::NormalControl& control,
     }
 }
 
+// Of a value v(h) = v_0 + c h^p, p = `assumed_order`, the error on the fine mesh is the difference
+// of both over (coarse/fine)^p - 1 (Richardson), and the size that has the accuracy follows from
+// h^p. The worst of indentation or force, peak pressure and unit shift decides. Never coarser than
+// the fine mesh: what was not computed is not known.
 double size_for_accuracy(const Case& c, double radius, LayerCondenser& condenser) {
     const double narrow = narrowness(c) * radius;
     const double coarse = narrow / coarse_elements, fine = narrow / fine_elements;

@@ -14,6 +14,16 @@
 #include "fem/settings.h"
 #include "meshes/mesh_file.h"
 
+// From a case to a model of docs/explanation/models/fem.md:
+//
+//   radius of the contact (probed)  --> size of elements --> patch = contact + path + margin
+//       --> mesh --> condensed layer --> Substrate --> SurfaceModel     linear
+//                                    \-> StrainedModel                  finite strains
+//
+// At finite strains the contact moves with the shift, which the plan expects to first order only: a
+// run that reaches the edge of its patch begins anew on one larger by `patch_growth`. A mesh of the
+// user's is taken as it is.
+
 namespace tricontact::fem {
 
 using contact::Case;
@@ -83,6 +93,8 @@ double shift_to_expect(const Case& c, double contact_radius) {
     return contact::expected_friction(c) * f * contact_radius * contact_radius / c.indenter.radius;
 }
 
+// The hardest press (crest factor of an oscillating F_N) decides the radius; the path and the shift
+// add to the patch, not to the size of the elements.
 Plan plan(const Case& c, LayerCondenser& condenser) {
     require_layer(c);
     contact::NormalControl hardest = contact::press_step(c).normal;
@@ -107,7 +119,7 @@ meshes::HexMesh read_users_mesh(const Case& c) {
     if (has_lower && c.layer.lower.empty())
         throw contact::InputError(file +
                                   ": the mesh has a lower layer, the case no [lower_layer] that "
-                                  "tells its material; add one");
+                                  "names its material; add one");
     return mesh;
 }
 

@@ -16,6 +16,11 @@
 extern "C" void dpotrf_(const char* uplo, const int* n, double* a, const int* lda, int* info);
 extern "C" void dpotri_(const char* uplo, const int* n, double* a, const int* lda, int* info);
 
+// The same condensation as fem/condensation.h by several processes (docs/how-to/scaling.md). MUMPS
+// gives the Schur complement S of the interior; the root rank inverts it, S^-1 being the
+// compliance, since it is dense and small beside the factor. Every step is collective: a rank that
+// fails alone would leave the others waiting, so errors are agreed on before they are thrown.
+
 namespace tricontact::fem::distributed {
 
 namespace {

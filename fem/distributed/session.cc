@@ -18,6 +18,10 @@
 
 extern "C" void openblas_set_num_threads(int n);
 
+// One MPI session per process. Errors are agreed on by all ranks before they are thrown (`agree`),
+// or end all of them (`abort_on_local_error`): a rank that left alone would let the others wait in
+// a collective call.
+
 namespace tricontact::fem::distributed {
 
 namespace {

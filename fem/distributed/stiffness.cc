@@ -19,6 +19,10 @@
 #include "fem/element.h"
 #include "fem/q2_space.h"
 
+// The same stiffness as fem/assembly.cc, distributed: each rank has a part of the elements (p4est's
+// space-filling curve) and the rows of its nodes. Held components keep a row, decoupled from the
+// others: rows are then three per node on every rank (docs/how-to/scaling.md).
+
 namespace tricontact::fem::distributed {
 
 namespace {

@@ -7,6 +7,10 @@
 
 // What StrainedBody's loops over batches of elements have in common.
 
+// A batch is evaluated with or without Maxwell branches by one code (`Beside`): without branches
+// the compiler removes the call. Branches are read in the order of memory, points before branches;
+// they are the largest part of what an evaluation reads, which is why they are prefetched.
+
 namespace tricontact::fem {
 
 TRICONTACT_INLINE std::array<Lanes, 4> gather(const Amplitudes& amplitudes, std::size_t first) {

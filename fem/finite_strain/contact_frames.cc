@@ -2,6 +2,16 @@
 
 #include <cmath>
 
+// Axes at a point of the indenter's surface, z into the substrate, g its slope:
+//
+//   n = (g, 1)/|(g, 1)|      p pushes along (g, 1): its vertical part is p itself
+//   E = R [x y]              tangents of length 1, R the rotation that takes (0, 0, 1) to n
+//
+// R turns by the shortest way, so that neither x nor y is preferred: E'[x y] is a symmetric matrix
+// (Tilt in contact/solvers/tangential_system.h), so the shift and the force balance see the same
+// one. `turned` rotates the compliance from both sides and keeps it symmetric: solvers for plane
+// surfaces work on it.
+
 namespace tricontact::fem {
 
 using contact::Vector2;

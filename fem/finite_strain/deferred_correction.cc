@@ -10,6 +10,30 @@
 #include "contact/base/special_values.h"
 #include "contact/solvers/fixed_point.h"
 
+// Finite strains: docs/explanation/models/finite-strain.md, "Solver". f(u): the body's forces, c:
+// those of contact, K: the linear stiffness, whose factor and condensed compliance C are there. One
+// iteration:
+//
+//    u, c --> body: f(u) --> missing forces c - f_effective(u) ("load")
+//     ^                          |
+//     |                          v  eliminate: how far the surface would move, `moved`
+//     |        contact on C in the frames of the present surface, c -> c_new
+//     |                          |
+//     |                          v  complete
+//     +---- u + K^-1 (c_new - f_effective(u)) <---- Anderson from the fourth iterate on
+//
+// At a solution f(u) = c holds exactly, whatever K is: K decides how many iterations it takes, not
+// what they end in. The tolerance is on three residuals: forces, gap, and the last change.
+//
+// What the linear layer does to gap and slip with the present tractions is subtracted before
+// contact is solved (`bare_height`, `bare_slip`): the solvers of contact/ see heights and
+// displacements of a linear problem whose tractions are whole ones, not increments.
+//
+// Signs: contact/ has z into the substrate, the body z out of it. Pressure p is vertical force over
+// reference area and pushes along (slope, 1): friction is bounded by mu p |(slope, 1)|, and
+// friction on slopes carries a part of F_N (`by_friction`), pressure on slopes one of F_T
+// (`carried`).
+
 namespace tricontact::fem {
 
 using contact::LoadStep;

@@ -8,6 +8,15 @@
 #include "fem/finite_strain/deferred_correction.h"
 #include "fem/finite_strain/present_area.h"
 
+// One vector for Anderson's method (`as_one`) needs entries of one magnitude, since the least
+// squares weigh them alike: pressures and tractions times the local compliance, and mean stresses
+// over the root of an element's volume, are displacements of the order of d. A pressure that the
+// combination makes negative is set to zero (`take`); the next contact solution decides whether the
+// point touches.
+//
+// `balance_residual` is over the contact's own forces in the Euclidean norm: a part of the forces,
+// not of the stiffness, so that the same tolerance holds on every mesh.
+
 namespace tricontact::fem {
 
 using contact::TangentialField;
@@ -22,6 +31,8 @@ ContactedBody DeferredCorrection::at_rest() const {
     return state;
 }
 
+// z of elements is out of the substrate, of contact into it: hence the sign of u_z here and in
+// contact_forces().
 std::vector<Vector3> DeferredCorrection::positions(const StrainedState& body) const {
     const auto& nodes = problem_.discretisation.surface.nodes;
     const auto& points = problem_.compliance.points();

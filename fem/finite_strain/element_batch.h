@@ -5,6 +5,15 @@
 #include "fem/finite_strain/hyperelastic.h"
 #include "fem/q2_space.h"
 
+// Derivatives of a nodal field at 27 points are sums over 27 nodes: 27 x 27 x 3 products. The shape
+// functions are products of three functions of one coordinate, so the sums can be taken one axis
+// after the other (sum factorisation), 27 x 3 products each:
+//
+//   nodes (i, j, k) --x--> (q, j, k) --y--> (q, r, k) --z--> points (q, r, s)
+//
+// Three derivatives share the first contractions: eight in `differentiate`. `integrate` is the
+// transpose, from fluxes at the points back to forces on the nodes.
+
 namespace tricontact::fem {
 
 constexpr int n_points = 27;  ///< Gauss points of an element, as many as nodes, x fastest in both

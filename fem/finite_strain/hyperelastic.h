@@ -8,6 +8,19 @@
 // E = (H + H' + H'H)/2, so that nothing cancels at small strains: no 1 is ever subtracted from a
 // number close to it.
 
+// How digits are kept at small strains. With t, s, d the invariants of E (trace, second,
+// determinant),
+//
+//   det C = J^2 = 1 + y,   y = 2 t + 4 s + 8 d,   c = J^(2/3) = (1 + y)^(1/3) = 1 + w
+//
+// and c^3 - 1 = y gives w = y/(c^2 + c + 1): no difference of near numbers. Then
+//
+//   J^(-2/3) I1 - 3 = (3 + 2 t)/c - 3 = 3 (1/c - 1) + 2 t/c
+//                   = [y + 3 (1/c - 1)] - (4 s + 8 d) - 2 t w/c
+//
+// The bracket is of second order, though both of its terms are of first: with y = 3 w + 3 w^2 + w^3
+// it is w^2 (6 + 4 w + w^2)/c, `first` in energy_density. I2 follows in the same way (`other`).
+
 namespace tricontact::fem {
 
 template <class T>

@@ -5,6 +5,14 @@
 
 #include "contact/base/vector2.h"
 
+// Rolling of a rigid indenter, seen along the axis; R: radius of rolling, W: change of the offset.
+//
+//         axis o  ------ W ----->  o          angle W/R about the axis: the material point that was
+//              |                  /|          lowest lies R sin(W/R) behind the new one, and higher
+//              | R            R  / |          by R (1 - cos(W/R))
+//              |                /  |
+//    z v  -----*---------------*---*-----     shift and change of d are translations on top
+
 namespace tricontact::fem {
 
 // Of vectors in the plane.

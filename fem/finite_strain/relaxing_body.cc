@@ -3,6 +3,11 @@
 #include "fem/finite_strain/element_batch.h"
 #include "fem/finite_strain/strained_body.h"
 
+// See relaxing_branch.h for the law and its closed step. What a step remembers (`begin`) does not
+// depend on the strain at its end but for `share`: iterations within a step evaluate a hyperelastic
+// body with one more symmetric tensor per branch and point. `finish` learns the end of the step
+// once.
+
 namespace tricontact::fem {
 
 namespace {

@@ -25,6 +25,8 @@
 // As in hyperelastic.h everything is written in strains, E_bar = (C_bar - 1)/2 and
 // E_i = (C_i - 1)/2, of which no digits are lost where they are small.
 
+// Linear limit and the exponential formula of a step: docs/explanation/models/relaxation.md.
+
 namespace tricontact::fem {
 
 /// A symmetric tensor: xx, yy, zz, yz, xz, xy.

@@ -3,6 +3,15 @@
 #include <boost/math/tools/roots.hpp>
 #include <cmath>
 
+// Where the indenter's material point that touched x is now (IndenterMotion), less where x is now,
+// in the plane of the present surface. The pair of points has two normals: that of the present
+// surface, n, and that of the indenter where it touched, turned with it, n'. The part of the way
+// along n + n' is no slip; for n = n' that is the gap. It is symmetric in both instants: the same
+// way back gives the opposite slip.
+//
+// A point that was open begins to slip when it is touched: the pose on the way at which its gap
+// closes is found by a root (`touching`), with rolling and indentation in proportion.
+
 namespace tricontact::fem {
 
 using contact::Vector2;

@@ -5,6 +5,19 @@
 
 #include "fem/finite_strain/branches.h"
 
+// Stationary point in u and q of  int W(E) + q (J - 1) - q^2/(2K)  (finite-strain.md, "Elements"):
+//
+//   forces   int P : grad v,  P = cof F (M + q 1)           M: isochoric stress, see hyperelastic.h
+//   volumes  int psi (J - 1) - q/K = 0 per element          "excess" until it is
+//
+// q is eliminated per element by Newton's method with the linear B (B u = int psi div u): q_new = q
+// + K (B du + excess). That turns the balance into the one of the linear stiffness, which contains
+// K B' B: K_linear du = c - (f + K B' excess). The brackets are `effective_force`.
+//
+// Elements are taken n_lanes at a time, one per lane of a vector, and derivatives as tensor
+// products of one-dimensional ones: 27 nodes to 27 points in three contractions of 3 x 3, instead
+// of 27 x 27.
+
 namespace tricontact::fem {
 
 namespace {
@@ -28,6 +41,8 @@ struct Volumes {
     double stiffness;                  // of the step
 };
 
+// The effective force needs B' times the excess volume: linear gradients (`to_physical`) instead of
+// those of the deformed element, since it is the linear stiffness that has to take the excess away.
 template <class Beside>
 TRICONTACT_INLINE void evaluate_lanes(const ElementBatch& batch, const double* displacement,
                                       const Volumes& volumes, const Beside& beside, double* force,

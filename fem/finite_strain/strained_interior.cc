@@ -7,6 +7,17 @@
 #include "fem/finite_strain/branches.h"
 #include "fem/finite_strain/strained_body.h"
 
+// Results are in the deformed body, computed from the reference configuration:
+//
+//   sigma = P F'/J = cof(F) (M + q 1) F'/J        Cauchy's stress, force per present area
+//
+// Stresses of the branches are added to M before (`beside`). To the nodes they are taken from the
+// two points per direction where stresses of quadratic elements are most accurate, +-1/sqrt(3)
+// (Barlow 1976); integration has three points, so a parabola through these is read there first.
+//
+// The energy is that of the body, the reaction the sum of nodal forces on held components: both
+// come from `evaluate`, and compare with the work and the force of the contact in the audit.
+
 namespace tricontact::fem {
 
 namespace {

@@ -9,6 +9,10 @@
 #include "contact/base/special_values.h"
 #include "contact/solvers/contact_region.h"
 
+// Results of docs/explanation/models/finite-strain.md. A step that does not converge is taken in
+// halves (`take`). The audit compares energies: the work of the forces is stored in springs and
+// branches, or dissipated by friction and dashpots.
+
 namespace tricontact::fem {
 
 using contact::Case;
@@ -110,6 +114,9 @@ LoadStep StrainedModel::present_step(const LoadStep& next) const {
     return now;
 }
 
+// Halving, six times at most. A step may fail to converge, or slide as a whole in an iterate though
+// the solution does not: both are tried in halves. Half of a step is halfway in everything that it
+// prescribes, force, indentation, shift and rolling alike, from the state as it is.
 void StrainedModel::take(const LoadStep& step, int halvings) {
     const ContactedBody before = now_;
     try {
@@ -168,6 +175,9 @@ contact::FrictionLaw::Total StrainedModel::total_friction(const std::vector<doub
     return {normal_force_, sum};
 }
 
+// Slip is computed from the two states again, not taken from the iteration, whose frames are those
+// of the last iterate. A point slips if it is at the bound and has moved; both thresholds are ten
+// times the tolerance of the solver, over mu d and over the mean bound.
 void StrainedModel::update_slip(const ContactedBody& before, const ContactFrames& frames) {
     const StepSlip slip = solver_->correction.step_slip(before, now_.pose);
     const std::vector<double> bound = solver_->correction.bounds(now_, frames);
@@ -228,6 +238,10 @@ double StrainedModel::work_of_springs(const StrainedState& from, const StrainedS
     return work / modelled_part(points());
 }
 
+// Why two balances. Springs are elastic: the work that strains them is the change of their energy,
+// up to the quadrature over the step, which is exact to rounding. Branches relax within the step,
+// and their work is integrated with an error of the step in time: it says how short steps have to
+// be, not whether the solution is right.
 /// Of springs and of branches apart: the former hold to rounding, the latter but for the error of
 /// the step in time.
 void StrainedModel::audit_energy(const ContactedBody& before, const RelaxingStep& relaxing,

@@ -11,6 +11,14 @@
 #include "fem/finite_strain/present_area.h"
 #include "fem/finite_strain/strained_model.h"
 
+// True tractions: the solver's are forces over reference areas in the frames of the surface. Over
+// the present area they are Cauchy's: times A/a, the pressure along the normal also times |(slope,
+// 1)|, since p is its vertical component. Areas seen from above (`moved.area`) belong to moments
+// and the contact radius; areas of the surface itself to slip, stick and work.
+//
+// What is resumed is `transfer`: the state, the memory of the branches, and sums since the last
+// period.
+
 namespace tricontact::fem {
 
 using contact::ContactState;

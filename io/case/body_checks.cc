@@ -157,7 +157,7 @@ void resolve_height_map(Case& c, const Document& document) {
     const bool given = c.indenter.spacing && c.indenter.unit;
     if (says_its_scale(path) && (c.indenter.spacing || c.indenter.unit))
         refuse(document, c.indenter.spacing ? "indenter.spacing" : "indenter.unit",
-               "an .sdf file says spacing and unit itself", "omit it");
+               "an .sdf file contains spacing and unit", "omit it");
     if (!says_its_scale(path) && !given)
         refuse(document, "indenter.file", "bare numbers need a spacing and a unit",
                "give indenter.spacing and indenter.unit");

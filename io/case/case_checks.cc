@@ -75,7 +75,7 @@ void check_coupling(const Case& c, const Document& document) {
                " does not model",
            "leave out " + *mdr +
                " (bem and bem-layer do), or set contact.coupling = false: the "
-               "coupling is then left out, and the report says so");
+               "coupling is then left out, as the report states");
 }
 
 void check_oscillation(const Case& c, const Document& document) {

@@ -29,13 +29,12 @@ void check_alone(const Case& c, const Document& document) {
             refuse(document, key, "contradicts [path], whose rows prescribe all loads",
                    "give one of the two");
     if (c.load.hold != 0)
-        refuse(document, "load.hold", "contradicts [path], whose rows say how long loads are held",
+        refuse(document, "load.hold", "contradicts [path], whose rows give the hold times",
                "omit it, and give a row that changes nothing but the time");
     for (const char* section : {"rolling", "tractive_rolling"})
         if (const auto* found = document.find_section(section))
             fail(found->place, fmt::format("[{}]", section),
-                 "contradicts [path], whose rows say how the indenter rolls",
-                 "give one of the two");
+                 "contradicts [path], whose rows give the rolling", "give one of the two");
 }
 
 bool lies_on_a_line(const PrescribedPath& path) {
@@ -65,7 +64,7 @@ void check_motions(const Case& c, const Document& document) {
         if (path.twists())
             refuse(document, key, what + " cannot be twisted", "omit rotation, or " + remedy);
         if (path.loads_across())
-            refuse(document, key, what + " knows no tangential load or shift along y",
+            refuse(document, key, what + " has no tangential load or shift along y",
                    "omit these columns, or " + remedy);
     };
     for (const std::string& model : c.models) {

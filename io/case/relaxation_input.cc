@@ -44,7 +44,7 @@ Series of_moduli(const Case& c, Series series, const Document& document) {
                "the moduli sum to " + rounded(sum) +
                    " Pa, no less than the unrelaxed shear modulus " + rounded(given) +
                    " Pa: nothing would be left at rest",
-               "check them and substrate.young, or say modulus = \"relaxed\"");
+               "check them and substrate.young, or set modulus = \"relaxed\"");
     series.relaxed_share = (given - sum) / given;
     return series;
 }
@@ -169,7 +169,7 @@ void refuse_for_mdr(const std::string& model, contact::Unrelaxed stays, bool gro
         case contact::Unrelaxed::bulk:
             refuse(document, prefix + "bulk",
                    "below poisson = 0.5 shear then relaxes without the bulk" + but,
-                   "leave the model out, or say bulk = \"proportional\" if the bulk relaxes alike");
+                   "leave the model out, or set bulk = \"proportional\" if the bulk relaxes alike");
         case contact::Unrelaxed::below:
             refuse(document, ground ? "ground.young" : "lower_layer.young",
                    "what is below the relaxing layer does not relax" + but, "leave the model out");

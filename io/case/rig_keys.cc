@@ -37,7 +37,7 @@ std::vector<Key> record_keys() {
         quantity_key("record.loading", time, {-longest, longest}, R"("10 s")",
                      "when the tangential load was applied; without it before the record"),
         quantity_key("record.drive.start", time, {-longest, longest}, R"("60 s")",
-                     "when rolling began, where no column says what the drive did"),
+                     "when rolling began, where no column records the drive"),
         quantity_key("record.drive.period", time, above_zero(longest), R"("4.5 s")",
                      "of the rolling; without it four amplitudes over the speed, or found in the "
                      "shift"),

@@ -59,7 +59,7 @@ void check_tells_sliding(const Case& c, const std::string& key, double ratio,
     if (all_have(c, &ModelKind::steps_are_exact)) return;
     refuse(document, key,
            "F_T/(mu F_N) reaches " + shortest(ratio) +
-               ": so close to 1 only mdr tells stick from sliding as a whole",
+               ": so close to 1 only mdr distinguishes stick from gross sliding",
            "stay at or below " + shortest(1 - closest_to_sliding) + ", or take mdr alone");
 }
 

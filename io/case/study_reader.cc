@@ -29,7 +29,7 @@ const std::vector<PlacedKey<Study>>& own_keys() {
         {number_key("atlas.error", {0, 1, false, false}, "0.002",
                     "error of the values that ends the search for it", {.default_value = "0.002"})},
         {number_key("atlas.largest_error", {0, 1, false, true}, "0.02",
-                    "error of a value beyond which the maps do not say it",
+                    "error of a value beyond which the maps do not give it",
                     {.default_value = "0.1"})},
         {number_key("atlas.safety_factor", {1, 10, true, true}, "3",
                     "what bars count of the correction for cells and steps",

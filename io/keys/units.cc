@@ -179,8 +179,7 @@ double in_si(double number, std::string_view unit_text, Dimension dimension) {
     UnitDatabase& database = UnitDatabase::instance();
     const std::lock_guard lock(database.mutex);
     const Owned<ut_unit> unit = database.parse(ascii);
-    if (!unit)
-        refuse(shown + " is not a unit that UDUNITS-2 knows (case matters: MPa, mm)", dimension);
+    if (!unit) refuse(shown + " is not a unit of UDUNITS-2 (case matters: MPa, mm)", dimension);
     if (!database.has_dimension(unit.get(), dimension)) {
         for (int k = 1; k <= static_cast<int>(Dimension::rotation_per_length); ++k) {
             const auto other = static_cast<Dimension>(k);

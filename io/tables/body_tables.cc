@@ -139,7 +139,7 @@ contact::RelaxationTest read_relaxation_test(const std::string& path) {
     const CsvTable table = read_csv_table(path, test_form);
     table.check_names({"time", "E", "G"});
     if (table.has("E") == table.has("G"))
-        table.refuse_header(table.has("E") ? "the columns E and G say it twice"
+        table.refuse_header(table.has("E") ? "the columns E and G both give it"
                                            : "has neither a column E nor G");
     const std::string_view modulus = table.has("E") ? "E" : "G";
     table.check_positive(modulus);

@@ -82,7 +82,7 @@ bool has_decimal_commas(const std::vector<std::string_view>& words) {
     return found;
 }
 
-/// A letter in the place of each quoted text.
+/// A letter instead of each quoted text.
 std::string unquoted(std::string_view line) {
     std::string out;
     bool quoted = false;

@@ -6,6 +6,7 @@
 #include <numeric>
 #include <optional>
 
+#include "contact/special_values.h"
 #include "io/keys/messages.h"
 #include "io/keys/number_text.h"
 #include "io/keys/units.h"
@@ -114,7 +115,7 @@ const Segment& approach_of(const Curve& curve, const std::string& name) {
         fail(name, "",
              "the force curve has no segment \"extend\", which goes towards the sample; it has " +
                  joined(names),
-             "name it in its line \"# segment:\", which knows " + std::string(segment_names));
+             "name it in its line \"# segment:\", which may be " + std::string(segment_names));
     return *found;
 }
 
@@ -164,11 +165,11 @@ class Columns {
                  "has " + std::to_string(words.size()) + " columns instead of " +
                      std::to_string(segment_.columns.size()),
                  "correct or remove the row");
-        const auto value = number_in(words[at]);
-        if (!value || !std::isfinite(*value))
+        const double value = number_in(words[at]).value_or(contact::undefined);
+        if (!std::isfinite(value))
             fail(place(row.number), segment_.columns[at] + " = " + shortened(words[at], 40),
                  "must be a finite number", "correct or remove the row");
-        return *value;
+        return value;
     }
 
     const Segment& segment_;
@@ -178,13 +179,13 @@ class Columns {
 /// [N/m]
 double spring_constant(const Curve& curve, const std::string& name) {
     const auto words = words_of(curve.spring_constant);
-    const auto value = words.empty() ? std::nullopt : number_in(words[0]);
+    const double value = words.empty() ? 0 : number_in(words[0]).value_or(0);
     const bool in_si = words.size() == 1 || (words.size() == 2 && words[1] == "N/m");
-    if (!value || !(*value > 0) || !std::isfinite(*value) || !in_si)
+    if (!(value > 0) || !std::isfinite(value) || !in_si)
         fail(name + ':' + std::to_string(curve.spring_line),
              "springConstant = " + shortened(curve.spring_constant, 40),
              "must be a positive number of N/m", "correct it, or export verticalTipPosition");
-    return *value;
+    return value;
 }
 
 }  // namespace

@@ -66,7 +66,7 @@ void check_side(const char* word, std::optional<double> told, int n, double spac
     const auto agrees = [&](double of) { return std::abs(of / *told - 1) <= rounding; };
     if (!told || agrees(n * spacing) || agrees((n - 1) * spacing)) return;
     fail(name, "",
-         std::string("its comments say ") + word + " " + shortest(*told) + " m, but " +
+         std::string("its comments state ") + word + " " + shortest(*told) + " m, but " +
              std::to_string(n) + " nodes " + shortest(spacing) + " m apart take " +
              shortest(n * spacing) + " m",
          "correct indenter.spacing");
@@ -76,8 +76,8 @@ void check_unit(std::optional<double> told, const std::string& text, double unit
                 const std::string& name) {
     if (!told || std::abs(*told / unit - 1) < 1e-9) return;
     fail(name, "",
-         "says that its heights are in " + shortened(text, 20) + ", but indenter.unit is " +
-             shortest(unit) + " m",
+         "states heights in " + shortened(text, 20) + ", but indenter.unit is " + shortest(unit) +
+             " m",
          "correct indenter.unit");
 }
 

@@ -130,7 +130,7 @@ def predict(
     samples: Optional[int] = None,
     output: Optional[StrPath] = None,
 ) -> Outcome:
-    """What the atlases say of a case, without a run.
+    """Predict a case from the atlases, without a run.
 
     outcome[model] has the quantities with keys and SI units of summary.json, beside each the half
     width of its bar of 95 % (KEY_error; 0 of closed forms), "state", what it rests on ("rests_on"),

@@ -1,4 +1,4 @@
-"""docs/reference/bodies.md."""
+"""docs/explanation/bodies.md."""
 
 import math
 
@@ -9,7 +9,7 @@ def number(value, digits=4):
     return f"{value:.{digits}f}"
 
 
-@table("docs/reference/bodies.md", "| n | w | exact | `bem` | `mdr` | u_sd, `bem` | u_sd, `mdr` |", cheap=True)
+@table("docs/explanation/bodies.md", "| n | w | exact | `bem` | `mdr` | u_sd, `bem` | u_sd, `mdr` |", cheap=True)
 def bodies_power_law(program):
     found = program.sweep("bodies_power_law.toml")
     rows = []
@@ -41,7 +41,7 @@ def axis_ratio(radius_ratio):
     return middle
 
 
-@table("docs/reference/bodies.md", "| R_y | a_x/a_y | rolling | exact | `bem` | u_stat | u_sd |", cheap=True)
+@table("docs/explanation/bodies.md", "| R_y | a_x/a_y | rolling | exact | `bem` | u_stat | u_sd |", cheap=True)
 def bodies_ellipsoid(program):
     found = program.sweep("bodies_ellipsoid.toml")
     rows = []

@@ -1,4 +1,4 @@
-"""docs/how-to/half-space-deviation.md."""
+"""docs/explanation/half-space-deviation.md."""
 
 from .common import CASES, figures, table
 
@@ -7,7 +7,7 @@ QUANTITIES = {"contact_radius": "a", "indentation": "d", "peak_pressure": "p0", 
               "tangential_stiffness": "dF_T/dU", "limit_tangential_ratio": "f_T,lim", "limit_amplitude_ratio": "w_lim"}
 
 
-@table("docs/how-to/half-space-deviation.md", "| | bonded, nu = 0 | nu = 0.3 | nu = 0.45 | nu = 0.5 | frictionless, any nu |", cheap=True)
+@table("docs/explanation/half-space-deviation.md", "| | bonded, nu = 0 | nu = 0.3 | nu = 0.45 | nu = 0.5 | frictionless, any nu |", cheap=True)
 def needed_thickness(program):
     curves = program.call("deviation", LAYER, (), "--no-runs", outputs=["deviation.json"])["curves"]
     columns = [next(one["needed"] for one in curves if one["base"] == base and one["poisson"] == nu)

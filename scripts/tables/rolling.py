@@ -1,4 +1,4 @@
-"""docs/explanation/rolling.md, docs/how-to/contact-program.md."""
+"""docs/explanation/rolling.md, docs/explanation/contact-program.md."""
 
 import subprocess
 import sys
@@ -40,9 +40,9 @@ def creep_ratio(program):
              f"{next(float(one[7]) for one in found if one[0] == nu):.3f}"] for nu in ("0", "0.25", "0.3", "0.5")]
 
 
-# --- docs/how-to/contact-program.md -----------------------------------------------------------------------------------
+# --- docs/explanation/contact-program.md -----------------------------------------------------------------------------------
 
-@table("docs/how-to/contact-program.md", "| Example | Quantity | Case | Tricontact | CONTACT | Difference | Reason |")
+@table("docs/explanation/contact-program.md", "| Example | Quantity | Case | Tricontact | CONTACT | Difference | Reason |")
 def contact_examples(program):
     text = subprocess.run([sys.executable, ROOT / "scripts/contact_examples.py", program.path], check=True, capture_output=True,
                           text=True).stdout

@@ -103,7 +103,7 @@ assert along["bem"]["state"] == "shakedown" and not along["bem"]["gaps"], along[
 near(along, "bem", "settled_shift_m", along["bem"]["settled_shift_ratio"] * along["bem"]["unit_shift_m"], 1e-12)
 EOF
 "$program" predict "$rig" --set rolling.amplitude_ratio=0.95 --set load.tangential_ratio=0.002 --models bem >gap || complain "predict beyond the maps"
-grep -q 'not said: .*rolling.amplitude_ratio = 0.95' gap || complain "no gap: $(cat gap)"
+grep -q 'no value: .*rolling.amplitude_ratio = 0.95' gap || complain "no gap: $(cat gap)"
 grep -q 'settled shift' gap && complain "a shift beyond the maps: $(cat gap)"
 "$program" predict "$rig" --set load.tangential_ratio=0.7 --models bem >ratchets || complain "predict of ratcheting"
 grep -q '^bem: ratcheting' ratchets || complain "ratcheting: $(cat ratchets)"
@@ -111,7 +111,7 @@ grep -q 'settled shift' ratchets && complain "a settled shift while ratcheting: 
 
 "$program" predict "$source_dir/examples/cases/rig_layer_parallel.toml" --set "substrate.thickness=1 m" \
     --models bem-layer >gap || complain "predict of a layer beyond the maps"
-grep -q 'not said: substrate.thickness_ratio' gap || complain "no gap of the thickness: $(cat gap)"
+grep -q 'no value: substrate.thickness_ratio' gap || complain "no gap of the thickness: $(cat gap)"
 
 # Line contacts: closed forms on the half-space; of the layer nothing knows the cylinder's length, and a depth is that
 # of its force.

@@ -5,7 +5,7 @@
 source "$(dirname -- "${BASH_SOURCE[0]}")/prepare.bash"
 rig=$source_dir/examples/cases/rig_layer_parallel.toml
 
-# 1. Exact theory alone: the rig's layer, and the thicknesses of docs/how-to/half-space-deviation.md.
+# 1. Exact theory alone: the rig's layer, and the thicknesses of docs/explanation/half-space-deviation.md.
 "$program" deviation "$rig" --no-runs --quiet >out 2>err || complain "exact part: $(cat err)"
 folder=results/rig_layer_parallel_deviation
 for file in report.html deviation.csv deviation.json; do
@@ -18,7 +18,7 @@ grep -q '36\.3 % below that of a half-space under the same force' out || complai
 documented() {
     local found
     found=$(awk -F '   *' -v symbol="${2:-$1}" '$2 == symbol { print $5 ", " $6 ", " $7 }' out)
-    grep -F "| $1 |" "$source_dir/docs/how-to/half-space-deviation.md" | cut -d'|' -f6 | grep -qF "${found:-none}" ||
+    grep -F "| $1 |" "$source_dir/docs/explanation/half-space-deviation.md" | cut -d'|' -f6 | grep -qF "${found:-none}" ||
         complain "docs: $1 at nu = 0.5 is $found"
 }
 documented a

@@ -68,7 +68,7 @@ refused "missing.csv: the file cannot be read"
 write 'kind = "shakedown"' "runs = [\"$run\"]" 'confidnce = 0.9'
 refused "data.toml:4:1: unknown key record.confidnce; did you mean record.confidence?"
 write 'kind = "shakedown"' "runs = [\"$run\"]" '[record.drive]' 'period = "4 s"'
-refused "data.toml:4:1: [record.drive] and the column drive of the runs say it twice"
+refused "data.toml:4:1: [record.drive] and the column drive of the runs both give it"
 write 'kind = "shakedown"' "runs = [\"$run\"]" 'resolution = 80'
 refused "data.toml:4:14: record.resolution = 80: must be a length, but has no unit"
 of_case 's/21.1 ± 0.1 N/21.1 ± 0.1 mm/' 'kind = "shakedown"' "runs = [\"$run\"]"
@@ -120,7 +120,7 @@ says '"amplitude_m": 0.0010807' given/experiment.json
 write 'kind = "limit"' 'runs = ["run.csv"]'
 refused "amplitudes that rise in steps need the column drive"
 
-# 6. A limit run: 1, 1.1, 1.2 and 1.3 mm at 1 mm/s; from 1.2 mm on the contact walks 3 um per period.
+# 6. A limit run: 1, 1.1, 1.2 and 1.3 mm at 1 mm/s; from 1.2 mm on the contact ratchets 3 um per period.
 awk 'BEGIN {
     print "time [s],shift [um],drive [mm]"
     begin = 30; u = 60
@@ -180,7 +180,7 @@ grep -q "± 0 " out && complain "± 0: $(cat out)"
 [ "$(json plain/experiment.json "['models'][0]['series']['differs']")" = None ] ||
     complain "the series differs without errors"
 
-# 8. A relaxing substrate rests under F_T as long as the record says, and rolls as fast: the model's
+# 8. A relaxing substrate rests under F_T as long as recorded, and rolls as fast: the model's
 #    static shift is that of a run with this hold.
 of_case "$exact; $uncertain; $as_ratio; s/^periods.*/&\nspeed = \"9 m\/s\"/; /^\[bem\]/,\$d" \
     '[substrate.relaxation]' 'G2 = "1.73 MPa"' 'eta = "17.3 MPa s"' '[output]' 'vtk = "none"'

@@ -155,6 +155,6 @@ refused 'rows of three numbers are not x, y and height of each node of a regular
 sed 's/"0.1 mm"/"0.3 mm"/' xyz.toml | sed "s|xyz.txt|$work/xyz.txt|" >spacing.toml
 refused 'its coordinates step by' check "$work/spacing.toml"
 sed 's/"1 um"/"1 nm"/' gwyddion.toml | sed "s|gwyddion.txt|$work/gwyddion.txt|" >unit.toml
-refused 'says that its heights are in µm, but indenter.unit is 1e-09 m' check "$work/unit.toml"
+refused 'states heights in µm, but indenter.unit is 1e-09 m' check "$work/unit.toml"
 
 finish

@@ -384,7 +384,7 @@ refused "rolling_shift determines the pivot's height; add rig.pivot_height" \
 rolled='offset [mm], shift [um]\n-1, 5\n0, 4.2\n1, 3.1\n'
 refused "rolling_shift alone determines the pivot's height" \
     's/^static/rolling/; s/^find = .*/find = ["substrate.young", "rig.pivot_height"]/' "$rolled"
-refused 'the maps do not say how far free rolling shifts a contact' \
+refused 'the maps do not contain the shift of free rolling' \
     's/^static/rolling/; s/^find = .*/find = ["rig.pivot_height"]/; s/"layer"/"atlas"/' "$rolled"
 pivot_alone='s/^static/rolling/; s/^find = .*/find = ["rig.pivot_height"]/; s/^poisson = 0.5/young = "4 MPa"\n&/
     s/^\[load\]/[friction]\ncoefficient = 0.5\n&/'

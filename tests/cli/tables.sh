@@ -63,7 +63,7 @@ low, high = m["zero_depth_m"]["likelihood_interval"]
 assert low < -400e-9 < high and high - low < 2e-8, (low, high)
 PYTHON
 sed 's/find = .*/find = ["zero_depth"]/' curve.toml >alone.toml
-refused 'force_indentation tells zero_depth only beside the modulus; add "substrate.young"' \
+refused 'force_indentation determines zero_depth only together with the modulus; add "substrate.young"' \
     identify "$work/alone.toml" --output out
 
 # A force curve as JPK's programs export it, E = 2 kPa, first touch 3.2 um below the zero of the tip: an approach, a pause and

@@ -33,39 +33,43 @@ double odd_or_even_tail(double y, int first) {
 // The hyperbolic functions of y = 2x times exp(-y), and what is left of them after their first
 // terms. The direct form of the latter loses one digit at y = 2 and fewer beyond.
 struct Scaled {
-    explicit Scaled(double x)
-        : y(2 * x),
-          decay(std::exp(-y)),
-          sinh(-std::expm1(-2 * y) / 2),
-          cosh((1 + decay * decay) / 2),
-          cosh_minus_1(std::expm1(-y) * std::expm1(-y) / 2) {
-        constexpr double series_below = 2;
-        sinh_tail = y < series_below ? decay * odd_or_even_tail(y, 3) : sinh - decay * y;
-        cosh_tail =
-            y < series_below ? decay * odd_or_even_tail(y, 4) : cosh_minus_1 - decay * y * y / 2;
-    }
-
     double y, decay, sinh, cosh, cosh_minus_1;
     double sinh_tail;  // sinh y - y
     double cosh_tail;  // cosh y - 1 - y^2/2
 };
 
+Scaled scaled(double x) {
+    const double y = 2 * x, decay = std::exp(-y), series_below = 2;
+    const double sinh = -std::expm1(-2 * y) / 2, cosh_minus_1 = std::expm1(-y) * std::expm1(-y) / 2;
+    return {.y = y,
+            .decay = decay,
+            .sinh = sinh,
+            .cosh = (1 + decay * decay) / 2,
+            .cosh_minus_1 = cosh_minus_1,
+            .sinh_tail = y < series_below ? decay * odd_or_even_tail(y, 3) : sinh - decay * y,
+            .cosh_tail = y < series_below ? decay * odd_or_even_tail(y, 4)
+                                          : cosh_minus_1 - decay * y * y / 2};
+}
+
 // C G k: the dimensionless compliance of the header's formulas. Numerators are arranged in terms
 // of one sign where the material allows it: kappa - 1 = 2 (1 - 2 nu) is exact at nu = 1/2.
 LayerCompliance bonded(double nu, double x) {
     const double kappa = 3 - 4 * nu, excess = 2 * (1 - 2 * nu);
-    const Scaled s(x);
+    const Scaled s = scaled(x);
     const double d = 2 * kappa * s.cosh + s.decay * (4 * x * x + 1 + kappa * kappa);
     const double normal = 2 * kappa * s.sinh_tail + 4 * x * excess * s.decay;
     const double along = 2 * kappa * s.sinh + 4 * x * s.decay;
     // kappa (kappa-1) 2 x^2 - 4 x^2 = 2 (kappa-2) (kappa+1) x^2 vanishes at nu = 1/4.
     const double coupling =
         kappa * excess * s.cosh_tail + 2 * (1 - 4 * nu) * (kappa + 1) * x * x * s.decay;
-    return {(1 - nu) * normal / d, (1 - nu) * along / d, std::tanh(x), coupling / (2 * d)};
+    return {.normal = (1 - nu) * normal / d,
+            .along = (1 - nu) * along / d,
+            .across = std::tanh(x),
+            .coupling = coupling / (2 * d)};
 }
 
 LayerCompliance frictionless(double nu, double x) {
-    const Scaled s(x);
+    const Scaled s = scaled(x);
     const double d = s.sinh + s.y * s.decay;
     const double coupling = (1 - 2 * nu) * s.sinh_tail - 2 * nu * s.y * s.decay;
     return {(1 - nu) * s.cosh_minus_1 / d, (1 - nu) * (s.cosh + s.decay) / d, 1 / std::tanh(x),
@@ -108,13 +112,19 @@ LayerCompliance layer_compliance(const ElasticLayer& layer, double wave_number) 
     return {c.normal * scale, c.along * scale, c.across * scale, c.coupling * scale};
 }
 
+double bonded_coupling_ratio(double poisson, double x) {
+    if (x >= half_space_from) return (1 - 2 * poisson) / 2 / (1 - poisson);
+    const LayerCompliance c = bonded(poisson, x);
+    return c.coupling / c.along;
+}
+
 HalfSpaceDeficit half_space_deficit(double poisson, LayerBase base, double x) {
     check_poisson(poisson);
     if (!(x >= 0))
         throw contact::InputError(
             fmt::format("layer: k b must not be negative, but is {:.6g}; correct it", x));
     if (x >= half_space_from) return {0, 0, 0};
-    const Scaled s(x);
+    const Scaled s = scaled(x);
     const double y = s.y, decay = s.decay;
     if (base == LayerBase::bonded) {
         const double kappa = 3 - 4 * poisson;

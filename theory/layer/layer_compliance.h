@@ -48,6 +48,9 @@ struct LayerCompliance {
 /// frictionless: nothing holds that layer back. Throws contact::InputError.
 LayerCompliance layer_compliance(const ElasticLayer& layer, double wave_number);
 
+/// C13/C11 of a bonded layer at x = k b > 0.
+double bonded_coupling_ratio(double poisson, double x);
+
 /// What the layer's compliance lacks against that of the half-space, relative to it:
 /// 1 - C/C_half-space, without cancellation, falling as exp(-2x).
 struct HalfSpaceDeficit {

@@ -1,9 +1,9 @@
 #include "theory/layer/layer_forms.h"
 
-#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
+#include "contact/special_values.h"
 #include "theory/cattaneo_mindlin.h"
 #include "theory/layer/layer_compliance.h"
 #include "theory/rolling/oscillating_rolling.h"
@@ -57,9 +57,9 @@ double layer_indentation_ratio(const LayerForm& layer) {
 }
 
 double layer_pressure_shape(const LayerForm& layer) {
-    const auto [chi, s, lift, tangential_lift, bending] = constants_of(layer);
-    const double fourth = std::pow(chi, 4);
-    return (.083 + .058 * s) * fourth * chi / (1 + 1.1 * fourth);
+    const Constants c = constants_of(layer);
+    const double fourth = std::pow(c.chi, 4);
+    return (.083 + .058 * c.incompressibility) * fourth * c.chi / (1 + 1.1 * fourth);
 }
 
 double layer_pressure_ratio(const LayerForm& layer) {
@@ -86,12 +86,10 @@ double layer_static_shift_ratio(const LayerForm& layer, double f) {
 }
 
 double layer_coupling(const LayerForm& layer, double friction) {
-    constants_of(layer);
+    check(layer);
     if (!(friction >= .4)) throw std::domain_error("layer forms: mu must be 0.4 or more");
-    // Lengths over a_H; beyond that thickness it is the half-space to the last digit.
-    const double thickness = std::min(2 * layer.thickness_ratio, half_space_from);
-    const LayerCompliance c = layer_compliance({{1, layer.poisson}, thickness}, 2);
-    return c.coupling / (c.along * friction);
+    // x = k b at k = 2/a_H, b = 2 a_H b/D_c.
+    return bonded_coupling_ratio(layer.poisson, 4 * layer.thickness_ratio) / friction;
 }
 
 std::optional<double> layer_settled_shift_ratio(const LayerForm& layer, const MappedRolling& point,
@@ -100,9 +98,9 @@ std::optional<double> layer_settled_shift_ratio(const LayerForm& layer, const Ma
     const double w = point.amplitude_ratio, f = point.tangential_ratio;
     MappedRolling own = point;
     own.poisson = layer.poisson;
-    const auto half_space = half_space_settled_shift_ratio(own);
-    if (!half_space || f > layer_shakedown_limit(layer, w)) return std::nullopt;
-    return lifted(layer, *half_space, f) * (1 + coupling * coupling * w);
+    const double half_space = half_space_settled_shift_ratio(own).value_or(contact::undefined);
+    if (std::isnan(half_space) || f > layer_shakedown_limit(layer, w)) return std::nullopt;
+    return lifted(layer, half_space, f) * (1 + coupling * coupling * w);
 }
 
 }  // namespace tricontact::theory

@@ -36,7 +36,7 @@ std::optional<double> settled_shift_ratio(double w, double f, double kappa) {
     check_unit_interval("oscillating rolling", "f = F_T/(mu F_N)", f);
     check_mapping(kappa);
     if (f > shakedown_limit(w, kappa)) return std::nullopt;
-    auto residual = [=](double u) { return static_force_ratio(u) - kappa * w * u - f; };
+    const auto residual = [=](double u) { return static_force_ratio(u) - kappa * w * u - f; };
     const double highest = (1 - w) * (1 + w);
     // At the limit itself rounding may leave no change of sign: the root is then the end point.
     if (residual(highest) <= 0) return highest;

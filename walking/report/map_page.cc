@@ -245,7 +245,8 @@ std::string map_page(const WalkMap& map) {
     for (const Reading& reading : readings) add(reading.name);
     add("μ_c");
     data page{data::type::object};
-    page.set("style", std::string(report::page_style) + report::document_style + map_page_style);
+    page.set("style", std::string(report::page_style) + report::document_style +
+                          report::marked_map_style + map_page_style);
     page.set("version", map.version);
     page.set("title", map.title);
     page.set("title_html", report::typeset(map.title));
@@ -260,7 +261,8 @@ std::string map_page(const WalkMap& map) {
     page.set("has_origin", !map.files.empty() || !map.command.empty());
     page.set("map", report::script_json(map_json(map)));
     page.set("library", std::string(report::chart_library()));
-    page.set("script", std::string(report::charts_script) + map_page_script);
+    page.set("script",
+             std::string(report::charts_script) + report::marked_map_script + map_page_script);
     kainjow::mustache::mustache engine{map_page_template};
     if (!engine.is_valid())
         throw std::logic_error("map_page.html.mustache: " + engine.error_message());

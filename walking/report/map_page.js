@@ -1,5 +1,5 @@
-// Draws the map and the motion of the machine under its marker; mouse, finger, keyboard and sliders
-// move the marker from machine to machine. Nothing is computed here but pictures.
+// Draws the map and the motion of the machine under its marker, which moves from machine to machine
+// (marked_map.js). Nothing is computed here but pictures.
 
 (() => {
 const map = JSON.parse(document.getElementById("map").textContent);
@@ -11,7 +11,6 @@ const map_margin = {l: 54, r: 16, t: 66, b: 48};
 const motion_margin = {l: 66, r: 16, t: 10, b: 48};
 const heights = {map: 430, motion: 560};
 const drawing = {map: {width: 720, height: 560}, motion: {width: 720, height: 620}};
-const quiet = {displayModeBar: false, responsive: true, staticPlot: true};
 let here = map.start, quantity = 0;
 
 // Cells reach half way to their neighbours.
@@ -100,25 +99,7 @@ function csv_of(cell) {
     return lines.join("\n") + "\n";
 }
 
-const charts_of = {map: draw_map, motion: draw_motion};
-function draw(name, theme = charts.screen(), size = {width: undefined, height: heights[name]}) {
-    const [traces, layout] = charts_of[name](theme);
-    return Plotly.react("chart_" + name, traces, {...layout, ...size}, quiet);
-}
-
-// The area inside the map's axes, where the marker moves.
-function place_marker() {
-    const chart = part("chart_map"), pointer = part("pointer");
-    const width = chart.clientWidth - map_margin.l - map_margin.r;
-    const height = heights.map - map_margin.t - map_margin.b;
-    Object.assign(pointer.style, {
-        left: chart.clientLeft + map_margin.l + "px", top: chart.clientTop + map_margin.t + "px",
-        width: width + "px", height: height + "px"});
-    const [x, y] = [map.x.values[here % n_x], map.y.values[Math.floor(here / n_x)]];
-    Object.assign(part("marker").style, {
-        left: 100 * (x - x_range[0]) / (x_range[1] - x_range[0]) + "%",
-        top: 100 * (y_range[1] - y) / (y_range[1] - y_range[0]) + "%"});
-}
+const {draw, draw_all} = chart_page({map: draw_map, motion: draw_motion}, heights, drawing);
 
 const short = value => String(Number(value.toPrecision(4))).replace("-", "−");
 
@@ -133,8 +114,8 @@ function tell() {
     [...part("readings").querySelectorAll("dd")].forEach((dd, i) => { dd.textContent = readings[i]; });
     const words = `κ₈ = ${x}, μ = ${y}: ${readings[0]}`;
     part("verdict").textContent = words;
-    part("marker").setAttribute("aria-valuenow", row);
-    part("marker").setAttribute("aria-valuetext", words);
+    part("map_marker").setAttribute("aria-valuenow", row);
+    part("map_marker").setAttribute("aria-valuetext", words);
     part("slider_x").setAttribute("aria-valuetext", "κ₈ = " + x);
     part("slider_y").setAttribute("aria-valuetext", "μ = " + y);
     part("data_motion").download = `motion_${column}_${row}.csv`;
@@ -156,40 +137,16 @@ function nearest(values, wanted) {
         Math.abs(value - wanted) < Math.abs(values[best] - wanted) ? i : best, 0);
 }
 
-function go_to_pointer(event) {
-    const box = part("pointer").getBoundingClientRect();
-    const x = x_range[0] + (event.clientX - box.left) / box.width * (x_range[1] - x_range[0]);
-    const y = y_range[1] - (event.clientY - box.top) / box.height * (y_range[1] - y_range[0]);
-    go_to(nearest(map.x.values, x), nearest(map.y.values, y));
-}
+const along = ([low, high], share) => low + share * (high - low);
+const place_marker = map_marker({
+    margin: map_margin, height: heights.map, far: 5,
+    where: () => [[map.x.values[here % n_x], x_range], [map.y.values[Math.floor(here / n_x)], y_range]]
+        .map(([value, [low, high]]) => (value - low) / (high - low)),
+    go_to: ([x, y]) => go_to(nearest(map.x.values, along(x_range, x)), nearest(map.y.values, along(y_range, y))),
+    step: ([right, up]) => go_to(here % n_x + right, Math.floor(here / n_x) + up),
+});
 
-// A finger drags the marker itself; elsewhere on the map it scrolls the page, and a tap calls the
-// marker. A mouse drags from anywhere.
 function listen() {
-    const pointer = part("pointer"), marker = part("marker");
-    let dragged_by = null;
-    pointer.addEventListener("pointerdown", event => {
-        if (event.pointerType === "touch" && event.target !== marker) return;
-        event.preventDefault();
-        dragged_by = event.pointerId;
-        marker.focus({focusVisible: false});
-        go_to_pointer(event);
-    });
-    // Beyond the map too, where the marker stays at its edge.
-    addEventListener("pointermove", event => {
-        if (event.pointerId === dragged_by) go_to_pointer(event);
-    });
-    for (const end of ["pointerup", "pointercancel"])
-        addEventListener(end, () => { dragged_by = null; });
-    pointer.addEventListener("click", go_to_pointer);
-    marker.addEventListener("keydown", event => {
-        const step = event.shiftKey ? 5 : 1;
-        const [right, up] = {ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1],
-                             ArrowDown: [0, -1], PageUp: [0, 5], PageDown: [0, -5]}[event.key] ?? [0, 0];
-        if (!right && !up) return;
-        event.preventDefault();
-        go_to(here % n_x + step * right, Math.floor(here / n_x) + step * up);
-    });
     part("slider_x").addEventListener("input",
         event => go_to(Number(event.target.value), Math.floor(here / n_x)));
     part("slider_y").addEventListener("input",
@@ -198,15 +155,6 @@ function listen() {
         quantity = Number(event.target.value);
         draw("map");
     });
-    for (const name of ["map", "motion"])
-        part("save_" + name).addEventListener("click",
-            () => charts.save(...charts_of[name](charts.paper), drawing[name], name,
-                              document.title));
-    new ResizeObserver(place_marker).observe(part("chart_map"));
-}
-
-function draw_all(theme) {
-    for (const name of ["map", "motion"]) draw(name, theme);
 }
 
 map.quantities.forEach(({name}, i) => {
@@ -219,7 +167,4 @@ draw_all(charts.screen());
 place_marker();
 tell();
 listen();
-matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => draw_all(charts.screen()));
-addEventListener("beforeprint", () => draw_all(charts.paper));
-addEventListener("afterprint", () => draw_all(charts.screen()));
 })();

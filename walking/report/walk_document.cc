@@ -91,7 +91,7 @@ report::Document walk_document(const WalkReport& report) {
         .lead =
             "How a slider on elastic contact spots moves after its transient, and how much of "
             "its friction is left: Wetter (2016), chapter 4. Lengths are in units of b, times "
-            "of √(m/k_x), where nothing else is said.",
+            "of √(m/k_x), unless stated otherwise.",
         .verdicts = walk_verdicts(report, vibration),
         .settings = settings_of(report.walk_case),
         .sections = {motion_section(report), contact_section(report), course_section(report)}};

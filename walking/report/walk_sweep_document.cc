@@ -41,7 +41,7 @@ report::Verdict regime_verdict(const WalkSweep& sweep) {
     return {.sentence =
                 fmt::format("{} runs slide steadily, {} walk in a limit cycle, {} are chaotic to "
                             "their end, {} tilt.{} Of those that do not tilt, {} are too short to "
-                            "tell whether their transient is over.",
+                            "decide whether their transient is over.",
                             n[steady], n[limit_cycle], n[chaotic], n[tilting], loading, n_short)};
 }
 

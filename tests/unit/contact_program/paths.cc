@@ -117,7 +117,7 @@ void expect_refused(const std::string& table, const std::string& rule) {
 
 TEST(ContactPaths, RefusesWhatContactDoesNotPrescribe) {
     expect_refused("indentation [mm], tangential_force_x [N]\n0.4, 0\n0.4, 4\n",
-                   "path.table: CONTACT takes F_T over F_N, which d does not tell");
+                   "path.table: CONTACT takes F_T over F_N, which d does not determine");
     expect_refused("normal_force [N], shift_x [um], tangential_force_y [N]\n20, 0, 0\n20, 4, 3\n",
                    "path.table: CONTACT prescribes no shift along x beside a force along y");
     expect_refused("normal_force [N], shift_x [um], rotation [mrad]\n20, 0, 0\n20, 4, 3\n",

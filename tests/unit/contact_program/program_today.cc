@@ -121,7 +121,7 @@ TEST(ProgramToday, DepthsAreThoseOfTheCells) {
     EXPECT_THROW(read(1.25e-5), contact::InputError);
 }
 
-// A twist is no detail of a loaded contact, nor of one that rolls to and fro.
+// A twist is no detail of a loaded contact, nor of one that rolls back and forth.
 TEST(ProgramToday, TwistsAreKept) {
     const Case twisted =
         only_case(Ball{.pressing = "201120", .loads = "1000 -0.5 0 0.001 0.3 -0.2"}.text());

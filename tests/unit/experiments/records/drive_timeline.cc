@@ -77,11 +77,12 @@ TEST(DriveTimeline, OfAKnownDrive) {
 
 TEST(ShiftPeriod, IsFoundInShakedownAndRatcheting) {
     std::mt19937_64 random(3);
-    for (const double walk : {0., 5.}) {
+    for (const double increment : {0., 5.}) {
         SyntheticRecord synthetic;
         synthetic.drive = false;
-        synthetic.stages[0].walk = walk;
-        // A walk has two steps in each period, and 1.5 um of wobble tell it from half the period.
+        synthetic.stages[0].increment = increment;
+        // Ratcheting has two steps in each period; 1.5 um of wobble distinguish it from half the
+        // period.
         EXPECT_NEAR(shift_period(synthetic.make(random), 30, 12), 4, 0.01);
     }
     SyntheticRecord still;

@@ -122,7 +122,7 @@ TEST(Experiment, MeansOfRepeatsCoverTheTruthAsOftenAsTheyClaim) {
         for (int run = 0; run < 3; ++run) {
             SyntheticRecord synthetic = whole_record();
             synthetic.sampling = 0.1;
-            synthetic.stages[0].walk = 4 + 0.1 * gauss(random);
+            synthetic.stages[0].increment = 4 + 0.1 * gauss(random);
             synthetic.stages[0].limit = 100 + gauss(random);  // contacts differ from run to run
             experiment.records.push_back(synthetic.make(random));
         }
@@ -138,19 +138,19 @@ TEST(Experiment, MeansOfRepeatsCoverTheTruthAsOftenAsTheyClaim) {
     EXPECT_NEAR(n_increment / double(n_sets), 0.683, scatter(0.683, n_sets));
 }
 
-// Amplitudes of 1, 1.1, ... mm; the contact walks from 1.25 mm on.
+// Amplitudes of 1, 1.1, ... mm; the contact ratchets from 1.25 mm on.
 SyntheticRecord limit_record() {
     SyntheticRecord synthetic;
     synthetic.stages.clear();
     double shift = 60;
     for (double amplitude = 1000; amplitude < 1450; amplitude += 100) {
-        const double walk = amplitude > 1250 ? 0.05 * (amplitude - 1250) : 0;
+        const double increment = amplitude > 1250 ? 0.05 * (amplitude - 1250) : 0;
         SyntheticRecord::Stage stage{.amplitude = amplitude,
                                      .periods = 10,
                                      .limit = shift + 10,
                                      .transient = 10,
                                      .ratio = 0.4,
-                                     .walk = walk};
+                                     .increment = increment};
         synthetic.stages.push_back(stage);
         shift = stage.shift(10);
     }

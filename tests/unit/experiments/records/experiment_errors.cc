@@ -194,21 +194,22 @@ TEST(Experiment, StepsAreASourceOfUncertainty) {
     EXPECT_EQ(e.series[0].differs(), std::optional(false));
 }
 
-// Of several runs the walk is their mean with the scatter's interval, not that of one run's noise.
+// Of several runs the increment is their mean with the scatter's interval, not that of one run's
+// noise.
 TEST(Experiment, RatchetingOfRepeatsHasTheIntervalOfTheirScatter) {
     std::mt19937_64 random(9);
     Experiment experiment;
     experiment.kind = Experiment::Kind::ratcheting;
-    for (const double walk : {5., 5.2, 5.4}) {
+    for (const double increment : {5., 5.2, 5.4}) {
         SyntheticRecord synthetic;
-        synthetic.stages[0].walk = walk;
+        synthetic.stages[0].increment = increment;
         experiment.records.push_back(synthetic.make(random));
     }
     const auto e = evaluate_experiment(experiment);
-    const Estimate walk = walk_of_runs(e);
-    EXPECT_NEAR(walk.value, 5.2 * um, .02 * um);
+    const Estimate increment = increment_of_runs(e);
+    EXPECT_NEAR(increment.value, 5.2 * um, .02 * um);
     // 4.303 times .2/sqrt(3) um.
-    EXPECT_NEAR(walk.half_width(), 4.303 * .2 / std::sqrt(3.) * um, .06 * um);
+    EXPECT_NEAR(increment.half_width(), 4.303 * .2 / std::sqrt(3.) * um, .06 * um);
     EXPECT_NE(sentences(e).find("5.2 ± 0.5 µm per period (95 %, by the scatter of the runs)"),
               std::string::npos)
         << sentences(e);

@@ -147,11 +147,11 @@ TEST(RecordHum, ALineIsNamedAndNoiseIsNone) {
 
 // A shift that grows has no end that could be extrapolated.
 TEST(RecordScales, RatchetingIsNotExtrapolated) {
-    tests::SyntheticRecord walking;
+    tests::SyntheticRecord ratcheting;
     EXPECT_NE(sentences(evaluated(made())).find("; extrapolated "), std::string::npos);
-    walking.stages[0].walk = 20;
+    ratcheting.stages[0].increment = 20;
     std::mt19937_64 random(1);
-    const auto e = tests::evaluated(walking, random);
+    const auto e = tests::evaluated(ratcheting, random);
     EXPECT_EQ(e.state, contact::State::ratcheting);
     EXPECT_EQ(sentences(e).find("extrapolated"), std::string::npos) << sentences(e);
 }

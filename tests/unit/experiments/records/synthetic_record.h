@@ -9,16 +9,18 @@
 
 namespace tricontact::tests {
 
-/// A record with known truth: u_n = limit - transient q^n + walk n at the ends of periods, between
-/// them a step near each turning point; a table that wobbles with the drive, a vibrometer that
-/// drifts, makes noise, and rounds. Lengths in um, times in s; a drive of 1 mm/s.
+/// A record with known truth: u_n = limit - transient q^n + increment n at the ends of periods,
+/// between them a step near each turning point; a table that wobbles with the drive, a vibrometer
+/// that drifts, makes noise, and rounds. Lengths in um, times in s; a drive of 1 mm/s.
 struct SyntheticRecord {
     struct Stage {
         double amplitude = 1000;  ///< W
         int periods = 12;
-        double limit = 100, transient = 40, ratio = 0.5, walk = 0;
+        double limit = 100, transient = 40, ratio = 0.5, increment = 0;
 
-        double shift(double n) const { return limit - transient * std::pow(ratio, n) + walk * n; }
+        double shift(double n) const {
+            return limit - transient * std::pow(ratio, n) + increment * n;
+        }
         double period() const { return 4 * amplitude / 1000; }
     };
 

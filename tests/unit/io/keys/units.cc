@@ -119,7 +119,7 @@ INSTANTIATE_TEST_SUITE_P(
         Bad{"3 lg(re m)", Dimension::length, "the unit is not a multiple of the SI unit"},
         Bad{"3 m^99", Dimension::length, "\"m^99\" is not a unit"},
         Bad{"3 furlonk", Dimension::length,
-            "\"furlonk\" is not a unit that UDUNITS-2 knows (case matters: MPa, mm)"}));
+            "\"furlonk\" is not a unit of UDUNITS-2 (case matters: MPa, mm)"}));
 
 }  // namespace
 }  // namespace tricontact::io::units_test

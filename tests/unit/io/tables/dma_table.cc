@@ -145,7 +145,7 @@ TEST(RelaxationTest, HasYoungsOrTheShearModulus) {
         return std::string("accepted");
     };
     EXPECT_EQ(said("time [s], E [MPa], G [MPa]\n1,2,3\n"),
-              "e.csv:1: the columns E and G say it twice; write for example time [s], E [MPa]");
+              "e.csv:1: the columns E and G both give it; write for example time [s], E [MPa]");
     EXPECT_EQ(said("time [s], E [MPa]\n-1,2\n1,2\n"),
               "e.csv:2: time = -1: must not be negative; count times from when the strain was "
               "applied");

@@ -130,7 +130,7 @@ TEST(MapLayout, RefusesWhatItCannotTell) {
               "a.csv:1: \"Height map of sample 3\": a line of text stands above the heights; begin "
               "it with #, or remove it");
     EXPECT_EQ(message("x y z [nm]\n0 0 1\n1 0 2\n0 1 3\n1 1 4\n"),
-              "a.csv: says that its heights are in nm, but indenter.unit is 1e-06 m; correct "
+              "a.csv: states heights in nm, but indenter.unit is 1e-06 m; correct "
               "indenter.unit");
 }
 
@@ -138,10 +138,10 @@ TEST(MapLayout, CommentsOfGwyddionAreHeeded) {
     const std::string told = "# Channel: Height\n# Width: 500 \u00b5m\n# Height: 400 \u00b5m\n";
     EXPECT_EQ(message(told + "# Value units: \u00b5m\n" + rows("\t")), "accepted");
     EXPECT_EQ(message(told + "# Value units: m\n" + rows("\t")),
-              "a.csv: says that its heights are in m, but indenter.unit is 1e-06 m; correct "
+              "a.csv: states heights in m, but indenter.unit is 1e-06 m; correct "
               "indenter.unit");
     EXPECT_EQ(message("# Width: 5.00 \u00b5m\n" + rows("\t")),
-              "a.csv: its comments say Width: 5e-06 m, but 5 nodes 1e-04 m apart take 5e-04 m; "
+              "a.csv: its comments state Width: 5e-06 m, but 5 nodes 1e-04 m apart take 5e-04 m; "
               "correct indenter.spacing");
 }
 
