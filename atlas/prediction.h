@@ -11,7 +11,7 @@
 
 namespace tricontact::atlas {
 
-/// What the atlases say of a case in the place of a model's run.
+/// What the atlases say of a case instead of a model's run.
 struct Prediction {
     struct Entry {
         const comparisons::Quantity* quantity;

@@ -81,9 +81,9 @@ struct Scales {
     double sliding_force = 0;  ///< what friction carries in all [N]
 };
 
-/// What becomes of a contact that rolls to and fro for ever. Shakedown: everything sticks in the
-/// end. Cyclic slip: the shift stands, but some of the contact slips to and fro in every period
-/// (alternating slip, as in plastic shakedown). Ratcheting: the shift grows in every period.
+/// What becomes of a contact that rolls back and forth for ever. Shakedown: everything sticks in
+/// the end. Cyclic slip: the shift stands, but some of the contact slips back and forth in every
+/// period (alternating slip, as in plastic shakedown). Ratcheting: the shift grows in every period.
 enum class State { shakedown, cyclic_slip, ratcheting, undecided };
 /// "shakedown", "cyclic-slip", "ratcheting", "undecided".
 const char* name_of(State state);

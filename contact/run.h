@@ -24,8 +24,8 @@ using Observer = std::function<void(const StepRecord&, Model&, const Progress&)>
 /// (also when a solution fails its audit) and InputError.
 ///
 /// With `negligible`: rolls until the series of periods, and not the limit, decides whether
-/// increments of more than `negligible` U_max go on, or the last period; slip to and fro while the
-/// shift stands counts as shakedown. Surfaces are not kept.
+/// increments of more than `negligible` U_max go on, or the last period; slip back and forth while
+/// the shift stands counts as shakedown. Surfaces are not kept.
 History run(const Case& c, Model& model, const Observer& observer = {},
             std::optional<double> negligible = {});
 

@@ -18,7 +18,7 @@ struct RolledPeriod {
     bool something_sticks = false;  ///< a point was in contact and stuck in all steps
 };
 
-/// The shift comes to stand, whatever slips to and fro.
+/// The shift comes to stand, whatever slips back and forth.
 inline bool settles(State state) {
     return state == State::shakedown || state == State::cyclic_slip;
 }
@@ -49,8 +49,8 @@ bool has_constant_loads(const Case& c);
 Judged judged(const Case& c, double accuracy, bool coupled, double amplitude,
               double tangential_ratio);
 
-/// The fate of a contact that rolls to and fro, told period by period: what becomes of the shifts U
-/// and of the frictional works. What was decided once stays decided.
+/// The fate of a contact that rolls back and forth, told period by period: what becomes of the
+/// shifts U and of the frictional works. What was decided once stays decided.
 ///
 /// By the limit: where normal and tangential contact are uncoupled, the bodies elastic and F_T
 /// constant, the contact shakes down if f_T = F_T/(mu F_N) is below

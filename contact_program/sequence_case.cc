@@ -26,7 +26,7 @@ double length(const Vector2& v) {
     return std::hypot(v[0], v[1]);
 }
 
-/// What is pressed, loaded and rolled to and fro in whole periods of equal steps.
+/// What is pressed, loaded and rolled back and forth in whole periods of equal steps.
 class RolledSequence {
   public:
     explicit RolledSequence(ProgramSequence cases) : cases_(cases) {}

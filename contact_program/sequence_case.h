@@ -8,9 +8,10 @@
 
 namespace tricontact::contact_program {
 
-/// The case that is pressed, loaded and perhaps rolled to and fro in whole periods of equal steps
-/// as these shifts are (T = 0, 1): its steps are theirs. Empty where there is none. `heading`: what
-/// comes before the sections. Throws contact::InputError, naming file and line, as parse_case().
+/// The case that is pressed, loaded and perhaps rolled back and forth in whole periods of equal
+/// steps as these shifts are (T = 0, 1): its steps are theirs. Empty where there is none.
+/// `heading`: what comes before the sections. Throws contact::InputError, naming file and line, as
+/// parse_case().
 std::optional<std::string> sequence_case(ProgramSequence steps, const std::string& name,
                                          bool is_coupled, const std::string& heading);
 

@@ -18,7 +18,7 @@ struct PictureLayout {
 /// The figure as gnuplot draws it: what document.js draws on the page, on white.
 Picture picture_of(const Figure& figure, const PictureLayout& layout = {});
 
-/// A drawing as SVG with the figure's title and description in the place of gnuplot's own.
+/// A drawing as SVG with the figure's title and description instead of gnuplot's own.
 std::string with_words(std::string svg, const Figure& figure);
 
 /// The files of one figure.

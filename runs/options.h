@@ -23,7 +23,7 @@ using contact::Case;
 using contact::Say;
 using contact::silent;
 
-/// Who hears what a command tells, in the place of the terminal.
+/// Who hears what a command tells, instead of the terminal.
 struct Listener {
     std::ostream* out;  ///< the answer
     Say say;            ///< a line about what goes on

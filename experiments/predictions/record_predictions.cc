@@ -180,7 +180,7 @@ class RecordPredictions {
     /// Along a recorded path a contact is judged as the record is.
     contact::State state_of(const History& history, std::size_t stage = 0) const {
         if (!recorded_) return history.verdict.state;
-        return state_by_walk(recorded_->shifts(history, share_of_rest_after(), stage));
+        return state_by_increment(recorded_->shifts(history, share_of_rest_after(), stage));
     }
 
     void add_shift(const std::string& name, const Case& c) {
@@ -280,7 +280,7 @@ class RecordPredictions {
     /// One or the other; by the fitted increment where the run does not decide.
     bool settles_or_ratchets(const History& history, bool ratchets) const {
         contact::State state = state_of(history);
-        if (state == contact::State::undecided) state = state_by_walk(shift_of(history));
+        if (state == contact::State::undecided) state = state_by_increment(shift_of(history));
         return ratchets ? state == contact::State::ratcheting : contact::settles(state);
     }
 

@@ -56,7 +56,7 @@ struct Document {
     std::string path_of(const std::string& file) const;
 };
 
-/// An entry in the place of one of the document.
+/// An entry instead of one of the document.
 Entry overriding(std::string path, Value value, const std::string& place);
 
 /// Whether a table in a section, of this path, is a section too.

@@ -6,7 +6,7 @@
 #include <numeric>
 #include <optional>
 
-#include "contact/special_values.h"
+#include "contact/base/special_values.h"
 #include "io/keys/messages.h"
 #include "io/keys/number_text.h"
 #include "io/keys/units.h"

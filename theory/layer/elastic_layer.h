@@ -47,7 +47,7 @@ LayerContact solve_layer_contact(const ElasticLayer& layer,
                                  const contact::AxisymmetricIndenter& indenter,
                                  const contact::NormalControl& control);
 
-// Limit of shakedown of a contact that rolls to and fro by the amplitude W, at any angle to the
+// Limit of shakedown of a contact that rolls back and forth by the amplitude W, at any angle to the
 // load, without coupling of normal and tangential contact: the largest F_T/(mu F_N) that points can
 // carry whose traction never exceeds their least bound, (1/F_N) ∫ min over the path of mu p dA over
 // mu. If p falls with r, the least pressure is that where the path is farthest from the axis, and

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "contact/special_values.h"
+#include "contact/base/special_values.h"
 #include "theory/cattaneo_mindlin.h"
 #include "theory/layer/layer_compliance.h"
 #include "theory/rolling/oscillating_rolling.h"

@@ -4,8 +4,8 @@
 
 namespace tricontact::theory {
 
-// Ratcheting of a paraboloid that rolls to and fro on an uncoupled half-space: the shift of each
-// period once it is steady, Delta u = eta (w - w_lim) over U_max. With Cattaneo's stick radius
+// Ratcheting of a paraboloid that rolls back and forth on an uncoupled half-space: the shift of
+// each period once it is steady, Delta u = eta (w - w_lim) over U_max. With Cattaneo's stick radius
 // s = (1 - f)^(1/3), w_lim the amplitude at which f is the limit of shakedown, and o = nu cos(2
 // angle)/(2 - nu),
 //   eta = 4 (1 - s) (1 - o/2 - o^2/8)/[0.98 - 0.964 w_lim + 1.4 exp(-8.8 w) (w_lim/w)^2].

@@ -4,7 +4,7 @@
 
 namespace tricontact::theory {
 
-// Settled shift of a paraboloid that rolls to and fro on an uncoupled half-space, by the mapped
+// Settled shift of a paraboloid that rolls back and forth on an uncoupled half-space, by the mapped
 // formula of the method of dimensionality reduction (MDR),
 //   f = 1 - kappa w u - (1 - u)^(3/2),
 // with a kappa that has the limits of the three-dimensional contact. n says what angle and

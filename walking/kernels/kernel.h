@@ -27,7 +27,7 @@ namespace tricontact::walking::kernels {
 /// What a kernel knows of a lane, that is one machine of a batch. Scaled so that a step takes few
 /// operations: p = phi/kappa3^2, Z = c_n z with c_n z the friction bound of a spot (c_n = mu
 /// kappa2, in the prism over sqrt(2)), Y = kappa1 (x_s - x), and the increments of positions over a
-/// step in the place of velocities.
+/// step instead of velocities.
 enum Field : int {
     // Constants of the machine and the step dt.
     lever,           ///< of p in the approach of a spot: c_n kappa3
