@@ -119,7 +119,7 @@ io::RigFile DesignInput::at(const std::vector<double>& fractions) const {
         if (std::ranges::count(entries, entry.path, &io::Entry::path) > 0) entry.overridden = false;
     io::apply_overrides(result.document, entries, io::case_file_keys());
     result.c = io::resolve_case(result.document, {});
-    result.uncertain = io::uncertain_keys(result.document, io::case_file_keys());
+    result.uncertain = io::uncertain_numbers(result.document, result.c);
     result.correlations = io::correlations(result.document, result.uncertain);
     return result;
 }

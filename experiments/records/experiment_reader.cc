@@ -115,9 +115,11 @@ ExperimentInput read_experiment(const std::string& path,
     if (const io::Entry* title = document.find("title"))
         io::read_field(*io::find_key("title"), *title, &e.title);
     if (document.find("models")) {
-        io::resolve_case(document, {});  // checked before the records are read
+        const auto c = io::resolve_case(document, {});  // checked before the records are read
         input.case_file = path;
-        input.uncertain = io::uncertain_keys(document, io::case_key_list());
+        input.uncertain = io::uncertain_numbers(document, c);
+        std::erase_if(input.uncertain,
+                      [](const auto& one) { return !io::find_key(one.key->path); });
         input.correlations =
             io::correlations(document, io::uncertain_keys(document, io::case_file_keys()));
     }

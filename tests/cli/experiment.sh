@@ -77,6 +77,17 @@ of_case 's/^amplitude_ratio = .*/amplitude_ratio = 0.24/; s/^thickness = .*/thic
     'kind = "shakedown"' "runs = [\"$run\"]"
 refused "substrate.thickness_ratio: an uncertainty of this ratio is not propagated; state the length"
 
+# The same substrate, its modulus stated relaxed or unrelaxed (g = 0.5: twice as large), both known to 5 %: the same ±.
+for young in "relaxed 5.2 MPa" "unrelaxed 10.4 MPa"; do
+    of_case "s/^young = \"5.2 MPa\"/young = \"${young#* } ± 5 %\"/; /^thickness/d; s/^\[rolling\]/&\nspeed = \"1 mm\/s\"/
+        s/^\[friction\]/[substrate.relaxation]\nmodulus = \"${young% * *}\"\nrelative_moduli = [0.5]\ntimes = [\"0.1 s\"]\n&/" \
+        'kind = "shakedown"' "runs = [\"$run\"]"
+    expect 0 data.toml --output relaxing --quiet
+    mv out "${young% * *}"
+done
+says "U_sd = 302 ± 7 µm" relaxed
+cmp relaxed unrelaxed || complain "the uncertainty of an unrelaxed modulus: $(cat unrelaxed)"
+
 # 4. What is wrong with a record. record NAME COMMAND...: run 1 changed by awk.
 write 'kind = "shakedown"' 'runs = ["run.csv"]'
 record() { awk -F, -v OFS=, "$1" "$run" >run.csv; }
