@@ -44,7 +44,7 @@ void check_bodies(const Case& c, bool is_coupled) {
 using Kind = TangentialControl::Kind;
 
 std::string path_key(const Case& c) {
-    return c.of<PathInput>().file ? "path.file" : "path.table";
+    return c.of<io::PathInput>().file ? "path.file" : "path.table";
 }
 
 /// Forces are over mu F_N there, and of x and y the force of x comes first.
@@ -76,7 +76,8 @@ void check_rolling_on(const Case& c) {
                  "CONTACT prescribes no creepage along x beside a force along y (F = 0, 1, 2)",
                  "give it");
     if (c.load.indentation && c.load.tangential_force.value_or(0) != 0)
-        io::fail("load.tangential_force", "", "CONTACT takes F_T over F_N, which d does not determine",
+        io::fail("load.tangential_force", "",
+                 "CONTACT takes F_T over F_N, which d does not determine",
                  "give load.tangential_ratio");
 }
 
@@ -95,7 +96,8 @@ void check_loads(const Case& c) {
         io::fail("load.indentation", "", "CONTACT takes F_T over the F_N of each step",
                  "give load.normal_force where the indenter rolls");
     if (c.load.tangential_force)
-        io::fail("load.tangential_force", "", "CONTACT takes F_T over F_N, which d does not determine",
+        io::fail("load.tangential_force", "",
+                 "CONTACT takes F_T over F_N, which d does not determine",
                  "give load.tangential_ratio");
 }
 

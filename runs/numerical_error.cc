@@ -83,6 +83,7 @@ std::optional<NumericalError> numerical_error(const Case& c, const contact::Hist
                                               const RunOptions& options, const Say& say) {
     if (!options.studies) return {};
     const std::string& name = history.model;
+    const contact::ModelMakers& makers = *options.makers;
     NumericalError error{.model = name,
                          .run = ResolvedRun(c, history),
                          .coarser = {},
@@ -91,7 +92,6 @@ std::optional<NumericalError> numerical_error(const Case& c, const contact::Hist
                          .prescribed = comparisons::prescribed_quantities(c)};
     const Case loaded = contact::loaded_as(c, history);
     say(fmt::format("{}: once more on coarser meshes and with other steps", name));
-    const contact::ModelMakers& makers = *options.makers;
     const int n_threads = options.threads;
     CoarserModel coarser;
     // The run itself is none the worse for what stops these.

@@ -114,7 +114,7 @@ class ContactKind : public StudyKind {
 
     void require_files(const StudyPoints& points) const override {
         for (const StudyPoint& point : points)
-            if (point.of<io::Output>().vtk == io::Output::Vtk::none)
+            if (point.output.vtk == io::Output::Vtk::none)
                 throw contact::InputError(
                     "--vtk: output.vtk = \"none\" leaves nothing to write; set output.vtk = "
                     "\"frames\" in the case or in [set], or omit --vtk");

@@ -28,7 +28,7 @@ struct Runner {
     Say say;  ///< hears of each level
 
     std::unique_ptr<contact::Model> make(const std::string& model, const Case& c) const {
-        return makers.make(model, c, 1, runner);
+        return makers.make(model, c, 1, say);
     }
 };
 
@@ -128,7 +128,7 @@ void verify_friction_pressing(const Runner& runner, Verification& all);
 void verify_peer_shifts(const Runner& runner, Verification& all);
 
 /// Velocity Verlet beside closed forms and the event-driven integrator.
-void verify_walking(const Runner& runner, Verification& all);
+void verify_walking(const Say& say, Verification& all);
 
 /// fem under a cylinder on a layer.
 void verify_fem_line(const Runner& runner, Verification& all);

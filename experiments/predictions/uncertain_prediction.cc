@@ -14,7 +14,6 @@ namespace tricontact::experiments {
 
 namespace {
 
-using atlas::Prediction;
 using contact::Case;
 
 constexpr double least_share = 1e-6;  // of a number's value: what a distribution reaches below 0
@@ -50,7 +49,7 @@ double ratchets(contact::State state) {
     }
 }
 
-std::optional<Prediction> prediction_if_any(const Case& c, const std::string& model) {
+std::optional<atlas::Prediction> prediction_if_any(const Case& c, const std::string& model) {
     try {
         return atlas::predict(c, model);
     } catch (const contact::InputError&) {  // beyond the maps
@@ -88,7 +87,7 @@ SampledPrediction sampled_prediction(const Case& c, const std::string& model,
     const std::vector<std::string> names = numbers.names();
     const auto correlation = correlations.of(names);
     const auto root = statistics::triangular_root(correlation, names.size());
-    const Prediction nominal = atlas::predict(numbers.set, model);
+    const atlas::Prediction nominal = atlas::predict(numbers.set, model);
     Case values = numbers.set;
     const auto functions = [&](const std::vector<double>& independent) {
         contact::interruption_point();
