@@ -54,7 +54,7 @@ struct Call {
 
 /// Nothing where the first argument is no command of the program.
 std::optional<Call> call_of(const std::vector<Command>& commands, int argc,
-                                    const char* const* argv) {
+                            const char* const* argv) {
     std::vector<std::string> words(argv + 1, argv + argc);
     if (words.empty()) return {};
     const auto called = [&](std::string_view name) {

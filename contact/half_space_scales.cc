@@ -59,8 +59,8 @@ double friction_of(const Case& c) {
     return c.friction.law()->coulomb().value_or(std::numeric_limits<double>::quiet_NaN());
 }
 
-double shift_ratio(const MaterialPair& materials, double friction_coefficient) {
-    return friction_coefficient * materials.effective_modulus() /
+double shift_ratio(const MaterialPair& materials, double coulomb_coefficient) {
+    return coulomb_coefficient * materials.effective_modulus() /
            materials.effective_shear_modulus();
 }
 double shift_ratio(const Case& c) {
@@ -69,14 +69,14 @@ double shift_ratio(const Case& c) {
 
 // Hertz (1882); Johnson (1985), ch. 4: a^2 = R d, F_N = 4/3 E* sqrt(R) d^(3/2).
 HalfSpaceScales hertz_scales_at(double d, double radius, const MaterialPair& materials,
-                                double friction_coefficient) {
+                                double coulomb_coefficient) {
     const double e_star = materials.effective_modulus();
     const double a = std::sqrt(radius * d);
     return {.contact_radius = a,
             .indentation = d,
             .normal_force = 4. / 3 * e_star * std::sqrt(radius) * std::pow(d, 1.5),
             .peak_pressure = 2 / std::numbers::pi * e_star * std::sqrt(d / radius),
-            .unit_shift = shift_ratio(materials, friction_coefficient) * d,
+            .unit_shift = shift_ratio(materials, coulomb_coefficient) * d,
             .half_widths = {a, a}};
 }
 
@@ -189,10 +189,10 @@ HalfSpaceScales rough_scales(const Case& c) {
 }  // namespace
 
 HalfSpaceScales hertz_scales(const MaterialPair& materials, double radius, double normal_force,
-                             double friction_coefficient) {
+                             double coulomb_coefficient) {
     const double e_star = materials.effective_modulus();
     const double d = std::pow(3 * normal_force / (4 * e_star * std::sqrt(radius)), 2. / 3);
-    return hertz_scales_at(d, radius, materials, friction_coefficient);
+    return hertz_scales_at(d, radius, materials, coulomb_coefficient);
 }
 
 double line_half_width(double load, double radius, double effective_modulus) {

@@ -6,7 +6,7 @@ namespace tricontact::contact {
 
 /// Hertz' contact of a paraboloid of the radius [m] under F_N [N]: its scales.
 HalfSpaceScales hertz_scales(const MaterialPair& materials, double radius, double normal_force,
-                             double friction_coefficient);
+                             double coulomb_coefficient);
 
 /// Half width a [m] of the contact of a cylinder of the radius R [m] with a half-space under the
 /// load F/L [N/m]: a^2 = 4 (F/L) R/(pi E*); Johnson (1985), eq. 4.43.

@@ -36,7 +36,7 @@ def calls():
             command = "walk" if "[machine]" in text else "roll" if "[tractive_rolling]" in text else "run"
             yield name, [command, path, "--output", "OUT", "--no-report", "--quiet"]
         elif folder == "rigs":
-            yield name, ["design" if "[design]" in path.read_text() else "rig", path, "--output", "OUT", "--quiet"]
+            yield name, ["design" if "[design]" in path.read_text() else "rig", path, "--output", "OUT"]
         else:
             command = {"measurements": "identify", "records": "experiment"}[folder]
             yield name, [command, path, "--output", "OUT", "--quiet"]
@@ -71,6 +71,8 @@ def difference(name, before, after, arguments):
         first = next((f"{a!r:.110} | {b!r:.110}" for a, b in pairs if a != b), None)
         if first or (file in old) != (file in new):
             lines.append(f"{name}: {file}: {first}")
+    if old["exit code"] != "0":
+        lines.append(f"{name}: {before} ends with {old['exit code']}: nothing is compared")
     print(f"{name}: {len(old)} files, {'differ' if lines else 'the same'}", flush=True)
     return lines
 

@@ -271,7 +271,8 @@ report::DocumentTable stages_table(const ExperimentEvaluation& e) {
          .title = "Verdicts by both criteria, per run and amplitude",
          .note = "Increment and curvature: half widths of the intervals at " +
                  level(verdict_confidence) +
-                 " behind ±. Residual: of the values upright about transient and ratcheting; noise: what "
+                 " behind ±. Residual: of the values upright about transient and ratcheting; "
+                 "noise: what "
                  "their errors explain. Curvature of all samples: as the thesis takes it, without "
                  "an interval, since neighbours in the record are not independent."},
         rows,

@@ -30,7 +30,7 @@ bem() {
 
 # resolved FOLDER SIZE: the case text of the level of that size, as the store has it.
 resolved() {
-    python3 - "$1/results.sqlite" "$2" <<'END'
+    "$python" - "$1/results.sqlite" "$2" <<'END'
 import sqlite3, sys
 rows = sqlite3.connect(sys.argv[1]).execute("SELECT resolved_case FROM points").fetchall()
 print(*(text for text, in rows if sys.argv[2] in text))
@@ -140,7 +140,7 @@ diff -r whole again || complain "a second call changed the results"
 
 # 5. Without its report the finest level is computed once more, a damaged level too, no other.
 rm again/report.html
-python3 - again/results.sqlite <<'END'
+"$python" - again/results.sqlite <<'END'
 import sqlite3, sys
 with sqlite3.connect(sys.argv[1]) as store:
     store.execute("UPDATE points SET results = replace(results, '1', '2') WHERE resolved_case LIKE '%0.00141%m\"%'"

@@ -7,6 +7,7 @@
 #include <Eigen/Dense>
 
 #include "contact/bodies/indenter.h"
+#include "contact/friction/friction.h"
 #include "fem/condensed_compliance.h"
 #include "fem/finite_strain/deferred_correction.h"
 #include "fem/whole_body.h"
@@ -38,12 +39,13 @@ struct Layer {
           compliance(problem, condense(*problem)),
           body(compliance.corrected().discretisation, {0, 0}),
           correction({compliance.corrected().discretisation, body, compliance.corrected().factor,
-                      compliance, *indenter, radius, friction, tolerance}) {}
+                      compliance, *indenter, radius, law, tolerance}) {}
 
     std::shared_ptr<const LayerProblem> problem;
     CondensedCompliance compliance;
     std::unique_ptr<contact::Indenter> indenter = std::make_unique<contact::Paraboloid>(radius);
     StrainedBody body;
+    contact::Coulomb law{friction};
     DeferredCorrection correction;
 };
 
