@@ -165,8 +165,12 @@ TEST(ModelKinds, AreAsAccurateAsTheirSettings) {
     c.of<bem::Settings>().tolerance = 3e-5;
     for (const ModelKind& kind : linked()) {
         const double step = made(kind.name, c)->step_accuracy();
-        if (kind.is_on_cells()) EXPECT_EQ(step, c.of<bem::Settings>().tolerance);
-        if (kind.is_on_line()) EXPECT_LE(step, contact::layer_springs_accuracy);
+        if (kind.is_on_cells()) {
+            EXPECT_EQ(step, c.of<bem::Settings>().tolerance);
+        }
+        if (kind.is_on_line()) {
+            EXPECT_LE(step, contact::layer_springs_accuracy);
+        }
     }
 }
 
