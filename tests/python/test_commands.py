@@ -47,7 +47,7 @@ def test_numbers_are_those_of_the_program(rig, program, tmp_path):
     limit = tricontact.limit(rig, overrides=COARSE, models=["mdr"], tolerance=0.01)
     assert dict(limit) == json.loads((tmp_path / "out" / "limit.json").read_text())
     assert limit["mdr"] == limit["models"]["mdr"]
-    assert "<html" in limit.report and "mdr" in limit.text and limit.folder is None
+    assert "<html" in limit.report and "MDR" in limit.text and limit.folder is None
     # A case instead of its file.
     case = tricontact.Case.from_file(rig, COARSE)
     again = tricontact.limit(case, models=["mdr"], tolerance=0.01)

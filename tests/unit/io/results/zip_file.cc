@@ -80,7 +80,7 @@ TEST_F(ZipFile, RefusesNamesThatLeadOut) {
     EXPECT_EQ(refusal_of(foreign("a/b", 0)), "(no error)");
 }
 
-// Zeros pack a thousand times smaller: they are read up to the bound and no further.
+// Zeros pack two hundred times smaller, even quickly: they are read up to the bound and no further.
 TEST_F(ZipFile, RefusesMoreThanItHolds) {
     const std::string zeros(100'000'000, '\0');
     zip_t* archive = zip_open(at("b.zip").c_str(), ZIP_CREATE | ZIP_TRUNCATE, nullptr);
@@ -91,7 +91,7 @@ TEST_F(ZipFile, RefusesMoreThanItHolds) {
     }
     zip_close(archive);
     const std::string bomb = content_of(at("b.zip"));
-    EXPECT_LT(bomb.size(), 1'000'000U);
+    EXPECT_LT(bomb.size(), 3'000'000U);
     EXPECT_TRUE(contains(refusal_of(bomb), "holds more than 500 MB"));
     ZipFiles many;
     for (int i = 0; i <= 10'000; ++i) many[std::to_string(i)];
