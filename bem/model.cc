@@ -12,6 +12,7 @@
 #include "bem/periodic_compliance.h"
 #include "bem/settings.h"
 #include "bem/summed_compliance.h"
+#include "contact/bodies/body_shapes.h"
 #include "contact/cells.h"
 #include "contact/half_space_scales.h"
 #include "contact/load_path.h"
@@ -217,12 +218,8 @@ std::unique_ptr<contact::Compliance> case_compliance_on(const contact::Case& c,
 }  // namespace
 
 bool is_mirrored(const contact::Case& c) {
-    using Shape = contact::Case::Shape;
-    const Shape shape = c.indenter.shape;
-    const bool is_smooth_ball = shape != Shape::flat && shape != Shape::height_map &&
-                                !c.is_cylindrical() && !c.indenter.roughness;
-    return is_smooth_ball && !c.period && !c.tractive_rolling && !c.of<contact::Cells>().shift_y &&
-           contact::is_mirror_symmetric(c);
+    return contact::is_smooth_ball(c.indenter) && !c.period && !c.tractive_rolling &&
+           !c.of<contact::Cells>().shift_y && contact::is_mirror_symmetric(c);
 }
 
 std::unique_ptr<contact::Compliance> case_compliance(const contact::Case& c, int n_threads,

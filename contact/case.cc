@@ -1,6 +1,7 @@
 #include "contact/case.h"
 
 #include "contact/base/error.h"
+#include "contact/bodies/body_shapes.h"
 
 namespace tricontact::contact {
 
@@ -39,10 +40,8 @@ bool is_hertz_round(const Case& c) {
 }
 
 bool has_conical_tip(const Case& c) {
-    const Case::IndenterData& body = c.indenter;
-    return body.shape == Case::Shape::cone ||
-           (body.shape == Case::Shape::power_law && body.exponent == 1) ||
-           (body.shape == Case::Shape::profile && body.profile.front().kink);
+    const auto says = body_shape(c.indenter.shape).has_conical_tip;
+    return says && says(c.indenter);
 }
 
 double rolling_amplitude(const Case::Rolling& rolling, double reference_radius) {
@@ -50,19 +49,8 @@ double rolling_amplitude(const Case::Rolling& rolling, double reference_radius) 
 }
 
 bool pressure_falls(const Case& c) {
-    if (c.indenter.roughness) return false;
-    switch (c.indenter.shape) {
-        case Case::Shape::paraboloid:
-        case Case::Shape::sphere:
-        case Case::Shape::ellipsoid:
-        case Case::Shape::cone:
-        case Case::Shape::cylinder:
-            return true;
-        case Case::Shape::power_law:
-            return c.indenter.exponent <= 2;
-        default:
-            return false;
-    }
+    const auto says = body_shape(c.indenter.shape).pressure_falls;
+    return says && says(c.indenter) && !c.indenter.roughness;
 }
 
 // On a bonded base 0.01 % is left of the difference between held and free sides at 6 thicknesses; a

@@ -6,10 +6,8 @@
 #include <vector>
 
 #include "contact/base/typed_values.h"
-#include "contact/bodies/height_map.h"
 #include "contact/bodies/indenter.h"
-#include "contact/bodies/profile_curve.h"
-#include "contact/bodies/roughness.h"
+#include "contact/bodies/indenter_data.h"
 #include "contact/friction/friction.h"
 #include "contact/prescribed_path.h"
 #include "contact/solvers/contact_options.h"
@@ -21,47 +19,14 @@ namespace tricontact::contact {
 /// What a case file says, in SI units, as the user said it: where a quantity may be given as a
 /// value or as a ratio, exactly one of the two is set.
 struct Case {
-    enum class Shape {
-        paraboloid,
-        sphere,
-        cylinder,
-        roller,
-        cone,
-        power_law,
-        rounded_punch,
-        ellipsoid,
-        profile,
-        flat,
-        height_map
-    };
+    using IndenterData = contact::IndenterData;
+    using Shape = IndenterData::Shape;
+    using Heights = IndenterData::Heights;
     enum class AmplitudeReference { hertz, model };
     enum class Steps { increment, per_quarter, turning_points };
     enum class Base { bonded, frictionless, half_space };
     enum class Press { friction, frictionless };
     enum class Law { linear, neo_hookean, mooney_rivlin };
-    /// Where the heights of a map's file point: away from the substrate, so that the lowest presses
-    /// first, or out of the indenter's material, so that the highest does.
-    enum class Heights { gap, outward };
-
-    /// Lengths that a shape has not are 0.
-    struct IndenterData {
-        Shape shape = Shape::paraboloid;
-        double radius = 0;                ///< R of curvature [m]; of an ellipsoid in the x-z plane
-        double radius_y = 0;              ///< of an ellipsoid in the y-z plane [m]
-        double length = 0;                ///< L along y of cylinder and roller [m]
-        double chamfer = 0;               ///< radius of the rounded ends of a roller [m]; 0: sharp
-        double angle = 0;                 ///< of a cone's flank to the surface [rad]
-        double exponent = 0;              ///< n of the power law h = r^n / (n R^(n-1)) [-]
-        double flat_radius = 0;           ///< of a rounded punch's flat part [m]
-        std::optional<std::string> file;  ///< of a profile or a height map
-        std::optional<double> spacing;    ///< of a height map whose file does not say it [m]
-        std::optional<double> unit;       ///< 1 of that file's heights [m]
-        Heights heights = Heights::gap;   ///< of the file; those of `height_map` are gaps
-        std::shared_ptr<const HeightMap> height_map;  ///< what the file holds
-        std::vector<ProfileCurve::Point> profile;     ///< likewise
-        std::optional<Roughness> roughness;           ///< upon the shape
-        std::optional<Material> material;             ///< empty: rigid
-    };
 
     /// The substrate's finite size; half-space models do not see it.
     struct Layer {

@@ -5,6 +5,36 @@
 
 namespace tricontact::app {
 
+// The commands, each defined in a file of its own beside what it does, which throws
+// contact::InputError and contact::NotConverged; mesh and cache in fem_commands.cc. Called here
+// only: a header of theirs would be a second list of them.
+Command run_command();
+Command sweep_command();
+Command sweep_merge_command();
+Command predict_command();
+Command check_command();
+Command refine_command();
+Command verify_command();
+Command reproduce_command();
+Command limit_command();
+Command deviation_command();
+Command fit_command();
+Command rig_command();
+Command design_command();
+Command identify_command();
+Command experiment_command();
+Command contact_command();
+Command contact_export_command();
+Command contact_import_command();
+Command influence_command();
+Command mesh_command();
+Command atlas_command();
+Command cache_command();
+Command cache_condense_command();
+Command list_command();
+Command keys_command();
+Command manual_command();
+
 namespace {
 
 struct FormerName {

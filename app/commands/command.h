@@ -162,36 +162,7 @@ class Declared {
     Command command_;
 };
 
-// The commands, each declared in a file of its own beside what it does, which throws
-// contact::InputError and contact::NotConverged; mesh and cache in fem_commands.cc.
-Command run_command();
-Command sweep_command();
-Command sweep_merge_command();
-Command predict_command();
-Command check_command();
-Command refine_command();
-Command verify_command();
-Command reproduce_command();
-Command limit_command();
-Command deviation_command();
-Command fit_command();
-Command rig_command();
-Command design_command();
-Command identify_command();
-Command experiment_command();
-Command contact_command();
-Command contact_export_command();
-Command contact_import_command();
-Command influence_command();
-Command mesh_command();
-Command atlas_command();
-Command cache_command();
-Command cache_condense_command();
-Command list_command();
-Command keys_command();
-Command manual_command();
-
-/// All of them, in the order of the help: by groups, each before its parts.
+/// All commands, in the order of the help: by groups, each before its parts.
 std::vector<Command> all_commands();
 
 /// The name of a command that was called otherwise before: of "merge" it is "sweep merge"; any

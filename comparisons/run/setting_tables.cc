@@ -7,6 +7,7 @@
 #include "bem/settings.h"
 #include "comparisons/quantities/reference.h"
 #include "comparisons/run/report_tables.h"
+#include "contact/bodies/body_shapes.h"
 #include "report/format.h"
 
 namespace tricontact::comparisons {
@@ -74,23 +75,10 @@ void add_treatment(const Case& c, Settings& settings) {
     settings.add("coupling", c.contact.coupling ? "yes" : "left out");
 }
 
-/// In the order of Case::Shape.
-constexpr const char* shape_names[] = {"paraboloid",
-                                       "sphere",
-                                       "cylinder",
-                                       "roller",
-                                       "cone",
-                                       "power law r^n/(n R^(n−1))",
-                                       "flat punch with rounded edge",
-                                       "ellipsoid",
-                                       "profile from a table",
-                                       "plane",
-                                       "height map"};
-
 /// Shape and lengths of the indenter.
 void add_indenter(const Case& c, Settings& settings) {
     const Case::IndenterData& body = c.indenter;
-    settings.add("indenter", shape_names[static_cast<int>(body.shape)]);
+    settings.add("indenter", contact::body_shape(body.shape).title);
     settings.add_unless_zero("radius R", body.radius, "m");
     settings.add_unless_zero("radius across R_y", body.radius_y, "m");
     settings.add_unless_zero("length L", body.length, "m");

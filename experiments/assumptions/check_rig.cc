@@ -1,13 +1,9 @@
 #include "experiments/assumptions/check_rig.h"
 
-#include <fmt/format.h>
-
 #include <cmath>
-#include <functional>
 
+#include "experiments/assumptions/assumption_list.h"
 #include "experiments/assumptions/rolling_parts.h"
-#include "experiments/assumptions/walking_parts.h"
-#include "io/keys/messages.h"
 
 namespace tricontact::experiments {
 
@@ -70,59 +66,10 @@ PrintedCheck check(const PrintedValue& printed, const Calculation* calculation) 
     return check;
 }
 
-/// An assumption whose numbers models compute: a run takes the numbers of the file at their values.
-Assumption at_values_of(const Rig& rig, Assumption a) {
-    if (a.criteria.empty() || rig.uncertain.empty()) return a;
-    if (!a.consequence.empty()) a.consequence += ' ';
-    a.consequence += fmt::format(
-        "Models compute this at the values of the file: the ± of {} {} not in it.",
-        io::joined(rig.uncertain, std::identity()), rig.uncertain.size() == 1 ? "is" : "are");
-    return a;
-}
-
 }  // namespace
 
 RigReport check_rig(const Rig& rig, const StaticShift& static_shift, const RolledGrowth& growth) {
-    RigReport report{.title = rig.title};
-    switch (rig.kind) {
-        case Rig::Kind::sphere:
-            report.assumptions = {quasi_static_drive(rig),
-                                  ideal_rolling(rig),
-                                  level_surface(rig),
-                                  half_space(rig),
-                                  far_edges(rig),
-                                  elastic_substrate(rig),
-                                  at_values_of(rig, uncoupled(rig, static_shift)),
-                                  at_values_of(rig, growth_by_rolling(rig, growth)),
-                                  small_strains(rig),
-                                  no_adhesion(rig),
-                                  smooth_surfaces(rig),
-                                  unsaturated_contact(rig),
-                                  no_heating(rig),
-                                  no_wear(rig),
-                                  fitted_constants(rig)};
-            break;
-        case Rig::Kind::cylinder:
-            report.assumptions = {quasi_static_drive(rig), ideal_rolling(rig), level_surface(rig),
-                                  half_space_of_line(rig), far_edges(rig),     long_cylinder(rig),
-                                  elastic_substrate(rig),  uncoupled(rig, {}), smooth_surfaces(rig),
-                                  unsaturated_contact(rig)};
-            break;
-        case Rig::Kind::body:
-            report.assumptions = {
-                quasi_static_drive(rig), at_values_of(rig, half_space_of_body(rig)),
-                elastic_substrate(rig),
-                at_values_of(rig, uncoupled(rig, [](const Rig& body, bool coupled) {
-                                 return coupled ? body.body->coupled_static_shift.value
-                                                : body.body->layer.static_shift.value;
-                             }))};
-            break;
-        case Rig::Kind::micro_walking:
-            report.assumptions = {contact_diameter(rig),  known_stiffness(rig),
-                                  similar_stiffness(rig), rigid_sensor(rig),
-                                  rod_as_spring(rig),     no_tilting(rig),
-                                  sampled_often(rig)};
-    }
+    RigReport report{.title = rig.title, .assumptions = assumptions_of(rig, static_shift, growth)};
     report.effects = effects_on_measured(rig, report.assumptions);
     report.printed = check_printed(rig.printed, report.assumptions);
     return report;

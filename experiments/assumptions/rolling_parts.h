@@ -10,7 +10,7 @@
 #include "theory/layer/elastic_layer.h"
 #include "theory/layer/line_contact.h"
 
-// The quantities of a rolling rig, its contact, and its assumptions, one function each.
+// The quantities of a rolling rig and its contact, for the files of its assumptions.
 namespace tricontact::experiments {
 
 /// W [m], the least of the drive and that at which the pivot was measured; f_0 [Hz].
@@ -67,27 +67,8 @@ Assumption half_space_assumption(const Rig& rig, Calculation thickness_ratio,
                                  std::span<const ComparedQuantity> compared,
                                  const LayerTheory& theory);
 
-Assumption quasi_static_drive(const Rig& rig);
-Assumption ideal_rolling(const Rig& rig);
-Assumption half_space(const Rig& rig);
-Assumption half_space_of_line(const Rig& rig);
-/// By the contacts of Rig::body.
-Assumption half_space_of_body(const Rig& rig);
-Assumption far_edges(const Rig& rig);
-Assumption level_surface(const Rig& rig);
-Assumption long_cylinder(const Rig& rig);
-Assumption elastic_substrate(const Rig& rig);
-/// The same of a substrate with several branches of relaxation.
+/// elastic_substrate() of a substrate with several branches of relaxation.
 Assumption relaxed_substrate(const Rig& rig);
-Assumption uncoupled(const Rig& rig, const StaticShift& static_shift);
-Assumption growth_by_rolling(const Rig& rig, const RolledGrowth& growth);
-Assumption small_strains(const Rig& rig);
-Assumption no_adhesion(const Rig& rig);
-Assumption smooth_surfaces(const Rig& rig);
-Assumption unsaturated_contact(const Rig& rig);
-Assumption no_heating(const Rig& rig);
-Assumption no_wear(const Rig& rig);
-Assumption fitted_constants(const Rig& rig);
 
 /// Whether these are the data of one of the thesis' three rolling rigs (Wetter 2016, tables 5.1.1
 /// to 5.1.3): shape, R, b, E_2, mu and F_N. Remarks on the thesis' text are made of no other.

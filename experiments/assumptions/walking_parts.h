@@ -2,7 +2,7 @@
 
 #include "experiments/assumptions/rig_quantities.h"
 
-// The quantities and formulas of a micro-walking rig, and its assumptions, one function each.
+// The quantities and formulas of a micro-walking rig, for the files of its assumptions.
 namespace tricontact::experiments {
 
 inline constexpr double gravity = 9.81;  ///< [m/s^2]
@@ -14,13 +14,5 @@ extern const Formula tangential_stiffness, normal_stiffness, half_width, half_he
 RigNumber spot_force(const Rig& rig);
 /// Of spring and sensor in series [N/m]; the spring's own without a sensor.
 Calculation spring_stiffness(const Rig& rig);
-
-Assumption contact_diameter(const Rig& rig);
-Assumption known_stiffness(const Rig& rig);
-Assumption similar_stiffness(const Rig& rig);
-Assumption rigid_sensor(const Rig& rig);
-Assumption rod_as_spring(const Rig& rig);
-Assumption no_tilting(const Rig& rig);
-Assumption sampled_often(const Rig& rig);
 
 }  // namespace tricontact::experiments

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "experiments/assumptions/rig_report.h"
 #include "experiments/design/design_report.h"
+#include "experiments/rig_report/rig_report.h"
 #include "io/keys/units.h"
 #include "report/format.h"
 

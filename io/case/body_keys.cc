@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <numbers>
 
+#include "contact/bodies/body_shapes.h"
 #include "io/case/case_checks.h"
 #include "io/case/case_input.h"
 #include "io/case/case_keys.h"
@@ -10,6 +11,7 @@ namespace tricontact::io {
 
 namespace {
 
+using contact::BodyShape;
 using contact::Case;
 using contact::Friction;
 using contact::Material;
@@ -27,47 +29,20 @@ Field of_series(Case& c) {
     return c.relaxation ? in(c.of<Input>(), members...) : Field();
 }
 
-/// The words of the shapes, and the keys of [indenter] that each of them takes beside the material.
-struct ShapeKeys {
-    std::string_view word;
-    Case::Shape shape;
-    std::vector<std::string_view> keys;
-};
-
-const std::vector<ShapeKeys>& shapes() {
-    using enum Case::Shape;
-    static const std::vector<ShapeKeys> all = {
-        {"paraboloid", paraboloid, {"radius"}},
-        {"sphere", sphere, {"radius"}},
-        {"cylinder", cylinder, {"radius", "length"}},
-        {"roller", roller, {"radius", "length", "chamfer"}},
-        {"cone", cone, {"angle"}},
-        {"power-law", power_law, {"radius", "exponent"}},
-        {"rounded-punch", rounded_punch, {"radius", "flat_radius"}},
-        {"ellipsoid", ellipsoid, {"radius", "radius_y"}},
-        {"profile", profile, {"file"}},
-        {"flat", flat, {}},
-        {"height-map", height_map, {"file", "spacing", "unit", "heights"}}};
-    return all;
-}
-
-const ShapeKeys& keys_of(Case::Shape shape) {
-    return *std::ranges::find(shapes(), shape, &ShapeKeys::shape);
-}
-
 std::vector<Choice> shape_choices() {
     std::vector<Choice> out;
-    for (const ShapeKeys& one : shapes()) out.push_back(choice(one.word, one.shape));
+    for (const BodyShape& one : contact::body_shapes())
+        out.push_back({one.word, static_cast<int>(out.size())});
     return out;
 }
 
 /// Whether the key goes with the shape: one that some shapes only take, or any other.
 bool applies(std::string_view path, Case::Shape shape) {
-    const auto takes = [name = name_of_key(path)](const ShapeKeys& one) {
+    const auto takes = [name = name_of_key(path)](const BodyShape& one) {
         return std::ranges::count(one.keys, name) > 0;
     };
-    return section_of(path) != "indenter" || takes(keys_of(shape)) ||
-           std::ranges::none_of(shapes(), takes);
+    return section_of(path) != "indenter" || takes(contact::body_shape(shape)) ||
+           std::ranges::none_of(contact::body_shapes(), takes);
 }
 
 }  // namespace
@@ -284,7 +259,7 @@ Field place_of(const CaseKey& key, Case& c) {
 }
 
 std::string_view word_of(Case::Shape shape) {
-    return keys_of(shape).word;
+    return contact::body_shape(shape).word;
 }
 
 void check_indenter_keys(const Case& c, const Document& document) {

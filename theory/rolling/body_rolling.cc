@@ -10,6 +10,7 @@
 
 #include "contact/base/root.h"
 #include "contact/base/special_values.h"
+#include "contact/bodies/body_shapes.h"
 #include "contact/bodies/shapes_of_revolution.h"
 #include "theory/arguments.h"
 #include "theory/cattaneo_mindlin.h"
@@ -148,16 +149,7 @@ double rounded_punch_pressure(double flat_ratio, double rho) {
 }
 
 bool has_body_theory(const Case& c) {
-    if (c.indenter.roughness) return false;
-    switch (c.indenter.shape) {
-        case Case::Shape::cylinder:
-        case Case::Shape::roller:
-        case Case::Shape::flat:
-        case Case::Shape::height_map:
-            return false;
-        default:
-            return true;
-    }
+    return contact::is_smooth_ball(c.indenter);
 }
 
 double static_shift_ratio(const Case& c, double f) {

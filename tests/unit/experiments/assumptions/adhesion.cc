@@ -1,7 +1,7 @@
 // Whether adhesion counts: on each side of the threshold, by both theories, and without its datum.
 #include <cmath>
 
-#include "experiments/assumptions/rolling_parts.h"
+#include "experiments/assumptions/assumption_list.h"
 #include "tests/unit/experiments/assumptions/rig_reports.h"
 
 namespace tricontact::adhesion_assumption_test {

@@ -4,9 +4,9 @@
 #include <numbers>
 #include <optional>
 
+#include "experiments/assumptions/assumption_list.h"
 #include "experiments/assumptions/measured_effect.h"
-#include "experiments/assumptions/rig_report.h"
-#include "experiments/assumptions/rolling_parts.h"
+#include "experiments/rig_report/rig_report.h"
 #include "tests/unit/experiments/assumptions/rig_reports.h"
 #include "theory/cattaneo_mindlin.h"
 #include "theory/hertz.h"

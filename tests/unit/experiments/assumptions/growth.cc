@@ -1,6 +1,6 @@
 #include <optional>
 
-#include "experiments/assumptions/rolling_parts.h"
+#include "experiments/assumptions/assumption_list.h"
 #include "tests/unit/experiments/assumptions/rig_reports.h"
 
 namespace tricontact::rig_growth_test {

@@ -7,7 +7,7 @@
 #include "contact/base/error.h"
 #include "contact/half_space_scales.h"
 #include "experiments/assumptions/rig.h"
-#include "experiments/assumptions/rig_report.h"
+#include "experiments/rig_report/rig_report.h"
 #include "tests/unit/experiments/assumptions/rig_reports.h"
 
 namespace tricontact::rig_reader_test {

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "contact/base/error.h"
+#include "experiments/assumptions/assumption_list.h"
 #include "experiments/assumptions/rolling_parts.h"
 #include "tests/unit/experiments/assumptions/rig_reports.h"
 

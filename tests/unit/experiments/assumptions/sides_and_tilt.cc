@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "experiments/assumptions/rolling_parts.h"
+#include "experiments/assumptions/assumption_list.h"
 #include "tests/unit/experiments/assumptions/rig_reports.h"
 #include "theory/layer/free_sides.h"
 

@@ -2,7 +2,7 @@
 // thresholds, and not testable without their data.
 #include <cmath>
 
-#include "experiments/assumptions/rolling_parts.h"
+#include "experiments/assumptions/assumption_list.h"
 #include "tests/unit/experiments/assumptions/rig_reports.h"
 
 namespace tricontact::surface_assumptions_test {

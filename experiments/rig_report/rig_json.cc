@@ -1,6 +1,6 @@
 #include <nlohmann/json.hpp>
 
-#include "experiments/assumptions/rig_report.h"
+#include "experiments/rig_report/rig_report.h"
 #include "files/version.h"
 #include "report/json_number.h"
 

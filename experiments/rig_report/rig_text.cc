@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "experiments/assumptions/rig_report.h"
+#include "experiments/rig_report/rig_report.h"
 #include "report/format.h"
 
 namespace tricontact::experiments {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "experiments/assumptions/rig_report.h"
+#include "experiments/rig_report/rig_report.h"
 
 namespace tricontact::experiments {
 
