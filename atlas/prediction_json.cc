@@ -1,5 +1,7 @@
 #include "atlas/prediction_json.h"
 
+#include <nlohmann/json.hpp>
+
 #include "report/json_number.h"
 
 namespace tricontact::atlas {

@@ -1,3 +1,5 @@
+#include <nlohmann/json.hpp>
+
 #include "contact/base/error.h"
 #include "files/version.h"
 #include "python/bindings.h"

@@ -2,6 +2,8 @@
 
 #include <pybind11/stl.h>
 
+#include <nlohmann/json.hpp>
+
 #include "app/models/make_model.h"
 #include "contact/base/interruption.h"
 #include "io/results/atomic_file.h"

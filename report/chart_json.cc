@@ -1,5 +1,6 @@
 #include "report/chart_json.h"
 
+#include <nlohmann/json.hpp>
 #include <string_view>
 #include <utility>
 

@@ -1,5 +1,7 @@
 #include "report/json_table.h"
 
+#include <nlohmann/json.hpp>
+
 #include "report/csv.h"
 #include "report/format.h"
 

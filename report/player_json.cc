@@ -1,6 +1,7 @@
 #include "report/player_json.h"
 
 #include <cmath>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 

@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <nlohmann/json.hpp>
+
 #include "comparisons/quantities/quantities.h"
 #include "report/csv.h"
 #include "report/format.h"

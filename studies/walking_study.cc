@@ -1,5 +1,6 @@
 #include <ctime>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <span>
 #include <tuple>
 

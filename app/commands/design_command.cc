@@ -1,4 +1,5 @@
 #include <filesystem>
+#include <nlohmann/json.hpp>
 
 #include "app/commands/command.h"
 #include "comparisons/quantities/left_out.h"

@@ -1,3 +1,5 @@
+#include <nlohmann/json.hpp>
+
 #include "app/commands/command.h"
 #include "app/commands/strain_deviation.h"
 #include "comparisons/finite_strain/strain_runs.h"

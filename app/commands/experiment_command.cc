@@ -1,3 +1,5 @@
+#include <nlohmann/json.hpp>
+
 #include "app/commands/command.h"
 #include "comparisons/quantities/left_out.h"
 #include "experiments/predictions/record_predictions.h"

@@ -1,5 +1,6 @@
 #include <cmath>
 #include <filesystem>
+#include <nlohmann/json.hpp>
 
 #include "app/commands/command.h"
 #include "experiments/identification/identification_checks.h"

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <iterator>
+#include <nlohmann/json.hpp>
 
 #include "app/commands/command.h"
 #include "bem/model.h"

@@ -1,3 +1,5 @@
+#include <nlohmann/json.hpp>
+
 #include "app/commands/command.h"
 #include "atlas/page/atlas_page.h"
 #include "atlas/prediction_json.h"

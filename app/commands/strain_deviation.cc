@@ -1,6 +1,7 @@
 #include "app/commands/strain_deviation.h"
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
 #include "app/commands/command.h"
 #include "comparisons/finite_strain/strain_output.h"

@@ -1,3 +1,5 @@
+#include <nlohmann/json.hpp>
+
 #include "app/commands/command.h"
 #include "app/models/roll_models.h"
 #include "verification/verification_rows.h"

@@ -1,5 +1,7 @@
 #include "comparisons/finite_strain/strain_output.h"
 
+#include <nlohmann/json.hpp>
+
 #include "report/json_table.h"
 
 namespace tricontact::comparisons {

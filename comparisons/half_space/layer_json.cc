@@ -1,5 +1,7 @@
 // The layer's section of summary.json.
 
+#include <nlohmann/json.hpp>
+
 #include "comparisons/half_space/layer_report.h"
 #include "report/json_number.h"
 

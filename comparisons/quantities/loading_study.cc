@@ -1,6 +1,7 @@
 #include "comparisons/quantities/loading_study.h"
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
 #include "comparisons/quantities/quantities.h"
 #include "contact/base/special_values.h"

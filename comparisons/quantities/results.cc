@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <nlohmann/json.hpp>
 
 #include "report/json_number.h"
 
@@ -117,6 +118,11 @@ std::string summary_json(const std::string& version, const json& resolved_case,
     for (const auto& [name, section] : sections.items())
         if (!section.empty()) document[name] = section;
     return document.dump(2) + "\n";
+}
+
+std::string summary_json(const std::string& version, const json& resolved_case,
+                         const std::vector<Results>& results) {
+    return summary_json(version, resolved_case, results, json::object());
 }
 
 }  // namespace tricontact::comparisons

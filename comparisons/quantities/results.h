@@ -1,6 +1,6 @@
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 
@@ -52,6 +52,9 @@ Results read_stored_results(const nlohmann::ordered_json& stored);
 /// (small_strains.h).
 std::string summary_json(const std::string& version, const nlohmann::ordered_json& resolved_case,
                          const std::vector<Results>& results,
-                         const nlohmann::ordered_json& sections = nlohmann::ordered_json::object());
+                         const nlohmann::ordered_json& sections);
+/// Without sections.
+std::string summary_json(const std::string& version, const nlohmann::ordered_json& resolved_case,
+                         const std::vector<Results>& results);
 
 }  // namespace tricontact::comparisons

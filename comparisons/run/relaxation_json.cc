@@ -1,5 +1,6 @@
 // The relaxing substrate's section of summary.json.
 
+#include <nlohmann/json.hpp>
 #include <numbers>
 
 #include "comparisons/quantities/quantities.h"

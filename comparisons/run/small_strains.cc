@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "comparisons/quantities/quantities.h"
 #include "contact/base/special_values.h"

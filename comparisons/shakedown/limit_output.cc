@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "comparisons/shakedown/limit.h"
 #include "report/json_table.h"

@@ -1,5 +1,7 @@
 #include "comparisons/shakedown/study_fit.h"
 
+#include <nlohmann/json.hpp>
+
 #include "comparisons/shakedown/fit_document.h"
 #include "report/csv.h"
 #include "report/json_table.h"

@@ -1,4 +1,6 @@
 
+#include <nlohmann/json.hpp>
+
 #include "experiments/identification/identification_report.h"
 #include "experiments/identification/told_combination.h"
 #include "report/json_number.h"

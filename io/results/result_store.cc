@@ -1,6 +1,7 @@
 #include "io/results/result_store.h"
 
 #include <filesystem>
+#include <nlohmann/json.hpp>
 
 #include "files/digest.h"
 #include "io/keys/json_text.h"

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdint>
 #include <kainjow/mustache.hpp>
+#include <nlohmann/json.hpp>
 #include <ranges>
 #include <stdexcept>
 #include <tuple>

@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <nlohmann/json.hpp>
+
 #include "files/version.h"
 #include "io/keys/toml_document.h"
 #include "report/csv.h"

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <nlohmann/json.hpp>
+
 #include "report/table_text.h"
 
 namespace tricontact::report::json_table_test {

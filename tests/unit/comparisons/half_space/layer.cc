@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "bem/settings.h"
 #include "comparisons/half_space/layer_report.h"

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <nlohmann/json.hpp>
 
 #include "comparisons/quantities/reference.h"
 #include "comparisons/quantities/results.h"

@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <nlohmann/json.hpp>
+
 #include "comparisons/quantities/results.h"
 #include "comparisons/run/loading_reading.h"
 #include "comparisons/run/report.h"

@@ -6,6 +6,7 @@
 
 #include "experiments/assumptions/assumption_list.h"
 #include "experiments/assumptions/measured_effect.h"
+#include "experiments/assumptions/rolling_parts.h"
 #include "experiments/rig_report/rig_report.h"
 #include "tests/unit/experiments/assumptions/rig_reports.h"
 #include "theory/cattaneo_mindlin.h"

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "experiments/records/experiment_report.h"
 #include "tests/unit/experiments/records/synthetic_record.h"

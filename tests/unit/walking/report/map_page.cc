@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <limits>
+#include <nlohmann/json.hpp>
 
 #include "report/page_templates.h"
 #include "tests/unit/walking/sets.h"
