@@ -99,6 +99,10 @@ Surface StrainedModel::surface() const {
     return points.mirrored ? mirrored(s) : s;
 }
 
+std::vector<ContactState> StrainedModel::contact_states() const {
+    return points().mirrored ? mirrored(contact_state_, points()) : contact_state_;
+}
+
 std::unique_ptr<const contact::Interior> StrainedModel::interior() {
     // In no time nothing relaxes: the present state.
     auto inside = std::make_unique<contact::Interior>(solver_->body.interior(
