@@ -7,8 +7,8 @@
 #include "contact/base/special_values.h"
 #include "contact/solvers/contact_region.h"
 #include "contact/solvers/coupling.h"
-#include "contact/solvers/fixed_point.h"
 #include "contact/solvers/normal_solver.h"
+#include "contact/solvers/staggered_iteration.h"
 #include "contact/surface.h"
 #include "contact/surface_audit.h"
 #include "rolling/run.h"
@@ -40,27 +40,26 @@ class StaggeredIteration {
     }
 
     void run() {
-        std::vector<double> height = coupling_.bare_height();
-        contact::FixedPoint accelerated;
-        for (int n = 1; n <= contact::FixedPoint::max_iterations; ++n) {
+        if (coupling_.is_decoupled()) {
+            solve_normal(coupling_.bare_height());
+            solve_tangential();
+            return;
+        }
+        const auto both = [&](const std::vector<double>& height, double) {
             solve_normal(height);
             solve_tangential();
-            if (coupling_.is_decoupled()) return;
             coupling_.update_lowering(steady_.traction);
             // What an iteration changed under the indenter is how far the pressures are off.
-            const std::vector<double> now = total(coupling_.bare_height(), coupling_.lowering());
-            double change = 0;
-            for (std::size_t i = 0; i < now.size(); ++i)
+            contact::StaggeredIterate now{total(coupling_.bare_height(), coupling_.lowering()), 0};
+            for (std::size_t i = 0; i < height.size(); ++i)
                 if (normal_.pressure[i] > 0)
-                    change = contact::larger(change, std::abs(now[i] - height[i]));
-            gap_residual_ = change / normal_.length;
-            if (gap_residual_ <= problem_.tolerance) return;
-            height = accelerated.next(height, now, gap_residual_);
-        }
-        throw contact::NotConverged(fmt::format(
-            "steady rolling: normal and tangential contact do not agree: the gap still changes by "
-            "{:.2e} of the indentation after {} staggered iterations (tolerance {:.1e})",
-            gap_residual_, contact::FixedPoint::max_iterations, problem_.tolerance));
+                    now.residual =
+                        contact::larger(now.residual, std::abs(now.height[i] - height[i]));
+            gap_residual_ = now.residual /= normal_.length;
+            return now;
+        };
+        contact::stagger({"steady rolling", "", problem_.tolerance, 0}, coupling_.bare_height(),
+                         both);
     }
 
     contact::Surface surface() const {

@@ -5,10 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "contact/base/error.h"
 #include "contact/base/special_values.h"
 #include "contact/compliances/point_sums.h"
-#include "contact/solvers/fixed_point.h"
+#include "contact/solvers/staggered_iteration.h"
 
 // Coupled contact: docs/explanation/models/common.md ("What is solved in a step") and bem-layer.md.
 // One staggered iteration (Panagiotopoulos 1975), h the height of the indenter over the points:
@@ -34,14 +33,6 @@
 // may touch), staggered_growth.cc (points that meet within a step).
 
 namespace tricontact::contact {
-
-namespace {
-
-// Tangential contact is solved to this part of the gap that the last staggered iteration left, so
-// that its error does not show in the next one; the first one leaves some thousandths.
-constexpr double of_gap = .1, first_gap = 1e-2;
-
-}  // namespace
 
 StaggeredSolver::StaggeredSolver(std::string name, Substrate& substrate, const Indenter& indenter,
                                  std::shared_ptr<const FrictionLaw> friction, double tolerance,
@@ -140,34 +131,25 @@ void StaggeredSolver::solve_coupled(const LoadStep& step, const StepStart& befor
 }
 
 void StaggeredSolver::iterate(const LoadStep& step, const StepStart& before) {
-    std::vector<double> height = update_height();
-    FixedPoint iteration;
-    now_.gap_residual = first_gap;
-    for (int k = 1; k <= FixedPoint::max_iterations; ++k) {
-        looseness_ = std::max(1., of_gap * now_.gap_residual / tolerance_);
+    const auto both = [&](const std::vector<double>& height, double looseness) {
+        looseness_ = looseness;
         solve_normal(step.normal, height);
         coupling_.update_displacement(now_.normal->pressure);
         solve_friction(step, before);
-
         // What the iteration changed under the indenter is how far the pressures are from right.
-        // Where nothing touches, it is what friction had done before: only without it is that so.
-        const std::vector<double> now = update_height();
-        const bool touches = now_.normal->force > 0;
+        StaggeredIterate now{update_height(), 0, now_.normal->force > 0};
         const double change =
             blocks()
                 .sum_points<Largest>([&](Largest& largest, std::size_t i) {
-                    if (touches ? now_.normal->pressure[i] > 0 : std::isfinite(height[i]))
-                        largest.add(std::abs(now[i] - height[i]));
+                    if (now.touches ? now_.normal->pressure[i] > 0 : std::isfinite(height[i]))
+                        largest.add(std::abs(now.height[i] - height[i]));
                 })
                 .value;
-        now_.gap_residual = change / (substrate_.stiffness() * now_.normal->length);
-        if (now_.gap_residual <= tolerance_ && looseness_ == 1) return;
-        height = touches ? iteration.next(height, now, now_.gap_residual) : now;
-    }
-    throw NotConverged(fmt::format(
-        "{}: normal and tangential contact do not agree at phase {:.4g}: the gap still changes by "
-        "{:.2e} of the indentation after {} staggered iterations (tolerance {:.1e})",
-        name_, step.phase, now_.gap_residual, FixedPoint::max_iterations, tolerance_));
+        now.residual = now_.gap_residual = change / (substrate_.stiffness() * now_.normal->length);
+        return now;
+    };
+    stagger({name_, fmt::format(" at phase {:.4g}", step.phase), tolerance_}, update_height(),
+            both);
 }
 
 /// Presses against `height`, starting from the last pressures.
@@ -183,11 +165,7 @@ void StaggeredSolver::solve_normal(NormalControl control, const std::vector<doub
 }
 
 std::array<TangentialControl, 2> StaggeredSolver::forces_and_shifts(const LoadStep& step) const {
-    std::array<TangentialControl, 2> control = step.tangential;
-    for (TangentialControl& one : control)
-        if (one.kind == TangentialControl::Kind::ratio)
-            one = {TangentialControl::Kind::force, friction_->limit(total_friction(), one.value)};
-    return control;
+    return without_ratios(step.tangential, *friction_, total_friction());
 }
 
 void StaggeredSolver::solve_friction(const LoadStep& step, const StepStart& before) {

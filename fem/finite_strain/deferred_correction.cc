@@ -9,6 +9,7 @@
 #include "contact/base/error.h"
 #include "contact/base/special_values.h"
 #include "contact/solvers/fixed_point.h"
+#include "contact/solvers/staggered_iteration.h"
 
 // Finite strains: docs/explanation/models/finite-strain.md, "Solver". f(u): the body's forces, c:
 // those of contact, K: the linear stiffness, whose factor and condensed compliance C are there. One
@@ -31,8 +32,8 @@
 //
 // Signs: contact/ has z into the substrate, the body z out of it. Pressure p is vertical force over
 // reference area and pushes along (slope, 1): friction is bounded by mu p |(slope, 1)|, and
-// friction on slopes carries a part of F_N (`by_friction`), pressure on slopes one of F_T
-// (`carried`).
+// friction on slopes carries a part of F_N (`carried`), pressure on slopes one of F_T
+// (`by_slopes`).
 
 namespace tricontact::fem {
 
@@ -47,7 +48,9 @@ namespace {
 
 constexpr int max_iterations = 60;
 constexpr int first_combined = 4;  ///< iterates before are too far away to tell of others
-constexpr int max_staggers = 4;
+/// Normal and tangential contact agree to this part of the last change of the surface, which a
+/// later iteration corrects anyway, and in the end to the tolerance.
+constexpr double of_last_change = .01, first_change = 1e-2;
 constexpr double of_contact_solvers = .1;  ///< their tolerance over that of the whole
 
 }  // namespace
@@ -153,81 +156,125 @@ DeferredCorrection::Report DeferredCorrection::solve(const LoadStep& step,
         problem_.tolerance, 1 / of_fem_tolerance));
 }
 
+/// Part of F_N that friction on slopes carries [N].
+double DeferredCorrection::carried_by_friction(const ContactedBody& now,
+                                               const ContactFrames& frames) const {
+    double sum = 0;
+    for (std::size_t i = 0; i < frames.size(); ++i)
+        sum += problem_.compliance.points().area[i] * frames.traction(i, 0, now.traction.at(i))[2];
+    return sum;
+}
+
 /// Contact on the linear elasticity whose surface moves by `moved` under the present tractions.
 void DeferredCorrection::solve_contact(const LoadStep& step, const ContactedBody& before,
                                        const ContactFrames& frames,
                                        const std::vector<Vector3>& moved, Contact& contact,
                                        ContactedBody& now, Report& report) const {
-    const auto& points = problem_.compliance.points();
-    const std::size_t n = points.size();
+    const std::size_t n = problem_.compliance.points().size();
     const DenseCompliance& compliance = contact.compliance;
     const StepSlip slip = step_slip(before, now.pose);
     const Vector2 present_shift = now.pose.shift - before.pose.shift;
     const contact::Tilt tilt(frames.slope());
 
     // What all but the tractions do: to the gap, and to the slip with the indenter as it is.
-    std::vector<double> bare_height(n), height(n), lowering(n);
-    TangentialField bare_slip(n), u(n), by_pressure(n), previous(n);
-    compliance.normal(now.pressure, height);
+    std::vector<double> bare_height(n), pressed(n), lowering(n);
+    TangentialField bare_slip(n), u(n), by_pressure(n);
+    compliance.normal(now.pressure, pressed);
     compliance.normal_from_tangential(now.traction, lowering);
     compliance.tangential(now.traction, u);
     compliance.tangential_from_normal(now.pressure, by_pressure);
     for (std::size_t i = 0; i < n; ++i) {
         const Vector3& x = now.position[i];
         bare_height[i] =
-            frames.height(i) + x[2] + frames.along_normal(i, moved[i]) - height[i] - lowering[i];
+            frames.height(i) + x[2] + frames.along_normal(i, moved[i]) - pressed[i] - lowering[i];
         bare_slip.set(i, slip.at(i, frames, x) - frames.along_surface(i, moved[i]) + u.at(i) +
                              by_pressure.at(i) - tilt.apply(i, present_shift));
     }
-    contact::TangentialSolution& tangential = report.tangential;
-    tangential.traction = now.traction;
-    tangential.shift_increment = present_shift;
-    for (int k = 0; k < max_staggers; ++k) {
-        NormalControl control = step.normal;
-        double by_friction = 0;  // what friction on slopes carries of F_N
+    report.tangential.traction = now.traction;
+    report.tangential.shift_increment = present_shift;
+    const auto height = [&] {
+        compliance.normal_from_tangential(now.traction, lowering);
+        std::vector<double> sum = bare_height;
+        for (std::size_t i = 0; i < n; ++i) sum[i] += lowering[i];
+        return sum;
+    };
+    const double tolerance = std::max(
+        problem_.tolerance, of_last_change * std::min(report.displacement_residual, first_change));
+    const auto both = [&](const std::vector<double>& at, double looseness) {
+        const double carried = carried_by_friction(now, frames);
+        press(step.normal, at, carried, contact, now, report);
+        const Sliding sliding{step.tangential, before.pose.shift, bare_slip, carried,
+                              looseness * tolerance / problem_.tolerance};
+        slide(sliding, frames, contact, now, report);
+        contact::StaggeredIterate next{height(), 0, report.normal.force > 0};
         for (std::size_t i = 0; i < n; ++i)
-            by_friction += points.area[i] * frames.traction(i, 0, tangential.traction.at(i))[2];
-        if (control.kind == NormalControl::Kind::force) control.value -= by_friction;
-        compliance.normal_from_tangential(tangential.traction, lowering);
-        for (std::size_t i = 0; i < n; ++i) height[i] = bare_height[i] + lowering[i];
-        const bool touches = std::ranges::any_of(now.pressure, [](double p) { return p > 0; });
-        report.normal =
-            contact.normal.solve(height, control, touches ? now.pressure : std::vector<double>{});
-        now.pressure = report.normal.pressure;
-        now.pose.indentation = report.normal.indentation;
-        if (!step.friction) {
-            now.traction = TangentialField(n);
-            break;
-        }
-        compliance.tangential_from_normal(now.pressure, by_pressure);
-        const std::vector<double> bound = bounds(now, frames);
-        double area = 0, force = 0, total = 0;
-        Vector2 carried{};
-        for (std::size_t i = 0; i < n; ++i) {
-            previous.set(i, bare_slip.at(i) - by_pressure.at(i));
-            if (!(bound[i] > 0)) continue;
-            area += points.area[i];
-            force += points.area[i] * now.pressure[i];
-            total += points.area[i] * bound[i];
-            carried = carried + points.area[i] * now.pressure[i] * frames.slope().at(i);
-        }
-        std::array<TangentialControl, 2> controls = step.tangential;
-        for (int d = 0; d < 2; ++d) {
-            auto& [kind, value] = controls[d];
-            if (kind == TangentialControl::Kind::ratio) {
-                kind = TangentialControl::Kind::force;
-                value = problem_.friction.limit({report.normal.force + by_friction, total}, value);
-            }
-            value -= kind == TangentialControl::Kind::shift ? before.pose.shift[d] : carried[d];
-        }
-        if (points.mirrored) controls[1] = {TangentialControl::Kind::shift, 0};
-        const double alpha = now.pose.indentation * area / force;
-        contact.tangential.solve({bound, previous, controls, alpha, tilt}, tangential);
-        now.traction = tangential.traction;
+            if (std::isfinite(at[i]) && (now.pressure[i] > 0 || !next.touches))
+                next.residual = std::max(next.residual, std::abs(next.height[i] - at[i]));
+        next.residual /= std::abs(report.normal.length);
+        if (next.touches)
+            next.residual =
+                std::max(next.residual, std::abs(carried_by_friction(now, frames) - carried) /
+                                            report.normal.force);
+        return next;
+    };
+    if (step.friction) {
+        contact::stagger(
+            {"fem: finite strains", fmt::format(" at phase {:.4g}", step.phase), tolerance},
+            height(), both);
+        now.pose.shift = before.pose.shift + report.tangential.shift_increment;
+    } else {
+        now.traction = TangentialField(n);
+        press(step.normal, height(), 0, contact, now, report);
+        now.pose.shift = before.pose.shift;
     }
-    now.pose.shift = before.pose.shift + (step.friction ? tangential.shift_increment : Vector2{});
     for (std::size_t i = 0; i < n; ++i)
-        now.slip.set(i, bare_slip.at(i) + tilt.apply(i, tangential.shift_increment));
+        now.slip.set(i, bare_slip.at(i) + tilt.apply(i, report.tangential.shift_increment));
+}
+
+/// Against `height` [m], `carried` [N] of F_N being friction's.
+void DeferredCorrection::press(NormalControl control, const std::vector<double>& height,
+                               double carried, Contact& contact, ContactedBody& now,
+                               Report& report) const {
+    if (control.kind == NormalControl::Kind::force) control.value -= carried;
+    const bool touches = std::ranges::any_of(now.pressure, [](double p) { return p > 0; });
+    report.normal =
+        contact.normal.solve(height, control, touches ? now.pressure : std::vector<double>{});
+    now.pressure = report.normal.pressure;
+    now.pose.indentation = report.normal.indentation;
+}
+
+void DeferredCorrection::slide(const Sliding& sliding, const ContactFrames& frames,
+                               Contact& contact, ContactedBody& now, Report& report) const {
+    const auto& points = problem_.compliance.points();
+    const std::size_t n = points.size();
+    const std::vector<double> bound = bounds(now, frames);
+    TangentialField by_pressure(n), previous(n);
+    contact.compliance.tangential_from_normal(now.pressure, by_pressure);
+    double area = 0, total = 0;
+    Vector2 by_slopes{};  // what pressure on them carries of F_T
+    for (std::size_t i = 0; i < n; ++i) {
+        previous.set(i, sliding.bare_slip.at(i) - by_pressure.at(i));
+        if (!(bound[i] > 0)) continue;
+        area += points.area[i];
+        total += points.area[i] * bound[i];
+        by_slopes = by_slopes + points.area[i] * now.pressure[i] * frames.slope().at(i);
+    }
+    auto controls = contact::without_ratios(sliding.control, problem_.friction,
+                                            {report.normal.force + sliding.carried, total});
+    for (int d = 0; d < 2; ++d)
+        controls[d].value -= controls[d].kind == TangentialControl::Kind::shift
+                                 ? sliding.shift_before[d]
+                                 : by_slopes[d];
+    if (points.mirrored) controls[1] = {TangentialControl::Kind::shift, 0};
+    contact.tangential.solve(
+        {.bound = bound,
+         .previous_displacement = previous,
+         .control = controls,
+         .contact_compliance = now.pose.indentation * area / report.normal.force,
+         .tilt = contact::Tilt(frames.slope()),
+         .looseness = sliding.looseness},
+        report.tangential);
+    now.traction = report.tangential.traction;
 }
 
 }  // namespace tricontact::fem

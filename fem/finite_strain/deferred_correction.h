@@ -54,7 +54,7 @@ class DeferredCorrection {
         int iterations = 0;
         double force_residual = 0;         ///< of all nodes, over the forces on the surface [-]
         double gap_residual = 0;           ///< what penetrates or does not touch, over d [-]
-        double displacement_residual = 0;  ///< last change of the surface over d [-]
+        double displacement_residual = 1;  ///< last change of the surface over d [-]
         double energy = 0;                 ///< stored in the modelled part of the body [J]
         contact::NormalSolution normal;
         contact::TangentialSolution tangential;
@@ -73,6 +73,8 @@ class DeferredCorrection {
     Vector3 forces(const ContactedBody& state) const;
     /// Of friction, over the areas of the undeformed surface [Pa].
     std::vector<double> bounds(const ContactedBody& state, const ContactFrames& frames) const;
+    /// What penetrates or does not touch, over the indentation [-].
+    double gap_residual(const ContactedBody& state, const ContactFrames& frames) const;
 
   private:
     struct Contact;
@@ -83,7 +85,6 @@ class DeferredCorrection {
                                        const std::vector<double>& of_body) const;
     double balance_residual(const std::vector<Vector3>& traction,
                             const std::vector<double>& of_body, double depth) const;
-    double gap_residual(const ContactedBody& state, const ContactFrames& frames) const;
     std::vector<double> as_one(const ContactedBody& state) const;
     void take(const std::vector<double>& all, ContactedBody& state) const;
     std::vector<Vector3> move_surface(std::span<const float> eliminated) const;
@@ -93,6 +94,19 @@ class DeferredCorrection {
     void solve_contact(const contact::LoadStep& step, const ContactedBody& before,
                        const ContactFrames& frames, const std::vector<Vector3>& moved,
                        Contact& contact, ContactedBody& now, Report& report) const;
+    double carried_by_friction(const ContactedBody& now, const ContactFrames& frames) const;
+    void press(contact::NormalControl control, const std::vector<double>& height, double carried,
+               Contact& contact, ContactedBody& now, Report& report) const;
+    /// What friction is asked for in a contact at given pressures.
+    struct Sliding {
+        std::array<contact::TangentialControl, 2> control;
+        contact::Vector2 shift_before;              ///< [m]
+        const contact::TangentialField& bare_slip;  ///< without tractions [m]
+        double carried;                             ///< of F_N by friction on slopes [N]
+        double looseness;                           ///< see contact::TangentialProblem
+    };
+    void slide(const Sliding& sliding, const ContactFrames& frames, Contact& contact,
+               ContactedBody& now, Report& report) const;
 
     Problem problem_;
 };

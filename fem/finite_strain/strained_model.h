@@ -47,7 +47,7 @@ class StrainedModel final : public contact::Model {
     void start_period() override;
     contact::Scales scales() const override;
     contact::Surface surface() const override;
-    std::vector<contact::ContactState> contact_states() const override { return contact_state_; }
+    std::vector<contact::ContactState> contact_states() const override;
     double limit_tangential_ratio() const override;
     std::unique_ptr<const contact::Interior> interior() override;
     std::unique_ptr<contact::Model> sibling(const contact::Case::Contact& options) const override;

@@ -99,6 +99,10 @@ Surface StrainedModel::surface() const {
     return points.mirrored ? mirrored(s) : s;
 }
 
+std::vector<ContactState> StrainedModel::contact_states() const {
+    return points().mirrored ? mirrored(contact_state_, points()) : contact_state_;
+}
+
 std::unique_ptr<const contact::Interior> StrainedModel::interior() {
     // In no time nothing relaxes: the present state.
     auto inside = std::make_unique<contact::Interior>(solver_->body.interior(
@@ -140,14 +144,9 @@ StepRecord StrainedModel::record(const LoadStep& step) const {
 void StrainedModel::audit_step(const LoadStep& step, const ContactFrames& frames,
                                const DeferredCorrection::Report& report) {
     const double tolerance = setup_.tolerance;
-    const double d = now_.pose.indentation;
     audit_.record("force_balance", report.force_residual, tolerance);
-    double gap = 0;
-    for (std::size_t i = 0; i < points().size(); ++i) {
-        const double g = frames.height(i) + now_.position[i][2] - d;
-        if (std::isfinite(g)) gap = std::max(gap, now_.pressure[i] > 0 ? std::abs(g) : -g);
-    }
-    audit_.record("gap_and_complementarity", gap / d, 10 * tolerance);
+    audit_.record("gap_and_complementarity", solver_->correction.gap_residual(now_, frames),
+                  10 * tolerance);
     if (step.normal.kind == NormalControl::Kind::force)
         audit_.record("normal_force",
                       std::abs(normal_force_ - step.normal.value) / step.normal.value, tolerance);

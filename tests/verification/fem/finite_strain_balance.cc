@@ -119,6 +119,17 @@ TEST(FiniteStrainBalance, AContactThatSlidesIsRefused) {
     EXPECT_NEAR(model->advance(step).tangential_force[0] / limit, .99, 1e-8);
 }
 
+// A run asks both, for what points that never part dissipate (LastingStates): also of a contact of
+// which only half is computed.
+TEST(FiniteStrainBalance, StatesAreThoseOfTheWholeSurface) {
+    const Case c = strained_case(1.4e-3);
+    const auto model = make_layer_model(c);
+    LoadStep step = contact::press_step(c);
+    step.tangential[0].value = .5 * c.friction_coefficient() * 21.1;
+    model->advance(step);
+    EXPECT_EQ(model->contact_states(), model->surface().contact_state);
+}
+
 TEST(FiniteStrainBalance, AContactAtTheEdgeBeginsAgainOnALargerPatch) {
     const Case c = strained_case(1.4e-3);
     const auto model = make_layer_model(c);
