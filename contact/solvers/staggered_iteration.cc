@@ -35,4 +35,15 @@ void stagger(const Staggering& settings, std::vector<double> height,
         settings.who, settings.where, residual, FixedPoint::max_iterations, settings.tolerance));
 }
 
+std::array<TangentialControl, 2> without_ratios(std::array<TangentialControl, 2> control,
+                                                const FrictionLaw& friction,
+                                                const FrictionLaw::Total& total) {
+    for (auto& [kind, value] : control)
+        if (kind == TangentialControl::Kind::ratio) {
+            kind = TangentialControl::Kind::force;
+            value = friction.limit(total, value);
+        }
+    return control;
+}
+
 }  // namespace tricontact::contact

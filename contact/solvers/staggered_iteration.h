@@ -1,8 +1,12 @@
 #pragma once
 
+#include <array>
 #include <functional>
 #include <string>
 #include <vector>
+
+#include "contact/friction/friction_law.h"
+#include "contact/solvers/control.h"
 
 namespace tricontact::contact {
 
@@ -28,5 +32,10 @@ struct Staggering {
 void stagger(const Staggering& settings, std::vector<double> height,
              const std::function<StaggeredIterate(const std::vector<double>& height,
                                                   double looseness)>& contact);
+
+/// What is prescribed, ratios as the forces that they are of what friction carries in all.
+std::array<TangentialControl, 2> without_ratios(std::array<TangentialControl, 2> control,
+                                                const FrictionLaw& friction,
+                                                const FrictionLaw::Total& total);
 
 }  // namespace tricontact::contact

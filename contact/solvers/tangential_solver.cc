@@ -326,17 +326,6 @@ void leave_apart(const TangentialProblem& problem, TangentialSolution& solution)
 
 }  // namespace
 
-std::array<TangentialControl, 2> without_ratios(std::array<TangentialControl, 2> control,
-                                                const FrictionLaw& friction,
-                                                const FrictionLaw::Total& total) {
-    for (auto& [kind, value] : control)
-        if (kind == TangentialControl::Kind::ratio) {
-            kind = TangentialControl::Kind::force;
-            value = friction.limit(total, value);
-        }
-    return control;
-}
-
 TangentialSolver::TangentialSolver(const Compliance& compliance, double tolerance)
     : compliance_(compliance), tolerance_(tolerance) {}
 

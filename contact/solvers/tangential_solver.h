@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "contact/compliances/compliance.h"
-#include "contact/friction/friction_law.h"
 #include "contact/solvers/control.h"
 #include "contact/solvers/tangential_system.h"
 
@@ -35,11 +34,6 @@
 // take over after `patience` steps without progress, each time for twice as many steps.
 
 namespace tricontact::contact {
-
-/// What is prescribed, ratios as the forces that they are of what friction carries in all.
-std::array<TangentialControl, 2> without_ratios(std::array<TangentialControl, 2> control,
-                                                const FrictionLaw& friction,
-                                                const FrictionLaw::Total& total);
 
 /// One step of frictional contact at given pressures: find tractions t on the substrate,
 /// |t| <= bound, such that the slip s = D dU + u_previous - A t vanishes where |t| < bound and
