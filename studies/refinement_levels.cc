@@ -22,16 +22,14 @@ using Overrides = std::vector<std::string>;
 /// The case at the resolution of the coarsest level.
 Case coarsest_case(Case c, const contact::ModelKind& kind, const RefineOptions& options,
                    const Say& say) {
-    if (kind.is_on_cells() && !c.of<contact::Cells>().spacing)
-        c.of<contact::Cells>().spacing =
-            contact::half_space_scales(c).contact_radius / *c.of<contact::Cells>().per_radius;
+    if (kind.is_on_cells()) c.of<contact::Cells>().spacing = contact::cell_side(c);
     if (!kind.is_meshed()) return c;
-    if (c.of<fem::Settings>().mesh)
-        options.refuse("fem.mesh = " + *c.of<fem::Settings>().mesh +
+    auto& elements = c.of<fem::Settings>();
+    if (elements.mesh)
+        options.refuse("fem.mesh = " + *elements.mesh +
                        ": a mesh from a file cannot be refined; give fem.size or fem.accuracy "
                        "instead");
-    if (!c.of<fem::Settings>().size)
-        c.of<fem::Settings>().size = 2 * options.makers->block_of(c, say).size;
+    if (!elements.size) elements.size = 2 * options.makers->block_of(c, say).size;
     return c;
 }
 

@@ -7,7 +7,6 @@
 #include "bem/settings.h"
 #include "comparisons/resolution/fineness.h"
 #include "contact/base/error.h"
-#include "contact/cells.h"
 #include "fem/settings.h"
 #include "mdr/layer_model.h"
 #include "mdr/model.h"

@@ -32,14 +32,14 @@ void change_resolution(contact::Case& c, const contact::ModelKind& kind, const F
     if (kind.is_independent())
         c.of<mdr::Settings>().springs = springs_of(c.of<mdr::Settings>().springs, by);
     if (kind.is_on_cells()) {
-        scale(c.of<contact::Cells>().spacing);
-        if (c.of<contact::Cells>().per_radius)
-            c.of<contact::Cells>().per_radius =
-                *c.of<contact::Cells>().per_radius * by.finer / by.coarser;
+        auto& cells = c.of<contact::Cells>();
+        scale(cells.spacing);
+        if (cells.per_radius) cells.per_radius = *cells.per_radius * by.finer / by.coarser;
     }
     if (!kind.is_meshed()) return;
-    scale(c.of<fem::Settings>().size);
-    c.of<fem::Settings>().accuracy.reset();
+    auto& elements = c.of<fem::Settings>();
+    scale(elements.size);
+    elements.accuracy.reset();
 }
 
 std::vector<std::string> level_keys(const contact::Case& c, const contact::ModelKind& kind,
@@ -54,11 +54,10 @@ std::vector<std::string> level_keys(const contact::Case& c, const contact::Model
     contact::Case level = c;
     change_resolution(level, kind, by);
     if (kind.is_on_line()) return {fmt::format("{}={}", key, level.of<mdr::Settings>().springs)};
+    const auto& cells = level.of<contact::Cells>();
     if (kind.is_on_cells())
-        return {
-            level.of<contact::Cells>().spacing
-                ? length_key(key, *level.of<contact::Cells>().spacing)
-                : fmt::format("bem.cells_per_radius={}", *level.of<contact::Cells>().per_radius)};
+        return {cells.spacing ? length_key(key, *cells.spacing)
+                              : fmt::format("bem.cells_per_radius={}", *cells.per_radius)};
     const double growth = std::pow(c.of<fem::Settings>().growth, by.coarser / by.finer);
     return {length_key(key, *level.of<fem::Settings>().size),
             fmt::format("fem.growth={}", std::max(growth, least_growth))};

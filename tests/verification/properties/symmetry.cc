@@ -151,8 +151,7 @@ RC_GTEST_PROP(PropertiesRepetition, SameInputSameBits, ()) {
 /// Shift after two periods over U_max, the whole path moved by parts of a cell.
 double shift_moved_by(const Case& c, double x, double y) {
     const auto model = bem::make_model(c, 1);
-    const double h =
-        contact::half_space_scales(c).contact_radius / *c.of<contact::Cells>().per_radius;
+    const double h = contact::cell_side(c);
     const Vector2 move = {x * h, y * h};
     double shift = 0;
     auto take = [&](contact::LoadStep step) {
