@@ -14,7 +14,7 @@ release = version = re.search(
 extensions = ["myst_parser"]
 myst_heading_anchors = 3  # links of the form page.md#heading
 root_doc = "docs/index"
-include_patterns = ["*.md", "docs/**.md", "meshes/README.md", "benchmarks/README.md", "benchmarks/peers/README.md"]
+include_patterns = ["*.md", "docs/**.md", "meshes/README.md", "speed/README.md", "speed/peers/README.md"]
 nitpicky = True
 
 html_theme = "sphinx_rtd_theme"

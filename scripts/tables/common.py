@@ -87,7 +87,7 @@ class Program:
 
     def benchmarks(self, binary, names, **environment):
         """The figures of a benchmark: name -> its JSON."""
-        path = self.build / "benchmarks" / binary
+        path = self.build / "speed" / binary
         if not path.exists():
             raise NotBuilt(path)
         text = subprocess.run([path, f"--benchmark_filter={names}", "--benchmark_format=json"], check=True,

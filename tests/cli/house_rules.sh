@@ -12,7 +12,7 @@ complain() {
     printf 'FAILED: %s\n' "$*"
 }
 
-rooms=(app bem comparisons contact contact_program experiments fem files io mdr meshes papers python report rolling runs statistics studies
+rooms=(app bem benchmarks comparisons contact contact_program experiments fem files io mdr meshes papers python report rolling runs statistics studies
     theory verification walking atlas)
 
 # may_include FOLDER OTHERS...: files of a folder and its subfolders include their own and these, and these $headers.
@@ -47,6 +47,7 @@ may_include rolling contact theory statistics io report comparisons files
 may_include walking contact theory statistics io report comparisons files
 may_include experiments contact theory statistics io report comparisons files atlas
 may_include contact_program contact io files
+may_include benchmarks contact theory statistics io report comparisons files
 # What is made of many runs, by models that the program hands in.
 may_include studies contact statistics io report comparisons files runs atlas walking
 may_include papers contact io report comparisons files runs
@@ -87,7 +88,7 @@ while read -r lines file; do
     most=350
     [[ $file != tests/* ]] || most=400
     [ "$lines" -le "$most" ] || complain "$file has $lines lines, more than $most"
-done < <(find "${rooms[@]}" benchmarks tests \
+done < <(find "${rooms[@]}" speed tests \
     \( -name '*.cc' -o -name '*.h' -o -name '*.sh' -o -name '*.py' \) -exec wc -l {} + | grep -v ' total$')
 
 # What the numbers that are kept depend on has to be whole: all of what computes; of a part of comparisons or of the
@@ -133,7 +134,7 @@ found=$(grep -rnE --include='*.cc' --include='*.h' 'friction_coefficient' contac
 [ -z "$found" ] || complain "a coefficient of friction: $found: ask contact::FrictionLaw"
 
 # What a merge leaves where two changed the same lines.
-found=$(grep -rnE '^(<{7}|>{7}) ' "${rooms[@]}" docs tests scripts benchmarks examples ./*.md CMakeLists.txt cmake || true)
+found=$(grep -rnE '^(<{7}|>{7}) ' "${rooms[@]}" docs tests scripts speed examples ./*.md CMakeLists.txt cmake || true)
 [ -z "$found" ] || complain "marks of a merge: $found"
 # A file that nobody wrote (PEP 561's mark of a typed package is empty by its definition).
 found=$(find . \( -path './build*' -o -path ./results -o -path ./.git \) -prune -o -type f -empty ! -name py.typed -print)
@@ -152,7 +153,7 @@ n=0
 while IFS=: read -r document target; do
     n=$((n + 1))
     [ -e "${document%/*}/$target" ] || complain "$document: no $target"
-done < <(grep -roHE '\]\([^)]+\)' --include='*.md' ./*.md docs benchmarks | sed 's/:](/:/; s/)$//; s/#.*//' |
+done < <(grep -roHE '\]\([^)]+\)' --include='*.md' ./*.md docs speed | sed 's/:](/:/; s/)$//; s/#.*//' |
     grep -vE ':(https?:.*)?$')
 [ "$n" -ge 10 ] || complain "only $n links found"
 

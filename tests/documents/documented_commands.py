@@ -41,7 +41,7 @@ def commands_of(text):
 def documented(source):
     """Command -> the document that has it first."""
     found = {}
-    documents = ["README.md", "CONTRIBUTING.md", "benchmarks/README.md"] + sorted(glob.glob("docs/**/*.md", root_dir=source, recursive=True))
+    documents = ["README.md", "CONTRIBUTING.md", "speed/README.md"] + sorted(glob.glob("docs/**/*.md", root_dir=source, recursive=True))
     for document in documents:
         with open(os.path.join(source, document), encoding="utf-8") as file:
             for command in commands_of(file.read()):

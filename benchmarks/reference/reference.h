@@ -1,0 +1,110 @@
+#pragma once
+
+#include <cmath>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "contact/case.h"
+#include "contact/model_makers.h"
+
+namespace tricontact::benchmarks {
+
+/// A number of the reference and what it is uncertain by, half widths in its own unit (SI).
+struct ReferenceValue {
+    double value = 0;
+    double grid = 0;    ///< what cells, elements and steps leave
+    double model = 0;   ///< largest difference of the models that are exact for the case
+    double domain = 0;  ///< what a finite block changes against the unbounded layer
+    std::string source = {};  ///< "mdr-layer", "Hertz (1882)"
+
+    double bar() const { return std::hypot(grid, model, domain); }
+};
+
+/// How fields vary over the surface: with the distance from an axis, along x alone, or along both.
+enum class Geometry { axisymmetric, plane, spatial };
+
+/// What the surface of the elastic body carries and does at a point. Tractions [Pa] act on the
+/// elastic body, pressure positive in compression; displacements [m], z into the body.
+struct SurfaceValues {
+    double pressure = 0, traction_x = 0, traction_y = 0;
+    double displacement_x = 0, displacement_y = 0, displacement_z = 0;
+};
+
+/// Fields of the reference about the centre of the contact.
+class ReferenceFields {
+  public:
+    virtual ~ReferenceFields() = default;
+    /// At (x, y) [m]; of plane contacts y does not matter. Displacements are NaN where the reference
+    /// does not know them.
+    virtual SurfaceValues at(double x, double y) const = 0;
+    /// Half widths there, >= 0.
+    virtual SurfaceValues bar_at(double x, double y) const = 0;
+    /// ∫ p dA over the distance r from the centre [N]; of plane contacts over |x| < r [N/m].
+    virtual double load_within(double r) const = 0;
+};
+
+/// What small changes of the interface and of the kinematics do to the resultants, to first order,
+/// by the envelope theorem: with the fields of three neighbouring depths or shifts. `value` per
+/// unit of what changes. Empty where the case has no such thing.
+struct FirstOrderEffects {
+    /// Of a Winkler layer of the stiffness K [Pa/m] in series with the contact, per 1/K: under a
+    /// prescribed depth dF = -(1/2) d/dd ∫ p^2 dA [N Pa/m], under a force
+    /// dd = (1/2) d/dF ∫ p^2 dA [Pa].
+    std::optional<ReferenceValue> normal_compliance;
+    /// Of elastic slip, stick slope K_T, per 1/K_T: dF_T = -(1/2) d/dU ∫ |t|^2 dA [N Pa/m] under a
+    /// prescribed shift, dU = (1/2) d/dF_T ∫ |t|^2 dA [Pa] under a force.
+    std::optional<ReferenceValue> tangential_compliance;
+    /// Gap and normal on the displaced surface: dF = -d/dd ∫ p h'(r) u_r dA [N], or dd [m].
+    std::optional<ReferenceValue> displaced_surface;
+    /// Pressed with friction in one step instead of the case's steps: change by key of quantity.
+    std::map<std::string, ReferenceValue> one_step;
+    /// A block of the half width and the thickness of a deck against the unbounded layer.
+    std::map<std::string, ReferenceValue> finite_block;
+};
+
+/// Keys of Reference::values and of totals of submissions, SI units.
+namespace quantity_keys {
+inline constexpr const char* normal_force = "normal_force";           ///< F_N [N], [N/m] if plane
+inline constexpr const char* indentation = "indentation";             ///< d [m]
+inline constexpr const char* tangential_force = "tangential_force";   ///< F_T on the body [N]
+inline constexpr const char* shift = "shift";                         ///< U [m]
+inline constexpr const char* contact_radius = "contact_radius";       ///< a, half width [m]
+inline constexpr const char* peak_pressure = "peak_pressure";         ///< p0 [Pa]
+inline constexpr const char* contact_area = "contact_area";           ///< [m^2]
+inline constexpr const char* stick_area = "stick_area";               ///< [m^2]
+inline constexpr const char* stored_energy = "stored_energy";         ///< [J]
+inline constexpr const char* dissipation = "dissipation";             ///< by friction, so far [J]
+inline constexpr const char* normal_stiffness = "normal_stiffness";   ///< dF_N/dd [N/m]
+inline constexpr const char* tangential_stiffness = "tangential_stiffness";  ///< dF_T/dU [N/m]
+}  // namespace quantity_keys
+
+/// The best that this project knows of the end of a case's path.
+struct Reference {
+    contact::Case c;
+    std::string digest;  ///< of the case: what a kept reference is found by
+    Geometry geometry = Geometry::spatial;
+    double contact_radius = 0;     ///< a; half width of a plane contact; along x [m]
+    std::map<std::string, ReferenceValue> values;  ///< by quantity_keys; what is undefined is not there
+    std::vector<std::string> prescribed;           ///< keys of what the case prescribes
+    std::shared_ptr<const ReferenceFields> fields;
+    FirstOrderEffects effects;
+    std::vector<std::string> models;   ///< that stand behind it, the one of the fields first
+    std::vector<std::string> remarks;  ///< sentences: what the reference leaves out
+
+    const ReferenceValue* find(const std::string& key) const {
+        const auto found = values.find(key);
+        return found == values.end() ? nullptr : &found->second;
+    }
+    bool is_prescribed(const std::string& key) const;
+    bool has_friction() const;  ///< tangential tractions are part of the fields
+};
+
+/// Computes it, or reads what was kept of the same case by the same program. Throws InputError
+/// where no model is a reference for the case (and says which assumption fails), NotConverged.
+Reference reference(const contact::Case& c, const contact::ModelRunner& runner,
+                    const contact::Say& say = contact::silent);
+
+}  // namespace tricontact::benchmarks
