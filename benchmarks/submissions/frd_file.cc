@@ -284,6 +284,8 @@ class FrdParser {
         for (const FrdElement& element : elements_)
             if (std::ranges::count(materials, element.material) == 0)
                 materials.push_back(element.material);
+        if (materials.empty())
+            io::fail(name_, "", "has no elements (3C)", "name the .frd file of a run that ended");
         if (materials.size() > 1000)
             io::fail(name_, "", "has more than 1000 materials", "repeat the run");
         for (const int material : materials) file.meshes.push_back(mesh_of(material, all));

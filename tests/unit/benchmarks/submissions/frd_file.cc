@@ -65,15 +65,17 @@ TEST(FrdFile, StressAtTheSurfaceIntegratesToTheReactionOfTheDat) {
         const MeshField field = field_of(name);
         EXPECT_EQ(field.format, "CalculiX frd");
         // A sector of two degrees: the reaction is 1/180 of that of the ring.
-        const double whole = 2 * std::numbers::pi * integral(field, column(field, Meaning::stress_zz));
+        const double whole =
+            2 * std::numbers::pi * integral(field, column(field, Meaning::stress_zz));
         const double reaction = field.totals.at("normal_force").value;
         // 0.26 and 0.09 % were measured with the same runs.
         EXPECT_NEAR(whole / 180 / reaction, 1, .003);
         EXPECT_NEAR(field.totals.at(balancing_force).value / -reaction, 1, 1e-5);
         EXPECT_FALSE(field.totals.contains("tangential_force"));
         // Faces that touch: at h = 1 the edge is off by an eighth of an element.
-        EXPECT_NEAR(field.totals.at("contact_area").value * 180 / (std::numbers::pi * 4.334 * 4.334),
-                    1, .1);
+        EXPECT_NEAR(
+            field.totals.at("contact_area").value * 180 / (std::numbers::pi * 4.334 * 4.334), 1,
+            .1);
     }
 }
 
@@ -127,8 +129,7 @@ TEST(FrdFile, AxesFollowTheNormalOfTheSurface) {
 
 TEST(FrdFile, PrintOfTheLastTimeIsRead) {
     std::vector<std::string> notes;
-    const auto totals =
-        parse_dat(text_of("formats/calculix_CAX4_3d.dat"), "a.dat", "xzy", notes);
+    const auto totals = parse_dat(text_of("formats/calculix_CAX4_3d.dat"), "a.dat", "xzy", notes);
     EXPECT_NEAR(totals.at("normal_force").value, -totals.at(balancing_force).value, 1e-7);
     EXPECT_EQ(totals.at("normal_force").place, "a.dat:134, set NIND");
     EXPECT_GT(totals.at("stored_energy").value, 0);

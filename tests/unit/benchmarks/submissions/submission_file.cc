@@ -2,10 +2,12 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
+#include <fstream>
+#include <sstream>
 
 #include "benchmarks/submissions/dat_totals.h"
 #include "benchmarks/submissions/read_field.h"
+#include "benchmarks/submissions/total_keys.h"
 #include "contact/base/error.h"
 
 namespace tricontact::benchmarks::submission_file_test {
@@ -113,8 +115,9 @@ TEST(SubmissionFile, IsRefusedLikeACase) {
            "layer_pressed.toml: unknown kind of file");
     expect(head + "[[mesh]]\nset = \"A\"\nnormal_force = \"1 N\"\n",
            R"(a.toml:3:7: mesh.set = "A": has no effect without mesh.field)");
-    expect(head + "[[mesh]]\nsize = \"1 mm\"\nshift = \"1 mm\"\n[[mesh]]\nsize = \"2 mm\"\n"
-                  "shift = \"1 mm\"\n",
+    expect(head +
+               "[[mesh]]\nsize = \"1 mm\"\nshift = \"1 mm\"\n[[mesh]]\nsize = \"2 mm\"\n"
+               "shift = \"1 mm\"\n",
            "a.toml:5:1: [[mesh]]: meshes stand from coarse to fine");
     std::string many = head;
     for (int i = 0; i < 9; ++i) many += mesh;
@@ -127,20 +130,40 @@ TEST(SubmissionFile, PlainFilesAreSortedBySizeOrByTheirPoints) {
         for (const MeshField& mesh : s.meshes) names.push_back(mesh.file.substr(foreign.size()));
         return names;
     };
-    EXPECT_EQ(files(submission_of_files("a", {foreign + "getfem_q2_0.25.csv",
-                                              foreign + "getfem_q2_1.csv",
-                                              foreign + "getfem_q2_0.5.csv"})),
-              (std::vector<std::string>{"getfem_q2_1.csv", "getfem_q2_0.5.csv",
-                                        "getfem_q2_0.25.csv"}));
-    EXPECT_EQ(files(submission_of_files("a", {foreign + "calculix_cax8r_0.5.frd",
-                                              foreign + "calculix_cax8r_1.frd"})),
+    EXPECT_EQ(
+        files(submission_of_files("a", {foreign + "getfem_q2_0.25.csv", foreign + "getfem_q2_1.csv",
+                                        foreign + "getfem_q2_0.5.csv"})),
+        (std::vector<std::string>{"getfem_q2_1.csv", "getfem_q2_0.5.csv", "getfem_q2_0.25.csv"}));
+    EXPECT_EQ(files(submission_of_files(
+                  "a", {foreign + "calculix_cax8r_0.5.frd", foreign + "calculix_cax8r_1.frd"})),
               (std::vector<std::string>{"calculix_cax8r_1.frd", "calculix_cax8r_0.5.frd"}));
     EXPECT_THROW(submission_of_files("a", {}), contact::InputError);
     EXPECT_THROW(submission_of_files("a", std::vector<std::string>(9, foreign + "a.csv")),
                  contact::InputError);
     // Points of r = 0, 0.5 ... 4.5 mm carry load there: nine distances.
-    const double distance = relative_point_distance(read_field({foreign + "freefem_p2_1.csv", "", ""}));
+    const double distance =
+        relative_point_distance(read_field({foreign + "freefem_p2_1.csv", "", ""}));
     EXPECT_NEAR(distance, .5 / 4, .02);
+}
+
+TEST(SubmissionFile, DocumentHasAllKeys) {
+    std::ifstream in(TRICONTACT_SOURCE_DIR "/docs/reference/benchmark-submission.md");
+    std::stringstream text;
+    text << in.rdbuf();
+    const std::string document = text.str();
+    for (const TotalKey& key : total_keys()) {
+        EXPECT_NE(document.find("| `" + std::string(key.key) + "` |"), std::string::npos)
+            << key.key;
+        EXPECT_NE(document.find("| `" + std::string(key.example) + "` |"), std::string::npos);
+        for (const auto other : key.also)
+            EXPECT_NE(document.find('`' + std::string(other) + '`'), std::string::npos) << other;
+    }
+    for (const io::Key* key : submission_keys().keys()) {
+        if (key->path.starts_with("tolerance.") && key->path != "tolerance.default") continue;
+        const std::string_view path =
+            key->path.starts_with("mesh.") ? key->path.substr(5) : key->path;
+        EXPECT_NE(document.find("| `" + std::string(path) + "` |"), std::string::npos) << path;
+    }
 }
 
 }  // namespace
