@@ -15,7 +15,7 @@ constexpr double inside_share = .85, band_low = .9, band_high = 1.15;
 const char* const first_order = "1: the pressure ends as a square root at the contact's edge";
 const char* const load_order = "4/3 to 3/2: the edge's error acts on its own load only";
 const char* const inner_order = "1 to 2: away from the contact's edge";
-const char* const edge_order = "1/2: of a square root at the contact's edge";
+const char* const edge_order = "1: of the contact's edge alone";
 
 /// Sup over r of the sum of loads nearer than r; points at one distance count together.
 double largest_load_within(const UnderstoodMesh& mesh, const std::vector<double>& loads) {

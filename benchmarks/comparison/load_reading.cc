@@ -120,7 +120,7 @@ WeightedField weighted_field(const LaidOutField& field, const ContactReach& reac
         w.weights.resize(w.x.size());
         for (std::size_t i = 0; i < w.x.size(); ++i) {
             const double low = w.low[i], high = w.high[i];
-            w.weights[i] = (is_ring ? pi * (high - low) * (high + low) : high - low) / n[i];
+            w.weights[i] = stretch_weight(low, high, is_ring) / n[i];
         }
         w.lumped = w.weights;
         return w;

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "benchmarks/comparison/contact_reach.h"
+#include "benchmarks/comparison/tributary_areas.h"
 
 namespace tricontact::benchmarks {
 
@@ -143,23 +144,51 @@ double followed_share(const UnderstoodMesh& mesh, const contact::Indenter& body)
     return hh > 0 ? std::abs(hz) / hh : 0;
 }
 
+/// Stretches and areas of points that were moved.
+void measure_again(UnderstoodMesh& mesh, double parts) {
+    std::vector<double> x, y;
+    for (const SurfacePoint& p : mesh.result.points) {
+        x.push_back(p.x);
+        y.push_back(p.y);
+    }
+    std::vector<double> areas(x.size());
+    if (mesh.result.geometry == Geometry::spatial) {
+        if (mesh.result.faces.size() == 0) return;  // areas are the file's
+        areas = lumped_areas(x, y, mesh.result.faces);
+    } else {
+        const bool is_ring = mesh.result.geometry == Geometry::axisymmetric;
+        const LineCells cells = line_cells(x, is_ring);
+        const std::vector<int> n = sharers(x);
+        mesh.low = cells.low;
+        mesh.high = cells.high;
+        for (std::size_t i = 0; i < x.size(); ++i)
+            areas[i] = stretch_weight(cells.low[i], cells.high[i], is_ring) / n[i];
+    }
+    for (std::size_t i = 0; i < x.size(); ++i) mesh.result.points[i].area = parts * areas[i];
+}
+
 /// Points that stand where the body has moved them go back by their displacement along the surface,
 /// the code's own or, where it has none, the reference's.
-void undo_deformation(Understanding& all, const Reference& reference) {
+void undo_deformation(Understanding& all, const Reference& reference, const ContactReach& reach) {
     const UnderstoodMesh& finest = all.meshes.back();
     if (finest.height.size() != finest.result.points.size() || finest.height.empty()) return;
     const double share = followed_share(finest, *reference.c.make_indenter());
     if (share < .5) return;
-    for (UnderstoodMesh& mesh : all.meshes)
+    for (UnderstoodMesh& mesh : all.meshes) {
         for (SurfacePoint& p : mesh.result.points) {
-            const SurfaceValues known = reference.fields->at(p.x, p.y);
-            const double u = std::isfinite(p.values.displacement_x) ? p.values.displacement_x
-                                                                    : known.displacement_x;
-            const double v = std::isfinite(p.values.displacement_y) ? p.values.displacement_y
-                                                                    : known.displacement_y;
-            if (std::isfinite(u)) p.x -= u;
-            if (std::isfinite(v)) p.y -= v;
+            const double x = p.x, y = p.y;
+            for (int k = 0; k < 3; ++k) {  // displacements are those of the undeformed place
+                const SurfaceValues known = reference.fields->at(p.x, p.y);
+                const double u = std::isfinite(p.values.displacement_x) ? p.values.displacement_x
+                                                                        : known.displacement_x;
+                const double v = std::isfinite(p.values.displacement_y) ? p.values.displacement_y
+                                                                        : known.displacement_y;
+                if (std::isfinite(u)) p.x = x - u;
+                if (std::isfinite(v)) p.y = y - v;
+            }
         }
+        measure_again(mesh, reach.parts());
+    }
     all.conventions.push_back(
         {"deformed", "positions are those of the deformed surface; they were set back",
          fmt::format("heights of the points follow {:.2f} of the indenter's", share)});
@@ -169,7 +198,7 @@ void undo_deformation(Understanding& all, const Reference& reference) {
 
 void turn_to_reference(Understanding& all, const Reference& reference, const ContactReach& reach) {
     if (!reference.fields) return;
-    undo_deformation(all, reference);
+    undo_deformation(all, reference, reach);
     move_to_centre(all, reference, reach);
     turn_tractions(all, reference);
     turn_displacements(all, reference);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <numbers>
 #include <span>
 #include <vector>
 
@@ -16,6 +17,11 @@ struct LineCells {
 /// the first begins at 0 where that is nearer than one and a half spacings. Points at one place
 /// share its stretch: each has it, and the number of its sharers divides its weight.
 LineCells line_cells(std::span<const double> positions, bool from_axis);
+
+/// What a stretch weighs in an integral: the area of its ring, or its length.
+inline double stretch_weight(double low, double high, bool is_ring) {
+    return is_ring ? std::numbers::pi * (high - low) * (high + low) : high - low;
+}
 
 /// How many points stand at a point's place, itself included.
 std::vector<int> sharers(std::span<const double> positions);
