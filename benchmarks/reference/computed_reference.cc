@@ -19,7 +19,7 @@ namespace keys = quantity_keys;
 
 /// Neighbours of the state are computed on coarse cells, steps of this share of depth, force or
 /// shift apart: differences of a few percent of effects that are small themselves.
-constexpr double neighbours_cells = 16, neighbours_step = .05;
+constexpr double neighbours_cells = 14, neighbours_step = .04;
 
 Case on_neighbours_cells(Case c) {
     auto& cells = c.of<contact::Cells>();
@@ -214,7 +214,10 @@ void refer_computed(Reference& reference, const contact::ModelRunner& runner) {
     reference.models = {model};
     reference.values = values_of_levels(c, levels, model);
     reference.contact_radius = reference.values.at(keys::contact_radius).value;
-    if (is_uncoupled(c)) take_exact_pressing(reference);
+    if (is_uncoupled(c)) {
+        take_exact_pressing(reference);
+        take_exact_line(reference);
+    }
     reference.fields = fields_of_levels(levels);
     reference.has_tractions = has_tractions(reference, levels.back());
     if (!c.rolling) EffectsOfNeighbours(reference, runner, model).add();

@@ -36,6 +36,7 @@ void refer_computed(Reference& reference, const contact::ModelRunner& runner);
 /// Values of what presses the contact, exact, in place of those that `reference` has, the bars of
 /// models from the differences.
 void take_exact_pressing(Reference& reference);
+void take_exact_line(Reference& reference);
 
 /// What sides at the distances that the case gives change: as bars of the domain.
 void add_sides_of_case(Reference& reference);
