@@ -15,8 +15,11 @@ using Words = std::vector<std::string_view>;
 /// Names in lower case without blanks and signs; Greek letters by their names.
 std::string plain_name(std::string_view name) {
     static constexpr std::array<std::pair<std::string_view, std::string_view>, 5> letters{
-        {{"\u03c3", "sigma"}, {"\u03c4", "tau"}, {"\u03bb", "lambda"},
-         {"\u2093", "x"}, {"\u2099", "n"}}};
+        {{"\u03c3", "sigma"},
+         {"\u03c4", "tau"},
+         {"\u03bb", "lambda"},
+         {"\u2093", "x"},
+         {"\u2099", "n"}}};
     std::string out;
     for (std::size_t i = 0; i < name.size();) {
         const auto letter = std::ranges::find_if(
@@ -35,8 +38,8 @@ std::string plain_name(std::string_view name) {
 /// ParaView writes the components of an array as "u:0".
 std::string with_letter(std::string_view name) {
     const auto colon = name.rfind(':');
-    const bool counted = colon != name.npos && colon + 2 == name.size() && name.back() >= '0' &&
-                         name.back() <= '2';
+    const bool counted =
+        colon != name.npos && colon + 2 == name.size() && name.back() >= '0' && name.back() <= '2';
     if (!counted) return std::string(name);
     return std::string(name.substr(0, colon)) + "xyz"[name.back() - '0'];
 }
@@ -61,16 +64,16 @@ void add_vector(Names& names, const Words& bases, const std::array<Meaning, 3>& 
 }
 
 void add_positions(Names& names) {
-    add(names, {"r", "radius", "rad", "radial", "radialcoordinate", "radialposition",
-                "distancefromaxis"}, r);
+    add(names,
+        {"r", "radius", "rad", "radial", "radialcoordinate", "radialposition", "distancefromaxis"},
+        r);
     add_vector(names,
                {"", "coord", "coor", "coordcoor", "coordinate", "coordinates", "points", "point",
                 "pos", "position", "node"},
                {x, y, z});
     for (const char* base : {"coord", "coordinate", "pos", "position"})
         for (std::size_t k = 0; k < 3; ++k)
-            names.emplace("xyz"[k] + std::string(base),
-                          Recognised{std::array{x, y, z}[k], false});
+            names.emplace("xyz"[k] + std::string(base), Recognised{std::array{x, y, z}[k], false});
     add(names, {"x1"}, x);
     add(names, {"x2"}, y);
     add(names, {"x3"}, z);
@@ -83,13 +86,33 @@ void add_positions(Names& names) {
 void add_pressures(Names& names) {
     add(names, {"p", "pressure", "press", "pres", "pn", "sigman", "sn", "normalstress"}, pressure);
     add(names,
-        {"cpress", "contactpressure", "contpres", "contactpres", "pcontact", "contactp",
-         "normaltraction", "tractionnormal", "tractionn", "tn", "contactstress",
-         "normalcontactstress", "contactnormalstress", "contactnormaltraction",
-         "normalcontacttraction", "normalcontactpressure", "contactnormalpressure",
-         "augmentednormalcontactpressure", "lagrangemultiplier", "lagrangemultipliernormal",
-         "lagrangemultipliercontactpressure", "normallm", "frictionalnormallm",
-         "frictionlessnormallm", "lambda", "lambdan", "lagsc"},
+        {"cpress",
+         "contactpressure",
+         "contpres",
+         "contactpres",
+         "pcontact",
+         "contactp",
+         "normaltraction",
+         "tractionnormal",
+         "tractionn",
+         "tn",
+         "contactstress",
+         "normalcontactstress",
+         "contactnormalstress",
+         "contactnormaltraction",
+         "normalcontacttraction",
+         "normalcontactpressure",
+         "contactnormalpressure",
+         "augmentednormalcontactpressure",
+         "lagrangemultiplier",
+         "lagrangemultipliernormal",
+         "lagrangemultipliercontactpressure",
+         "normallm",
+         "frictionalnormallm",
+         "frictionlessnormallm",
+         "lambda",
+         "lambdan",
+         "lagsc"},
         pressure, true);
 }
 
@@ -104,7 +127,8 @@ void add_tractions(Names& names) {
                all, true);
     add(names, {"px"}, traction_x, true);  // of the program CONTACT
     add(names, {"py"}, traction_y, true);
-    add(names, {"tau", "q", "shearstress", "tangentialtraction", "tangentialstress", "sheartraction"},
+    add(names,
+        {"tau", "q", "shearstress", "tangentialtraction", "tangentialstress", "sheartraction"},
         traction_x);
     names.erase("tr");
     names.erase("sheary1");
@@ -126,8 +150,8 @@ void add_forces(Names& names) {
 }
 
 void add_stresses(Names& names) {
-    for (const char* base : {"s", "sigma", "sig", "stress", "cauchystress", "stresses", "tau",
-                             "sigm", "sief", "si"}) {
+    for (const char* base :
+         {"s", "sigma", "sig", "stress", "cauchystress", "stresses", "tau", "sigm", "sief", "si"}) {
         const auto of = [&](const Words& ends, Meaning meaning) {
             for (const auto end : ends)
                 names.emplace(std::string(base) + std::string(end), Recognised{meaning, false});
@@ -143,12 +167,15 @@ void add_others(Names& names) {
                {"u", "d", "disp", "displ", "displacement", "displacements", "depl", "solidu"},
                {displacement_x, displacement_y, displacement_z});
     add(names, {"gap", "g", "gn", "gapn", "opening", "clearance", "normalgap"}, gap);
-    add(names, {"copen", "contactgap", "contgap", "contactopening", "contactclearance",
-                "weightedgap"}, gap, true);
+    add(names,
+        {"copen", "contactgap", "contgap", "contactopening", "contactclearance", "weightedgap"},
+        gap, true);
     add(names, {"status", "state", "stick"}, status);
     add(names, {"contactstatus", "contactstate", "cstatus", "contactstick"}, status, true);
-    add(names, {"area", "da", "weight", "weights", "jxw", "nodalarea", "cellarea", "nodearea",
-                "pointarea", "tributaryarea", "areas", "ds"}, area);
+    add(names,
+        {"area", "da", "weight", "weights", "jxw", "nodalarea", "cellarea", "nodearea", "pointarea",
+         "tributaryarea", "areas", "ds"},
+        area);
     add(names, {"cnarea", "contactarea"}, area, true);
 }
 
@@ -173,28 +200,50 @@ Recognised recognised(std::string_view name) {
 
 std::string_view name_of(Meaning meaning) {
     switch (meaning) {
-        case x: return "position x";
-        case y: return "position y";
-        case z: return "position z";
-        case r: return "distance r from the axis";
-        case area: return "area of a point";
-        case pressure: return "normal traction";
-        case traction_x: return "traction along x";
-        case traction_y: return "traction along y";
-        case traction_z: return "traction along z";
-        case force_normal: return "normal nodal force";
-        case force_x: return "nodal force along x";
-        case force_y: return "nodal force along y";
-        case force_z: return "nodal force along z";
-        case stress_zz: return "stress zz";
-        case stress_xz: return "stress xz";
-        case stress_yz: return "stress yz";
-        case displacement_x: return "displacement along x";
-        case displacement_y: return "displacement along y";
-        case displacement_z: return "displacement along z";
-        case gap: return "gap";
-        case status: return "contact status";
-        case other: break;
+        case x:
+            return "position x";
+        case y:
+            return "position y";
+        case z:
+            return "position z";
+        case r:
+            return "distance r from the axis";
+        case area:
+            return "area of a point";
+        case pressure:
+            return "normal traction";
+        case traction_x:
+            return "traction along x";
+        case traction_y:
+            return "traction along y";
+        case traction_z:
+            return "traction along z";
+        case force_normal:
+            return "normal nodal force";
+        case force_x:
+            return "nodal force along x";
+        case force_y:
+            return "nodal force along y";
+        case force_z:
+            return "nodal force along z";
+        case stress_zz:
+            return "stress zz";
+        case stress_xz:
+            return "stress xz";
+        case stress_yz:
+            return "stress yz";
+        case displacement_x:
+            return "displacement along x";
+        case displacement_y:
+            return "displacement along y";
+        case displacement_z:
+            return "displacement along z";
+        case gap:
+            return "gap";
+        case status:
+            return "contact status";
+        case other:
+            break;
     }
     return "not used";
 }
@@ -202,27 +251,49 @@ std::string_view name_of(Meaning meaning) {
 std::vector<io::Dimension> dimensions_of(Meaning meaning) {
     using io::Dimension;
     switch (meaning) {
-        case x: case y: case z: case r: case gap:
-        case displacement_x: case displacement_y: case displacement_z:
+        case x:
+        case y:
+        case z:
+        case r:
+        case gap:
+        case displacement_x:
+        case displacement_y:
+        case displacement_z:
             return {Dimension::length};
-        case area: return {Dimension::area, Dimension::length};
-        case pressure: case traction_x: case traction_y: case traction_z:
-        case stress_zz: case stress_xz: case stress_yz:
+        case area:
+            return {Dimension::area, Dimension::length};
+        case pressure:
+        case traction_x:
+        case traction_y:
+        case traction_z:
+        case stress_zz:
+        case stress_xz:
+        case stress_yz:
             return {Dimension::pressure};
-        case force_normal: case force_x: case force_y: case force_z:
+        case force_normal:
+        case force_x:
+        case force_y:
+        case force_z:
             return {Dimension::force, Dimension::stiffness};
-        case status: case other: break;
+        case status:
+        case other:
+            break;
     }
     return {};
 }
 
 Meaning as_force(Meaning meaning) {
     switch (meaning) {
-        case pressure: return force_normal;
-        case traction_x: return force_x;
-        case traction_y: return force_y;
-        case traction_z: return force_z;
-        default: return meaning;
+        case pressure:
+            return force_normal;
+        case traction_x:
+            return force_x;
+        case traction_y:
+            return force_y;
+        case traction_z:
+            return force_z;
+        default:
+            return meaning;
     }
 }
 

@@ -102,8 +102,8 @@ void add_columns(MeshField& field, std::vector<RawColumn> columns, const std::st
     };
     std::vector<bool> taken(all.size());
     for (std::size_t i = 0; i < all.size(); ++i)
-        taken[i] = all[i].meaning != Meaning::other &&
-                   chosen(all, all[i].meaning, place, twice) == i;
+        taken[i] =
+            all[i].meaning != Meaning::other && chosen(all, all[i].meaning, place, twice) == i;
     for (std::size_t i = 0; i < all.size(); ++i) {
         Candidate& one = all[i];
         if (!taken[i]) {
@@ -113,8 +113,8 @@ void add_columns(MeshField& field, std::vector<RawColumn> columns, const std::st
         const bool has_unit = one.raw.unit || dimensions_of(one.meaning).empty();
         note(one.raw.heading, "read as " + std::string(name_of(one.meaning)) +
                                   (has_unit ? "" : ", as written: it has no unit"));
-        field.columns.push_back({one.raw.heading, one.meaning, one.raw.unit,
-                                 std::move(one.raw.values)});
+        field.columns.push_back(
+            {one.raw.heading, one.meaning, one.raw.unit, std::move(one.raw.values)});
     }
 }
 

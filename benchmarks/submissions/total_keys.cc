@@ -13,14 +13,22 @@ std::span<const TotalKey> total_keys() {
     using enum io::Dimension;
     namespace q = quantity_keys;
     static const std::vector<TotalKey> keys{
-        {q::normal_force, {force, stiffness}, "16.7 N",
+        {q::normal_force,
+         {force, stiffness},
+         "16.7 N",
          "resultant of the pressures F_N, or the reaction; of the part that was modelled",
          {"F_N", "FN", "force"}},
-        {q::tangential_force, {force, stiffness}, "4.55 N", "F_T on the body along x",
+        {q::tangential_force,
+         {force, stiffness},
+         "4.55 N",
+         "F_T on the body along x",
          {"F_T", "FT"}},
         {q::indentation, {length}, "0.35 mm", "d", {"d", "depth"}},
         {q::shift, {length}, "0.1 mm", "tangential displacement U of the indenter", {"U"}},
-        {q::contact_radius, {length}, "4.33 mm", "a, half width of a plane contact",
+        {q::contact_radius,
+         {length},
+         "4.33 mm",
+         "a, half width of a plane contact",
          {"a", "half_width"}},
         {q::peak_pressure, {pressure}, "0.421 MPa", "greatest pressure p0", {"p0", "p_max"}},
         {q::contact_area, {area, length}, "58.3 mm2", "area in contact", {}},
@@ -70,8 +78,8 @@ Total read_total(const TotalKey& key, std::string_view text, const std::string& 
         }
     }
     const auto number = io::number_in(digits);
-    const std::string example = "write for example " + std::string(key.key) + " = " +
-                                std::string(key.example);
+    const std::string example =
+        "write for example " + std::string(key.key) + " = " + std::string(key.example);
     if (!number || !std::isfinite(*number)) refuse("a number with a unit is due", example);
     if (unit.size() > 1 && unit.front() == '[' && unit.back() == ']')
         unit = unit.substr(1, unit.size() - 2);

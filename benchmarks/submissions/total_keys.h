@@ -12,7 +12,7 @@ namespace tricontact::benchmarks {
 
 /// A number that a code may state beside its field.
 struct TotalKey {
-    std::string_view key;  ///< of quantity_keys, or "size", "cpu_time"
+    std::string_view key;                   ///< of quantity_keys, or "size", "cpu_time"
     std::vector<io::Dimension> dimensions;  ///< in space, and of a plane contact per length
     std::string_view example;               ///< "16.7 N"
     std::string_view text;                  ///< one line
