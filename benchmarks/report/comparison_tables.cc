@@ -39,7 +39,8 @@ report::DocumentTable verdict_rows(const Comparison& comparison) {
         .note =
             "unexplained: the verdict if every difference counts in full. pass: |left| + U <= "
             "tolerance; fail: |left| - U > tolerance.",
-        .columns = report::columns("quantity", "left ± U", "tolerance", "verdict", "unexplained")};
+        .columns =
+            report::columns("quantity", "verdict", "unexplained", "left ± U [%]", "tolerance")};
     for (const ComparedNumber& one : comparison.numbers) {
         std::string left = left_text(one.left(), one.uncertainty);
         if (left.ends_with(" %")) left.resize(left.size() - 2);
