@@ -119,18 +119,26 @@ report::Figure profile_figure(const Comparison& comparison, const Profile& profi
     return figure;
 }
 
-/// Load inside the distance of each point [N], that of the point itself counted by half.
+/// Load inside distances from the centre [N].
 struct LoadWithin {
     std::vector<double> at, load;
 
-    explicit LoadWithin(const MeshResult& mesh) {
+    LoadWithin(const MeshResult& mesh, double reach) {
+        mesh.geometry == Geometry::spatial ? add_squares(mesh, reach) : add_rings(mesh);
+        const bool is_told = std::ranges::any_of(load, [](double sum) { return sum > 0; });
+        if (!is_told) at.clear(), load.clear();
+    }
+
+  private:
+    static double share_of(const SurfacePoint& point) {
+        const double share = point.area * point.values.pressure;
+        return std::isfinite(share) ? share : 0;
+    }
+    /// At each point, whose own load counts by half.
+    void add_rings(const MeshResult& mesh) {
         std::vector<std::pair<double, double>> shares;
-        for (const SurfacePoint& point : mesh.points) {
-            const double r = mesh.geometry == Geometry::spatial ? std::hypot(point.x, point.y)
-                                                                : std::abs(point.x);
-            const double share = point.area * point.values.pressure;
-            if (std::isfinite(share)) shares.emplace_back(r, share);
-        }
+        for (const SurfacePoint& point : mesh.points)
+            shares.emplace_back(std::abs(point.x), share_of(point));
         std::ranges::sort(shares);
         double sum = 0;
         for (const auto& [r, share] : shares) {
@@ -138,7 +146,20 @@ struct LoadWithin {
             load.push_back(sum + share / 2);
             sum += share;
         }
-        if (!(sum > 0)) at.clear(), load.clear();
+    }
+    /// The load of a point is spread along the radius over the side of a square of its area: many
+    /// points have one distance.
+    void add_squares(const MeshResult& mesh, double reach) {
+        constexpr int n = 80;
+        for (int i = 1; i <= n; ++i) at.push_back(reach * i / n);
+        load.assign(n, 0);
+        for (const SurfacePoint& point : mesh.points) {
+            const double share = share_of(point), side = std::sqrt(point.area);
+            if (share == 0 || !(side > 0)) continue;
+            const double begin = std::hypot(point.x, point.y) - side / 2;
+            for (std::size_t i = 0; i < n; ++i)
+                load[i] += share * std::clamp((at[i] - begin) / side, 0., 1.);
+        }
     }
 };
 
@@ -191,8 +212,10 @@ std::vector<report::Figure> load_figures(const Comparison& comparison) {
         return reference.fields->load_within(at * length.factor) / force;
     });
     for (std::size_t k = 0; k < comparison.meshes.size(); ++k) {
-        const LoadWithin within(comparison.meshes[k]);
-        Curve curve = mesh_curve(comparison, k), apart = curve;
+        const LoadWithin within(comparison.meshes[k], reach);
+        Curve curve = mesh_curve(comparison, k);
+        curve.kind = Curve::Kind::line_and_points;
+        Curve apart = curve;
         for (const std::size_t i : report::thinned(within.at.size(), most_points)) {
             const double r = within.at[i];
             if (r > reach) continue;
