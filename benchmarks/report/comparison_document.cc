@@ -126,7 +126,8 @@ DocumentSection method_section() {
     return {.id = "method",
             .heading = "How the verdict is made",
             .paragraphs = {
-                "In the words of ASME V&V 20 (2009): the comparison error E is the code's value "
+                "In the words of the standard V&V 20, ASME (2009): the comparison error E is the "
+                "code's value "
                 "minus that of the reference, S - D. It is compared with the uncertainty U of the "
                 "comparison, which joins the numerical uncertainty of the code (discretisation), "
                 "the uncertainty of the reference in the place of the experimental one, and the "

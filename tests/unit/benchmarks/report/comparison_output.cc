@@ -99,7 +99,7 @@ TEST(ComparisonOutput, PageIsMadeForAxesPlanesAndSpace) {
         document.version = "1";
         const std::string page = document_html(document);
         EXPECT_TRUE(contains(page, "budget_normal_force"));
-        EXPECT_TRUE(contains(page, "ASME V&amp;V 20 (2009)"));
+        EXPECT_TRUE(contains(page, "V&amp;V 20, ASME (2009)"));
         EXPECT_EQ(contains(page, "chart_difference_pressure"), geometry == Geometry::spatial);
     }
     // Without fields, meshes of a size or anything explained, what rests on them is left out.
