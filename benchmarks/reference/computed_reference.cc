@@ -105,7 +105,7 @@ class EffectsOfNeighbours {
           here_(end_state(runner, model, case_)) {}
 
     void add() {
-        add_normal();
+        if (!reference_.effects.normal_compliance) add_normal();
         if (with_tangential(case_, 1)) add_tangential();
         if (is_pressed_in_steps()) add_one_step();
     }
@@ -214,12 +214,12 @@ void refer_computed(Reference& reference, const contact::ModelRunner& runner) {
     reference.models = {model};
     reference.values = values_of_levels(c, levels, model);
     reference.contact_radius = reference.values.at(keys::contact_radius).value;
-    if (is_uncoupled(c)) {
-        take_exact_pressing(reference);
-        take_exact_line(reference);
-    }
-    reference.fields = fields_of_levels(levels);
+    const auto fields = fields_of_levels(levels);
+    reference.fields = fields;
     reference.has_tractions = has_tractions(reference, levels.back());
+    if (is_uncoupled(c) && has_exact_radial_contact(c)) take_radial_pressing(reference, fields);
+    if (is_uncoupled(c) && has_exact_line_contact(c)) take_line_pressing(reference, fields);
+    take_closed_shearing(reference);
     if (!c.rolling) EffectsOfNeighbours(reference, runner, model).add();
 }
 

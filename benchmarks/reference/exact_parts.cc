@@ -16,7 +16,8 @@ using contact::Case;
 using contact::NormalControl;
 namespace keys = quantity_keys;
 
-constexpr double difference_step = .01;  // of depth or force, in effects
+constexpr double difference_step = .01;   // of depth or force, in effects
+constexpr double theory_accuracy = 1e-9;  // see elastic_layer.h and line_contact.h
 
 /// Cells and springs are counted; that of the contact's radius is not.
 double smooth_area(const Case& c, double radius) {
@@ -42,6 +43,29 @@ void try_to(Reference& reference, const std::string& model, const Run& run) {
 }
 
 }  // namespace
+
+void set_exact_values(Reference& reference, const std::map<std::string, double>& exact,
+                      const std::string& source) {
+    reference.models.push_back(source);
+    for (const auto& [key, value] : exact)
+        reference.values[key] = {
+            .value = value, .grid = theory_accuracy * std::abs(value), .source = source};
+}
+
+void replace_by_exact(Reference& reference, const std::map<std::string, double>& exact,
+                      const std::string& source) {
+    reference.models.push_back(source);
+    for (const auto& [key, value] : exact) {
+        if (key == keys::stored_energy) continue;
+        const auto computed = reference.values.find(key);
+        const double difference =
+            computed == reference.values.end() ? 0 : std::abs(computed->second.value - value);
+        reference.values[key] = {.value = value,
+                                 .grid = theory_accuracy * std::abs(value),
+                                 .model = difference,
+                                 .source = source};
+    }
+}
 
 void compare_with_springs(Reference& reference, const Case& pressed,
                           const contact::ModelRunner& runner) {

@@ -8,6 +8,14 @@
 // What the references by exact theories of pressing have in common.
 namespace tricontact::benchmarks {
 
+/// Values of an exact theory of pressing as those of a reference that has none.
+void set_exact_values(Reference& reference, const std::map<std::string, double>& exact,
+                      const std::string& source);
+/// The same in place of computed ones, whose differences become bars of models. The stored energy
+/// stays: that of tractions is in it.
+void replace_by_exact(Reference& reference, const std::map<std::string, double>& exact,
+                      const std::string& source);
+
 /// Runs springs of the method of dimensionality reduction that are exact for pressing, and notes
 /// what they differ by as bars of models. A model that does not run is named in a remark.
 void compare_with_springs(Reference& reference, const contact::Case& pressed,

@@ -123,8 +123,31 @@ GridFields::GridFields(std::string_view bytes) {
     find_loads();
 }
 
+SurfaceValues SplitFields::joined(const SurfaceValues& pressing, SurfaceValues shearing) {
+    shearing.pressure = pressing.pressure;
+    if (pressing.pressure == 0) shearing.traction_x = shearing.traction_y = 0;
+    shearing.displacement_z = pressing.displacement_z;
+    return shearing;
+}
+
+std::string SplitFields::write() const {
+    contact::StateWriter out;
+    out('s', pressing_->write(), shearing_->write());
+    return out.take();
+}
+
+SplitFields::SplitFields(std::string_view bytes) {
+    contact::StateReader in(bytes);
+    char kind = 0;
+    std::string pressing, shearing;
+    in(kind, pressing, shearing);
+    pressing_ = read_fields(pressing);
+    shearing_ = read_fields(shearing);
+}
+
 std::shared_ptr<const TabledFields> read_fields(std::string_view bytes) {
     if (bytes.starts_with('r')) return std::make_shared<RadialFields>(bytes);
+    if (bytes.starts_with('s')) return std::make_shared<SplitFields>(bytes);
     return std::make_shared<GridFields>(bytes);
 }
 

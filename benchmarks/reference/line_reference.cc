@@ -12,8 +12,6 @@ using contact::Case;
 using contact::NormalControl;
 namespace keys = quantity_keys;
 
-constexpr double line_accuracy = 1e-9;  // of the exact contact, see theory/layer/line_contact.h
-
 std::map<std::string, double> exact_line_scalars(const PlaneContact& contact) {
     std::map<std::string, double> values{{keys::normal_force, contact.load()},
                                          {keys::contact_radius, contact.half_width()},
@@ -32,56 +30,53 @@ std::string line_theory(const Case& c) {
     return c.layer.thickness ? "exact layer under a cylinder" : "Hertz (1882)";
 }
 
+std::shared_ptr<const RadialFields> line_fields(const Reference& reference,
+                                                const PlaneContact& contact) {
+    const RadialFields::Bars bars{
+        .pressure = relative_bar(reference, keys::peak_pressure),
+        .radius = relative_bar(reference, keys::contact_radius),
+        .displacement = std::max(relative_bar(reference, keys::normal_force),
+                                 relative_bar(reference, keys::indentation))};
+    return std::make_shared<RadialFields>(
+        true, contact.half_width(), bars, [&](double x) -> RadialFields::Values {
+            return {contact.pressure(x), contact.displacement_along(x),
+                    contact.normal_displacement(x), contact.load_within(x)};
+        });
+}
+
+void add_line_effects(Reference& reference, const NormalControl& control, double half_width) {
+    const Case& c = reference.c;
+    add_pressing_effects(reference, control, half_width / c.indenter.radius,
+                         [&](const NormalControl& near) -> EnvelopeIntegrals {
+                             const PlaneContact state(c, near);
+                             return {.pressure_squared = state.pressure_squared(),
+                                     .work_of_slope = state.work_of_slope()};
+                         });
+    if (control.kind == NormalControl::Kind::indentation && !c.layer.thickness)
+        reference.remarks.emplace_back(
+            "the depth of a line contact on the half-space is that of a body of the case's length");
+}
+
 }  // namespace
 
 void refer_line(Reference& reference, const contact::ModelRunner& runner) {
     const Case& c = reference.c;
     const NormalControl control = final_normal(c);
     const PlaneContact contact(c, control);
-    const std::string source = line_theory(c);
     reference.contact_radius = contact.half_width();
-    reference.models = {source};
-    for (const auto& [key, value] : exact_line_scalars(contact))
-        reference.values[key] = {
-            .value = value, .grid = line_accuracy * std::abs(value), .source = source};
+    set_exact_values(reference, exact_line_scalars(contact), line_theory(c));
     compare_with_cells(reference, pressed_alone(c, control), runner);
-    const RadialFields::Bars bars{
-        .pressure = relative_bar(reference, keys::peak_pressure),
-        .radius = relative_bar(reference, keys::contact_radius),
-        .displacement = std::max(relative_bar(reference, keys::normal_force),
-                                 relative_bar(reference, keys::indentation))};
-    reference.fields = std::make_shared<RadialFields>(
-        true, contact.half_width(), bars, [&](double x) -> RadialFields::Values {
-            return {contact.pressure(x), contact.displacement_along(x),
-                    contact.normal_displacement(x), contact.load_within(x)};
-        });
-    add_pressing_effects(reference, control, contact.half_width() / c.indenter.radius,
-                         [&](const NormalControl& near) -> EnvelopeIntegrals {
-                             const PlaneContact state(c, near);
-                             return {.pressure_squared = state.pressure_squared(),
-                                     .work_of_slope = state.work_of_slope()};
-                         });
-    if (control.kind == NormalControl::Kind::force) return;
-    if (!c.layer.thickness)
-        reference.remarks.emplace_back(
-            "the depth of a line contact on the half-space is that of a body of the case's length");
+    reference.fields = line_fields(reference, contact);
+    add_line_effects(reference, control, contact.half_width());
 }
 
-void take_exact_line(Reference& reference) {
-    if (!has_exact_line_contact(reference.c)) return;
-    const PlaneContact contact(reference.c, final_normal(reference.c));
-    const std::string source = line_theory(reference.c);
-    for (const auto& [key, value] : exact_line_scalars(contact)) {
-        if (key == keys::stored_energy) continue;  // that of tractions is not in it
-        const auto computed = reference.values.find(key);
-        const double difference =
-            computed == reference.values.end() ? 0 : std::abs(computed->second.value - value);
-        reference.values[key] = {.value = value,
-                                 .grid = line_accuracy * std::abs(value),
-                                 .model = difference,
-                                 .source = source};
-    }
-    reference.models.push_back(source);
+void take_line_pressing(Reference& reference, const std::shared_ptr<const TabledFields>& shearing) {
+    const NormalControl control = final_normal(reference.c);
+    const PlaneContact contact(reference.c, control);
+    reference.contact_radius = contact.half_width();
+    replace_by_exact(reference, exact_line_scalars(contact), line_theory(reference.c));
+    reference.fields = std::make_shared<SplitFields>(line_fields(reference, contact), shearing);
+    add_line_effects(reference, control, contact.half_width());
 }
 
 }  // namespace tricontact::benchmarks

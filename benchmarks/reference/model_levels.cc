@@ -24,7 +24,8 @@ using contact::Case;
 using contact::Surface;
 namespace keys = quantity_keys;
 
-constexpr double usual_cells_per_radius = 36;
+// Where the case has fewer: what takes about a second.
+constexpr double uncoupled_cells = 48, coupled_cells = 36, rolling_cells = 32;
 constexpr double solver_noise = 1e-6;  // of a value: solvers stop at 1e-7
 
 double size_of(const Case& c, const std::string& model) {
@@ -81,7 +82,10 @@ EndState end_state(const contact::ModelRunner& runner, const std::string& model,
 
 Case on_coarser_cells(Case c, const std::string& model, double factor) {
     auto& cells = c.of<contact::Cells>();
-    if (!cells.spacing && !cells.per_radius) cells.per_radius = usual_cells_per_radius;
+    const double least = c.rolling         ? rolling_cells
+                         : is_uncoupled(c) ? uncoupled_cells
+                                           : coupled_cells;
+    if (!cells.spacing) cells.per_radius = std::max(cells.per_radius.value_or(0), least);
     comparisons::change_resolution(c, contact::model_kind(model), {.coarser = factor});
     return c;
 }

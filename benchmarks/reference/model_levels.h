@@ -27,8 +27,8 @@ struct EndState {
 EndState end_state(const contact::ModelRunner& runner, const std::string& model,
                    const contact::Case& c);
 
-/// The case on cells (of mdr on springs) of so many times the size; where it has no cells, on 40 in
-/// the contact's radius first.
+/// The case on cells (of mdr on springs) of so many times the size; where it has fewer cells per
+/// contact radius than references take, on those first.
 contact::Case on_coarser_cells(contact::Case c, const std::string& model, double factor);
 
 /// The case on three grids, each half as coarse as the one before.

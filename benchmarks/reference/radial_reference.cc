@@ -16,8 +16,6 @@ using contact::NormalControl;
 using std::numbers::pi;
 namespace keys = quantity_keys;
 
-constexpr double theory_accuracy = 1e-9;  // of the exact contact, see elastic_layer.h
-
 double largest_pressure(const RadialContact& contact) {
     double largest = contact.pressure(0);
     for (int i = 1; i < 400; ++i)
@@ -44,40 +42,30 @@ std::string theory_name(const Case& c) {
                : "Sneddon (1965)";
 }
 
-}  // namespace
-
-void refer_radial(Reference& reference, const contact::ModelRunner& runner) {
-    const Case& c = reference.c;
-    const NormalControl control = final_normal(c);
-    const RadialContact contact(c, control);
-    const std::string source = theory_name(c);
-    reference.contact_radius = contact.radius();
-    reference.models = {source};
-    for (const auto& [key, value] : exact_scalars(c, contact))
-        reference.values[key] = {
-            .value = value, .grid = theory_accuracy * std::abs(value), .source = source};
-    const Case pressed = pressed_alone(c, control);
-    compare_with_springs(reference, pressed, runner);
-    compare_with_cells(reference, pressed, runner);
-    const auto body = c.make_axisymmetric_indenter();
-    const bool has_tip = contact::has_conical_tip(c);
+std::shared_ptr<const RadialFields> radial_fields(Reference& reference,
+                                                  const RadialContact& contact) {
+    const bool has_tip = contact::has_conical_tip(reference.c);
     const RadialFields::Bars bars{
         .pressure = relative_bar(reference, has_tip ? keys::normal_force : keys::peak_pressure),
         .radius = relative_bar(reference, keys::contact_radius),
         .displacement = std::max(relative_bar(reference, keys::indentation),
                                  relative_bar(reference, keys::normal_force))};
-    // Under a tip the pressure is infinite at the axis: the table begins beside it.
-    const double nearest = has_tip ? 1e-3 * contact.radius() : 0;
-    reference.fields = std::make_shared<RadialFields>(
-        false, contact.radius(), bars, [&](double r) -> RadialFields::Values {
-            return {contact.pressure(std::max(r, nearest)), contact.radial_displacement(r),
-                    contact.normal_displacement(r), contact.load_within(r)};
-        });
     if (has_tip)
         reference.remarks.emplace_back(
             "the pressure under the tip is infinite: the field is cut at a thousandth of the "
             "contact's radius");
-    add_pressing_effects(reference, control, body->profile_slope(contact.radius()),
+    // Under a tip the table begins beside the axis.
+    const double nearest = has_tip ? 1e-3 * contact.radius() : 0;
+    return std::make_shared<RadialFields>(
+        false, contact.radius(), bars, [&](double r) -> RadialFields::Values {
+            return {contact.pressure(std::max(r, nearest)), contact.radial_displacement(r),
+                    contact.normal_displacement(r), contact.load_within(r)};
+        });
+}
+
+void add_radial_effects(Reference& reference, const NormalControl& control, double radius) {
+    const Case& c = reference.c;
+    add_pressing_effects(reference, control, c.make_axisymmetric_indenter()->profile_slope(radius),
                          [&](const NormalControl& near) -> EnvelopeIntegrals {
                              const RadialContact state(c, near);
                              return {.pressure_squared = state.pressure_squared(),
@@ -85,22 +73,29 @@ void refer_radial(Reference& reference, const contact::ModelRunner& runner) {
                          });
 }
 
-void take_exact_pressing(Reference& reference) {
+}  // namespace
+
+void refer_radial(Reference& reference, const contact::ModelRunner& runner) {
     const Case& c = reference.c;
-    if (!has_exact_radial_contact(c)) return;
-    const RadialContact contact(c, final_normal(c));
-    const std::string source = theory_name(c);
-    for (const auto& [key, value] : exact_scalars(c, contact)) {
-        if (key == keys::stored_energy) continue;  // that of tractions is not in it
-        const auto computed = reference.values.find(key);
-        const double difference =
-            computed == reference.values.end() ? 0 : std::abs(computed->second.value - value);
-        reference.values[key] = {.value = value,
-                                 .grid = theory_accuracy * std::abs(value),
-                                 .model = difference,
-                                 .source = source};
-    }
-    reference.models.push_back(source);
+    const NormalControl control = final_normal(c);
+    const RadialContact contact(c, control);
+    reference.contact_radius = contact.radius();
+    set_exact_values(reference, exact_scalars(c, contact), theory_name(c));
+    const Case pressed = pressed_alone(c, control);
+    compare_with_springs(reference, pressed, runner);
+    compare_with_cells(reference, pressed, runner);
+    reference.fields = radial_fields(reference, contact);
+    add_radial_effects(reference, control, contact.radius());
+}
+
+void take_radial_pressing(Reference& reference,
+                          const std::shared_ptr<const TabledFields>& shearing) {
+    const NormalControl control = final_normal(reference.c);
+    const RadialContact contact(reference.c, control);
+    reference.contact_radius = contact.radius();
+    replace_by_exact(reference, exact_scalars(reference.c, contact), theory_name(reference.c));
+    reference.fields = std::make_shared<SplitFields>(radial_fields(reference, contact), shearing);
+    add_radial_effects(reference, control, contact.radius());
 }
 
 }  // namespace tricontact::benchmarks

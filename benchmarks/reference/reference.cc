@@ -38,6 +38,12 @@ bool is_axisymmetric(const Case& c) {
     return is_pressed_only(c);
 }
 
+/// But for what the case leaves out.
+bool would_couple(Case c) {
+    c.contact.coupling = true;
+    return !is_uncoupled(c);
+}
+
 }  // namespace
 
 bool Reference::is_prescribed(const std::string& key) const {
@@ -62,6 +68,10 @@ Reference reference(const Case& c, const contact::ModelRunner& runner, const con
         refer_computed(result, runner);
     }
     add_sides_of_case(result);
+    if (!c.contact.coupling && would_couple(c))
+        result.remarks.emplace_back(
+            "the case leaves the coupling of normal and tangential contact out: a code that has it "
+            "is to be run without friction, or with contact.coupling = true here");
     // What a case prescribes has no error.
     for (const std::string& key : result.prescribed)
         if (const auto found = result.values.find(key); found != result.values.end())

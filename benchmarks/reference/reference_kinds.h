@@ -1,6 +1,9 @@
 #pragma once
 
+#include <memory>
+
 #include "benchmarks/reference/reference.h"
+#include "benchmarks/reference/tabled_fields.h"
 #include "contact/solvers/control.h"
 
 namespace tricontact::benchmarks {
@@ -33,10 +36,15 @@ void refer_line(Reference& reference, const contact::ModelRunner& runner);
 /// Of all else, by boundary elements on three grids.
 void refer_computed(Reference& reference, const contact::ModelRunner& runner);
 
-/// Values of what presses the contact, exact, in place of those that `reference` has, the bars of
-/// models from the differences.
-void take_exact_pressing(Reference& reference);
-void take_exact_line(Reference& reference);
+/// What presses an uncoupled contact, exactly: values in place of the computed ones, the bars of
+/// models from the differences; fields, whose tractions are those of `shearing`; effects.
+void take_radial_pressing(Reference& reference,
+                          const std::shared_ptr<const TabledFields>& shearing);
+void take_line_pressing(Reference& reference, const std::shared_ptr<const TabledFields>& shearing);
+
+/// The closed form of a tangential load applied once to uncoupled half-spaces: values where it is
+/// exact, else a remark with its difference.
+void take_closed_shearing(Reference& reference);
 
 /// What sides at the distances that the case gives change: as bars of the domain.
 void add_sides_of_case(Reference& reference);

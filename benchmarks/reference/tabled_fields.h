@@ -92,4 +92,28 @@ class GridFields final : public TabledFields {
     std::vector<double> loads_;  // within r, equally spaced
 };
 
+/// Pressure and u_z of one, tractions and displacements along the surface of another: of uncoupled
+/// contacts, whose pressing is known exactly.
+class SplitFields final : public TabledFields {
+  public:
+    SplitFields(std::shared_ptr<const TabledFields> pressing,
+                std::shared_ptr<const TabledFields> shearing)
+        : pressing_(std::move(pressing)), shearing_(std::move(shearing)) {}
+    explicit SplitFields(std::string_view bytes);
+
+    SurfaceValues at(double x, double y) const override {
+        return joined(pressing_->at(x, y), shearing_->at(x, y));
+    }
+    SurfaceValues bar_at(double x, double y) const override {
+        return joined(pressing_->bar_at(x, y), shearing_->bar_at(x, y));
+    }
+    double load_within(double r) const override { return pressing_->load_within(r); }
+    std::string write() const override;
+
+  private:
+    static SurfaceValues joined(const SurfaceValues& pressing, SurfaceValues shearing);
+
+    std::shared_ptr<const TabledFields> pressing_, shearing_;
+};
+
 }  // namespace tricontact::benchmarks

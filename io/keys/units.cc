@@ -22,7 +22,7 @@ struct Traits {
 };
 
 const Traits& traits(Dimension dimension) {
-    static constexpr std::array<Traits, 20> all{
+    static constexpr std::array<Traits, 23> all{
         {{"pure number", "a pure number", "1", "0.5"},
          {"length", "a length", "m", "40 mm"},
          {"pressure", "a pressure", "Pa", "5.2 MPa"},
@@ -42,7 +42,10 @@ const Traits& traits(Dimension dimension) {
          {"energy per area", "an energy per area", "J/m2", "50 mJ/m2"},
          {"thermal conductivity", "a thermal conductivity", "W/(m K)", "0.2 W/(m K)"},
          {"temperature coefficient", "a temperature coefficient", "1/K", "0.003 1/K"},
-         {"wear rate", "a wear rate", "m2/N", "1e-5 mm3/(N m)"}}};
+         {"wear rate", "a wear rate", "m2/N", "1e-5 mm3/(N m)"},
+         {"area", "an area", "m2", "58 mm2"},
+         {"energy", "an energy", "J", "2.3 mJ"},
+         {"pressure per length", "a pressure per length", "Pa/m", "260 MPa/mm"}}};
     return all[static_cast<std::size_t>(dimension)];
 }
 

@@ -26,7 +26,10 @@ enum class Dimension {
     energy_per_area,
     thermal_conductivity,
     temperature_coefficient,
-    wear_rate
+    wear_rate,
+    area,
+    energy,
+    pressure_per_length
 };
 
 std::string_view name_of(Dimension dimension);     ///< "a length"

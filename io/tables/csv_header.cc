@@ -65,7 +65,7 @@ std::string_view without_brackets(std::string_view cell) {
 }
 
 bool is_unit(std::string_view text) {
-    for (int k = 1; k <= static_cast<int>(Dimension::wear_rate); ++k) try {
+    for (int k = 1; k <= static_cast<int>(Dimension::pressure_per_length); ++k) try {
             parse_quantity("1 " + std::string(text), static_cast<Dimension>(k));
             return true;
         } catch (const QuantityError&) {
