@@ -51,6 +51,24 @@ void list_problems(const BenchmarkListOptions& options) {
                                          : benchmarks::catalogue_text(problems));
 }
 
+/// The reference of a problem, or why there is none.
+struct FoundReference {
+    std::optional<benchmarks::Reference> reference;
+    std::string why_not = {};
+};
+
+FoundReference reference_of(const Problem& problem, const CommandOptions& options) {
+    if (!problem.has_case()) return {{}, "The closed forms below are the reference."};
+    try {
+        return {benchmarks::reference(problem.make_case(), options.runner())};
+    } catch (const contact::InputError& error) {
+        std::string text = error.what();
+        constexpr std::string_view speaker = "reference: ";
+        if (text.starts_with(speaker)) text.erase(0, speaker.size());
+        return {{}, "No reference is computed: " + text + '.'};
+    }
+}
+
 void show_problem(const BenchmarkShowOptions& options) {
     const Problem& problem = benchmarks::required_problem(options.problem);
     if (options.case_alone) {
@@ -58,7 +76,9 @@ void show_problem(const BenchmarkShowOptions& options) {
         options.out() << problem.case_text;
         return;
     }
-    const ProblemFindings findings;
+    const FoundReference found = reference_of(problem, options);
+    const ProblemFindings findings{.reference = found.reference ? &*found.reference : nullptr,
+                                   .no_reference = found.why_not};
     options.out() << (options.json       ? benchmarks::problem_json(problem, findings)
                       : options.markdown ? benchmarks::problem_markdown(problem, findings)
                                          : benchmarks::problem_text(problem, findings));

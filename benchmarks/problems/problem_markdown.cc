@@ -70,7 +70,7 @@ std::string problem_markdown(const Problem& problem, const ProblemFindings& find
     out += bullets("What can go wrong", problem.traps);
     std::string commands;
     for (const std::string& command : commands_of(problem)) commands += command + '\n';
-    out += "\n## Commands\n\n" + block("", commands);
+    out += "\n## Commands\n\n" + block("text", commands);
     return out + bullets("Sources", problem.sources);
 }
 

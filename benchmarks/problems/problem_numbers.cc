@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "benchmarks/problems/quantity_units.h"
 #include "report/format.h"
@@ -13,8 +14,10 @@ namespace {
 
 /// In a unit of this size.
 std::string number_with_bar(double value, double bar, double size, std::string_view unit) {
-    const std::string number =
-        bar > 0 ? report::with_error(value / size, bar / size) : report::as_given(value / size);
+    constexpr double nothing = 1e-6;  // of the value: beyond the digits that are shown
+    const std::string number = bar > nothing * std::abs(value)
+                                   ? report::with_error(value / size, bar / size)
+                                   : report::as_given(value / size);
     return unit.empty() ? number : number + ' ' + std::string(unit);
 }
 
@@ -31,8 +34,11 @@ std::vector<NumberRow> target_rows(const Problem& problem, bool is_solution) {
 
 std::vector<NumberRow> reference_rows(const Problem& problem, const Reference& reference) {
     std::vector<NumberRow> rows;
-    for (const auto& [key, value] : reference.values) {
-        if (reference.is_prescribed(key)) continue;
+    for (const std::string_view shown : shown_quantities()) {
+        const std::string key(shown);
+        const ReferenceValue* found = reference.find(key);
+        if (!found || reference.is_prescribed(key)) continue;
+        const ReferenceValue& value = *found;
         const auto target = std::ranges::find(problem.targets, key, &Target::key);
         const QuantityUnit* unit =
             target == problem.targets.end() ? nullptr : find_unit(target->unit);

@@ -11,7 +11,7 @@ namespace tricontact::benchmarks {
 
 namespace {
 
-constexpr std::size_t page_width = 96;
+constexpr std::size_t page_width = 100;
 
 /// A paragraph in lines of the page, those behind the first indented likewise.
 std::string wrapped(std::string_view paragraph, const std::string& first,
@@ -61,8 +61,7 @@ std::string number_lines(const std::string& heading, const std::vector<NumberRow
     if (rows.empty()) return "";
     std::string out = '\n' + heading + '\n';
     for (const NumberRow& row : rows) {
-        out += fmt::format("  {:<46} {}\n", row.title, row.value);
-        out += wrapped(row.source, "      ", "      ");
+        out += wrapped(row.source, fmt::format("  {:<34} {:<26} ", row.title, row.value), "      ");
         if (!row.remark.empty()) out += wrapped(row.remark, "      ", "      ");
     }
     return out;

@@ -45,7 +45,8 @@ const Key& decks_key() {
 
 Key unit_key() {
     std::vector<io::Choice> words;
-    for (const QuantityUnit& unit : quantity_units()) words.push_back({unit.word});
+    for (const QuantityUnit& unit : quantity_units())
+        if (!unit.word.empty()) words.push_back({unit.word});
     return io::choice_key("unit", words, R"("MPa")", "of value and bar; without it a ratio");
 }
 

@@ -10,7 +10,8 @@ namespace tricontact::benchmarks {
 namespace {
 
 /// The first of each base is the usual one.
-constexpr std::array<QuantityUnit, 16> units{{{"N", 1, "N"},
+constexpr std::array<QuantityUnit, 18> units{{{"", 1, ""},
+                                              {"N", 1, "N"},
                                               {"kN", 1e3, "N"},
                                               {"N/m", 1, "N/m"},
                                               {"N/mm", 1e3, "N/m"},
@@ -23,28 +24,34 @@ constexpr std::array<QuantityUnit, 16> units{{{"N", 1, "N"},
                                               {"m2", 1, "m2"},
                                               {"mJ", 1e-3, "J"},
                                               {"J", 1, "J"},
+                                              {"mJ/m", 1e-3, "J/m"},
                                               {"N m", 1, "N m"},
                                               {"N mm", 1e-3, "N m"},
                                               {"mrad", 1e-3, "rad"}}};
 
 struct QuantityRow {
     std::string_view key, title, base;
-    std::string_view base_of_plane = {};  ///< of line contacts, per length along the line
+    std::string_view base_of_plane;  ///< of line contacts, per length along the line
 };
 
-constexpr std::array<QuantityRow, 12> quantities{
+/// In the order in which they are shown.
+constexpr std::array<QuantityRow, 16> quantities{
     {{quantity_keys::normal_force, "normal force F_N", "N", "N/m"},
-     {quantity_keys::indentation, "indentation d", "m"},
+     {quantity_keys::indentation, "indentation d", "m", "m"},
      {quantity_keys::tangential_force, "tangential force F_T", "N", "N/m"},
-     {quantity_keys::shift, "shift U", "m"},
-     {quantity_keys::contact_radius, "contact radius a", "m"},
-     {quantity_keys::peak_pressure, "peak pressure p0", "Pa"},
+     {quantity_keys::shift, "shift U", "m", "m"},
+     {quantity_keys::contact_radius, "contact radius a", "m", "m"},
+     {quantity_keys::peak_pressure, "peak pressure p0", "Pa", "Pa"},
      {quantity_keys::contact_area, "contact area", "m2", "m"},
      {quantity_keys::stick_area, "stick area", "m2", "m"},
-     {quantity_keys::stored_energy, "stored energy", "J", "N"},
-     {quantity_keys::dissipation, "energy dissipated by friction", "J", "N"},
+     {quantity_keys::stored_energy, "stored energy", "J", "J/m"},
+     {quantity_keys::dissipation, "energy dissipated by friction", "J", "J/m"},
      {quantity_keys::normal_stiffness, "normal stiffness dF_N/dd", "N/m", "Pa"},
-     {quantity_keys::tangential_stiffness, "tangential stiffness dF_T/dU", "N/m", "Pa"}}};
+     {quantity_keys::tangential_stiffness, "tangential stiffness dF_T/dU", "N/m", "Pa"},
+     {quantity_keys::static_shift, "shift before rolling", "m", "m"},
+     {quantity_keys::settled_shift, "settled shift U_sd", "m", "m"},
+     {quantity_keys::shift_increment, "shift per period", "m", "m"},
+     {quantity_keys::limit_tangential_ratio, "limit of shakedown f_T,lim", "", ""}}};
 
 const QuantityRow* find_quantity(std::string_view key) {
     const auto found = std::ranges::find(quantities, key, &QuantityRow::key);
@@ -75,9 +82,15 @@ bool measures(const QuantityUnit& unit, std::string_view key) {
 const QuantityUnit& usual_unit(std::string_view key, Geometry geometry) {
     const QuantityRow* row = find_quantity(key);
     if (!row) throw std::out_of_range("no unit of " + std::string(key));
-    const bool is_per_length = geometry == Geometry::plane && !row->base_of_plane.empty();
-    return *std::ranges::find(units, is_per_length ? row->base_of_plane : row->base,
+    const bool is_plane = geometry == Geometry::plane;
+    return *std::ranges::find(units, is_plane ? row->base_of_plane : row->base,
                               &QuantityUnit::base);
+}
+
+std::vector<std::string_view> shown_quantities() {
+    std::vector<std::string_view> keys;
+    for (const QuantityRow& row : quantities) keys.push_back(row.key);
+    return keys;
 }
 
 }  // namespace tricontact::benchmarks

@@ -2,6 +2,7 @@
 
 #include <span>
 #include <string_view>
+#include <vector>
 
 #include "benchmarks/reference/reference.h"
 
@@ -24,5 +25,7 @@ std::string_view title_of_quantity(std::string_view key);
 bool measures(const QuantityUnit& unit, std::string_view key);
 /// In which a quantity of quantity_keys is shown. Throws std::out_of_range for another key.
 const QuantityUnit& usual_unit(std::string_view key, Geometry geometry);
+/// All keys of quantity_keys in the order in which they are shown.
+std::vector<std::string_view> shown_quantities();
 
 }  // namespace tricontact::benchmarks

@@ -56,7 +56,7 @@ TEST(ProblemPage, ShowsReferenceInTheUnitsOfItsTargets) {
     const auto given = reference();
     for (const std::string& page : {benchmarks::problem_text(problem, {&given}),
                                     benchmarks::problem_markdown(problem, {&given})}) {
-        EXPECT_TRUE(has(page, "16.4890 ± 0.0007 N"));  // of mdr-layer
+        EXPECT_TRUE(has(page, "16.4890 ± 0.0007 N"));
         EXPECT_TRUE(has(page, "mdr-layer"));
         EXPECT_TRUE(has(page, "It leaves out nothing."));
         EXPECT_FALSE(has(page, "indentation d"));  // the case prescribes it
