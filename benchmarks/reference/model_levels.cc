@@ -82,7 +82,7 @@ EndState end_state(const contact::ModelRunner& runner, const std::string& model,
 
 Case on_coarser_cells(Case c, const std::string& model, double factor) {
     auto& cells = c.of<contact::Cells>();
-    const double least = c.rolling         ? rolling_cells
+    const double least = c.rolling         ? (is_uncoupled(c) ? rolling_cells : 0)
                          : is_uncoupled(c) ? uncoupled_cells
                                            : coupled_cells;
     if (!cells.spacing) cells.per_radius = std::max(cells.per_radius.value_or(0), least);
