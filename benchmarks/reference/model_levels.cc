@@ -59,7 +59,7 @@ void add_rolled(const Case& c, const EndState& end, std::map<std::string, double
     add(keys::static_shift, comparisons::quantities::static_shift);
     add(keys::settled_shift, comparisons::quantities::settled_shift);
     add(keys::shift_increment, comparisons::quantities::shift_increment);
-    add(keys::limit_tangential_ratio, comparisons::quantities::limit_tangential_ratio);
+    add(keys::shakedown_limit, comparisons::quantities::limit_tangential_ratio);
 }
 
 }  // namespace
