@@ -8,7 +8,7 @@ Quantities are in SI units; those of a case may be texts with units, as in case 
 quantities of pint.
 """
 
-from . import atlas, theory
+from . import atlas, benchmark, theory
 from ._core import (
     Case,
     HalfSpaceScales,
@@ -62,6 +62,7 @@ __all__ = [
     "WalkCase",
     "__version__",
     "atlas",
+    "benchmark",
     "design",
     "deviation",
     "experiment",
