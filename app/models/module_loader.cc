@@ -2,47 +2,21 @@
 
 #include <dlfcn.h>
 #include <fmt/format.h>
-#include <link.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
 #include <algorithm>
-#include <array>
 #include <cstdlib>
-#include <filesystem>
 #include <fstream>
 #include <optional>
 #include <stdexcept>
 #include <thread>
 
+#include "files/program_parts.h"
+
 namespace tricontact::app {
 
 namespace {
-
-namespace fs = std::filesystem;
-
-/// Folder of what this code is a part of: the program, or the module of Python.
-fs::path own_folder() {
-    Dl_info info{};
-    link_map* map = nullptr;
-    const bool found = ::dladdr1(reinterpret_cast<void*>(&own_folder), &info,
-                                 reinterpret_cast<void**>(&map), RTLD_DL_LINKMAP) != 0;
-    const bool is_program = !found || !map || map->l_name[0] == '\0';
-    return (is_program ? fs::read_symlink("/proc/self/exe") : fs::canonical(map->l_name))
-        .parent_path();
-}
-
-/// Beside us in a build; installed, below the folder of libraries.
-fs::path find_module(const std::string& what, const char* file) {
-    const fs::path own = own_folder();
-    for (const char* folder : std::array{".", MODULE_FOLDERS}) {
-        const fs::path path = (own / folder / file).lexically_normal();
-        if (fs::exists(path)) return path;
-    }
-    throw std::runtime_error(what + ": there is no " + file +
-                             " where it was installed, seen from " + own.string() +
-                             "; install Tricontact as a whole");
-}
 
 /// Address space [bytes] that a limit of the process (ulimit -v) leaves; empty without a limit.
 std::optional<double> address_space_left() {
@@ -67,8 +41,13 @@ void spare_threads(double left) {
 void* module_symbol(const std::string& what, const char* file, const char* symbol) {
     const std::optional<double> left = address_space_left();
     if (left) spare_threads(*left);
+    const auto path = files::find_part(file);
+    if (!path)
+        throw std::runtime_error(what + ": there is no " + file +
+                                 " where it was installed, seen from " +
+                                 files::own_folder().string() + "; install Tricontact as a whole");
     // Globally: MPI's own plug-ins look for its symbols there.
-    void* const module = dlopen(find_module(what, file).c_str(), RTLD_LAZY | RTLD_GLOBAL);
+    void* const module = dlopen(path->c_str(), RTLD_LAZY | RTLD_GLOBAL);
     if (!module)
         throw std::runtime_error(
             what + ": " + dlerror() +

@@ -15,7 +15,6 @@ struct UnderstoodMesh {
     std::vector<double> height;  ///< of the points as in the file [m]; empty: the file has none
     std::optional<double> field_force;   ///< integral of its pressures, of the whole contact [N]
     std::optional<double> stress_force;  ///< the same of the stress at the surface
-    std::optional<double> base_force;    ///< reaction of the base, where the code says it [N]
     double peak_pressure = 0;            ///< largest [Pa]
 };
 

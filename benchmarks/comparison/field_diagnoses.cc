@@ -51,7 +51,7 @@ std::optional<Diagnosis> units_found(const Evidence& e) {
 }
 
 std::optional<Diagnosis> sign_or_axes(const Evidence& e) {
-    for (const char* id : {"sign", "axes", "origin", "displacements"})
+    for (const char* id : {"sign", "axes", "origin"})
         if (const Convention* c = convention(e, id))
             return of_convention("sign_or_axes", *c, "nothing: it was turned to the reference's");
     return {};
@@ -151,7 +151,7 @@ std::optional<Diagnosis> bound_violated(const Evidence& e) {
 
 std::optional<Diagnosis> base_reaction(const Evidence& e) {
     const auto& totals = e.finest().result.totals;
-    const auto top = totals.find(keys::normal_force), base = totals.find("base_force");
+    const auto top = totals.find(keys::normal_force), base = totals.find("balancing_force");
     if (top == totals.end() || base == totals.end() || !(top->second > 0)) return {};
     const double mismatch = base->second / top->second - 1;
     if (std::abs(mismatch) < 1e-3) return {};

@@ -75,10 +75,15 @@ void add_indenter(DeckMesh& mesh, const DeckModel& model, int n, int level) {
     const int first = mesh.n_elements();
     const auto lift = [&](Point p) {
         const double height = model.height(p[0], is_spatial ? p[1] : 0);
-        p[up] += height;
+        p[up] += height - model.overlap;
         return p;
     };
     std::vector<BlockSet> sets{{"NIND", [](const Point&) { return true; }}};
+    // The node that the others follow where a force acts.
+    if (model.has_force() || model.has_tangential_force())
+        sets.push_back({"NDEPTH", [=](const Point& p) {
+                            return p[0] == 0 && p[up] == thickness && (!is_spatial || p[1] == 0);
+                        }});
     add_block(mesh, is_spatial ? BlockLines{x, out, up_line} : BlockLines{x, up_line, {}}, lift,
               sets);
     for (int e = first; e < mesh.n_elements(); ++e) mesh.surfaces["SIND"].push_back({e, 1});

@@ -12,9 +12,10 @@ namespace tricontact::benchmarks {
 
 /// A leg of the load path of a deck: from the state before, in equal increments.
 struct DeckStep {
-    bool is_force = false;  ///< `normal` is F_N, else d
-    double normal = 0;      ///< F_N [N], per mm of a plane deck [N/mm]; d [mm]
-    double shift = 0;       ///< U along x [mm]
+    bool is_force = false;             ///< `normal` is F_N, else d
+    double normal = 0;                 ///< F_N [N], per mm of a plane deck [N/mm]; d [mm]
+    bool is_tangential_force = false;  ///< `shift` is F_T
+    double shift = 0;                  ///< U along x [mm]; F_T [N], [N/mm]
     int increments = 1;
 };
 
@@ -38,11 +39,21 @@ struct DeckModel {
     double stiffness = 0;       ///< K of penalties [MPa/mm]
     double stick_slope = 0;     ///< K_T [MPa/mm]; 0 where frictionless
     double depth_scale = 0;     ///< d of the reference [mm], where the search of a depth begins
+    double overlap = 0;  ///< by which a meshed indenter begins in the block under a force [mm]
     std::vector<DeckStep> steps;
     std::vector<std::string> remarks;  ///< what the deck does that the case does not
 
+    /// Whether a leg prescribes a force, so that the depth has to be found.
+    bool has_force() const;
+    bool has_tangential_force() const;
+    /// Whether the sides are not alike: the whole width is meshed.
+    bool is_shifted() const;
     /// Height of the undeformed indenter over its lowest point [mm].
     double height(double x, double y) const;
+    /// Share of the whole contact's forces that a deck's model carries.
+    double share() const {
+        return shape == Shape::half || (shape == Shape::plane && !is_shifted()) ? .5 : 1;
+    }
     const DeckStep& last() const { return steps.back(); }
 };
 

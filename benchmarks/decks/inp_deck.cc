@@ -62,12 +62,27 @@ void write_abaqus_contact(Out out, const DeckModel& model) {
                    "*CONTACT PAIR, INTERACTION=CONTACT, TYPE=SURFACE TO SURFACE\nSLAYER, SIND\n");
 }
 
+// All nodes of the indenter move along a loaded direction as NDEPTH does.
+void write_followers(std::string& text, const DeckModel& model, const DeckMesh& mesh) {
+    const auto found = mesh.node_sets.find("NDEPTH");
+    if (found == mesh.node_sets.end()) return;
+    const int leader = found->second.front(), up = model.shape == DeckModel::Shape::half ? 3 : 2;
+    text += "*EQUATION\n";
+    for (const int direction : {1, up}) {
+        if (direction == 1 ? !model.has_tangential_force() : !model.has_force()) continue;
+        for (const int node : mesh.node_sets.at("NIND"))
+            if (node != leader)
+                fmt::format_to(std::back_inserter(text), "2\n{},{},1.,{},{},-1.\n", node + 1,
+                               direction, leader + 1, direction);
+    }
+}
+
 void write_supports(Out out, const DeckModel& model) {
     const bool is_spatial = model.shape == DeckModel::Shape::half;
     fmt::format_to(out, "*BOUNDARY\nNBASE, 1, {}\n", is_spatial ? 3 : 2);
     if (is_spatial)
         fmt::format_to(out, "NSYM, 2, 2\n");
-    else if (model.last().shift == 0)
+    else if (!model.is_shifted())
         fmt::format_to(out, "NAXIS, 1, 1\n");
 }
 
@@ -94,20 +109,38 @@ void write_output(Out out, bool is_abaqus, bool has_depth_node) {
                    "*CONTACT FILE, FREQUENCY=99999\nCDIS, CSTR\n");
 }
 
-void write_steps(Out out, const DeckModel& model, bool is_abaqus) {
+// Normal and tangential control of a step: displacements of all nodes of the indenter, or of the
+// node NDEPTH that they follow, or forces on those.
+void write_control(Out out, const DeckModel& model, const DeckStep& step, bool is_first) {
     const int up = model.shape == DeckModel::Shape::half ? 3 : 2;
+    std::string loads;
+    fmt::format_to(out, "*BOUNDARY\n");
+    if (up == 3) fmt::format_to(out, "NIND, 2, 2\n");
+    const char* shifted = model.has_tangential_force() ? "NDEPTH" : "NIND";
+    if (step.is_tangential_force)
+        loads += fmt::format("NDEPTH, 1, {:.9g}\n", model.share() * step.shift);
+    else
+        fmt::format_to(out, "{}, 1, 1, {:.9g}\n", shifted, step.shift);
+    if (step.is_force)
+        loads += fmt::format("NDEPTH, {}, {:.9g}\n", up, -model.share() * step.normal);
+    else
+        fmt::format_to(out, "{}, {}, {}, {:.9g}\n", model.has_force() ? "NDEPTH" : "NIND", up, up,
+                       -step.normal);
+    if (!loads.empty()) fmt::format_to(out, "*CLOAD{}\n{}", is_first ? "" : ", OP=NEW", loads);
+}
+
+void write_steps(Out out, const DeckModel& model, bool is_abaqus) {
     for (std::size_t i = 0; i < model.steps.size(); ++i) {
         const DeckStep& step = model.steps[i];
-        fmt::format_to(out, "** step {}: depth {:.9g} mm, shift {:.9g} mm\n", i + 1, step.normal,
-                       step.shift);
+        fmt::format_to(out, "** step {}: {} {:.9g}, {} {:.9g}\n", i + 1,
+                       step.is_force ? "force" : "depth", step.normal,
+                       step.is_tangential_force ? "tangential force" : "shift", step.shift);
         // A frictionless contact is pressed in five increments too: it converges more surely.
         const int increments = std::max(step.increments, i == 0 ? 5 : 1);
         fmt::format_to(out, "*STEP, INC=1000{}\n*STATIC\n{:.9g}, 1., 1e-6, {:.9g}\n",
                        is_abaqus ? ", NLGEOM=NO" : "", 1. / increments, 1. / increments);
-        fmt::format_to(out, "*BOUNDARY\nNIND, 1, 1, {:.9g}\n", step.shift);
-        if (up == 3) fmt::format_to(out, "NIND, 2, 2\n");
-        fmt::format_to(out, "NIND, {}, {}, {:.9g}\n", up, up, -step.normal);
-        write_output(out, is_abaqus, false);
+        write_control(out, model, step, i == 0);
+        write_output(out, is_abaqus, model.has_force());
         fmt::format_to(out, "*END STEP\n");
     }
 }
@@ -130,6 +163,7 @@ std::string inp_text(const DeckModel& model, const InpElement& element, int n, i
     fmt::format_to(out, "*SOLID SECTION, ELSET=EBODY, MATERIAL=BODY\n{}", section);
     fmt::format_to(out, "*SOLID SECTION, ELSET=EIND, MATERIAL=INDENTER\n{}", section);
     is_abaqus ? write_abaqus_contact(out, model) : write_contact(out, model);
+    write_followers(text, model, mesh);
     write_supports(out, model);
     write_steps(out, model, is_abaqus);
     return text;
@@ -146,7 +180,7 @@ DeckFamily inp_family(const DeckModel& model, const DeckWishes& wishes, bool is_
     family.kinematics = "displaced";
     family.has_stiffness = true;
     const bool is_spatial = model.shape == DeckModel::Shape::half;
-    const int coarsest = is_spatial ? 3 : 4, levels = wishes.levels > 0 ? wishes.levels
+    const int coarsest = is_spatial ? 2 : 4, levels = wishes.levels > 0 ? wishes.levels
                                                       : is_spatial      ? 3
                                                                         : 4;
     for (int level = 0; level < levels; ++level) {

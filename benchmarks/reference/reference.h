@@ -107,7 +107,7 @@ struct Reference {
     bool has_friction() const { return has_tractions; }
 };
 
-/// Computes it, or reads what was kept of the same case by the same program. Throws InputError
+/// Computes it; reference_cache.h keeps it for later calls. Throws InputError
 /// where no model is a reference for the case (and says which assumption fails), NotConverged.
 Reference reference(const contact::Case& c, const contact::ModelRunner& runner,
                     const contact::Say& say = contact::silent);

@@ -10,6 +10,7 @@
 #include "benchmarks/submissions/frd_file.h"
 #include "benchmarks/submissions/surface_field.h"
 #include "benchmarks/submissions/table_field.h"
+#include "benchmarks/submissions/vtk_file.h"
 #include "io/keys/input_file.h"
 #include "io/keys/messages.h"
 #include "io/tables/divided_text.h"
@@ -83,6 +84,14 @@ MeshField read_frd(const FieldSource& source) {
     return field;
 }
 
+MeshField read_mesh_file(const FieldSource& source) {
+    MeshField field{.file = source.file, .format = ending_of(source.file).substr(1)};
+    const std::vector<MeshData> meshes = read_vtk(source.file, field.notes);
+    add_surface(field, chosen(meshes, source.set, source.file, field.notes), source.file);
+    if (!source.totals.empty()) add_totals(field, source.totals, "xyz");
+    return field;
+}
+
 MeshField read_table(const FieldSource& source) {
     const std::string text = text_of(source.file, "table of a contact's field");
     if (is_calculix_print(text))
@@ -108,7 +117,10 @@ MeshField read_field(const FieldSource& source) {
     const std::string ending = ending_of(source.file);
     if (ending == ".csv" || ending == ".txt" || ending == ".dat") return read_table(source);
     if (ending == ".frd") return read_frd(source);
-    io::fail(source.file, "", "unknown kind of file", "known are .csv, .frd");
+    if (is_vtk_ending(ending)) return read_mesh_file(source);
+    io::fail(source.file, "", "unknown kind of file",
+             "known are .csv .txt .frd .rpt, .vtu .vtp .vtk .pvtu .pvd, .e .exo, .case, .cgns, "
+             ".vtkhdf");
 }
 
 }  // namespace tricontact::benchmarks

@@ -32,6 +32,16 @@ Reference of(const Case& c) {
     return reference(c, contact::ModelRunner(app::model_makers(), 1));
 }
 
+/// The layer pressed to .35 mm without friction, computed once.
+const Reference& pressed_layer() {
+    static const Reference layer = of(foreign_case("layer_pressed"));
+    return layer;
+}
+const Reference& incompressible_layer() {
+    static const Reference layer = of(foreign_case("layer_pressed", {"substrate.poisson=0.4999"}));
+    return layer;
+}
+
 Case half_space_case(const std::string& rest) {
     return io::parse_case("models = [\"bem\"]\n" + rest, "case.toml");
 }
@@ -51,6 +61,11 @@ indentation = "10 mm"
 tangential_ratio = 0
 )";
 
+const Reference& hertz_contact() {
+    static const Reference contact = of(half_space_case(hertz));
+    return contact;
+}
+
 /// Of a value and its bar.
 void expect_within_bar(const Reference& reference, const char* key, double exact) {
     const ReferenceValue* value = reference.find(key);
@@ -61,7 +76,7 @@ void expect_within_bar(const Reference& reference, const char* key, double exact
 // F, a and p0 of the layer by an independent solution of the Fredholm equation, to the digits that
 // were printed.
 TEST(BenchmarkReference, LayerHasIndependentNumbers) {
-    const Reference layer = of(foreign_case("layer_pressed"));
+    const Reference& layer = pressed_layer();
     EXPECT_NEAR(layer.find(keys::normal_force)->value, 16.48962, 5e-6);
     EXPECT_NEAR(layer.find(keys::contact_radius)->value, 4.33400e-3, 5e-9);
     EXPECT_NEAR(layer.find(keys::peak_pressure)->value, .421046e6, .5);
@@ -84,8 +99,7 @@ TEST(BenchmarkReference, IncompressibleLayerHasIndependentNumbers) {
 }
 
 TEST(BenchmarkReference, FieldsOfTheLayerBalance) {
-    const Case c = foreign_case("layer_pressed");
-    const Reference layer = of(c);
+    const Reference& layer = pressed_layer();
     const double a = layer.contact_radius, force = layer.find(keys::normal_force)->value;
     // ∫ p dA, r = a sin(theta), by the midpoint rule.
     const auto load = [&](double radius) {
@@ -134,7 +148,7 @@ TEST(BenchmarkReference, IncompressibleLayerKeepsItsVolume) {
 
 TEST(BenchmarkReference, HalfSpaceIsHertz) {
     const Case c = half_space_case(hertz);
-    const Reference r = of(c);
+    const Reference& r = hertz_contact();
     const auto scales = contact::half_space_scales(c);
     EXPECT_EQ(r.find(keys::normal_force)->source, "Hertz (1882)");
     expect_within_bar(r, keys::normal_force, scales.normal_force);
@@ -159,7 +173,7 @@ TEST(BenchmarkReference, HalfSpaceIsHertz) {
 
 // ∫ p^2 dA = pi/2 p0^2 a^2 of Hertz, p0 = 2 E* sqrt(d/R)/pi, a^2 = R d: -1/2 d/dd is -2/pi E*^2 d.
 TEST(BenchmarkReference, PenaltyOnHertzHasAClosedForm) {
-    const Reference r = of(half_space_case(hertz));
+    const Reference& r = hertz_contact();
     const double modulus = 15e6 / .91;
     const double exact = -2 / pi * modulus * modulus * .01;
     EXPECT_NEAR(r.effects.normal_compliance->value, exact, 1e-6 * std::abs(exact));
@@ -173,7 +187,7 @@ double relative(const Reference& reference, const std::optional<ReferenceValue>&
 
 // Predictions that runs of CalculiX, FreeFem++ and GetFEM were compared with, and those runs.
 TEST(BenchmarkReference, EffectsOnTheLayerAreThoseThatWereMeasured) {
-    const Reference layer = of(foreign_case("layer_pressed"));
+    const Reference& layer = pressed_layer();
     const auto penalty = [&](double stiffness) {
         return relative(layer, layer.effects.normal_compliance,
                         1 / (stiffness * megapascal_per_mm));
@@ -195,7 +209,7 @@ TEST(BenchmarkReference, DisplacedSurfaceIsThatOfGetfemAtASmallDepthAndWithoutCo
     const auto shallow = of(foreign_case("layer_pressed", {"load.indentation=0.05 mm"}));
     EXPECT_NEAR(relative(shallow, shallow.effects.displaced_surface, 1), .00768, .00005);
     EXPECT_NEAR(relative(shallow, shallow.effects.displaced_surface, 1), .00735, .2 * .00735);
-    const auto incompressible = of(foreign_case("layer_pressed", {"substrate.poisson=0.4999"}));
+    const Reference& incompressible = incompressible_layer();
     EXPECT_NEAR(relative(incompressible, incompressible.effects.displaced_surface, 1), -.0199,
                 .0001);
     EXPECT_NEAR(relative(incompressible, incompressible.effects.displaced_surface, 1), -.0245,
@@ -204,7 +218,7 @@ TEST(BenchmarkReference, DisplacedSurfaceIsThatOfGetfemAtASmallDepthAndWithoutCo
 
 // Under a force the same compliance appears in the depth: dd = -dF/(dF/dd).
 TEST(BenchmarkReference, ForceAndDepthControlAgreeInTheirEffects) {
-    const Reference depth = of(foreign_case("layer_pressed"));
+    const Reference& depth = pressed_layer();
     const Reference force = of(foreign_case("layer_pressed", {"load.normal_force=16.48962 N"}));
     EXPECT_TRUE(force.is_prescribed(keys::normal_force));
     EXPECT_NEAR(force.find(keys::indentation)->value, .35e-3, 1e-10);
@@ -218,7 +232,7 @@ TEST(BenchmarkReference, ForceAndDepthControlAgreeInTheirEffects) {
 }
 
 TEST(BenchmarkReference, SidesOfABlockAddToItsCompliance) {
-    const Reference layer = of(foreign_case("layer_pressed", {"substrate.poisson=0.4999"}));
+    const Reference& layer = incompressible_layer();
     const auto near = finite_block_effect(layer, 26e-3), far = finite_block_effect(layer, 48e-3);
     const ReferenceValue change = near.at(keys::normal_force);
     EXPECT_LT(change.value, 0);
@@ -325,7 +339,8 @@ void expect_refused(const Case& c, const std::string& assumption) {
 
 TEST(BenchmarkReference, RefusesWhatNoModelIsAReferenceFor) {
     expect_refused(
-        foreign_case("layer_pressed", {"models=[\"fem\"]", "substrate.material=neo-hookean", "contact.coupling=true"}),
+        foreign_case("layer_pressed", {"models=[\"fem\"]", "substrate.material=neo-hookean",
+                                       "contact.coupling=true"}),
         "small strains");
     Case rough = half_space_case(hertz);
     rough.indenter.roughness = contact::Roughness{};
