@@ -19,6 +19,7 @@ Command reproduce_command();
 Command benchmark_command();
 Command benchmark_list_command();
 Command benchmark_show_command();
+Command benchmark_deck_command();
 Command limit_command();
 Command deviation_command();
 Command fit_command();
@@ -80,6 +81,7 @@ std::vector<Command> all_commands() {
                                   benchmark_command(),
                                   benchmark_list_command(),
                                   benchmark_show_command(),
+                                  benchmark_deck_command(),
                                   limit_command(),
                                   deviation_command(),
                                   fit_command(),

@@ -3,6 +3,7 @@
 
 #include "app/commands/command.h"
 #include "benchmarks/problems/problem_page.h"
+#include "io/keys/messages.h"
 
 namespace tricontact::app {
 
@@ -92,8 +93,9 @@ Command benchmark_command() {
             "benchmark: no part is given; begin with tricontact benchmark list (tricontact "
             "benchmark --help)");
     };
-    return Declared<CommandOptions>(
-        Group::trust, "benchmark", "Problems for contact codes, with references: list, show", none);
+    return Declared<CommandOptions>(Group::trust, "benchmark",
+                                    "Problems for contact codes, with references: list, show, deck",
+                                    none);
 }
 
 Command benchmark_list_command() {
