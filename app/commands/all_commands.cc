@@ -16,6 +16,7 @@ Command check_command();
 Command refine_command();
 Command verify_command();
 Command reproduce_command();
+Command compare_command();
 Command limit_command();
 Command deviation_command();
 Command fit_command();
@@ -66,34 +67,17 @@ const char* title_of(Group group) {
 }
 
 std::vector<Command> all_commands() {
-    std::vector<Command> commands{run_command(),
-                                  sweep_command(),
-                                  sweep_merge_command(),
-                                  predict_command(),
-                                  check_command(),
-                                  refine_command(),
-                                  verify_command(),
-                                  reproduce_command(),
-                                  limit_command(),
-                                  deviation_command(),
-                                  fit_command(),
-                                  rig_command(),
-                                  design_command(),
-                                  identify_command(),
-                                  experiment_command(),
-                                  contact_command(),
-                                  contact_export_command(),
-                                  contact_import_command(),
-                                  influence_command(),
-                                  atlas_command(),
+    std::vector<Command> commands{
+        run_command(),     sweep_command(),          sweep_merge_command(),    predict_command(),
+        check_command(),   refine_command(),         verify_command(),         reproduce_command(),
+        compare_command(), limit_command(),          deviation_command(),      fit_command(),
+        rig_command(),     design_command(),         identify_command(),       experiment_command(),
+        contact_command(), contact_export_command(), contact_import_command(), influence_command(),
+        atlas_command(),
 #ifdef TRICONTACT_WITH_FEM
-                                  mesh_command(),
-                                  cache_command(),
-                                  cache_condense_command(),
+        mesh_command(),    cache_command(),          cache_condense_command(),
 #endif
-                                  list_command(),
-                                  keys_command(),
-                                  manual_command()};
+        list_command(),    keys_command(),           manual_command()};
     std::ranges::stable_sort(commands, {}, &Command::group);
     tell_parts(commands);
     return commands;

@@ -25,6 +25,7 @@ from ._core import (
 )
 from .commands import (
     deviation,
+    compare,
     design,
     experiment,
     fit,
@@ -62,6 +63,7 @@ __all__ = [
     "WalkCase",
     "__version__",
     "atlas",
+    "compare",
     "design",
     "deviation",
     "experiment",

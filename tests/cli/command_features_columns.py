@@ -123,4 +123,4 @@ unaffected = [
 open_cells = set()
 commands_with_no_report = ["run", "sweep"]
 # They take no case: files of others, archives, folders of results.
-commands_without_a_case = ["verify", "keys", "list", "manual", "reproduce"]
+commands_without_a_case = ["verify", "keys", "list", "manual", "reproduce", "compare"]
