@@ -66,8 +66,8 @@ TEST_F(ComparisonVtk, FacesAreCellsOfTheirOwnTypes) {
     vtkUnstructuredGrid* data = reader->GetOutput();
     std::vector<int> types;
     for (vtkIdType i = 0; i < data->GetNumberOfCells(); ++i) types.push_back(data->GetCellType(i));
-    EXPECT_EQ(types, (std::vector{VTK_TRIANGLE, VTK_QUADRATIC_TRIANGLE, VTK_QUAD,
-                                  VTK_QUADRATIC_QUAD, VTK_BIQUADRATIC_QUAD}));
+    EXPECT_EQ(types, (std::vector<int>{VTK_TRIANGLE, VTK_QUADRATIC_TRIANGLE, VTK_QUAD,
+                                       VTK_QUADRATIC_QUAD, VTK_BIQUADRATIC_QUAD}));
     expect_fields(data->GetPointData(), mesh);
 }
 
