@@ -25,6 +25,7 @@ from ._core import (
 )
 from .commands import (
     deviation,
+    compare,
     design,
     experiment,
     fit,
@@ -63,6 +64,7 @@ __all__ = [
     "__version__",
     "atlas",
     "benchmark",
+    "compare",
     "design",
     "deviation",
     "experiment",
