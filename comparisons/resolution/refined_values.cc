@@ -1,6 +1,7 @@
 #include "comparisons/resolution/refined_values.h"
 
-#include <cmath>
+#include "comparisons/resolution/numerical_error.h"
+#include "contact/models/model_kind.h"
 
 namespace tricontact::comparisons {
 
@@ -14,6 +15,10 @@ std::optional<double> exact_value(const PressedValues& exact, const Quantity& q)
     for (const PressedQuantity& pressed : pressed_quantities())
         if (pressed.quantity == &q) return pressed.get(exact);
     return {};
+}
+
+bool has_order(const RefinedLevels& levels, const Quantity& q) {
+    return contact::model_kind(levels.model).converges_in_order && !q.is_counted;
 }
 
 }  // namespace
@@ -31,9 +36,10 @@ Refinement make_refinement(const RefinedLevels& levels) {
         for (const Results& values : levels.values)
             if (const auto value = values.told(*q)) refined.values.push_back(*value);
         if (refined.values.size() != levels.sizes.size()) continue;
-        refined.limit =
-            estimate_limit(levels.sizes, refined.values,
-                           noisy_tolerances * levels.tolerance * std::abs(refined.values.back()));
+        const double noise =
+            noisy_tolerances * levels.tolerance * error_scale(*q, levels.values.back());
+        refined.limit = has_order(levels, *q) ? estimate_limit(levels.sizes, refined.values, noise)
+                                              : estimate_unordered(refined.values, noise);
         if (levels.exact) refined.exact = exact_value(*levels.exact, *q);
         if (levels.wide) refined.wide = levels.wide->number(*q);
         result.quantities.push_back(std::move(refined));

@@ -17,7 +17,8 @@ enum class Convergence {
     ordered,      ///< as v + C h^p with a plausible p
     unchanged,    ///< the changes are no larger than the noise
     oscillating,  ///< the last two changes have opposite signs
-    irregular     ///< they have one sign, but belong to no plausible order
+    irregular,    ///< they have one sign, but belong to no plausible order
+    unordered     ///< their errors have no order: of springs, or counted in cells
 };
 const char* name_of(Convergence convergence);
 
@@ -45,6 +46,11 @@ inline constexpr double safety_factor = 1.25;
 LimitEstimate estimate_limit(std::span<const double> sizes, std::span<const double> values,
                              double noise = 0);
 
+/// From the finest three of at least three levels whose errors have no order, those of springs and
+/// of what is counted in cells: they depend on where between two cells the contact ends, and have
+/// either sign. Nothing is extrapolated; the error is 1.25 times the spread of the three values.
+LimitEstimate estimate_unordered(std::span<const double> values, double noise = 0);
+
 /// One quantity on all levels.
 struct RefinedQuantity {
     const Quantity* quantity = nullptr;
@@ -59,8 +65,8 @@ struct RefinedQuantity {
 /// A case on several levels of resolution.
 struct RefinedCase {
     std::string model;          ///< as in its histories
-    std::string key;            ///< what was refined: "fem.size", "bem.spacing"
-    std::vector<double> sizes;  ///< decreasing [m]
+    std::string key;            ///< what was refined: "fem.size", "bem.spacing", "mdr.springs"
+    std::vector<double> sizes;  ///< of cells, elements, distances of springs, decreasing [m]
     std::vector<double> cpu_s;  ///< per level
     std::string exact_name;     ///< whose theory the exact values are: "exact layer", "Hertz"
     double wide_factor = 0;     ///< of width and depth; 0: the block is none or was not widened
