@@ -22,9 +22,11 @@ struct SteadyError {
 };
 
 /// A run on each of three sizes of cells; without the coarsest, differences count three times.
-/// `tolerance` [-] of the solver: ten times of that is the least.
+/// `tolerance` [-] of the solver: ten times of that is the least. `cell`: their size [m], half of
+/// which no edge of a zone is known better.
 SteadyError steady_error(const contact::Case& c, const std::string& model,
                          const RollingState& steady, const RollingState& coarser,
-                         const std::optional<RollingState>& coarsest, double tolerance);
+                         const std::optional<RollingState>& coarsest, double tolerance,
+                         double cell);
 
 }  // namespace tricontact::rolling

@@ -124,7 +124,8 @@ rolling::SteadyError error_of(const std::string& model, const Case& c,
     std::optional<rolling::RollingState> coarsest;
     contact::why_it_stopped([&] { coarsest = coarser_steady(model, c, 4, options); });
     return rolling::steady_error(c, model, steady, coarser, coarsest,
-                                 options.makers->solver_tolerance(model, c));
+                                 options.makers->solver_tolerance(model, c),
+                                 comparisons::cell_size(c, contact::model_kind(model)));
 }
 
 std::vector<std::pair<std::string, std::string>> files_of(const Case& c) {

@@ -13,7 +13,7 @@ QuantityValue at_end(const Subject& s) {
 }
 
 constexpr const char* of_springs =
-    "of `mdr` and `mdr-layer` by the discs and rings that the springs stand for";
+    "always; of `mdr` and `mdr-layer` by the discs and rings that the springs stand for";
 
 }  // namespace
 

@@ -66,33 +66,19 @@ std::optional<double> half_width(const NumericalError& error, const Value& value
     return mesh + safety_factor * rest;
 }
 
-/// Frictional work.
-const std::array<const Quantity*, 3>& works() {
-    static const std::array<const Quantity*, 3> list{
-        &quantities::path_work, &quantities::dissipation, &quantities::friction_energy};
-    return list;
-}
-
 Factors factors_of(const NumericalError& error, const Quantity& q) {
-    const auto& work = works();
     return {.coarsest = q.is_counted || !contact::model_kind(error.model).converges_in_order
                             ? no_order
                             : first_order,
-            .steps = std::ranges::find(work, &q) != work.end() ? of_work : 1};
-}
-
-/// Half a cell along the circumference of the contact, 2 A/a of a circle; 0 of what is no area.
-double least_of_area(const NumericalError& error, const Quantity& q) {
-    using namespace quantities;
-    if (&q != &contact_area && &q != &stick_area && &q != &slip_area) return 0;
-    const Results& r = error.run->results;
-    const double area = r.number(contact_area).value_or(0);
-    const double radius = r.number(contact_radius).value_or(0);
-    const double of_circle = 2 * std::sqrt(std::numbers::pi * area);
-    return error.cell / 2 * (radius > 0 ? std::max(of_circle, 2 * area / radius) : of_circle);
+            .steps = is_work(q) ? of_work : 1};
 }
 
 }  // namespace
+
+bool is_work(const Quantity& q) {
+    return &q == &quantities::path_work || &q == &quantities::dissipation ||
+           &q == &quantities::friction_energy;
+}
 
 double error_scale(const Quantity& q, const Results& r) {
     using namespace quantities;
@@ -104,12 +90,25 @@ double error_scale(const Quantity& q, const Results& r) {
     if (is_one_of(&end_indentation)) return std::max(value, size(indentation));
     if (is_one_of(&static_shift, &final_shift, &settled_shift, &shift_increment))
         return std::max(value, size(unit_shift));
-    if (std::ranges::find(works(), &q) != works().end())
-        return std::max(value, size(normal_force) * size(unit_shift));
+    if (is_work(q)) return std::max(value, size(normal_force) * size(unit_shift));
     if (is_one_of(&stored_energy)) return std::max(value, size(normal_force) * size(indentation));
     if (is_one_of(&contact_area, &stick_area, &slip_area))
         return std::max({value, size(contact_area), size(contact_radius) * size(contact_radius)});
     return value;
+}
+
+double least_area_error(const Quantity& q, const Results& r, const std::string& model,
+                        double cell) {
+    using namespace quantities;
+    if (&q != &contact_area && &q != &stick_area && &q != &slip_area) return 0;
+    // Of the drawn runs 95 % of areas are off by less: cells along a circle average, springs do
+    // not.
+    const double share = contact::model_kind(model).is_on_line() ? .5 : .25;
+    const double edges = &q == &slip_area ? std::numbers::sqrt2 : 1;  // two of them
+    const double area = r.number(contact_area).value_or(0);
+    const double radius = r.number(contact_radius).value_or(0);
+    const double of_circle = 2 * std::sqrt(std::numbers::pi * area);
+    return share * edges * cell * (radius > 0 ? std::max(of_circle, 2 * area / radius) : of_circle);
 }
 
 ResolvedRun::ResolvedRun(const contact::Case& c, const contact::History& history)
@@ -140,8 +139,8 @@ std::optional<double> NumericalError::of(const Quantity& q) const {
     const auto width = half_width(
         *this, [&q](const ResolvedRun& r) { return r.results.number(q); }, factors_of(*this, q));
     if (!width) return {};
-    return std::max(
-        {*width, of_tolerance * tolerance * error_scale(q, run->results), least_of_area(*this, q)});
+    return std::max({*width, of_tolerance * tolerance * error_scale(q, run->results),
+                     least_area_error(q, run->results, model, cell)});
 }
 
 bool NumericalError::is_exact(const Quantity& q) const {

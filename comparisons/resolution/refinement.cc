@@ -54,7 +54,7 @@ const char* name_of(Convergence convergence) {
 }
 
 LimitEstimate estimate_limit(std::span<const double> sizes, std::span<const double> values,
-                             double noise) {
+                             double noise, double trusted_order) {
     if (sizes.size() < 3 || sizes.size() != values.size() ||
         std::ranges::adjacent_find(sizes, std::less_equal<>()) != sizes.end() ||
         !(sizes.back() > 0))
@@ -78,7 +78,7 @@ LimitEstimate estimate_limit(std::span<const double> sizes, std::span<const doub
         return result;
     result.convergence = Convergence::ordered;
     result.value = v[2] + rest(h, v, *result.order);
-    const double trusted = std::min(*result.order, largest_trusted_order);
+    const double trusted = std::min(*result.order, trusted_order);
     result.error = std::max(noise, safety_factor * std::abs(rest(h, v, trusted)));
     return result;
 }

@@ -42,9 +42,10 @@ inline constexpr double safety_factor = 1.25;
 /// 1998, Verification and Validation, ch. 5): 1.25 times what separates the finest value from the
 /// extrapolated one, with the observed order but at most 2. Where no order can be relied on nothing
 /// is extrapolated, and the error is the spread of the three values. `noise`: below which a change
-/// says nothing, in the unit of the values; also the least error.
+/// says nothing, in the unit of the values; also the least error. `trusted_order`: the largest that
+/// the error counts on.
 LimitEstimate estimate_limit(std::span<const double> sizes, std::span<const double> values,
-                             double noise = 0);
+                             double noise = 0, double trusted_order = largest_trusted_order);
 
 /// From the finest three of at least three levels whose errors have no order, those of springs and
 /// of what is counted in cells: they depend on where between two cells the contact ends, and have

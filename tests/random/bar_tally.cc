@@ -6,8 +6,6 @@
 #include <cmath>
 #include <vector>
 
-#include "comparisons/quantities/quantities.h"
-
 namespace tricontact::random_cases {
 
 namespace {
@@ -67,8 +65,6 @@ void BarTally::count(const Place& place, const comparisons::NumericalError& erro
         ++count->n_told;
         count->n_held += held;
     }
-    if (key.find("area") != std::string::npos)  // TEMPORARY
-        fmt::print("RATIO {} {} {} off {:.3g} ratio {:.4f}\n", place.model, place.body, key, off, off / (error.cell * 2 * error.run->results.number(comparisons::quantities::contact_area).value()/ error.run->results.number(comparisons::quantities::contact_radius).value()));
     if (held) return;
     fmt::print("{} {}: {:.6g} ± {:.2g} (other {:.2g}), {:.6g} by the reference; changed:{}\n",
                place.text(), key, *value, *width, more, *truth, changes(error, q, *value));

@@ -23,6 +23,7 @@ using comparisons::Results;
 using contact::Case;
 using random_cases::DrawnRun;
 
+constexpr double finest = .5;      // of the drawn case's cells
 constexpr double meant = .95;      // Roache's index
 constexpr double rounding = 1e-9;  // where all agree
 
@@ -32,7 +33,7 @@ Results run_of(const Case& c, double coarser) {
     return {level.c, contact::run(level.c, *level.model)};
 }
 
-/// Levels as those of studies::plan_refinement, the finest being the drawn case.
+/// Levels as those of studies::plan_refinement, the coarsest being the drawn case.
 comparisons::Refinement refined(const Case& c) {
     const contact::ModelKind& kind = contact::model_kind(c.models.front());
     comparisons::RefinedLevels levels;
@@ -40,7 +41,7 @@ comparisons::Refinement refined(const Case& c) {
     levels.key = kind.resolution;
     levels.tolerance = app::model_makers().solver_tolerance(kind.name, c);
     levels.infinite_pressure = contact::has_conical_tip(c);
-    for (const double coarser : {2., std::sqrt(2.), 1.}) {
+    for (const double coarser : {1., std::sqrt(.5), finest}) {
         Case level = c;
         comparisons::change_resolution(level, kind, {.coarser = coarser});
         levels.sizes.push_back(comparisons::cell_size(level, kind));
@@ -98,7 +99,7 @@ int check(std::uint64_t seed, int n) {
         try {
             drawn = random_cases::drawn_run(seed + static_cast<std::uint64_t>(i));
             const comparisons::Refinement found = refined(drawn.c);
-            const Results truth = run_of(drawn.c, .25);
+            const Results truth = run_of(drawn.c, finest / 4);
             for (const comparisons::RefinedQuantity& q : found.quantities)
                 if (const auto value = truth.number(*q.quantity)) tally.count(i, drawn, q, *value);
         } catch (const contact::InputError& e) {
