@@ -17,6 +17,7 @@
 #include "contact/base/error.h"
 #include "contact/base/special_values.h"
 #include "fem/layer_file.h"
+#include "files/cache_folder.h"
 #include "files/digest.h"
 
 // What a condensed layer depends on, as the name of its file.
@@ -34,7 +35,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* limit_variable = "TRICONTACT_CACHE_LIMIT";
-constexpr const char* folder_variable = "TRICONTACT_CACHE";  // in place of the user's; absolute
 constexpr std::uint64_t default_limit = 10'000'000'000;
 
 constexpr std::array<std::pair<std::string_view, double>, 5> units{
@@ -57,17 +57,6 @@ double size_of(std::string_view text) {
     for (const auto& [unit, factor] : units)
         if (text == unit) return value * factor;
     return contact::undefined;
-}
-
-std::string user_folder() {
-    const char* own = std::getenv(folder_variable);
-    if (own && *own == '/') return own;
-    const char* cache = std::getenv("XDG_CACHE_HOME");
-    // The XDG specification: relative paths are invalid and to be ignored.
-    if (cache && *cache == '/') return (fs::path(cache) / "tricontact").string();
-    const char* home = std::getenv("HOME");
-    if (home && *home) return (fs::path(home) / ".cache" / "tricontact").string();
-    return "";
 }
 
 void tell(std::string* why, const std::string& path, const std::string& what) {
@@ -165,7 +154,7 @@ void remove_oldest_layers(const std::string& folder, std::uint64_t most, const s
 }  // namespace
 
 LayerCache::LayerCache(const std::string& folder)
-    : folder_(folder.empty()     ? user_folder()
+    : folder_(folder.empty()     ? files::cache_folder()
               : folder == "none" ? ""
                                  : folder),
       limit_(cache_limit()) {}

@@ -59,7 +59,8 @@ static void to_json(json& out, const FigureAxis& axis) {
     out = {{"label", chart_label(axis.label)},
            {"logarithmic", axis.logarithmic},
            {"low", axis.low},
-           {"high", axis.high}};
+           {"high", axis.high},
+           {"names", list_of(axis.names, chart_label)}};
 }
 
 static void to_json(json& out, const ContourMap& map) {

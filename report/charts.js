@@ -23,6 +23,7 @@ function axis(content, theme, automargin) {
     const chosen = ends.every(value => value === null || value === undefined);
     return {
         ...(chosen ? {} : {range: ends}),
+        ...(content.names?.length ? {tickmode: "array", tickvals: content.names.map((_, i) => i), ticktext: content.names} : {}),
         title: {text: content.label, standoff: 8}, type: content.logarithmic ? "log" : "linear",
         automargin, exponentformat: "power", gridcolor: theme.line, zerolinecolor: theme.line,
         linecolor: theme.soft, showline: true, ticks: "outside", tickcolor: theme.soft, ticklen: 4,

@@ -80,6 +80,8 @@ std::string content_of(const Figure& figure) {
         if (high > low) text += " to " + significant(high, 3);
         text += '.';
     }
+    for (const FigureAxis& axis : {figure.x, figure.y})
+        for (const std::string& name : axis.names) text += ' ' + name + '.';
     for (const Strip& strip : figure.strips) text += " Strip " + strip.name + '.';
     for (const Panel& panel : figure.panels) text += " Panel " + panel.title + '.';
     return text;

@@ -65,6 +65,7 @@ struct FigureAxis {
     std::string label = {};  ///< quantity and unit, "layer thickness b [mm]"
     bool logarithmic = false;
     std::optional<double> low = {}, high = {};  ///< ends; empty: chosen; low > high: reversed
+    std::vector<std::string> names = {};        ///< beside 0, 1, ... in the place of numbers
 };
 
 /// What a place can be, as "stick".

@@ -44,6 +44,10 @@ double tic_step(double low, double high, int width) {
 std::string axis_commands(char name, const FigureAxis& axis, Extent extent) {
     std::string text = fmt::format("set {0}label {1}\nset {0}range [{2}:{3}]\n", name,
                                    quoted(axis.label), end_of(axis.low), end_of(axis.high));
+    for (std::size_t i = 0; i < axis.names.size(); ++i)
+        text += fmt::format("{} {} {}", i == 0 ? fmt::format("set {}tics (", name) : ",",
+                            quoted(axis.names[i]), i);
+    if (!axis.names.empty()) text += ")\n";
     if (!axis.logarithmic) return text;
     const bool decades = axis.high.value_or(extent.high) >= 30 * axis.low.value_or(extent.low);
     return text + fmt::format("set logscale {0}\nset m{0}tics 10\nset format {0} '{1}'\n", name,
@@ -128,7 +132,7 @@ std::string axes(const Figure& figure, int width) {
     std::string text = axis_commands('x', figure.x, x) + axis_commands('y', figure.y, y);
     const double low = std::min(figure.x.low.value_or(x.low), figure.x.high.value_or(x.high)),
                  high = std::max(figure.x.low.value_or(x.low), figure.x.high.value_or(x.high));
-    if (!figure.x.logarithmic && std::isfinite(low) && high - low > 1e-9 * std::abs(high))
+    if (!figure.x.logarithmic && figure.x.names.empty() && std::isfinite(low) && high - low > 1e-9 * std::abs(high))
         text += fmt::format("set xtics {:.6g}\n", tic_step(low, high, width));
     return text;
 }

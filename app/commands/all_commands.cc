@@ -16,6 +16,11 @@ Command check_command();
 Command refine_command();
 Command verify_command();
 Command reproduce_command();
+Command benchmark_command();
+Command benchmark_list_command();
+Command benchmark_show_command();
+Command benchmark_deck_command();
+Command compare_command();
 Command limit_command();
 Command deviation_command();
 Command fit_command();
@@ -74,6 +79,11 @@ std::vector<Command> all_commands() {
                                   refine_command(),
                                   verify_command(),
                                   reproduce_command(),
+                                  benchmark_command(),
+                                  benchmark_list_command(),
+                                  benchmark_show_command(),
+                                  benchmark_deck_command(),
+                                  compare_command(),
                                   limit_command(),
                                   deviation_command(),
                                   fit_command(),

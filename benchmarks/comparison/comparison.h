@@ -57,19 +57,19 @@ struct Explained {
     double bar = 0;     ///< half width [-]
 };
 
-/// A number of the code beside that of the reference. Relative to the reference's value where it has
-/// one, norms to 0.
+/// A number of the code beside that of the reference. Relative to the reference's value where it
+/// has one, norms to 0.
 struct ComparedNumber {
     std::string key;    ///< quantity_keys, or of a norm "pressure_l2", "load_within", ...
     std::string title;  ///< "normal force F_N"
     std::string unit;   ///< SI; "" of norms
     bool is_norm = false;
-    std::vector<std::optional<double>> values;  ///< per mesh
-    ReferenceValue reference;                   ///< of norms value 0, bars relative
+    std::vector<std::optional<double>> values;        ///< per mesh
+    ReferenceValue reference;                         ///< of norms value 0, bars relative
     std::optional<comparisons::LimitEstimate> limit;  ///< over a family of at least three meshes
-    std::string expected_order;  ///< "1 (square root at the contact's edge)"
-    double finest = 0;           ///< difference of the finest mesh [-]
-    double difference = 0;       ///< extrapolated, else finest, minus reference [-]
+    std::string expected_order;                       ///< "1 (square root at the contact's edge)"
+    double finest = 0;                                ///< difference of the finest mesh [-]
+    double difference = 0;  ///< extrapolated, else finest, minus reference [-]
     std::vector<Explained> explained;
     double discretisation = 0;  ///< GCI or spread [-]
     double uncertainty = 0;     ///< U: discretisation, reference and explained [-]
@@ -100,8 +100,8 @@ struct Comparison {
     std::string blame;
 };
 
-/// Throws contact::InputError where conventions are ambiguous (with both readings) or nothing can be
-/// compared.
+/// Throws contact::InputError where conventions are ambiguous (with both readings) or nothing can
+/// be compared.
 Comparison compare(Submission submission, Reference reference);
 
 }  // namespace tricontact::benchmarks

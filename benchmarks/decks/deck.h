@@ -13,7 +13,8 @@ struct DeckWishes {
     std::string elements;  ///< of the code: "CAX8R", "P2", "Q2"; empty: its usual ones
     int levels = 0;        ///< 0: usual: four of axisymmetric and plane decks, three of half models
     std::string problem;   ///< name for files and the submission
-    bool is_spatial = false;  ///< a half model in three dimensions also where the case is axisymmetric
+    bool is_spatial =
+        false;  ///< a half model in three dimensions also where the case is axisymmetric
 };
 
 /// A file of a deck, its path in the folder.

@@ -15,9 +15,9 @@ namespace tricontact::benchmarks {
 /// A number of the reference and what it is uncertain by, half widths in its own unit (SI).
 struct ReferenceValue {
     double value = 0;
-    double grid = 0;    ///< what cells, elements and steps leave
-    double model = 0;   ///< largest difference of the models that are exact for the case
-    double domain = 0;  ///< what a finite block changes against the unbounded layer
+    double grid = 0;          ///< what cells, elements and steps leave
+    double model = 0;         ///< largest difference of the models that are exact for the case
+    double domain = 0;        ///< what a finite block changes against the unbounded layer
     std::string source = {};  ///< "mdr-layer", "Hertz (1882)"
 
     double bar() const { return std::hypot(grid, model, domain); }
@@ -37,8 +37,8 @@ struct SurfaceValues {
 class ReferenceFields {
   public:
     virtual ~ReferenceFields() = default;
-    /// At (x, y) [m]; of plane contacts y does not matter. Displacements are NaN where the reference
-    /// does not know them.
+    /// At (x, y) [m]; of plane contacts y does not matter. Displacements are NaN where the
+    /// reference does not know them.
     virtual SurfaceValues at(double x, double y) const = 0;
     /// Half widths there, >= 0.
     virtual SurfaceValues bar_at(double x, double y) const = 0;
@@ -61,24 +61,27 @@ struct FirstOrderEffects {
     std::optional<ReferenceValue> displaced_surface;
     /// Pressed with friction in one step instead of the case's steps: change by key of quantity.
     std::map<std::string, ReferenceValue> one_step;
-    /// A block of the half width and the thickness of a deck against the unbounded layer.
-    std::map<std::string, ReferenceValue> finite_block;
 };
 
 /// Keys of Reference::values and of totals of submissions, SI units.
 namespace quantity_keys {
-inline constexpr const char* normal_force = "normal_force";           ///< F_N [N], [N/m] if plane
-inline constexpr const char* indentation = "indentation";             ///< d [m]
-inline constexpr const char* tangential_force = "tangential_force";   ///< F_T on the body [N]
-inline constexpr const char* shift = "shift";                         ///< U [m]
-inline constexpr const char* contact_radius = "contact_radius";       ///< a, half width [m]
-inline constexpr const char* peak_pressure = "peak_pressure";         ///< p0 [Pa]
-inline constexpr const char* contact_area = "contact_area";           ///< [m^2]
-inline constexpr const char* stick_area = "stick_area";               ///< [m^2]
-inline constexpr const char* stored_energy = "stored_energy";         ///< [J]
-inline constexpr const char* dissipation = "dissipation";             ///< by friction, so far [J]
-inline constexpr const char* normal_stiffness = "normal_stiffness";   ///< dF_N/dd [N/m]
+inline constexpr const char* normal_force = "normal_force";          ///< F_N [N], [N/m] if plane
+inline constexpr const char* indentation = "indentation";            ///< d [m]
+inline constexpr const char* tangential_force = "tangential_force";  ///< F_T on the body [N]
+inline constexpr const char* shift = "shift";                        ///< U [m]
+inline constexpr const char* contact_radius = "contact_radius";      ///< a, half width [m]
+inline constexpr const char* peak_pressure = "peak_pressure";        ///< p0 [Pa]
+inline constexpr const char* contact_area = "contact_area";          ///< [m^2]
+inline constexpr const char* stick_area = "stick_area";              ///< [m^2]
+inline constexpr const char* stored_energy = "stored_energy";        ///< [J]
+inline constexpr const char* dissipation = "dissipation";            ///< by friction, so far [J]
+inline constexpr const char* normal_stiffness = "normal_stiffness";  ///< dF_N/dd [N/m]
 inline constexpr const char* tangential_stiffness = "tangential_stiffness";  ///< dF_T/dU [N/m]
+// Of contacts that roll back and forth:
+inline constexpr const char* static_shift = "static_shift";        ///< U before rolling [m]
+inline constexpr const char* settled_shift = "settled_shift";      ///< U_sd after shakedown [m]
+inline constexpr const char* shift_increment = "shift_increment";  ///< per period, ratcheting [m]
+inline constexpr const char* shakedown_limit = "shakedown_limit";  ///< f_T,lim [-]
 }  // namespace quantity_keys
 
 /// The best that this project knows of the end of a case's path.
@@ -86,11 +89,13 @@ struct Reference {
     contact::Case c;
     std::string digest;  ///< of the case: what a kept reference is found by
     Geometry geometry = Geometry::spatial;
-    double contact_radius = 0;     ///< a; half width of a plane contact; along x [m]
-    std::map<std::string, ReferenceValue> values;  ///< by quantity_keys; what is undefined is not there
-    std::vector<std::string> prescribed;           ///< keys of what the case prescribes
+    double contact_radius = 0;  ///< a; half width of a plane contact; along x [m]
+    std::map<std::string, ReferenceValue>
+        values;                           ///< by quantity_keys; what is undefined is not there
+    std::vector<std::string> prescribed;  ///< keys of what the case prescribes
     std::shared_ptr<const ReferenceFields> fields;
     FirstOrderEffects effects;
+    bool has_tractions = false;        ///< tangential ones, of friction
     std::vector<std::string> models;   ///< that stand behind it, the one of the fields first
     std::vector<std::string> remarks;  ///< sentences: what the reference leaves out
 
@@ -99,12 +104,20 @@ struct Reference {
         return found == values.end() ? nullptr : &found->second;
     }
     bool is_prescribed(const std::string& key) const;
-    bool has_friction() const;  ///< tangential tractions are part of the fields
+    bool has_friction() const { return has_tractions; }
 };
 
-/// Computes it, or reads what was kept of the same case by the same program. Throws InputError
+/// Computes it; reference_cache.h keeps it for later calls. Throws InputError
 /// where no model is a reference for the case (and says which assumption fails), NotConverged.
 Reference reference(const contact::Case& c, const contact::ModelRunner& runner,
                     const contact::Say& say = contact::silent);
+
+/// What free sides at the distance `half_width` [m] from the centre of a block, round or square,
+/// change of the reference's values, by key: under a prescribed force of the indentation, under a
+/// prescribed depth of the force, in SI units. Of bonded layers; empty without a layer, where no
+/// theory covers the case, and under friction. By theory/layer/free_sides.h, whose upper estimate
+/// ends the bar.
+std::map<std::string, ReferenceValue> finite_block_effect(const Reference& reference,
+                                                          double half_width);
 
 }  // namespace tricontact::benchmarks

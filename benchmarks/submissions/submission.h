@@ -64,6 +64,7 @@ struct MeshField {
     Faces faces;                          ///< empty where the file has none
     std::map<std::string, Total> totals;  ///< by quantity_keys, and "size", "cpu_time"
     std::vector<std::string> notes;       ///< "column CPRESS is read as pressure"
+    double n_elements = 0;                ///< of the whole mesh; 0: the file does not say it
 
     const FieldColumn* find(Meaning meaning) const;
     std::size_t size() const { return columns.empty() ? 0 : columns.front().values.size(); }
@@ -78,6 +79,7 @@ struct ContactMethod {
     std::optional<double> stiffness;    ///< K [Pa/m]
     std::optional<double> stick_slope;  ///< K_T [Pa/m]
     std::optional<int> press_steps;     ///< in how many steps it was pressed
+    bool faceted_indenter = false;      ///< its surface is meshed with straight faces
 };
 
 /// Relative tolerances, by quantity or norm key; `usual` of all others.

@@ -59,6 +59,7 @@ is_offered limit tricontact li
 is_offered contact tricontact con
 is_offered merge tricontact sweep me
 is_offered export tricontact contact ""
+is_offered show tricontact benchmark sh
 is_offered --model tricontact contact export case.toml --mo
 is_offered --distributed tricontact cache condense case.toml --di
 is_offered --tolerance tricontact limit --to

@@ -1,0 +1,206 @@
+#include "benchmarks/comparison/compared_numbers.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "benchmarks/comparison/explained.h"
+
+namespace tricontact::benchmarks {
+
+namespace {
+
+namespace keys = quantity_keys;
+constexpr double unknown = std::numeric_limits<double>::infinity();
+
+struct Row {
+    const char *key, *title, *unit, *order;
+};
+const char* const smooth = "1 to 2: resultants of smooth elements";
+constexpr std::array rows{
+    Row{keys::normal_force, "normal force F_N", "N", smooth},
+    Row{keys::indentation, "indentation d", "m", smooth},
+    Row{keys::tangential_force, "tangential force F_T", "N", smooth},
+    Row{keys::shift, "tangential shift U", "m", smooth},
+    Row{keys::contact_radius, "contact radius a, by the pressure's second moment", "m",
+        "1 to 3/2: the edge's error on its own load"},
+    Row{keys::peak_pressure, "peak pressure p0, of a paraboloid inside .3 a", "Pa",
+        "1 to 2: away from the contact's edge"},
+    Row{keys::contact_area, "contact area", "m^2", "1: counted in elements"},
+    Row{keys::stick_area, "stick area", "m^2", "1: counted in elements"},
+    Row{keys::stored_energy, "stored elastic energy", "J", smooth},
+    Row{keys::dissipation, "frictional dissipation", "J", "1"},
+    Row{keys::normal_stiffness, "normal stiffness dF_N/dd", "N/m", smooth},
+    Row{keys::tangential_stiffness, "tangential stiffness dF_T/dU", "N/m", smooth},
+    Row{keys::static_shift, "static shift", "m", smooth},
+    Row{keys::settled_shift, "settled shift", "m", smooth},
+    Row{keys::shift_increment, "shift per period", "m", "1"},
+    Row{keys::limit_tangential_ratio, "limit of shakedown f_T", "", smooth}};
+
+constexpr std::array decisive{
+    keys::normal_force, keys::indentation,   keys::tangential_force, keys::shift,
+    keys::static_shift, keys::settled_shift, keys::shift_increment,  keys::limit_tangential_ratio};
+
+std::string percent(double share) {
+    return fmt::format("{:.2g} %", 100 * share);
+}
+
+/// Differences of the values from the reference: relative, or as they stand of norms.
+double relative(const ComparedNumber& n, double value) {
+    return n.is_norm ? value : value / n.reference.value - 1;
+}
+
+struct Term {
+    double size;
+    std::string blame, remedy;
+};
+
+void name_the_blame(ComparedNumber& n, std::size_t n_meshes, const MeshFamily& family,
+                    double reference_bar, double explained_bar) {
+    if (n.standing != Standing::not_resolved) return;
+    if (!std::isfinite(n.discretisation)) {
+        n.blame = n_meshes < 2 ? "one mesh has no error bar"
+                               : "the meshes are no family: " + family.why_not;
+        n.remedy = n_meshes < 2
+                       ? "give three meshes, each half as fine as the next"
+                       : "use meshes that are finer by one factor in every direction, as a "
+                         "deck's are";
+        return;
+    }
+    std::vector<Term> terms{
+        {n.discretisation, fmt::format("the meshes leave {}", percent(n.discretisation)),
+         n_meshes < 3 ? "one more mesh, half as fine in every direction"
+                      : "one or two finer meshes of the same family"},
+        {reference_bar, fmt::format("the reference is known to {}", percent(reference_bar)),
+         "a larger tolerance, or a finer reference"},
+        {explained_bar,
+         fmt::format("what explains the difference is known to {}", percent(explained_bar)),
+         "a stiffer penalty, or contact on the undeformed surface: then less has to be explained"}};
+    const Term& worst = *std::ranges::max_element(terms, {}, &Term::size);
+    n.blame = worst.blame;
+    n.remedy = worst.remedy;
+}
+
+ComparedNumber named(const std::string& key) {
+    ComparedNumber n;
+    n.key = key;
+    const QuantityName name = name_of_quantity(key);
+    n.title = name.title;
+    n.unit = name.unit;
+    const auto row = std::ranges::find(rows, key, [](const Row& r) { return std::string(r.key); });
+    if (row != rows.end()) n.expected_order = row->order;
+    return n;
+}
+
+/// The value of a mesh that counts for a quantity: the code's own total, else from its field.
+std::optional<double> value_of(const std::string& key, const UnderstoodMesh& mesh,
+                               const std::vector<FieldNumber>& of_field) {
+    const auto total = mesh.result.totals.find(key);
+    if (total != mesh.result.totals.end()) return total->second;
+    const auto found = std::ranges::find(of_field, key, &FieldNumber::key);
+    if (found != of_field.end() && std::isfinite(found->value)) return found->value;
+    return {};
+}
+
+}  // namespace
+
+QuantityName name_of_quantity(const std::string& key) {
+    for (const Row& row : rows)
+        if (key == row.key) return {row.title, row.unit};
+    return {key, ""};
+}
+
+Standing standing_of(double difference, double uncertainty, double tolerance) {
+    if (std::abs(difference) + uncertainty <= tolerance) return Standing::pass;
+    if (std::abs(difference) - uncertainty > tolerance) return Standing::fail;
+    return Standing::not_resolved;
+}
+
+bool is_decisive(const ComparedNumber& number, const Tolerances& tolerances) {
+    return tolerances.of.contains(number.key) ||
+           std::ranges::find(decisive, number.key) != decisive.end();
+}
+
+void judge(ComparedNumber& n, const std::vector<double>& sizes, const MeshFamily& family) {
+    std::vector<double> h, values;
+    for (std::size_t k = 0; k < sizes.size(); ++k)
+        if (n.values[k]) {
+            h.push_back(sizes[k]);
+            values.push_back(relative(n, *n.values[k]));
+        }
+    if (values.empty()) return;
+    const double scale = n.is_norm ? 1 : std::abs(n.reference.value);
+    const double reference_bar = n.reference.bar() / scale;
+    n.finest = n.difference = values.back();
+    n.discretisation = unknown;
+    if (values.size() >= 3 && family.is_family) {
+        // A hundredth of a tolerance decides nothing, nor does what the reference leaves.
+        const double noise = std::max(reference_bar, 1e-3 * n.tolerance);
+        n.limit = comparisons::estimate_limit(h, values, noise);
+        n.difference = n.limit->value;
+        n.discretisation = n.limit->error;
+    } else if (values.size() == 2 && h[0] > 1.02 * h[1]) {
+        n.discretisation = comparisons::value_of_levels(h, values).error;
+    }
+    double explained_bar = 0;
+    for (const Explained& e : n.explained) explained_bar = std::hypot(explained_bar, e.bar);
+    const double without = std::hypot(n.discretisation, reference_bar);
+    n.uncertainty = std::hypot(without, explained_bar);
+    n.unexplained_standing = standing_of(n.difference, without, n.tolerance);
+    n.standing = standing_of(n.left(), n.uncertainty, n.tolerance);
+    name_the_blame(n, values.size(), family, reference_bar, explained_bar);
+}
+
+std::vector<ComparedNumber> compared_numbers(const Submission& submission, const Understanding& all,
+                                             const std::vector<ReferenceSamples>& samples,
+                                             const MeshFamily& family, const Reference& reference) {
+    std::vector<ComparedNumber> numbers;
+    std::vector<double> sizes;
+    std::vector<std::vector<FieldNumber>> of_fields;
+    std::vector<std::vector<FieldNorm>> norms;
+    for (std::size_t k = 0; k < all.meshes.size(); ++k) {
+        sizes.push_back(all.meshes[k].result.size);
+        of_fields.push_back(samples.empty() ? std::vector<FieldNumber>{}
+                                            : field_numbers(all.meshes[k], samples[k], reference));
+        norms.push_back(samples.empty() ? std::vector<FieldNorm>{}
+                                        : field_norms(all.meshes[k], samples[k], reference));
+    }
+    for (const Row& row : rows) {
+        const ReferenceValue* value = reference.find(row.key);
+        if (!value || value->value == 0 || !std::isfinite(value->value) ||
+            reference.is_prescribed(row.key))
+            continue;
+        ComparedNumber n = named(row.key);
+        n.reference = *value;
+        for (std::size_t k = 0; k < all.meshes.size(); ++k)
+            n.values.push_back(value_of(row.key, all.meshes[k], of_fields[k]));
+        if (!n.values.back()) continue;
+        n.tolerance = submission.tolerances.at(row.key);
+        n.explained = explained(row.key, submission, reference);
+        judge(n, sizes, family);
+        numbers.push_back(std::move(n));
+    }
+    if (norms.empty()) return numbers;
+    for (const FieldNorm& norm : norms.back()) {
+        ComparedNumber n;
+        n.key = norm.key;
+        n.title = norm.title;
+        n.is_norm = true;
+        n.expected_order = norm.expected_order;
+        n.reference.grid = norm.reference_bar;
+        for (const auto& of_mesh : norms) {
+            const auto found = std::ranges::find(of_mesh, norm.key, &FieldNorm::key);
+            n.values.push_back(found == of_mesh.end() ? std::nullopt : found->value);
+        }
+        if (!n.values.back()) continue;
+        n.tolerance = submission.tolerances.at(norm.key);
+        judge(n, sizes, family);
+        numbers.push_back(std::move(n));
+    }
+    return numbers;
+}
+
+}  // namespace tricontact::benchmarks

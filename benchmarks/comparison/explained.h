@@ -1,0 +1,23 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "benchmarks/comparison/comparison.h"
+
+namespace tricontact::benchmarks {
+
+/// What the way in which a code enforces contact explains of a quantity's difference, to first
+/// order (FirstOrderEffects), over the reference's value: normal penalty, elastic slip, gap on the
+/// displaced surface, pressing in one step, the deck's block. Nothing that the submission does not
+/// say. Bars: that of the reference's derivative, and what the first order leaves out: the square
+/// of the change for penalties; two fifths of (a/R)^2 for the displaced surface, which three codes'
+/// runs stay within (tests/verification/benchmarks).
+std::vector<Explained> explained(const std::string& key, const Submission& submission,
+                                 const Reference& reference);
+
+/// Change of the normal force by contact on the displaced surface, over the force; empty where it
+/// is not known. Also for those who do not say how they do it.
+std::optional<Explained> displaced_surface(const std::string& key, const Reference& reference);
+
+}  // namespace tricontact::benchmarks

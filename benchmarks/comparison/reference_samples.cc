@@ -1,0 +1,71 @@
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "benchmarks/comparison/field_norms.h"
+
+namespace tricontact::benchmarks {
+
+namespace {
+
+/// Of a profile: mean pressure over the stretch from low to high [m].
+double mean_pressure(const ReferenceFields& fields, bool is_ring, double low, double high) {
+    if (!(high > low)) return fields.at(high, 0).pressure;
+    if (is_ring)
+        return (fields.load_within(high) - fields.load_within(std::max(0., low))) /
+               (std::numbers::pi * (high - low) * (high + low));
+    const auto load = [&](double x) {
+        return std::copysign(fields.load_within(std::abs(x)) / 2, x);
+    };
+    return (load(high) - load(low)) / (high - low);
+}
+
+/// Mean over a square of a given area about a point, by 4 x 4 Gauss points.
+SurfaceValues mean_values(const ReferenceFields& fields, double x, double y, double area) {
+    static constexpr std::array points{-.8611363115940526, -.3399810435848563, .3399810435848563,
+                                       .8611363115940526};
+    static constexpr std::array weights{.3478548451374538, .6521451548625461, .6521451548625461,
+                                        .3478548451374538};
+    const double half = std::sqrt(area) / 2;
+    SurfaceValues mean;
+    for (std::size_t j = 0; j < points.size(); ++j)
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            const SurfaceValues v = fields.at(x + half * points[i], y + half * points[j]);
+            const double w = weights[i] * weights[j] / 4;
+            mean.pressure += w * v.pressure;
+            mean.traction_x += w * v.traction_x;
+            mean.traction_y += w * v.traction_y;
+            mean.displacement_x += w * v.displacement_x;
+            mean.displacement_y += w * v.displacement_y;
+            mean.displacement_z += w * v.displacement_z;
+        }
+    return mean;
+}
+
+}  // namespace
+
+ReferenceSamples reference_samples(const UnderstoodMesh& mesh, const Reference& reference) {
+    ReferenceSamples samples;
+    const ReferenceFields& fields = *reference.fields;
+    const double a = reference.contact_radius;
+    const auto& points = mesh.result.points;
+    samples.values.reserve(points.size());
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const SurfacePoint& p = points[i];
+        SurfaceValues v;
+        if (mesh.result.geometry != Geometry::spatial) {
+            v = fields.at(p.x, 0);
+            v.pressure = mean_pressure(fields, mesh.result.geometry == Geometry::axisymmetric,
+                                       mesh.low[i], mesh.high[i]);
+        } else {
+            const double h = std::sqrt(std::max(0., p.area));
+            const bool near_edge = std::abs(std::hypot(p.x, p.y) - a) < 3 * h;
+            v = near_edge && h > 0 ? mean_values(fields, p.x, p.y, p.area) : fields.at(p.x, p.y);
+        }
+        samples.values.push_back(v);
+        samples.pressure_bars.push_back(fields.bar_at(p.x, p.y).pressure);
+    }
+    return samples;
+}
+
+}  // namespace tricontact::benchmarks

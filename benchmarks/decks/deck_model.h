@@ -1,0 +1,71 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "benchmarks/decks/deck.h"
+#include "contact/bodies/indenter.h"
+
+namespace tricontact::benchmarks {
+
+/// A leg of the load path of a deck: from the state before, in equal increments.
+struct DeckStep {
+    bool is_force = false;             ///< `normal` is F_N, else d
+    double normal = 0;                 ///< F_N [N], per mm of a plane deck [N/mm]; d [mm]
+    bool is_tangential_force = false;  ///< `shift` is F_T
+    double shift = 0;                  ///< U along x [mm]; F_T [N], [N/mm]
+    int increments = 1;
+};
+
+/// What all decks of a case have in common, in mm, N and MPa.
+struct DeckModel {
+    enum class Shape { axisymmetric, plane, half };  ///< half: y >= 0 of a spatial contact
+    Shape shape = Shape::axisymmetric;
+    std::string name;   ///< of files and of the problem
+    std::string title;  ///< of the case
+    double a = 0;       ///< contact radius or half width [mm]
+    double young = 0;   ///< [MPa]
+    double poisson = 0;
+    double mu = 0;                                      ///< 0: frictionless
+    std::shared_ptr<const contact::Indenter> indenter;  ///< in m
+    std::string gap;  ///< formula of the profile over r (x of plane decks), both in mm
+    bool is_half_space = false;
+    double width = 0;           ///< radius or half width of the block [mm]
+    double thickness = 0;       ///< of the block [mm]
+    double contact_reach = 0;   ///< of the set of faces that may touch [mm]
+    double indenter_reach = 0;  ///< of the meshed indenter [mm]
+    double stiffness = 0;       ///< K of penalties [MPa/mm]
+    double stick_slope = 0;     ///< K_T [MPa/mm]; 0 where frictionless
+    double depth_scale = 0;     ///< d of the reference [mm], where the search of a depth begins
+    double overlap = 0;  ///< by which a meshed indenter begins in the block under a force [mm]
+    std::vector<DeckStep> steps;
+    std::vector<std::string> remarks;  ///< what the deck does that the case does not
+
+    /// Whether a leg prescribes a force, so that the depth has to be found.
+    bool has_force() const;
+    bool has_tangential_force() const;
+    /// Whether the sides are not alike: the whole width is meshed.
+    bool is_shifted() const;
+    /// Height of the undeformed indenter over its lowest point [mm].
+    double height(double x, double y) const;
+    /// Share of the whole contact's forces that a deck's model carries.
+    double share() const {
+        return shape == Shape::half || (shape == Shape::plane && !is_shifted()) ? .5 : 1;
+    }
+    const DeckStep& last() const { return steps.back(); }
+};
+
+/// Throws contact::InputError where no deck can have what the case has.
+DeckModel make_deck_model(const Reference& reference, const DeckWishes& wishes);
+
+/// Lines of the coarsest block: x from 0 (to both sides where the model has no plane of symmetry
+/// there), y of half models, depth from 0 down.
+struct DeckLines {
+    std::vector<double> x, y, depth;
+};
+/// `n` elements in a on the coarsest level, the given level of refinement.
+DeckLines deck_lines(const DeckModel& model, int n, int level);
+
+}  // namespace tricontact::benchmarks

@@ -1,0 +1,164 @@
+#include <fmt/format.h>
+
+#include "benchmarks/decks/deck_family.h"
+#include "benchmarks/decks/graded_line.h"
+#include "benchmarks/decks/script_text.h"
+#include "contact/base/error.h"
+
+namespace tricontact::benchmarks {
+
+namespace {
+
+// The surface's traction is K times the penetration of the undeformed profile: a semi-smooth Newton
+// iteration, whose active set is told at the points of integration by the last displacement.
+constexpr const char* freefem_template =
+    R"(// @name@, @n@ elements in the contact radius @a@ mm; units mm, N, MPa.
+// Rigid indenter on an elastic block bonded to a rigid base; penalty, linear kinematics.
+// Run: FreeFem++ -nw @job@.edp        Writes: @job@.csv
+verbosity = 0;
+real young = @young@, poisson = @poisson@, K = @stiffness@;   // K [MPa/mm]
+real lambda = young*poisson/((1 + poisson)*(1 - 2*poisson)), shear = young/(2*(1 + poisson));
+func real gap(real r) { return @gap@; }   // [mm]
+
+// Nodes along the surface and upwards from the base.
+real[int] X = [@x@];
+real[int] Z = [@z@];
+int nx = X.n - 1, nz = Z.n - 1;
+mesh Th = square(nx, nz, [X[int(x*nx + 0.5)], Z[int(y*nz + 0.5)]]);
+fespace Vh(Th, [@element@, @element@]);
+Vh [u, w] = [0, 0], [v, q], [uo, wo] = [0, 0];
+@weight@
+
+real depth = @depth@;
+varf stiff([u, w], [v, q])
+    = int2d(Th)(weight*(@elastic@))
+    + int1d(Th, 3, qforder=9)(weight*K*(wo + depth - gap(x) > 0)*w*q)
+    + on(1, u=0, w=0) + on(4, u=0);
+varf pushed([u, w], [v, q])
+    = int1d(Th, 3, qforder=9)(-weight*K*(wo + depth - gap(x) > 0)*(depth - gap(x))*q)
+    + on(1, u=0, w=0) + on(4, u=0);
+
+func real normalForce() {
+    return @share@int1d(Th, 3, qforder=9)(weight*K*max(0., w + depth - gap(x)));
+}
+// F_N at a depth [@force_unit@].
+func real press(real d) {
+    depth = d;
+    real force = -1;
+    for (int i = 0; i < 60; ++i) {
+        uo[] = u[];
+        matrix A = stiff(Vh, Vh, solver=sparsesolver);
+        real[int] b = pushed(0, Vh);
+        u[] = A^-1*b;
+        real last = force;
+        force = normalForce();
+        if (i > 1 && abs(force - last) <= 1e-10*abs(force)) return force;
+    }
+    cout << "error: the contact did not converge in 60 iterations" << endl;
+    exit(1);
+    return 0;
+}
+@control@
+ofstream table("@job@.csv");
+table.precision(10);
+table << "# @code@, @element@, penalty @stiffness@ MPa/mm, undeformed surface" << endl;
+table << "# normal_force = " << force << " @force_unit@" << endl;
+table << "# indentation = " << depth << " mm" << endl;
+table << "# size = @size@ mm" << endl;
+table << "@column@ [mm],p [MPa]" << endl;
+for (int i = 0; i <= nx; ++i) {
+    if (X[i] > @reach@) break;
+@middle@    real r = X[i];
+    table << r << "," << K*max(0., w(r, 0.) + depth - gap(r)) << endl;
+}
+cout << "normal_force = " << force << " @force_unit@, depth = " << depth << " mm" << endl;
+)";
+
+constexpr const char* freefem_depth = R"(real force = press(@target@);
+)";
+// Secants: the force grows with the depth.
+constexpr const char* freefem_force =
+    R"(real target = @target@, d0 = 0, f0 = 0, d1 = @depth_scale@, force = press(d1);
+for (int i = 0; i < 40 && abs(force - target) > 1e-9*target; ++i) {
+    real next = d1 + (target - force)*(d1 - d0)/(force - f0);
+    d0 = d1; f0 = force; d1 = next;
+    force = press(d1);
+}
+if (abs(force - target) > 1e-9*target) { cout << "error: no depth has this force" << endl; exit(1); }
+)";
+
+}  // namespace
+
+DeckFamily freefem_family(const DeckModel& model, const DeckWishes& wishes) {
+    if (model.shape == DeckModel::Shape::half || model.mu > 0)
+        throw contact::InputError(
+            "deck: the deck for FreeFem++ is axisymmetric or plane and frictionless; take calculix "
+            "or getfem");
+    const std::string element = wishes.elements.empty() ? "P2" : wishes.elements;
+    if (element != "P1" && element != "P2")
+        throw contact::InputError("deck: elements " + element +
+                                  " are none of FreeFem++'s deck; choose of P2, P1");
+    const bool is_plane = model.shape == DeckModel::Shape::plane;
+    DeckFamily family;
+    family.code = "FreeFem++ 4.11";
+    family.elements = element;
+    family.method = "penalty";
+    family.kinematics = "undeformed";
+    family.has_stiffness = true;
+
+    for (int level = 0; level < (wishes.levels > 0 ? wishes.levels : 4); ++level) {
+        const DeckLines lines = deck_lines(model, 4, level);
+        std::vector<double> heights;
+        for (auto depth = lines.depth.rbegin(); depth != lines.depth.rend(); ++depth)
+            heights.push_back(0 - *depth);
+        DeckRun& run = family.runs.emplace_back();
+        run.n = 4 << level;
+        run.size = model.a / run.n;
+        const std::string job = fmt::format("{}_n{}", model.name, run.n);
+        const std::string control = filled(
+            model.last().is_force ? freefem_force : freefem_depth,
+            {{"target", number(model.last().normal)}, {"depth_scale", number(model.depth_scale)}});
+        const std::string elastic =
+            is_plane ? "lambda*(dx(u) + dy(w))*(dx(v) + dy(q))\n        + 2*shear*(dx(u)*dx(v) + "
+                       "dy(w)*dy(q))"
+                       " + shear*(dy(u) + dx(w))*(dy(v) + dx(q))"
+                     : "lambda*(dx(u) + u/x + dy(w))*(dx(v) + v/x + dy(q))\n        + "
+                       "2*shear*(dx(u)*dx(v)"
+                       " + u*v/(x*x) + dy(w)*dy(q)) + shear*(dy(u) + dx(w))*(dy(v) + dx(q))";
+        run.files.push_back(
+            {job + ".edp",
+             filled(freefem_template,
+                    {{"control", control},
+                     {"name", model.name},
+                     {"n", std::to_string(run.n)},
+                     {"a", number(model.a)},
+                     {"job", job},
+                     {"young", number(model.young)},
+                     {"poisson", number(model.poisson)},
+                     {"stiffness", number(model.stiffness)},
+                     {"gap", model.gap},
+                     {"x", number_list(lines.x)},
+                     {"z", number_list(heights)},
+                     {"element", element},
+                     {"weight", is_plane ? "func weight = 1;" : "func weight = 2*pi*x;"},
+                     {"elastic", elastic},
+                     {"share", is_plane ? "2*" : ""},
+                     {"depth", number(model.depth_scale)},
+                     {"code", family.code},
+                     {"force_unit", is_plane ? "N/mm" : "N"},
+                     {"size", number(run.size)},
+                     {"column", is_plane ? "x" : "r"},
+                     {"reach", number(model.contact_reach * (1 + 1e-9))},
+                     {"middle", element == "P1"
+                                    ? ""
+                                    : "    if (i > 0) {\n        real m = (X[i - 1] + X[i])/2;\n"
+                                      "        table << m << \",\" << K*max(0., w(m, 0.) + depth - "
+                                      "gap(m)) << endl;\n"
+                                      "    }\n"}})});
+        run.command = "FreeFem++ -nw " + job + ".edp";
+        run.field = job + ".csv";
+    }
+    return family;
+}
+
+}  // namespace tricontact::benchmarks

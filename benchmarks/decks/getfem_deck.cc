@@ -1,0 +1,161 @@
+#include <fmt/format.h>
+
+#include <cctype>
+
+#include "benchmarks/decks/deck_family.h"
+#include "benchmarks/decks/graded_line.h"
+#include "benchmarks/decks/script_text.h"
+#include "contact/base/error.h"
+
+namespace tricontact::benchmarks {
+
+namespace {
+
+constexpr const char* getfem_template =
+    R"(# @name@, @n@ elements in the contact radius @a@ mm; units mm, N, MPa.
+# Rigid indenter on an elastic block bonded to a rigid base; augmented Lagrangian, undeformed surface.
+# Run: /usr/bin/python3 @job@.py        Writes: @job@.csv, @job@.vtu
+import getfem as gf
+import numpy as np
+
+gf.util('trace level', 0)
+gf.util('warning level', 0)
+young, poisson = @young@, @poisson@
+# Nodes along the surface and upwards from the base.
+X = np.array([@x@])
+Z = np.array([@z@])
+mesh = gf.Mesh('cartesian', X, Z)
+BASE, AXIS, TOP = 1, 2, 3
+mesh.set_region(BASE, mesh.outer_faces_with_direction([0, -1], 0.01))
+mesh.set_region(AXIS, mesh.outer_faces_with_direction([-1, 0], 0.01))
+mesh.set_region(TOP, mesh.outer_faces_in_box([-1e-9, -1e-9], [@reach@, 1e-9]))
+
+mf_u = gf.MeshFem(mesh, 2)
+mf_u.set_fem(gf.Fem('FEM_QK(2, @degree@)'))
+mf_p = gf.MeshFem(mesh, 1)   # pressures, on the surface only
+mf_p.set_fem(gf.Fem('FEM_QK(2, 1)'))
+mim = gf.MeshIm(mesh, gf.Integ('IM_GAUSS_PARALLELEPIPED(2, 8)'))
+
+md = gf.Model('real')
+md.add_fem_variable('u', mf_u)
+md.add_filtered_fem_variable('p', mf_p, TOP)
+md.add_initialized_data('la', young*poisson/((1 + poisson)*(1 - 2*poisson)))
+md.add_initialized_data('mu', young/(2*(1 + poisson)))
+md.add_initialized_data('ga', @augmentation@)   # of the augmented Lagrangian [MPa/mm]: changes no result
+md.add_linear_term(mim, '@elastic@')
+md.add_Dirichlet_condition_with_simplification('u', BASE)
+md.add_linear_term(mim, '1e8*mu*u(1)*Test_u(1)', AXIS)   # u = 0 there
+@depth@
+# Pressure that the penetration of the undeformed profile asks for.
+push = 'pos_part(p + ga*(u(2) + depth - @gap@))'
+md.add_nonlinear_term(mim, f'@weight@*({push}*Test_u(2) + ({push} - p)/ga*Test_p)', TOP)
+@load@iterations, converged = md.solve('max_res', 1e-9, 'max_iter', 100, 'lsearch', 'simplest')
+if not converged:
+    raise SystemExit('error: the contact did not converge in 100 iterations')
+
+force = @share@gf.asm_generic(mim, 0, '@weight@*p', TOP, md)
+depth = float(np.ravel(md.variable('depth'))[0])
+x = X[X <= @reach@]
+@middle@pressure = md.interpolation('p', np.array([x, 0*x]), mesh)
+with open('@job@.csv', 'w') as table:
+    table.write('# @code@, @element@, augmented Lagrangian, undeformed surface\n')
+    table.write(f'# normal_force = {force:.10g} @force_unit@\n# indentation = {depth:.10g} mm\n')
+    table.write('# size = @size@ mm\n@column@ [mm],p [MPa]\n')
+    for point, value in zip(x, pressure):
+        table.write(f'{point:.10g},{value:.10g}\n')
+mf_u.export_to_vtu('@job@.vtu', mf_u, md.variable('u'), 'displacement')
+print(f'normal_force = {force:.10g} @force_unit@, depth = {depth:.10g} mm')
+)";
+
+constexpr const char* getfem_plane = "la*Div_u*Div_Test_u + 2*mu*(Sym(Grad_u):Sym(Grad_Test_u))";
+constexpr const char* getfem_axisymmetric =
+    "2*pi*X(1)*(la*(Div_u + u(1)/X(1))*(Div_Test_u + Test_u(1)/X(1))'\n"
+    "                   ' + 2*mu*(Sym(Grad_u):Sym(Grad_Test_u) + u(1)*Test_u(1)/sqr(X(1))))";
+
+// "r" of a formula as GetFEM's language calls it.
+std::string in_getfem(const std::string& formula) {
+    std::string text;
+    for (std::size_t i = 0; i < formula.size(); ++i) {
+        const bool is_radius =
+            formula[i] == 'r' &&
+            (i == 0 || !std::isalpha(static_cast<unsigned char>(formula[i - 1]))) &&
+            (i + 1 == formula.size() || !std::isalpha(static_cast<unsigned char>(formula[i + 1])));
+        text += is_radius ? "X(1)" : std::string(1, formula[i]);
+    }
+    return text;
+}
+
+}  // namespace
+
+DeckFamily getfem_family(const DeckModel& model, const DeckWishes& wishes) {
+    if (model.shape == DeckModel::Shape::half || model.mu > 0)
+        throw contact::InputError(
+            "deck: the deck for GetFEM is axisymmetric or plane and frictionless; take calculix");
+    const std::string element = wishes.elements.empty() ? "Q2" : wishes.elements;
+    if (element != "Q1" && element != "Q2")
+        throw contact::InputError("deck: elements " + element +
+                                  " are none of GetFEM's deck; choose of Q2, Q1");
+    const bool is_plane = model.shape == DeckModel::Shape::plane, is_force = model.last().is_force;
+    DeckFamily family;
+    family.code = "GetFEM 5.4.2";
+    family.elements = element;
+    family.method = "augmented-lagrangian";
+    family.kinematics = "undeformed";
+
+    for (int level = 0; level < (wishes.levels > 0 ? wishes.levels : 4); ++level) {
+        const DeckLines lines = deck_lines(model, 4, level);
+        std::vector<double> heights;
+        for (auto depth = lines.depth.rbegin(); depth != lines.depth.rend(); ++depth)
+            heights.push_back(0 - *depth);
+        DeckRun& run = family.runs.emplace_back();
+        run.n = 4 << level;
+        run.size = model.a / run.n;
+        const std::string job = fmt::format("{}_n{}", model.name, run.n);
+        const std::string depth =
+            is_force
+                ? fmt::format(
+                      "md.add_variable('depth', 1)   # [mm], found\nmd.set_variable('depth', {})",
+                      number(model.depth_scale))
+                : fmt::format("md.add_initialized_data('depth', {})   # [mm]",
+                              number(model.last().normal));
+        const std::string load =
+            is_force ? fmt::format(
+                           "md.add_nonlinear_term(mim, f'@weight@*{{push}}*Test_depth', TOP)\n"
+                           "md.add_explicit_rhs('depth', [{}])   # F_N{}\n",
+                           number(model.last().normal / (is_plane ? 2 : 1)), is_plane ? "/2" : "")
+                     : "";
+        run.files.push_back(
+            {job + ".py",
+             filled(getfem_template,
+                    {{"load", load},
+                     {"depth", depth},
+                     {"name", model.name},
+                     {"n", std::to_string(run.n)},
+                     {"a", number(model.a)},
+                     {"job", job},
+                     {"young", number(model.young)},
+                     {"poisson", number(model.poisson)},
+                     {"augmentation", number(2 * model.stiffness)},
+                     {"gap", in_getfem(model.gap)},
+                     {"x", number_list(lines.x)},
+                     {"z", number_list(heights)},
+                     {"element", element},
+                     {"degree", element.substr(1)},
+                     {"weight", is_plane ? "1" : "2*pi*X(1)"},
+                     {"elastic", is_plane ? getfem_plane : getfem_axisymmetric},
+                     {"share", is_plane ? "2*" : ""},
+                     {"code", family.code},
+                     {"force_unit", is_plane ? "N/mm" : "N"},
+                     {"size", number(run.size)},
+                     {"column", is_plane ? "x" : "r"},
+                     {"reach", number(model.contact_reach * (1 + 1e-9))},
+                     {"middle", element == "Q1"
+                                    ? ""
+                                    : "x = np.sort(np.concatenate([x, (x[1:] + x[:-1])/2]))\n"}})});
+        run.command = "/usr/bin/python3 " + job + ".py";
+        run.field = job + ".csv";
+    }
+    return family;
+}
+
+}  // namespace tricontact::benchmarks

@@ -1,0 +1,200 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+
+#include "benchmarks/decks/contact_mesh.h"
+#include "benchmarks/decks/deck_family.h"
+#include "benchmarks/decks/inp_text.h"
+#include "contact/base/error.h"
+
+namespace tricontact::benchmarks {
+
+namespace {
+
+struct InpElement {
+    const char* name;
+    DeckModel::Shape shape;
+    bool is_quadratic;
+};
+// The first of each shape is the usual one.
+constexpr InpElement inp_elements[]{
+    {"CAX8R", DeckModel::Shape::axisymmetric, true}, {"CAX8", DeckModel::Shape::axisymmetric, true},
+    {"CAX4", DeckModel::Shape::axisymmetric, false}, {"CPE8R", DeckModel::Shape::plane, true},
+    {"CPE8", DeckModel::Shape::plane, true},         {"CPE4", DeckModel::Shape::plane, false},
+    {"C3D20R", DeckModel::Shape::half, true},        {"C3D20", DeckModel::Shape::half, true},
+    {"C3D8", DeckModel::Shape::half, false}};
+
+const InpElement& inp_element(const DeckModel& model, const std::string& wish) {
+    std::string names;
+    for (const InpElement& element : inp_elements) {
+        if (element.shape != model.shape) continue;
+        if (wish.empty() || wish == element.name) return element;
+        names += (names.empty() ? "" : ", ") + std::string(element.name);
+    }
+    throw contact::InputError("deck: elements " + wish + " are none of this deck; choose of " +
+                              names);
+}
+
+using Out = std::back_insert_iterator<std::string>;
+
+void write_contact(Out out, const DeckModel& model) {
+    fmt::format_to(out, "*SURFACE INTERACTION, NAME=CONTACT\n");
+    fmt::format_to(out, "*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=LINEAR\n{:.9g}\n",
+                   model.stiffness);
+    if (model.mu > 0) {
+        fmt::format_to(out, "*FRICTION\n{:.9g}, {:.9g}\n", model.mu, model.stick_slope);
+    }
+    fmt::format_to(out,
+                   "*CONTACT PAIR, INTERACTION=CONTACT, TYPE=SURFACE TO SURFACE\nSLAYER, SIND\n");
+}
+
+void write_abaqus_contact(Out out, const DeckModel& model) {
+    fmt::format_to(out, "*SURFACE INTERACTION, NAME=CONTACT\n1.\n");
+    fmt::format_to(out, "*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=LINEAR\n{:.9g}\n",
+                   model.stiffness);
+    if (model.mu > 0)
+        // Abaqus bounds the elastic slip: mu p0 over the stick slope.
+        fmt::format_to(out, "*FRICTION, ELASTIC SLIP={:.6g}\n{:.9g}\n",
+                       model.mu * model.stiffness * model.depth_scale / 216 / model.stick_slope,
+                       model.mu);
+    fmt::format_to(out,
+                   "*CONTACT PAIR, INTERACTION=CONTACT, TYPE=SURFACE TO SURFACE\nSLAYER, SIND\n");
+}
+
+// All nodes of the indenter move along a loaded direction as NDEPTH does.
+void write_followers(std::string& text, const DeckModel& model, const DeckMesh& mesh) {
+    const auto found = mesh.node_sets.find("NDEPTH");
+    if (found == mesh.node_sets.end()) return;
+    const int leader = found->second.front(), up = model.shape == DeckModel::Shape::half ? 3 : 2;
+    text += "*EQUATION\n";
+    for (const int direction : {1, up}) {
+        if (direction == 1 ? !model.has_tangential_force() : !model.has_force()) continue;
+        for (const int node : mesh.node_sets.at("NIND"))
+            if (node != leader)
+                fmt::format_to(std::back_inserter(text), "2\n{},{},1.,{},{},-1.\n", node + 1,
+                               direction, leader + 1, direction);
+    }
+}
+
+void write_supports(Out out, const DeckModel& model) {
+    const bool is_spatial = model.shape == DeckModel::Shape::half;
+    fmt::format_to(out, "*BOUNDARY\nNBASE, 1, {}\n", is_spatial ? 3 : 2);
+    if (is_spatial)
+        fmt::format_to(out, "NSYM, 2, 2\n");
+    else if (!model.is_shifted())
+        fmt::format_to(out, "NAXIS, 1, 1\n");
+}
+
+// What is written at the end of a step.
+void write_output(Out out, bool is_abaqus, bool has_depth_node) {
+    if (is_abaqus) {
+        fmt::format_to(out,
+                       "*NODE PRINT, NSET=NIND, FREQUENCY=99999, TOTALS=YES, SUMMARY=NO\nRF\n"
+                       "*NODE PRINT, NSET=NBASE, FREQUENCY=99999, TOTALS=YES, SUMMARY=NO\nRF\n"
+                       "*CONTACT PRINT, SLAVE=SLAYER, MASTER=SIND, FREQUENCY=99999\n"
+                       "CPRESS, CSHEAR1, CSHEAR2, COPEN\n"
+                       "*OUTPUT, FIELD, FREQUENCY=99999\n*NODE OUTPUT\nU, RF\n"
+                       "*ELEMENT OUTPUT\nS\n*CONTACT OUTPUT\nCSTRESS, CDISP, CFORCE\n");
+        return;
+    }
+    fmt::format_to(out,
+                   "*NODE PRINT, NSET=NIND, TOTALS=ONLY, FREQUENCY=99999\nRF\n"
+                   "*NODE PRINT, NSET=NBASE, TOTALS=ONLY, FREQUENCY=99999\nRF\n");
+    if (has_depth_node) fmt::format_to(out, "*NODE PRINT, NSET=NDEPTH, FREQUENCY=99999\nU\n");
+    // OUTPUT=3D: else contact values of plane elements stand at nodes that the file has not.
+    fmt::format_to(out,
+                   "*NODE FILE, OUTPUT=3D, FREQUENCY=99999\nU, RF\n"
+                   "*EL FILE, OUTPUT=3D, FREQUENCY=99999\nS\n"
+                   "*CONTACT FILE, FREQUENCY=99999\nCDIS, CSTR\n");
+}
+
+// Normal and tangential control of a step: displacements of all nodes of the indenter, or of the
+// node NDEPTH that they follow, or forces on those.
+void write_control(Out out, const DeckModel& model, const DeckStep& step, bool is_first) {
+    const int up = model.shape == DeckModel::Shape::half ? 3 : 2;
+    std::string loads;
+    fmt::format_to(out, "*BOUNDARY\n");
+    if (up == 3) fmt::format_to(out, "NIND, 2, 2\n");
+    const char* shifted = model.has_tangential_force() ? "NDEPTH" : "NIND";
+    if (step.is_tangential_force)
+        loads += fmt::format("NDEPTH, 1, {:.9g}\n", model.share() * step.shift);
+    else
+        fmt::format_to(out, "{}, 1, 1, {:.9g}\n", shifted, step.shift);
+    if (step.is_force)
+        loads += fmt::format("NDEPTH, {}, {:.9g}\n", up, -model.share() * step.normal);
+    else
+        fmt::format_to(out, "{}, {}, {}, {:.9g}\n", model.has_force() ? "NDEPTH" : "NIND", up, up,
+                       -step.normal);
+    if (!loads.empty()) fmt::format_to(out, "*CLOAD{}\n{}", is_first ? "" : ", OP=NEW", loads);
+}
+
+void write_steps(Out out, const DeckModel& model, bool is_abaqus) {
+    for (std::size_t i = 0; i < model.steps.size(); ++i) {
+        const DeckStep& step = model.steps[i];
+        fmt::format_to(out, "** step {}: {} {:.9g}, {} {:.9g}\n", i + 1,
+                       step.is_force ? "force" : "depth", step.normal,
+                       step.is_tangential_force ? "tangential force" : "shift", step.shift);
+        // A frictionless contact is pressed in five increments too: it converges more surely.
+        const int increments = std::max(step.increments, i == 0 ? 5 : 1);
+        fmt::format_to(out, "*STEP, INC=1000{}\n*STATIC\n{:.9g}, 1., 1e-6, {:.9g}\n",
+                       is_abaqus ? ", NLGEOM=NO" : "", 1. / increments, 1. / increments);
+        write_control(out, model, step, i == 0);
+        write_output(out, is_abaqus, model.has_force());
+        fmt::format_to(out, "*END STEP\n");
+    }
+}
+
+std::string inp_text(const DeckModel& model, const InpElement& element, int n, int level,
+                     bool is_abaqus) {
+    DeckMesh mesh = block_mesh(model, n, level, element.is_quadratic);
+    add_indenter(mesh, model, n, level);
+    volume_of(mesh, 0, mesh.n_elements());
+    std::string text;
+    const Out out = std::back_inserter(text);
+    fmt::format_to(out, "*HEADING\n{}, {} elements in the contact radius {:.9g} mm; mm, N, MPa\n",
+                   model.name, n << level, model.a);
+    write_inp_mesh(text, mesh, element.name);
+    const bool is_plane = model.shape == DeckModel::Shape::plane;
+    fmt::format_to(out, "*MATERIAL, NAME=BODY\n*ELASTIC\n{:.12g}, {:.12g}\n", model.young,
+                   model.poisson);
+    fmt::format_to(out, "*MATERIAL, NAME=INDENTER\n*ELASTIC\n{:.12g}, 0.3\n", 1e3 * model.young);
+    const char* section = is_plane ? "1.\n" : "";
+    fmt::format_to(out, "*SOLID SECTION, ELSET=EBODY, MATERIAL=BODY\n{}", section);
+    fmt::format_to(out, "*SOLID SECTION, ELSET=EIND, MATERIAL=INDENTER\n{}", section);
+    is_abaqus ? write_abaqus_contact(out, model) : write_contact(out, model);
+    write_followers(text, model, mesh);
+    write_supports(out, model);
+    write_steps(out, model, is_abaqus);
+    return text;
+}
+
+}  // namespace
+
+DeckFamily inp_family(const DeckModel& model, const DeckWishes& wishes, bool is_abaqus) {
+    const InpElement& element = inp_element(model, wishes.elements);
+    DeckFamily family;
+    family.code = is_abaqus ? "Abaqus" : "CalculiX 2.20";
+    family.elements = element.name;
+    family.method = "penalty";
+    family.kinematics = "displaced";
+    family.has_stiffness = true;
+    const bool is_spatial = model.shape == DeckModel::Shape::half;
+    const int coarsest = is_spatial ? 2 : 4, levels = wishes.levels > 0 ? wishes.levels
+                                                      : is_spatial      ? 3
+                                                                        : 4;
+    for (int level = 0; level < levels; ++level) {
+        DeckRun& run = family.runs.emplace_back();
+        run.n = coarsest << level;
+        run.size = model.a / run.n;
+        const std::string job = fmt::format("{}_n{}", model.name, run.n);
+        run.files.push_back({job + ".inp", inp_text(model, element, coarsest, level, is_abaqus)});
+        run.command = is_abaqus ? "abaqus interactive job=" + job : "ccx " + job;
+        run.field = job + (is_abaqus ? ".csv" : ".frd");
+        run.set = is_abaqus ? "" : "BODY";
+        run.totals = is_abaqus ? "" : job + ".dat";
+    }
+    return family;
+}
+
+}  // namespace tricontact::benchmarks

@@ -1,0 +1,114 @@
+#include "benchmarks/reference/reference_kinds.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "bem/settings.h"
+#include "comparisons/half_space/layer.h"
+#include "contact/base/error.h"
+#include "contact/half_space_scales.h"
+#include "contact/load_path.h"
+#include "contact/substrates/normal_tangential.h"
+
+namespace tricontact::benchmarks {
+
+namespace {
+
+using contact::Case;
+using contact::NormalControl;
+
+[[noreturn]] void refuse(const std::string& assumption, const std::string& remedy) {
+    throw contact::InputError("reference: " + assumption + "; " + remedy);
+}
+
+bool is_tangential(const contact::PrescribedPath::Row& row) {
+    return row.rotation != 0 || row.offset != contact::Vector2{} ||
+           std::ranges::any_of(row.tangential, [](const auto& t) { return t.value != 0; });
+}
+
+bool has_friction_law(const Case& c) {
+    return c.friction.law()->ratio_at(1) > 0;
+}
+
+}  // namespace
+
+bool is_pressed_only(const Case& c) {
+    if (c.rolling) return false;
+    if (c.prescribed_path) return std::ranges::none_of(c.prescribed_path->rows, is_tangential);
+    return !c.load.is_by_limit() && c.load.tangential_force.value_or(0) == 0 &&
+           c.load.tangential_ratio.value_or(0) == 0;
+}
+
+void check_has_reference(const Case& c) {
+    if (c.law != Case::Law::linear)
+        refuse("small strains and linear elasticity are assumed, but the substrate is hyperelastic",
+               "take substrate.material = \"linear\", or a run of fem as the reference");
+    if (c.relaxation)
+        refuse("an elastic substrate is assumed, but this one relaxes",
+               "remove [substrate.relaxation]");
+    if (c.indenter.roughness || contact::is_nominally_flat(c))
+        refuse("a smooth body with one contact is assumed, but the indenter is rough or a map",
+               "take a smooth indenter");
+    if (c.tractive_rolling)
+        refuse(
+            "a contact that stays in its place or rolls back and forth is assumed, but this one "
+            "rolls on",
+            "take tricontact run, or the closed forms of the catalogue");
+    if (c.period) refuse("one indenter is assumed, but the case repeats it", "remove bem.period");
+    if (c.of<bem::Settings>().influence)
+        refuse(
+            "the elasticity of the case's materials is assumed, but its coefficients come from "
+            "a file",
+            "remove bem.influence");
+}
+
+NormalControl final_normal(const Case& c) {
+    return c.prescribed_path ? c.prescribed_path->rows.back().normal
+                             : contact::press_step(c).normal;
+}
+
+Case pressed_alone(Case c, const NormalControl& control) {
+    const bool by_force = control.kind == NormalControl::Kind::force;
+    Case::Load load;
+    (by_force ? load.normal_force : load.indentation) = control.value;
+    load.tangential_ratio = 0;
+    load.press = Case::Press::frictionless;
+    c.load = load;
+    c.rolling.reset();
+    c.prescribed_path.reset();
+    c.contact.coupling = false;
+    return c;
+}
+
+bool is_uncoupled(const Case& c) {
+    if (!has_friction_law(c) || !c.contact.coupling) return true;
+    return !c.layer.thickness && !contact::half_spaces_couple(c.materials());
+}
+
+bool would_couple(Case c) {
+    c.contact.coupling = true;
+    return !is_uncoupled(c);
+}
+
+bool is_frictionless(const Case& c) {
+    if (!is_pressed_only(c)) return false;
+    return is_uncoupled(c) || (!c.prescribed_path && c.load.press == Case::Press::frictionless);
+}
+
+bool has_exact_radial_contact(const Case& c) {
+    if (c.is_cylindrical() || c.indenter.shape == Case::Shape::ellipsoid) return false;
+    return !c.layer.thickness || comparisons::why_no_exact_theory(c).empty();
+}
+
+bool has_exact_line_contact(const Case& c) {
+    return c.is_line_contact() &&
+           (!c.layer.thickness || comparisons::why_no_exact_theory(c).empty());
+}
+
+ReferenceValue central_difference(double step, double minus_2, double minus_1, double plus_1,
+                                  double plus_2) {
+    const double near = (plus_1 - minus_1) / (2 * step), far = (plus_2 - minus_2) / (4 * step);
+    return {.value = (4 * near - far) / 3, .grid = std::abs(near - far)};
+}
+
+}  // namespace tricontact::benchmarks
