@@ -225,6 +225,7 @@ class FrdParser {
 
     std::vector<MeshArray> arrays(FrdFile& file) const {
         std::vector<MeshArray> all;
+        std::vector<std::string> unused;
         for (const auto& [name, block] : blocks_) {
             const std::size_t n = block.components.size();
             if (block.time != last_time_) {
@@ -237,9 +238,10 @@ class FrdParser {
                 for (std::size_t k = 0; k < n; ++k)
                     all.push_back(array_of(block, block.components[k], k, 1, file));
             } else {
-                file.notes.push_back(name + " is not used");
+                unused.push_back(name);
             }
         }
+        if (!unused.empty()) file.notes.push_back("results not used: " + io::joined(unused));
         return all;
     }
 

@@ -133,7 +133,8 @@ TEST(FrdFile, PrintOfTheLastTimeIsRead) {
     EXPECT_NEAR(totals.at("normal_force").value, -totals.at(balancing_force).value, 1e-7);
     EXPECT_EQ(totals.at("normal_force").place, "a.dat:134, set NIND");
     EXPECT_GT(totals.at("stored_energy").value, 0);
-    EXPECT_GT(std::ranges::count(notes, "contact stress is not used"), 0);
+    ASSERT_EQ(notes.size(), 1U);
+    EXPECT_NE(notes[0].find("contact stress"), std::string::npos);
     EXPECT_TRUE(is_calculix_print(text_of("formats/calculix_CAX4_3d.dat")));
 }
 
