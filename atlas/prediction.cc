@@ -16,6 +16,7 @@
 #include "comparisons/quantities/left_out.h"
 #include "comparisons/quantities/quantities.h"
 #include "comparisons/quantities/reference.h"
+#include "comparisons/run/reading.h"
 #include "contact/base/error.h"
 #include "contact/half_space_scales.h"
 #include "contact/load_path.h"
@@ -68,6 +69,7 @@ class Predictor {
     Predictor(const Case& c, const std::string& model) : c_(c) {
         p_.model = model;
         p_.left_out = comparisons::left_out(c, model);
+        p_.limitations = comparisons::body_limitations(c, {model});
     }
 
     Prediction of_springs() {

@@ -16,6 +16,7 @@ nlohmann::ordered_json json_of(const Prediction& p) {
     json["rests_on"] = p.rests_on;
     json["gaps"] = p.gaps;
     json["left_out"] = p.left_out;
+    json["limitations"] = p.limitations;
     return json;
 }
 

@@ -16,6 +16,7 @@
 #include "contact/solvers/normal_solver.h"
 #include "mdr/bed.h"
 #include "mdr/line_surface.h"
+#include "mdr/settings.h"
 #include "theory/layer/layer_stack.h"
 
 // How many elements an MDR of the layer needs for a case.
@@ -193,8 +194,11 @@ contact::Surface LayerModel::surface() const {
         });
 }
 
-std::unique_ptr<contact::Model> make_layer_model(const contact::Case& c, int elements_per_radius,
-                                                 double coarsening) {
+std::unique_ptr<contact::Model> make_layer_model(const contact::Case& c) {
+    return make_layer_model(c, c.of<Settings>().elements_per_radius);
+}
+
+std::unique_ptr<contact::Model> make_layer_model(const contact::Case& c, int elements_per_radius) {
     held_layers_of(c);  // throws before anything else does
     // At the same depth the contact on a thin layer is at most some 2 (paraboloid) to 2.4 times
     // (cone) as wide as on the half-space: that of an incompressible layer, which keeps its volume.
@@ -205,10 +209,13 @@ std::unique_ptr<contact::Model> make_layer_model(const contact::Case& c, int ele
     const HalfWidths a = probe(c, *profile);
     const double path = contact::norm(contact::path_reach(c, a.mean));
     const double longest = LayerSprings::longest_element * *c.layer.thickness;
-    const double spacing = coarsening * std::min(a.mean / elements_per_radius, longest);
-    if (spacing > longest)
-        throw contact::InputError(
-            "mdr-layer: coarser elements would not resolve the layer's thickness");
+    constexpr double usual = Settings{}.elements_per_radius;
+    const double spacing = usual / elements_per_radius * std::min(a.mean / usual, longest);
+    if (spacing > (1 + 1e-12) * longest)  // rounding
+        throw contact::InputError(fmt::format(
+            "mdr-layer: {} elements in the contact radius would not resolve the layer's thickness; "
+            "increase mdr.elements_per_radius",
+            elements_per_radius));
     return std::make_unique<LayerModel>(springs_of(c, final_margin * a.largest + path, spacing),
                                         profile, c.friction.law(), contact::path_direction(c),
                                         contact::common_relaxation(contact::models::mdr_layer, c));

@@ -2,9 +2,12 @@
 
 namespace tricontact::mdr {
 
-/// Of a bed of independent springs. Kept with a case, see contact::Case::of().
+/// Of a line of springs. Kept with a case, see contact::Case::of().
 struct Settings {
-    int springs = 10000;  ///< over the whole bed, contact diameter plus rolling path
+    /// Of independent ones: over the whole bed, contact diameter plus rolling path.
+    int springs = 10000;
+    /// Of those that a layer couples: elements in the contact radius, more where the layer is thin.
+    int elements_per_radius = 100;
 };
 
 }  // namespace tricontact::mdr

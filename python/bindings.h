@@ -9,6 +9,7 @@ namespace tricontact::python {
 
 // Parts of the module tricontact._core, one per file.
 void add_atlas(pybind11::module_& module);
+void add_benchmark(pybind11::module_& module);
 void add_command(pybind11::module_& module);
 void add_case(pybind11::module_& module);
 void add_surface(pybind11::module_& module);

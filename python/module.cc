@@ -74,5 +74,6 @@ PYBIND11_MODULE(_core, module) {
     python::add_theory(module);
     python::add_atlas(module);
     python::add_walk(module);
+    python::add_benchmark(module);
     python::forbid_construction(module);
 }

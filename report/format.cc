@@ -67,6 +67,10 @@ Unit fitting_unit(double magnitude, const std::string& base) {
         const contact::UnitPrefix prefix = contact::fitting_prefix(kilogram * magnitude);
         return {prefix.factor / kilogram, std::string(prefix.symbol) + "g"};
     }
+    if (base == "m2") {  // the prefix is squared with the metre
+        const contact::UnitPrefix prefix = contact::fitting_prefix(std::sqrt(std::abs(magnitude)));
+        return {prefix.factor * prefix.factor, prefix.symbol + base};
+    }
     const contact::UnitPrefix prefix = contact::fitting_prefix(magnitude);
     return {prefix.factor, prefix.symbol + base};
 }

@@ -24,14 +24,21 @@ std::string driven_by(const Case& c, const RollingRun& run) {
     return fmt::format("driven by F_x = {} μ F_N", report::significant(f, 3));
 }
 
+/// With what cells leave in it, where that is known.
+std::string with_error(double value, const RollingRun& run, const char* key) {
+    const auto width = run.error ? run.error->of(key) : std::nullopt;
+    return width ? report::with_error(value, *width) : report::significant(value, 4);
+}
+
 std::string steady_sentence(const RollingReport& report, const RollingRun& run) {
     const Case& c = report.c;
     const auto& s = run.history.steady;
     std::string text = fmt::format("{}, {}: ", report::display_name(run.model), driven_by(c, run));
     text += by_creepage(c)
-                ? fmt::format("F_x = {} μ F_N",
-                              report::significant(force_ratio(s, c.friction_coefficient()), 4))
-                : fmt::format("ξ = {}", report::significant(s.creepage.longitudinal, 4));
+                ? fmt::format("F_x = {} μ F_N", with_error(force_ratio(s, c.friction_coefficient()),
+                                                           run, "force_ratio"))
+                : fmt::format("ξ = {}",
+                              with_error(s.creepage.longitudinal, run, "longitudinal_creepage"));
     text += fmt::format(", {} % of the contact sticks",
                         report::significant(100 * s.stick_area / s.contact_area, 3));
     if (const auto way = steady_after(report, run))

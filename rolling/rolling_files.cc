@@ -51,6 +51,13 @@ Json row_json(const RollingState& s) {
     return row;
 }
 
+Json error_json(const std::optional<SteadyError>& error) {
+    if (!error) return nullptr;
+    return {{"half_widths", error->half_widths},
+            {"exact", error->exact},
+            {"why_none", error->why_none.empty() ? Json() : Json(error->why_none)}};
+}
+
 Json run_json(const RollingReport& report, const RollingRun& run) {
     const double mu = report.c.friction_coefficient();
     const auto point = [&](const RollingState& s) -> Json {
@@ -59,6 +66,7 @@ Json run_json(const RollingReport& report, const RollingRun& run) {
     };
     return {{"model", run.model},
             {"steady", state_json(run.history.steady, mu)},
+            {"numerical_error", error_json(run.error)},
             {"rolled_steps", run.history.transient.size() - 1},
             {"steady_after", steady_after(report, run)},
             {"creep_curve", report::list_of(run.creep_curve, point)}};

@@ -7,6 +7,7 @@
 
 #include "contact/case.h"
 #include "rolling/rolling_contact.h"
+#include "rolling/steady_error.h"
 
 namespace tricontact::rolling {
 
@@ -27,6 +28,7 @@ struct RollingRun {
     RollingHistory history;
     std::vector<CentreLine> lines;          ///< from rest on; the last one is steady
     std::vector<RollingState> creep_curve;  ///< steady, by growing longitudinal creepage
+    std::optional<SteadyError> error = {};  ///< of the steady state; empty: not asked for
 };
 
 /// A run of all models and where it came from.

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "comparisons/resolution/fineness.h"
 #include "contact/base/stopped.h"
 #include "contact/load_path.h"
 #include "contact/models/model_kind.h"
@@ -98,6 +99,7 @@ std::optional<NumericalError> numerical_error(const Case& c, const contact::Hist
     error.why_none = contact::why_it_stopped([&] {
         coarser = makers.make_coarser(name, loaded, 2, n_threads, silent);
         error.coarser = resolved(coarser.c, *coarser.model);
+        error.cell = comparisons::cell_size(coarser.c, contact::model_kind(name)) / 2;
     });
     if (!error.why_none.empty()) return error;
     error.why_no_steps = contact::why_it_stopped([&] {

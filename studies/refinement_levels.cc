@@ -12,6 +12,7 @@
 #include "fem/settings.h"
 #include "io/case/case_reader.h"
 #include "io/case/rolling_on.h"
+#include "mdr/settings.h"
 
 namespace tricontact::studies {
 
@@ -31,6 +32,14 @@ Case coarsest_case(Case c, const contact::ModelKind& kind, const RefineOptions& 
                        "instead");
     if (!elements.size) elements.size = 2 * options.makers->block_of(c, say).size;
     return c;
+}
+
+/// "fem.size = 0.5 mm", "mdr.springs = 14141".
+std::string what_is_set(const Case& c, const contact::ModelKind& kind, double size) {
+    if (!kind.is_on_line()) return fmt::format("{} = {:.4g} mm", kind.resolution, 1e3 * size);
+    const auto& line = c.of<mdr::Settings>();
+    return fmt::format("{} = {}", kind.resolution,
+                       kind.is_independent() ? line.springs : line.elements_per_radius);
 }
 
 /// The case for the model alone.
@@ -86,12 +95,13 @@ RefinementPlan plan_refinement(const RefineOptions& options, const Say& say) {
     plan.key = kind.resolution;
     for (int k = 0; k < options.levels; ++k) {
         const double ratio = std::pow(2., -k / 2.);
-        const double size = (kind.is_meshed() ? *start.of<fem::Settings>().size
-                                              : *start.of<contact::Cells>().spacing) *
-                            ratio;
-        plan.levels.push_back(make_level(
-            c, fmt::format("level_{}", k), fmt::format("{} = {:.4g} mm", plan.key, 1e3 * size),
-            size, comparisons::level_keys(start, kind, {.coarser = ratio}), options));
+        const comparisons::Fineness by{.coarser = ratio};
+        Case changed = start;
+        comparisons::change_resolution(changed, kind, by);
+        const double size = comparisons::cell_size(changed, kind);
+        plan.levels.push_back(make_level(c, fmt::format("level_{}", k),
+                                         what_is_set(changed, kind, size), size,
+                                         comparisons::level_keys(start, kind, by), options));
     }
     if (kind.sees_sides)
         plan.wide = wider(plan.levels[plan.levels.size() - 2], plan.wide_factor, options, say);

@@ -27,6 +27,8 @@ std::string text_of(const Prediction& p) {
     if (p.state != contact::State::undecided)
         text += fmt::format(": {}", contact::name_of(p.state));
     text += '\n';
+    // Before any number: a half-space is not taken for the case's layer.
+    for (const std::string& sentence : p.limitations) text += "  " + sentence + '\n';
     for (const auto& [quantity, value] : p.entries) {
         const bool is_exact = value.error == 0;
         text += fmt::format("  {:<44} {}{}\n", comparisons::label_of(*quantity),

@@ -84,7 +84,7 @@ class LevelKind : public studies::PointKind {
 std::optional<comparisons::PressedValues> theory_of(const Case& c, bool layer) {
     if (!layer) {
         const bool exact = c.indenter.shape == Case::Shape::paraboloid ||
-                           c.indenter.shape == Case::Shape::power_law;
+                           c.indenter.shape == Case::Shape::power_law || c.is_line_contact();
         if (exact && contact::pressure_falls(c) && !contact::has_conical_tip(c))
             return comparisons::hertz_values(c);
         return {};
@@ -220,6 +220,18 @@ void refine_case(studies::RefineOptions options) {
 
 }  // namespace
 
+namespace {
+
+/// The most complete first.
+std::vector<std::string> refinable_models() {
+    std::vector<std::string> models;
+    for (const contact::ModelKind& kind : contact::model_kinds())
+        if (*kind.resolution) models.insert(models.begin(), kind.name);
+    return models;
+}
+
+}  // namespace
+
 Command refine_command() {
     return Declared<studies::RefineOptions>(Group::trust, "refine",
                                             "Run a case on finer and finer meshes: its errors",
@@ -227,7 +239,7 @@ Command refine_command() {
         .on_case()
         .number("--levels", &studies::RefineOptions::levels, "Number of levels (3)", 3, 8)
         .word("--model", &studies::RefineOptions::model, "Model to be refined (fem)",
-              {contact::models::fem, contact::models::bem_layer, contact::models::bem})
+              refinable_models())
         .output("Folder (results/<case>_refined)")
         .exports()
         .threads()

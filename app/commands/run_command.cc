@@ -6,10 +6,12 @@
 #include "app/commands/run_kinds.h"
 #include "atlas/run_section.h"
 #include "bem/model.h"
+#include "comparisons/differences/surface_difference.h"
 #include "comparisons/quantities/left_out.h"
 #include "comparisons/quantities/results.h"
 #include "comparisons/run/input_reading.h"
 #include "contact/verdict.h"
+#include "io/results/output.h"
 #include "io/results/vtk_files.h"
 #include "report/format.h"
 #include "walking/input/walk_reader.h"
@@ -21,6 +23,8 @@ namespace {
 io::OutputNames run_outputs(const std::vector<std::string>& models) {
     io::OutputNames names{{resolved_case_name, "summary.json", "report.html", "plots/"},
                           {io::paraview_macro_name}};
+    for (const std::string& name : comparisons::difference_files(models))
+        names.results.push_back(name);
     for (const std::string& model : models)
         for (const std::string& name : runs::model_results)
             names.results.push_back(model + '/' + name);
@@ -48,7 +52,17 @@ runs::CaseRun compute(const Case& c, const runs::RunOptions& options) {
     run.extras.films = std::move(films);
     options.write("summary.json", runs::summary_of(run));
     options.write(io::paraview_macro_name, io::paraview_macro(options.output));
+    const auto differences = comparisons::model_differences(run.histories);
+    const io::Provenance provenance{files::version,
+                                    std::string("tricontact run ") + resolved_case_name};
+    if (c.of<io::Output>().vtk != io::Output::Vtk::none)
+        for (const auto& one : differences)
+            options.write(comparisons::difference_file(one.name_a, one.name_b),
+                          comparisons::difference_vtk(one, provenance).bytes);
     if (!options.report) return run;
+    if (auto section =
+            comparisons::difference_section(differences, run.histories, run.extras.numerical))
+        run.extras.sections.push_back(std::move(*section));
     if (auto section = atlas::place_in_maps(c, all_results(run)))
         run.extras.sections.push_back(std::move(*section));
     runs::write_run_report(run, options);

@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -6,7 +8,9 @@
 #include "app/commands/run_kinds.h"
 #include "app/models/roll_models.h"
 #include "comparisons/quantities/left_out.h"
+#include "comparisons/resolution/fineness.h"
 #include "comparisons/run/input_reading.h"
+#include "contact/base/stopped.h"
 #include "contact/models/model_kind.h"
 #include "io/results/output.h"
 #include "io/results/progress.h"
@@ -100,6 +104,30 @@ rolling::RollingRun roll_model(const std::string& model, const Case& c,
     return run;
 }
 
+/// The steady state on cells, or springs, so many times as large.
+rolling::RollingState coarser_steady(const std::string& model, const Case& c, double factor,
+                                     const RunCommandOptions& options) {
+    Case coarser = c;
+    comparisons::change_resolution(coarser, contact::model_kind(model), {.coarser = factor});
+    return roll(model, coarser, {.points = 0, .threads = options.threads}).history.steady;
+}
+
+/// What cells leave in a model's steady state. The run is none the worse for what stops these.
+rolling::SteadyError error_of(const std::string& model, const Case& c,
+                              const rolling::RollingState& steady,
+                              const RunCommandOptions& options) {
+    options.say(fmt::format("{}: once more on coarser cells", model));
+    rolling::RollingState coarser;
+    const std::string why =
+        contact::why_it_stopped([&] { coarser = coarser_steady(model, c, 2, options); });
+    if (!why.empty()) return {.why_none = why};
+    std::optional<rolling::RollingState> coarsest;
+    contact::why_it_stopped([&] { coarsest = coarser_steady(model, c, 4, options); });
+    return rolling::steady_error(c, model, steady, coarser, coarsest,
+                                 options.makers->solver_tolerance(model, c),
+                                 comparisons::cell_size(c, contact::model_kind(model)));
+}
+
 std::vector<std::pair<std::string, std::string>> files_of(const Case& c) {
     std::vector<std::pair<std::string, std::string>> files{{"all numbers", "summary.json"},
                                                            {"creep curves", "creep.csv"}};
@@ -126,7 +154,11 @@ void roll_models(const Case& c, const RunCommandOptions& options) {
     const std::string resolved = io::write_case(c);
     options.write(resolved_case_name, resolved);
     RollingReport report{.c = c, .runs = {}, .files = files_of(c), .version = files::version};
-    for (const std::string& model : c.models) report.runs.push_back(roll_model(model, c, options));
+    for (const std::string& model : c.models) {
+        rolling::RollingRun run = roll_model(model, c, options);
+        if (options.studies) run.error = error_of(model, c, run.history.steady, options);
+        report.runs.push_back(std::move(run));
+    }
     write(report, resolved, options);
     options.out() << rolling::steady_text(report) << comparisons::left_out_lines(c, c.models);
 }

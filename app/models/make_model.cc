@@ -65,10 +65,6 @@ MeshBlock block_of([[maybe_unused]] const Case& c, [[maybe_unused]] const Say& s
 CoarserModel make_coarser_model(const std::string& name, const Case& c, double factor,
                                 int n_threads, const Say& say) {
     CoarserModel coarser{.c = c, .model = {}};
-    if (name == contact::models::mdr_layer) {
-        coarser.model = mdr::make_layer_model(c, mdr::usual_elements_per_radius, factor);
-        return coarser;
-    }
     const contact::ModelKind& kind = contact::model_kind(name);
     if (kind.is_meshed() && c.of<fem::Settings>().mesh)
         throw contact::InputError("the mesh is a file's; run another one beside it");

@@ -15,6 +15,7 @@
 #include "atlas/prediction.h"
 #include "atlas/shipped.h"
 #include "comparisons/quantities/quantities.h"
+#include "comparisons/run/reading.h"
 #include "contact/half_space_scales.h"
 #include "contact/models/model_kind.h"
 #include "report/chart_json.h"
@@ -100,6 +101,30 @@ Json maps_json(const Atlas& atlas) {
     return json;
 }
 
+/// What the columns of the page make of the case, and why its layer has none.
+std::vector<std::string> limits_of(const Case& c) {
+    std::vector<std::string> sentences = comparisons::body_limitations(
+        c, {contact::models::mdr, contact::models::bem, contact::models::bem_layer});
+    if (!c.layer.thickness) return sentences;
+    const std::string what = what_is_not_mapped(c, contact::models::bem_layer);
+    if (!what.empty())
+        sentences.insert(sentences.begin(), "No atlas is about " + what +
+                                                ": the marker stands for a half-space, not for "
+                                                "the layer of the case.");
+    return sentences;
+}
+
+kainjow::mustache::data limits(const std::optional<Case>& c) {
+    kainjow::mustache::data list{kainjow::mustache::data::type::list};
+    if (!c) return list;
+    for (const std::string& sentence : limits_of(*c)) {
+        kainjow::mustache::data item{kainjow::mustache::data::type::object};
+        item.set("sentence", sentence);
+        list << item;
+    }
+    return list;
+}
+
 kainjow::mustache::data origins() {
     kainjow::mustache::data list{kainjow::mustache::data::type::list};
     for (const std::string_view name : shown_names()) {
@@ -133,6 +158,7 @@ std::string atlas_page(const AtlasPage& page) {
     data.set("title", page.title);
     data.set("title_html", report::typeset(page.title));
     data.set("atlases", origins());
+    data.set("limits", limits(page.c));
     data.set("command", page.command);
     data.set("has_command", !page.command.empty());
     data.set("atlas", report::script_json(atlas_page_json(page)));

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "benchmarks/comparison/compared_numbers.h"
 #include "benchmarks/comparison/diagnoses.h"
@@ -13,12 +14,29 @@ namespace tricontact::benchmarks {
 
 namespace {
 
+/// The numbers that decide: resultants, paths and what has a tolerance of its own; where there is
+/// none of these, as of a field under a prescribed force, all that are no norms, else the load
+/// inside r.
+std::vector<const ComparedNumber*> deciding(const Comparison& c) {
+    std::vector<const ComparedNumber*> found;
+    const auto add = [&](const auto& decides) {
+        if (!found.empty()) return;
+        for (const ComparedNumber& n : c.numbers)
+            if (decides(n)) found.push_back(&n);
+    };
+    add([&](const ComparedNumber& n) { return is_decisive(n, c.submission.tolerances); });
+    add([](const ComparedNumber& n) { return !n.is_norm; });
+    add([](const ComparedNumber& n) { return n.key == "load_within"; });
+    return found;
+}
+
 /// Worst of those that decide: one that fails, then one that is not resolved.
 template <class StandingOf>
-Standing overall(const Comparison& c, const StandingOf& standing_of_number) {
+Standing overall(const std::vector<const ComparedNumber*>& numbers,
+                 const StandingOf& standing_of_number) {
     bool any = false, open = false;
-    for (const ComparedNumber& n : c.numbers) {
-        if (!is_decisive(n, c.submission.tolerances)) continue;
+    for (const ComparedNumber* number : numbers) {
+        const ComparedNumber& n = *number;
         any = true;
         if (standing_of_number(n) == Standing::fail) return Standing::fail;
         open = open || standing_of_number(n) == Standing::not_resolved;
@@ -74,12 +92,13 @@ Comparison compare(Submission submission, Reference reference) {
             "case leaves open");
     check_tolerances(c);
     diagnose(c, all, samples, family);
-    c.standing = overall(c, [](const ComparedNumber& n) { return n.standing; });
+    const auto decide = deciding(c);
+    c.standing = overall(decide, [](const ComparedNumber& n) { return n.standing; });
     c.unexplained_standing =
-        overall(c, [](const ComparedNumber& n) { return n.unexplained_standing; });
-    for (const ComparedNumber& n : c.numbers)
-        if (c.blame.empty() && is_decisive(n, c.submission.tolerances) && n.standing == c.standing)
-            c.blame = n.blame.empty() ? "" : n.title + ": " + n.blame;
+        overall(decide, [](const ComparedNumber& n) { return n.unexplained_standing; });
+    for (const ComparedNumber* n : decide)
+        if (c.blame.empty() && n->standing == c.standing && !n->blame.empty())
+            c.blame = n->title + ": " + n->blame;
     return c;
 }
 

@@ -102,8 +102,8 @@ bool is_resultant(const std::string& key) {
 }
 /// Those that go with the part that was modelled.
 bool is_extensive(const std::string& key) {
-    return is_resultant(key) || key == "balancing_force" || key == keys::stored_energy || key == keys::dissipation ||
-           key == keys::contact_area || key == keys::stick_area;
+    return is_resultant(key) || key == "balancing_force" || key == keys::stored_energy ||
+           key == keys::dissipation || key == keys::contact_area || key == keys::stick_area;
 }
 
 /// Length and other totals as they stand, resultants of the whole contact.

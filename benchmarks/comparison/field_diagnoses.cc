@@ -36,9 +36,10 @@ std::optional<Diagnosis> nodal_forces(const Evidence& e) {
 }
 
 std::optional<Diagnosis> part_of_contact(const Evidence& e) {
-    const Convention* share = convention(e, "share");
-    if (!share) return {};
-    return of_convention("share", *share, "nothing: forces were multiplied; state it to be sure");
+    for (const Convention& c : e.c.conventions)
+        if (c.id == "share" && c.choice.starts_with("the force given"))
+            return of_convention("share", c, "nothing: it was multiplied; state it to be sure");
+    return {};
 }
 
 std::optional<Diagnosis> units_found(const Evidence& e) {

@@ -33,6 +33,8 @@ constexpr std::array given_units{NamedFactor{"", 1}};
 constexpr double largest_misfit = 1.6, ambiguous = .12;
 // A heading that names pressures is not overruled by a slightly better fit as nodal forces.
 constexpr double against_heading = .7;
+// Agreement with the code's own force counts as this misfit to the reference.
+constexpr double beside_given = .5;
 // Shares are powers of two or far from 1; a code may be wrong by more than the field, not by half.
 constexpr double force_tolerance = .35, plainness = .1;
 
@@ -69,9 +71,24 @@ struct Scored {
     double score = 0;
 };
 
+/// Misfit of a resultant [N] to the force that the file gives, of whatever part of the contact;
+/// empty where it gives none. A code that is wrong is wrong in both: so its own force speaks for a
+/// reading, too, but less than the reference.
+std::optional<double> misfit_to_given(const WeightedField& field, double resultant,
+                                      const std::vector<NamedFactor>& shares) {
+    const auto& totals = field.laid_out->field->totals;
+    const auto given = totals.find(quantity_keys::normal_force);
+    if (given == totals.end() || given->second.value == 0) return {};
+    double least = largest_misfit;
+    for (const NamedFactor& share : shares)
+        least = std::min(least, std::abs(std::log(std::abs(given->second.value) * share.factor /
+                                                  std::abs(resultant))));
+    return least + beside_given;
+}
+
 /// Misfit of a reading over all meshes, the finest counting most.
-Scored scored(const std::vector<WeightedField>& fields, LoadReading reading, double cover,
-              double force, double peak) {
+Scored scored(const std::vector<WeightedField>& fields, LoadReading reading,
+              const std::vector<NamedFactor>& shares, double cover, double force, double peak) {
     double score = 0, weight = 0;
     for (std::size_t k = 0; k < fields.size(); ++k) {
         const Sums sums = sums_of(fields[k], reading.is_force);
@@ -81,8 +98,12 @@ Scored scored(const std::vector<WeightedField>& fields, LoadReading reading, dou
         if (reading.is_force) reading.peak_ratio *= reading.share / cover;
         reading.sign = sums.resultant < 0 ? -1 : 1;
         const double counts = static_cast<double>(k + 1);
-        score += counts * (std::abs(std::log(reading.resultant_ratio)) +
-                           .5 * std::abs(std::log(reading.peak_ratio)));
+        double misfit = std::abs(std::log(reading.resultant_ratio)) +
+                        .5 * std::abs(std::log(reading.peak_ratio));
+        if (const auto given =
+                misfit_to_given(fields[k], sums.resultant * reading.unit * whole, shares))
+            misfit = std::min(misfit, *given);
+        score += counts * misfit;
         weight += counts;
     }
     return {reading, score / weight};
@@ -167,7 +188,8 @@ LoadReading load_reading(const std::vector<WeightedField>& fields, const Contact
                 reading.unit_name = column.unit ? *column.unit : unit.name;
                 reading.share = share.factor;
                 reading.share_name = share.name;
-                Scored s = scored(fields, reading, reach.parts(), force->value, p0);
+                Scored s = scored(fields, reading, shares_of(reach, geometry), reach.parts(),
+                                  force->value, p0);
                 if (!said && is_force) s.score += against_heading;
                 all.push_back(s);
             }

@@ -95,12 +95,12 @@ double edge_slope(const Case& c, double radius) {
 
 class EffectsOfNeighbours {
   public:
-    EffectsOfNeighbours(Reference& reference, const contact::ModelRunner& runner,
+    EffectsOfNeighbours(Reference& reference, const Case& c, const contact::ModelRunner& runner,
                         const std::string& model)
         : reference_(reference),
           runner_(runner),
           model_(model),
-          case_(on_neighbours_cells(reference.c)),
+          case_(on_neighbours_cells(c)),
           length_(case_.is_line_contact() ? case_.indenter.length : 1),
           here_(end_state(runner, model, case_)) {}
 
@@ -143,13 +143,15 @@ class EffectsOfNeighbours {
         const double sign = by_force ? 1 : -1;
         effects.normal_compliance =
             times(n.slope(along, &EnvelopeIntegrals::pressure_squared), sign / 2);
+        if (!case_.is_line_contact() || case_.layer.thickness)
+            if (!reference_.find(keys::normal_stiffness))
+                reference_.values[keys::normal_stiffness] = with_source(n.slope(depth_of, force));
+        // A model that leaves coupling out does not know how pressure moves the surface.
+        if (!case_.contact.coupling && would_couple(case_)) return;
         effects.displaced_surface = times(n.slope(along, &EnvelopeIntegrals::work_of_slope), sign);
         effects.displaced_surface->model = second_order_of_slope *
                                            edge_slope(case_, reference_.contact_radius) *
                                            std::abs(effects.displaced_surface->value);
-        if (!case_.is_line_contact() || case_.layer.thickness)
-            if (!reference_.find(keys::normal_stiffness))
-                reference_.values[keys::normal_stiffness] = with_source(n.slope(depth_of, force));
     }
 
     void add_tangential() {
@@ -193,6 +195,14 @@ class EffectsOfNeighbours {
     EndState here_;
 };
 
+/// Without friction coupling changes no force, but tells how the surface moves along itself.
+Case with_displacements(Case c) {
+    if (c.contact.coupling || !is_frictionless(c) || c.prescribed_path) return c;
+    c.contact.coupling = true;
+    c.load.press = Case::Press::frictionless;
+    return c;
+}
+
 bool has_tractions(const Reference& reference, const EndState& finest) {
     const auto largest = [](const std::vector<double>& values) {
         double most = 0;
@@ -208,19 +218,21 @@ bool has_tractions(const Reference& reference, const EndState& finest) {
 }  // namespace
 
 void refer_computed(Reference& reference, const contact::ModelRunner& runner) {
-    const Case& c = reference.c;
+    const Case c = with_displacements(reference.c);
     const std::string model = c.layer.thickness ? contact::models::bem_layer : contact::models::bem;
     const std::vector<EndState> levels = end_states(runner, model, c);
     reference.models = {model};
-    reference.values = values_of_levels(c, levels, model);
+    reference.values = values_of_levels(reference.c, levels, model);
     reference.contact_radius = reference.values.at(keys::contact_radius).value;
     const auto fields = fields_of_levels(levels);
     reference.fields = fields;
     reference.has_tractions = has_tractions(reference, levels.back());
-    if (is_uncoupled(c) && has_exact_radial_contact(c)) take_radial_pressing(reference, fields);
-    if (is_uncoupled(c) && has_exact_line_contact(c)) take_line_pressing(reference, fields);
+    if (is_uncoupled(reference.c) && has_exact_radial_contact(c))
+        take_radial_pressing(reference, fields);
+    if (is_uncoupled(reference.c) && has_exact_line_contact(c))
+        take_line_pressing(reference, fields);
     take_closed_shearing(reference);
-    if (!c.rolling) EffectsOfNeighbours(reference, runner, model).add();
+    if (!c.rolling) EffectsOfNeighbours(reference, c, runner, model).add();
 }
 
 }  // namespace tricontact::benchmarks

@@ -59,7 +59,7 @@ void add_rolled(const Case& c, const EndState& end, std::map<std::string, double
     add(keys::static_shift, comparisons::quantities::static_shift);
     add(keys::settled_shift, comparisons::quantities::settled_shift);
     add(keys::shift_increment, comparisons::quantities::shift_increment);
-    add(keys::limit_tangential_ratio, comparisons::quantities::limit_tangential_ratio);
+    add(keys::shakedown_limit, comparisons::quantities::limit_tangential_ratio);
 }
 
 }  // namespace
@@ -82,7 +82,7 @@ EndState end_state(const contact::ModelRunner& runner, const std::string& model,
 
 Case on_coarser_cells(Case c, const std::string& model, double factor) {
     auto& cells = c.of<contact::Cells>();
-    const double least = c.rolling         ? rolling_cells
+    const double least = c.rolling         ? (is_uncoupled(c) ? rolling_cells : 0)
                          : is_uncoupled(c) ? uncoupled_cells
                                            : coupled_cells;
     if (!cells.spacing) cells.per_radius = std::max(cells.per_radius.value_or(0), least);

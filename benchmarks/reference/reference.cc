@@ -38,12 +38,6 @@ bool is_axisymmetric(const Case& c) {
     return is_pressed_only(c);
 }
 
-/// But for what the case leaves out.
-bool would_couple(Case c) {
-    c.contact.coupling = true;
-    return !is_uncoupled(c);
-}
-
 }  // namespace
 
 bool Reference::is_prescribed(const std::string& key) const {

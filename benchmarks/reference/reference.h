@@ -81,7 +81,7 @@ inline constexpr const char* tangential_stiffness = "tangential_stiffness";  ///
 inline constexpr const char* static_shift = "static_shift";        ///< U before rolling [m]
 inline constexpr const char* settled_shift = "settled_shift";      ///< U_sd after shakedown [m]
 inline constexpr const char* shift_increment = "shift_increment";  ///< per period, ratcheting [m]
-inline constexpr const char* limit_tangential_ratio = "limit_tangential_ratio";  ///< f_T,lim [-]
+inline constexpr const char* shakedown_limit = "shakedown_limit";  ///< f_T,lim [-]
 }  // namespace quantity_keys
 
 /// The best that this project knows of the end of a case's path.

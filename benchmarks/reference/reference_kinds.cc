@@ -85,6 +85,11 @@ bool is_uncoupled(const Case& c) {
     return !c.layer.thickness && !contact::half_spaces_couple(c.materials());
 }
 
+bool would_couple(Case c) {
+    c.contact.coupling = true;
+    return !is_uncoupled(c);
+}
+
 bool is_frictionless(const Case& c) {
     if (!is_pressed_only(c)) return false;
     return is_uncoupled(c) || (!c.prescribed_path && c.load.press == Case::Press::frictionless);

@@ -23,6 +23,8 @@ bool is_frictionless(const contact::Case& c);
 bool is_pressed_only(const contact::Case& c);
 /// The normal contact does not depend on friction: no coupling, or no friction.
 bool is_uncoupled(const contact::Case& c);
+/// Friction would change the pressing, did the case not leave coupling out.
+bool would_couple(contact::Case c);
 /// A rigid body of revolution on one layer with a rigid ground, or any on a half-space.
 bool has_exact_radial_contact(const contact::Case& c);
 

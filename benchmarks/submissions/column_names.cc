@@ -131,12 +131,11 @@ void add_tractions(Names& names) {
         {"tau", "q", "shearstress", "tangentialtraction", "tangentialstress", "sheartraction"},
         traction_x);
     names.erase("tr");
-    names.erase("sheary1");
 }
 
 void add_forces(Names& names) {
     constexpr std::array all{force_x, force_y, force_z};
-    add_vector(names, {"f", "force", "forc", "rf", "reaction", "reactionforce"}, all);
+    add_vector(names, {"f", "force", "forc"}, all);
     add_vector(names, {"nodalforce", "contactforce", "cforce", "cforc", "contactnodalforce"}, all,
                true);
     add(names, {"fn", "normalforce", "forcen", "forcenormal", "nodalforce"}, force_normal);

@@ -110,6 +110,11 @@ void add_columns(MeshField& field, std::vector<RawColumn> columns, const std::st
             note(one.raw.heading, "not used");
             continue;
         }
+        for (std::size_t row = 0; row < one.raw.values.size(); ++row)
+            if (!std::isfinite(one.raw.values[row]))
+                io::fail(place, "column " + quoted(one.raw.heading),
+                         "value " + std::to_string(row + 1) + " is not a finite number",
+                         "write zeros where there is no contact");
         const bool has_unit = one.raw.unit || dimensions_of(one.meaning).empty();
         note(one.raw.heading, "read as " + std::string(name_of(one.meaning)) +
                                   (has_unit ? "" : ", as written: it has no unit"));

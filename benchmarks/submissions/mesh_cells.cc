@@ -5,6 +5,7 @@
 #include <numeric>
 #include <span>
 
+#include "benchmarks/submissions/cell_shapes.h"
 #include "contact/base/error.h"
 
 namespace tricontact::benchmarks {
@@ -12,105 +13,6 @@ namespace tricontact::benchmarks {
 namespace {
 
 using Vector = std::array<double, 3>;
-
-/// Faces by their corners, and edges, whose order is that of the middle nodes.
-struct Shape {
-    int dimension = -1, n_corners = 0;
-    std::vector<std::vector<int>> faces;
-    std::vector<std::array<int, 2>> edges;
-};
-
-const Shape tetrahedron_shape{3,
-                              4,
-                              {{0, 1, 3}, {1, 2, 3}, {2, 0, 3}, {0, 2, 1}},
-                              {{0, 1}, {1, 2}, {2, 0}, {0, 3}, {1, 3}, {2, 3}}};
-const Shape hexahedron_shape{
-    3,
-    8,
-    {{0, 4, 7, 3}, {1, 2, 6, 5}, {0, 1, 5, 4}, {3, 7, 6, 2}, {0, 3, 2, 1}, {4, 5, 6, 7}},
-    {{0, 1},
-     {1, 2},
-     {2, 3},
-     {3, 0},
-     {4, 5},
-     {5, 6},
-     {6, 7},
-     {7, 4},
-     {0, 4},
-     {1, 5},
-     {2, 6},
-     {3, 7}}};
-const Shape voxel_shape{
-    3, 8, {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}}, {}};
-const Shape wedge_shape{3,
-                        6,
-                        {{0, 1, 2}, {3, 5, 4}, {0, 3, 4, 1}, {1, 4, 5, 2}, {2, 5, 3, 0}},
-                        {{0, 1}, {1, 2}, {2, 0}, {3, 4}, {4, 5}, {5, 3}, {0, 3}, {1, 4}, {2, 5}}};
-const Shape pyramid_shape{3,
-                          5,
-                          {{0, 3, 2, 1}, {0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}},
-                          {{0, 1}, {1, 2}, {2, 3}, {3, 0}, {0, 4}, {1, 4}, {2, 4}, {3, 4}}};
-const Shape triangle_shape{2, 3, {{0, 1}, {1, 2}, {2, 0}}, {{0, 1}, {1, 2}, {2, 0}}};
-const Shape quadrilateral_shape{
-    2, 4, {{0, 1}, {1, 2}, {2, 3}, {3, 0}}, {{0, 1}, {1, 2}, {2, 3}, {3, 0}}};
-const Shape pixel_shape{2, 4, {{0, 1}, {1, 3}, {3, 2}, {2, 0}}, {}};
-const Shape line_shape{1, 2, {}, {}};
-const Shape point_shape{0, 1, {}, {}};
-const Shape unread_shape{};
-
-/// Numbers of vtkCellType.h; of Lagrange cells the corners.
-const Shape& shape_of(std::uint8_t type) {
-    switch (type) {
-        case 1:
-        case 2:
-            return point_shape;
-        case 3:
-        case 4:
-        case 21:
-        case 68:
-            return line_shape;
-        case 5:
-        case 22:
-        case 34:
-        case 69:
-            return triangle_shape;
-        case 7:
-        case 6:
-        case 9:
-        case 23:
-        case 28:
-        case 70:
-            return quadrilateral_shape;
-        case 8:
-            return pixel_shape;
-        case 10:
-        case 24:
-        case 71:
-            return tetrahedron_shape;
-        case 11:
-            return voxel_shape;
-        case 12:
-        case 25:
-        case 29:
-        case 33:
-        case 72:
-            return hexahedron_shape;
-        case 13:
-        case 26:
-        case 32:
-        case 73:
-            return wedge_shape;
-        case 14:
-        case 27:
-            return pyramid_shape;
-        default:
-            return unread_shape;
-    }
-}
-
-bool is_quadratic(std::uint8_t type) {
-    return type >= 21 && type <= 29;
-}
 
 Vector minus(const Vector& a, const Vector& b) {
     return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
@@ -162,7 +64,7 @@ void measure(const MeshData& mesh, MeshFace& face) {
 
 /// Corners, then the middle nodes of quadratic cells.
 MeshFace face_of_cell(std::span<const int> nodes, std::uint8_t type, std::size_t which) {
-    const Shape& shape = shape_of(type);
+    const CellShape& shape = cell_shape(type);
     const std::vector<int>& corners = shape.faces[which];
     MeshFace face;
     face.n_corners = static_cast<int>(corners.size());
@@ -184,7 +86,7 @@ MeshFace face_of_cell(std::span<const int> nodes, std::uint8_t type, std::size_t
 }
 
 /// Too few nodes for its type: nothing that a reader of VTK lets through, but other files do.
-void check_nodes(std::span<const int> nodes, const Shape& shape) {
+void check_nodes(std::span<const int> nodes, const CellShape& shape) {
     if (nodes.size() < static_cast<std::size_t>(shape.n_corners))
         throw contact::InputError("a cell has fewer nodes than its type needs");
 }
@@ -192,7 +94,7 @@ void check_nodes(std::span<const int> nodes, const Shape& shape) {
 }  // namespace
 
 int dimension_of_cell(std::uint8_t type) {
-    return shape_of(type).dimension;
+    return cell_shape(type).dimension;
 }
 
 int dimension_of(const MeshData& mesh) {
@@ -246,7 +148,7 @@ std::vector<MeshFace> boundary_faces(const MeshData& mesh, const std::vector<int
     const int dimension = dimension_of(mesh);
     std::vector<Keyed> all;
     for (std::size_t cell = 0; cell < mesh.n_cells(); ++cell) {
-        const Shape& shape = shape_of(mesh.types[cell]);
+        const CellShape& shape = cell_shape(mesh.types[cell]);
         if (shape.dimension != dimension) continue;
         const auto nodes = nodes_of(mesh, cell);
         check_nodes(nodes, shape);
@@ -302,7 +204,7 @@ std::vector<bool> points_of_boundary(const MeshData& mesh) {
 std::vector<MeshFace> all_faces(const MeshData& mesh) {
     std::vector<MeshFace> faces;
     for (std::size_t cell = 0; cell < mesh.n_cells(); ++cell) {
-        const Shape& shape = shape_of(mesh.types[cell]);
+        const CellShape& shape = cell_shape(mesh.types[cell]);
         if (shape.dimension != 3) continue;
         check_nodes(nodes_of(mesh, cell), shape);
         for (std::size_t which = 0; which < shape.faces.size(); ++which) {
@@ -324,7 +226,7 @@ std::vector<MeshFace> cells_as_faces(const MeshData& mesh) {
     };
     for (std::size_t cell = 0; cell < mesh.n_cells(); ++cell) {
         const std::uint8_t type = mesh.types[cell];
-        const Shape& shape = shape_of(type);
+        const CellShape& shape = cell_shape(type);
         if (shape.dimension != dimension) continue;
         const auto nodes = nodes_of(mesh, cell);
         const auto n = nodes.size();

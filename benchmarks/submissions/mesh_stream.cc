@@ -146,8 +146,7 @@ bool read_answer(std::string_view bytes, MeshAnswer& answer) {
     if (!in.get(answer.error) || !in.get_texts(answer.notes) || !in.get(n) || n > 100'000)
         return false;
     answer.meshes.resize(n);
-    return std::ranges::all_of(answer.meshes,
-                               [&](MeshData& mesh) { return get_mesh(in, mesh); }) &&
+    return std::ranges::all_of(answer.meshes, [&](MeshData& mesh) { return get_mesh(in, mesh); }) &&
            in.is_at_end();
 }
 

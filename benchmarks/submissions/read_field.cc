@@ -8,6 +8,7 @@
 #include "benchmarks/reference/reference.h"
 #include "benchmarks/submissions/dat_totals.h"
 #include "benchmarks/submissions/frd_file.h"
+#include "benchmarks/submissions/rpt_file.h"
 #include "benchmarks/submissions/surface_field.h"
 #include "benchmarks/submissions/table_field.h"
 #include "benchmarks/submissions/vtk_file.h"
@@ -92,6 +93,14 @@ MeshField read_mesh_file(const FieldSource& source) {
     return field;
 }
 
+MeshField read_rpt(const FieldSource& source) {
+    const std::string text = text_of(source.file, "report of Abaqus");
+    MeshField field = is_field_report(text) ? parse_rpt(text, source.file, source.set)
+                                            : parse_table(text, source.file);
+    if (!source.totals.empty()) add_totals(field, source.totals, "xyz");
+    return field;
+}
+
 MeshField read_table(const FieldSource& source) {
     const std::string text = text_of(source.file, "table of a contact's field");
     if (is_calculix_print(text))
@@ -110,6 +119,7 @@ MeshField read_table(const FieldSource& source) {
 std::map<std::string, Total> read_totals(const std::string& file, std::vector<std::string>& notes,
                                          const std::string& axes) {
     const std::string text = text_of(file, "file of resultants");
+    if (is_field_report(text)) return parse_rpt_totals(text, file);
     return is_calculix_print(text) ? parse_dat(text, file, axes, notes) : parse_totals(text, file);
 }
 
@@ -117,6 +127,7 @@ MeshField read_field(const FieldSource& source) {
     const std::string ending = ending_of(source.file);
     if (ending == ".csv" || ending == ".txt" || ending == ".dat") return read_table(source);
     if (ending == ".frd") return read_frd(source);
+    if (ending == ".rpt") return read_rpt(source);
     if (is_vtk_ending(ending)) return read_mesh_file(source);
     io::fail(source.file, "", "unknown kind of file",
              "known are .csv .txt .frd .rpt, .vtu .vtp .vtk .pvtu .pvd, .e .exo, .case, .cgns, "

@@ -17,7 +17,7 @@ namespace {
 
 constexpr const char* vtk_reader = "tricontact_vtk_reader";
 constexpr std::array<std::string_view, 17> vtk_endings{
-    ".vtu", ".pvtu", ".vtp", ".pvtp", ".vts", ".vtr", ".vti", ".vtm",  ".pvd",
+    ".vtu", ".pvtu", ".vtp", ".pvtp", ".vts",  ".vtr",  ".vti",    ".vtm", ".pvd",
     ".vtk", ".e",    ".exo", ".ex2",  ".case", ".cgns", ".vtkhdf", ".hdf"};
 
 constexpr const char* other_way = "write it again, or a table of columns (.csv)";

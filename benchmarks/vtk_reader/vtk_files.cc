@@ -102,8 +102,8 @@ MeshData mesh_of(vtkDataSet* data, const std::string& name, std::set<std::string
         mesh.offsets.push_back(static_cast<std::int64_t>(mesh.connectivity.size()));
     }
     mesh.point_arrays = arrays_of(data->GetPointData(), mesh.points.size(), unused);
-    mesh.cell_arrays = arrays_of(data->GetCellData(),
-                                 static_cast<std::size_t>(data->GetNumberOfCells()), unused);
+    mesh.cell_arrays =
+        arrays_of(data->GetCellData(), static_cast<std::size_t>(data->GetNumberOfCells()), unused);
     if (kept.size() < static_cast<std::size_t>(data->GetNumberOfCells()))
         for (MeshArray& array : mesh.cell_arrays) {
             std::vector<double> values;
@@ -133,12 +133,12 @@ void add_meshes(vtkDataObject* object, MeshAnswer& answer, std::set<std::string>
     for (leaves->InitTraversal(); !leaves->IsDoneWithTraversal(); leaves->GoToNextItem()) {
         auto* const data = vtkDataSet::SafeDownCast(leaves->GetCurrentDataObject());
         if (!data || data->GetNumberOfPoints() == 0) continue;
-        const char* const name = leaves->HasCurrentMetaData()
-                                     ? leaves->GetCurrentMetaData()->Get(vtkCompositeDataSet::NAME())
-                                     : nullptr;
-        answer.meshes.push_back(
-            mesh_of(data, name ? name : "block " + std::to_string(answer.meshes.size() + 1),
-                    unused));
+        const char* const name =
+            leaves->HasCurrentMetaData()
+                ? leaves->GetCurrentMetaData()->Get(vtkCompositeDataSet::NAME())
+                : nullptr;
+        answer.meshes.push_back(mesh_of(
+            data, name ? name : "block " + std::to_string(answer.meshes.size() + 1), unused));
         if (answer.meshes.size() > 1000) throw std::runtime_error("has more than 1000 blocks");
     }
 }
@@ -159,7 +159,8 @@ std::string attribute(std::string_view element, const std::string& name) {
     for (const char quote : {'"', '\''}) {
         const std::string begin = name + '=' + quote;
         auto at = element.find(begin);
-        while (at != element.npos && at > 0 && !std::isspace(static_cast<unsigned char>(element[at - 1])))
+        while (at != element.npos && at > 0 &&
+               !std::isspace(static_cast<unsigned char>(element[at - 1])))
             at = element.find(begin, at + 1);
         if (at == element.npos) continue;
         at += begin.size();
@@ -211,8 +212,8 @@ Pointer<vtkAlgorithm> make_reader(const std::string& path, const std::string& en
         reader->ApplyDisplacementsOff();
         reader->GenerateObjectIdCellArrayOff();
         reader->UpdateInformation();
-        for (const int kind : {vtkExodusIIReader::NODAL, vtkExodusIIReader::ELEM_BLOCK,
-                               vtkExodusIIReader::SIDE_SET})
+        for (const int kind :
+             {vtkExodusIIReader::NODAL, vtkExodusIIReader::ELEM_BLOCK, vtkExodusIIReader::SIDE_SET})
             reader->SetAllArrayStatus(kind, 1);
         for (int i = 0; i < reader->GetNumberOfObjects(vtkExodusIIReader::SIDE_SET); ++i)
             reader->SetObjectStatus(vtkExodusIIReader::SIDE_SET, i, 1);
@@ -246,9 +247,8 @@ Pointer<vtkAlgorithm> make_reader(const std::string& path, const std::string& en
 
 void read_one(const std::string& path, MeshAnswer& answer, std::set<std::string>& unused) {
     std::string ending = fs::path(path).extension().string();
-    std::ranges::transform(ending, ending.begin(), [](unsigned char c) {
-        return static_cast<char>(std::tolower(c));
-    });
+    std::ranges::transform(ending, ending.begin(),
+                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
     const Pointer<vtkAlgorithm> reader = make_reader(path, ending);
     update_to_last(reader);
     vtkDataObject* const output = reader->GetOutputDataObject(0);
@@ -282,12 +282,12 @@ void join(std::vector<MeshData>& meshes, std::set<std::string>& unused) {
         });
         return arrays;
     };
-    std::vector<MeshArray> at_points =
-        joined([](const MeshData& mesh) -> const auto& { return mesh.point_arrays; },
-               [](const MeshData& mesh) { return mesh.points.size(); });
-    std::vector<MeshArray> at_cells =
-        joined([](const MeshData& mesh) -> const auto& { return mesh.cell_arrays; },
-               [](const MeshData& mesh) { return mesh.n_cells(); });
+    std::vector<MeshArray> at_points = joined(
+        [](const MeshData& mesh) -> const auto& { return mesh.point_arrays; },
+        [](const MeshData& mesh) { return mesh.points.size(); });
+    std::vector<MeshArray> at_cells = joined(
+        [](const MeshData& mesh) -> const auto& { return mesh.cell_arrays; },
+        [](const MeshData& mesh) { return mesh.n_cells(); });
     MeshData all = std::move(meshes.front());
     for (std::size_t m = 1; m < meshes.size(); ++m) {
         const auto first = static_cast<int>(all.points.size());

@@ -31,8 +31,7 @@ void limit(int resource, rlim_t most) {
 class FirstError : public vtkOutputWindow {
   public:
     static FirstError* New();
-    vtkTypeMacro(FirstError, vtkOutputWindow)
-    void DisplayText(const char*) override {}
+    vtkTypeMacro(FirstError, vtkOutputWindow) void DisplayText(const char*) override {}
     void DisplayErrorText(const char* text) override {
         if (error.empty() && text) error = text;
     }

@@ -43,7 +43,8 @@ constinit const Quantity contact_radius{
     .of = [](const Subject& s) { return finite(s.history.scales.contact_radius); },
     .exact = [](const Reference& r) { return exact(r, r.hertz.contact_radius); },
     .part = Part::pressed,
-    .is_refined = true};
+    .is_refined = true,
+    .is_counted = true};
 
 constinit const Quantity peak_pressure{
     .key = "peak_pressure_Pa",

@@ -55,7 +55,8 @@ constinit const Quantity dissipation{
     .name = "frictional work per period",
     .meaning = "Work of friction in the last period.",
     .defined = "with rolling",
-    .of = [](const Subject& s) { return last_of(s.history.dissipation_per_period); }};
+    .of = [](const Subject& s) { return last_of(s.history.dissipation_per_period); },
+    .is_refined = true};
 
 constinit const Quantity dissipation_ratio{
     .key = "dissipation_ratio",
@@ -124,7 +125,7 @@ constinit const Quantity path_work{
             if (step.phase > 0) work += step.dissipation;
         return finite(work);
     },
-    .is_column = false};
+    .is_refined = true};
 
 constinit const Quantity path_force{
     .key = "path_tangential_force_N",
@@ -137,7 +138,7 @@ constinit const Quantity path_force{
         if (!s.c.prescribed_path) return {};
         return finite(s.history.steps.back().tangential_force[0]);
     },
-    .is_column = false};
+    .is_refined = true};
 
 List of_dissipation() {
     return {

@@ -26,7 +26,7 @@ std::string glossary() {
            section("Frictional work", of_dissipation()) + section("Relaxation", of_relaxation()) +
            section("Ends of rollers", of_roller()) +
            section("Inside of the substrate", of_subsurface()) + section("Strains", of_strain()) +
-           section("Cost", of_cost()) +
+           section("End of the run", of_end_of_run()) + section("Cost", of_cost()) +
            section("Of comparisons, beside runs",
                    {&normal_stiffness, &tangential_stiffness, &coupled_tangential_stiffness,
                     &shift_of_rolling});

@@ -30,7 +30,7 @@ struct Subject {
 };
 
 /// The groups of rows in the report's table of results; `nowhere`: in files only.
-enum class Part { nowhere, pressed, rolled, ends, inside, cost };
+enum class Part { nowhere, pressed, rolled, ends, inside, end_of_run, cost };
 
 /// A result of a run, declared once: files, tables, plots, studies, the module for Python and the
 /// glossary docs/reference/quantities.md follow from the declaration.
@@ -50,6 +50,7 @@ struct Quantity {
     Part part = Part::nowhere;
     bool is_column = true;    ///< of results.csv: one value, and the same whenever it is computed
     bool is_refined = false;  ///< `refine` follows it over its levels
+    bool is_counted = false;  ///< in cells, of which it is a whole number: errors have no order
     bool is_place = false;    ///< counted from an origin: two of them have no ratio
     bool is_plotted = false;  ///< a sweep draws it over its axes
     /// The only state in which refine and plots use it: after shakedown an increment is what is

@@ -157,6 +157,7 @@ constexpr Quantity shift_increment{.key = "shift_increment_m",
                                    .of = [](const Subject& s) { return finite(increment_of(s)); },
                                    .part = Part::rolled,
                                    .is_refined = true,
+                                   .is_counted = true,
                                    .is_plotted = true,
                                    .told_in = State::ratcheting};
 

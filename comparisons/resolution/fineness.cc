@@ -7,6 +7,8 @@
 
 #include "contact/base/error.h"
 #include "contact/cells.h"
+#include "contact/half_space_scales.h"
+#include "contact/load_path.h"
 #include "fem/settings.h"
 #include "mdr/settings.h"
 
@@ -25,12 +27,24 @@ int springs_of(int springs, const Fineness& by) {
 
 }  // namespace
 
+double cell_size(const contact::Case& c, const contact::ModelKind& kind) {
+    if (kind.is_meshed()) return c.of<fem::Settings>().size.value();
+    if (kind.is_on_cells()) return contact::cell_side(c);
+    const double radius = contact::half_space_scales(c).contact_radius;
+    const auto& line = c.of<mdr::Settings>();
+    if (!kind.is_independent()) return radius / line.elements_per_radius;
+    return 2 * (radius + contact::norm(contact::path_reach(c, radius))) / line.springs;
+}
+
 void change_resolution(contact::Case& c, const contact::ModelKind& kind, const Fineness& by) {
     const auto scale = [&](std::optional<double>& length) {
         if (length) length = *length * by.coarser / by.finer;
     };
-    if (kind.is_independent())
-        c.of<mdr::Settings>().springs = springs_of(c.of<mdr::Settings>().springs, by);
+    auto& line = c.of<mdr::Settings>();
+    if (kind.is_independent()) line.springs = springs_of(line.springs, by);
+    if (kind.is_on_line() && !kind.is_independent())
+        line.elements_per_radius =
+            static_cast<int>(std::lround(line.elements_per_radius * by.finer / by.coarser));
     if (kind.is_on_cells()) {
         auto& cells = c.of<contact::Cells>();
         scale(cells.spacing);
@@ -53,7 +67,10 @@ std::vector<std::string> level_keys(const contact::Case& c, const contact::Model
             "levels: fem is refined from fem.size, which is not given; give it, or omit levels");
     contact::Case level = c;
     change_resolution(level, kind, by);
-    if (kind.is_on_line()) return {fmt::format("{}={}", key, level.of<mdr::Settings>().springs)};
+    const auto& line = level.of<mdr::Settings>();
+    if (kind.is_on_line())
+        return {fmt::format("{}={}", key,
+                            kind.is_independent() ? line.springs : line.elements_per_radius)};
     const auto& cells = level.of<contact::Cells>();
     if (kind.is_on_cells())
         return {cells.spacing ? length_key(key, *cells.spacing)

@@ -14,6 +14,10 @@ struct Fineness {
     double coarser = 1, finer = 1;
 };
 
+/// Side of cells, edge of elements, how far apart springs are [m], on a line by the contact radius
+/// and the path of the half-space. A case for fem has to give the size of elements.
+double cell_size(const contact::Case& c, const contact::ModelKind& kind);
+
 /// Changes the resolution of a model in a case: its key, or the one that the case has in its place.
 /// A case for fem has to give the size of elements. Models that choose by themselves stay as they
 /// are.

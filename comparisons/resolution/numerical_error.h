@@ -26,17 +26,20 @@ struct ResolvedRun {
 /// turning point to the next. Half widths count the first order, the least that contacts have:
 ///     e = 1.25 (max(|v_h - v_2h|, |v_2h - v_4h|/2) + |v_2h - v_2h,2dW| + 4/3 |v_2h - v_2h,dW/4|)
 /// with Roache's factor (1998, Verification and Validation, ch. 5), 3 instead of 1.25 for the mesh
-/// where the coarsest one is missing; without the half of what has no order: radii and
-/// increments counted in cells, and all of springs. Two meshes may agree by accident, three hardly
-/// do. A block whose sides the model has chosen adds what wider ones change. No half width is less
-/// than the solvers' own tolerance, ten times over, but for what the case prescribes, which is
-/// exact.
+/// where the coarsest one is missing; without the half of what has no order: what is
+/// counted in cells (radii, areas, increments), and all of springs. Two meshes may agree by
+/// accident, three hardly do. The edge of a zone lies somewhere in a cell, on all meshes in the
+/// same place of it by accident: no half width of an area is less than least_area_error.
+/// A block whose sides the model has chosen adds what wider ones change.
+/// No half width is less than the solvers' own tolerance, ten times over, but for what the case
+/// prescribes, which is exact.
 struct NumericalError {
     std::string model;
     std::optional<ResolvedRun> run, coarser, coarsest;
     // On the coarser mesh; empty: no matter.
     std::optional<ResolvedRun> long_steps = {}, short_steps = {}, wide_block = {};
     double tolerance = 0;           ///< of the solvers [-]
+    double cell = 0;                ///< size of cells, elements, between springs [m]
     std::string why_none = {};      ///< there is no coarser mesh: why
     std::string why_no_steps = {};  ///< steps matter, yet no other ones converge: why
     std::vector<const Quantity*> prescribed = {};  ///< by the case
@@ -49,6 +52,19 @@ struct NumericalError {
     /// The state that coarser meshes or longer steps come to, where it is another one.
     std::optional<contact::State> other_state() const;
 };
+
+/// What errors of a quantity are compared with, in its unit: U_max of shifts, F_N of forces, F_N
+/// U_max of frictional work, F_N d of energy, the contact's area of areas, else its own value.
+double error_scale(const Quantity& q, const Results& results);
+
+/// Whether it is frictional work, whose errors fall slower than others.
+bool is_work(const Quantity& q);
+
+/// The least error of an area [m^2], whose edge lies somewhere in a cell (element, spring): a
+/// quarter of a cell along the circumference of the contact, 2 A/a of a circle, half of one of
+/// springs; of what slips, which has two edges, sqrt(2) times as much. 0 of what is no area.
+double least_area_error(const Quantity& q, const Results& results, const std::string& model,
+                        double cell);
 
 /// What half widths are told of, what a case may ask first before the rest.
 const std::vector<const Quantity*>& quantities_with_error();

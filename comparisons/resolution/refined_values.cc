@@ -1,6 +1,9 @@
 #include "comparisons/resolution/refined_values.h"
 
-#include <cmath>
+#include <algorithm>
+
+#include "comparisons/resolution/numerical_error.h"
+#include "contact/models/model_kind.h"
 
 namespace tricontact::comparisons {
 
@@ -14,6 +17,26 @@ std::optional<double> exact_value(const PressedValues& exact, const Quantity& q)
     for (const PressedQuantity& pressed : pressed_quantities())
         if (pressed.quantity == &q) return pressed.get(exact);
     return {};
+}
+
+bool has_order(const RefinedLevels& levels, const Quantity& q) {
+    return contact::model_kind(levels.model).converges_in_order && !q.is_counted;
+}
+
+/// Frictional work is of the first order at most: slip grows from the edge of the contact inwards.
+constexpr double order_of_work = 1;
+
+/// With an order where there is one; else the spread of the last three values, 1.25 times.
+LimitEstimate limit_of(const RefinedLevels& levels, const Quantity& q,
+                       std::span<const double> values) {
+    const double noise = noisy_tolerances * levels.tolerance * error_scale(q, levels.values.back());
+    if (!has_order(levels, q)) return estimate_unordered(values, noise);
+    LimitEstimate limit = estimate_limit(levels.sizes, values, noise,
+                                         is_work(q) ? order_of_work : largest_trusted_order);
+    if (limit.convergence == Convergence::oscillating ||
+        limit.convergence == Convergence::irregular)
+        limit.error = std::max(limit.error, estimate_unordered(values, noise).error);
+    return limit;
 }
 
 }  // namespace
@@ -31,9 +54,10 @@ Refinement make_refinement(const RefinedLevels& levels) {
         for (const Results& values : levels.values)
             if (const auto value = values.told(*q)) refined.values.push_back(*value);
         if (refined.values.size() != levels.sizes.size()) continue;
-        refined.limit =
-            estimate_limit(levels.sizes, refined.values,
-                           noisy_tolerances * levels.tolerance * std::abs(refined.values.back()));
+        refined.limit = limit_of(levels, *q, refined.values);
+        refined.limit.error =
+            std::max(refined.limit.error,
+                     least_area_error(*q, levels.values.back(), levels.model, levels.sizes.back()));
         if (levels.exact) refined.exact = exact_value(*levels.exact, *q);
         if (levels.wide) refined.wide = levels.wide->number(*q);
         result.quantities.push_back(std::move(refined));

@@ -48,12 +48,13 @@ std::optional<double> observed_order(std::span<const double, 3> sizes,
 }  // namespace
 
 const char* name_of(Convergence convergence) {
-    constexpr const char* names[] = {"ordered", "unchanged", "oscillating", "irregular"};
+    constexpr const char* names[] = {"ordered", "unchanged", "oscillating", "irregular",
+                                     "no order"};
     return names[static_cast<int>(convergence)];
 }
 
 LimitEstimate estimate_limit(std::span<const double> sizes, std::span<const double> values,
-                             double noise) {
+                             double noise, double trusted_order) {
     if (sizes.size() < 3 || sizes.size() != values.size() ||
         std::ranges::adjacent_find(sizes, std::less_equal<>()) != sizes.end() ||
         !(sizes.back() > 0))
@@ -77,9 +78,19 @@ LimitEstimate estimate_limit(std::span<const double> sizes, std::span<const doub
         return result;
     result.convergence = Convergence::ordered;
     result.value = v[2] + rest(h, v, *result.order);
-    const double trusted = std::min(*result.order, largest_trusted_order);
+    const double trusted = std::min(*result.order, trusted_order);
     result.error = std::max(noise, safety_factor * std::abs(rest(h, v, trusted)));
     return result;
+}
+
+LimitEstimate estimate_unordered(std::span<const double> values, double noise) {
+    if (values.size() < 3) throw std::logic_error("refinement: needs three levels");
+    const auto v = values.last<3>();
+    const bool changes = spread(v) > noise;
+    return {.convergence = changes ? Convergence::unordered : Convergence::unchanged,
+            .order = {},
+            .value = v[2],
+            .error = std::max(noise, safety_factor * spread(v))};
 }
 
 std::optional<double> RefinedQuantity::wide_change() const {

@@ -17,7 +17,8 @@ enum class Convergence {
     ordered,      ///< as v + C h^p with a plausible p
     unchanged,    ///< the changes are no larger than the noise
     oscillating,  ///< the last two changes have opposite signs
-    irregular     ///< they have one sign, but belong to no plausible order
+    irregular,    ///< they have one sign, but belong to no plausible order
+    unordered     ///< their errors have no order: of springs, or counted in cells
 };
 const char* name_of(Convergence convergence);
 
@@ -41,9 +42,15 @@ inline constexpr double safety_factor = 1.25;
 /// 1998, Verification and Validation, ch. 5): 1.25 times what separates the finest value from the
 /// extrapolated one, with the observed order but at most 2. Where no order can be relied on nothing
 /// is extrapolated, and the error is the spread of the three values. `noise`: below which a change
-/// says nothing, in the unit of the values; also the least error.
+/// says nothing, in the unit of the values; also the least error. `trusted_order`: the largest that
+/// the error counts on.
 LimitEstimate estimate_limit(std::span<const double> sizes, std::span<const double> values,
-                             double noise = 0);
+                             double noise = 0, double trusted_order = largest_trusted_order);
+
+/// From the finest three of at least three levels whose errors have no order, those of springs and
+/// of what is counted in cells: they depend on where between two cells the contact ends, and have
+/// either sign. Nothing is extrapolated; the error is 1.25 times the spread of the three values.
+LimitEstimate estimate_unordered(std::span<const double> values, double noise = 0);
 
 /// One quantity on all levels.
 struct RefinedQuantity {
@@ -59,8 +66,8 @@ struct RefinedQuantity {
 /// A case on several levels of resolution.
 struct RefinedCase {
     std::string model;          ///< as in its histories
-    std::string key;            ///< what was refined: "fem.size", "bem.spacing"
-    std::vector<double> sizes;  ///< decreasing [m]
+    std::string key;            ///< what was refined: "fem.size", "bem.spacing", "mdr.springs"
+    std::vector<double> sizes;  ///< of cells, elements, distances of springs, decreasing [m]
     std::vector<double> cpu_s;  ///< per level
     std::string exact_name;     ///< whose theory the exact values are: "exact layer", "Hertz"
     double wide_factor = 0;     ///< of width and depth; 0: the block is none or was not widened

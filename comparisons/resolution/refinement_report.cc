@@ -8,6 +8,7 @@
 
 #include "comparisons/quantities/change_table.h"
 #include "comparisons/resolution/refinement.h"
+#include "contact/models/model_kind.h"
 #include "report/csv.h"
 #include "report/format.h"
 #include "report/json_number.h"
@@ -61,9 +62,34 @@ std::string doubt_sentence(const Refinement& r) {
             doubtful.push_back(q.quantity->symbol);
     if (doubtful.empty()) return {};
     return fmt::format(
-        "No order can be relied on for {}: nothing is extrapolated there, and the error is the "
-        "spread of the last three values.",
+        "No order can be relied on for {}: nothing is extrapolated there, and the error is 1.25 "
+        "times the spread of the last three values.",
         fmt::join(doubtful, ", "));
+}
+
+std::string unordered_sentence(const Refinement& r) {
+    std::vector<std::string> counted;
+    for (const RefinedQuantity& q : r.quantities)
+        if (q.limit.convergence == Convergence::unordered) counted.push_back(q.quantity->symbol);
+    if (counted.empty()) return {};
+    const bool springs = contact::model_kind(r.model).is_on_line();
+    return fmt::format(
+        "{}: errors have either sign and no order ({}); nothing is extrapolated there, and the "
+        "error is 1.25 times the spread of the last three values.",
+        fmt::join(counted, ", "),
+        springs ? "they depend on where between two springs the contact ends"
+                : "counted in cells or elements");
+}
+
+/// The levels' sizes: of cells and elements, between springs.
+std::string levels_sentence(const Refinement& r) {
+    const bool springs = contact::model_kind(r.model).is_on_line();
+    return fmt::format(
+        "{} was refined on {} levels{} from {} to {}{}; the figures and tables of this report are "
+        "those of the finest.",
+        r.key, r.sizes.size(), springs ? ", springs" : "",
+        report::quantity(r.sizes.front(), "m", 3), report::quantity(r.sizes.back(), "m", 3),
+        springs ? " apart" : "");
 }
 
 std::string exact_sentence(const Refinement& r) {
@@ -133,13 +159,9 @@ std::string relative(double error, double value) {
 }
 
 std::vector<std::string> refinement_sentences(const Refinement& r) {
-    std::vector<std::string> result{fmt::format(
-        "{} was refined on {} levels from {} to {}; the figures and tables of this report are "
-        "those of the finest.",
-        r.key, r.sizes.size(), report::quantity(r.sizes.front(), "m", 3),
-        report::quantity(r.sizes.back(), "m", 3))};
-    for (const auto& sentence :
-         {error_sentence, doubt_sentence, exact_sentence, wide_sentence, tip_sentence})
+    std::vector<std::string> result{levels_sentence(r)};
+    for (const auto& sentence : {error_sentence, doubt_sentence, unordered_sentence, exact_sentence,
+                                 wide_sentence, tip_sentence})
         result.push_back(sentence(r));
     std::erase(result, "");
     return result;
@@ -152,8 +174,9 @@ report::DocumentTable refinement_table(const Refinement& r) {
         .note =
             "Order: p of v + C h^p through the finest three levels; limit: Richardson's "
             "extrapolation with it. Error: of the finest value, 1.25 times its distance from "
-            "the limit with an order of at most 2 (Roache's grid convergence index); where "
-            "the sequence is not ordered, the spread of the last three values.",
+            "the limit with an order of at most 2, of frictional work 1 (Roache's grid convergence "
+            "index); where the sequence is not ordered, 1.25 times the spread of the last three "
+            "values.",
         .columns = quantity_columns()};
     for (const double size : r.sizes) table.columns.push_back({report::quantity(size, "m", 3), 5});
     table.columns.insert(table.columns.end(),

@@ -33,12 +33,13 @@ std::string taking(const std::vector<std::string>& models, const Summaries& summ
     return report::display_names(models) + (models.size() > 1 ? " take" : " takes");
 }
 
-std::string thickness_sentence(const contact::Case& c, const Summaries& summaries) {
+std::string half_space_sentence(const contact::Case& c, const Summaries& summaries,
+                                bool has_section) {
     std::vector<std::string> models;
     for (const Results& s : summaries)
         if (is_half_space(s.model) && !is_tabulated(c, s.model)) models.push_back(s.model);
     if (models.empty()) return {};
-    const bool told = c.layer.thickness && why_no_exact_theory(c).empty();
+    const bool told = has_section && c.layer.thickness && why_no_exact_theory(c).empty();
     return fmt::format(
         "{} the bodies as {}half-spaces: {}.", taking(models, summaries),
         c.relaxation ? "" : "elastic ",
@@ -47,6 +48,10 @@ std::string thickness_sentence(const contact::Case& c, const Summaries& summarie
                           told ? " (The section on the layer, below, gives the effect)" : "")
             : "a layer of finite thickness, usually stiffer on its rigid base, is "
               "not seen");
+}
+
+std::string thickness_sentence(const contact::Case& c, const Summaries& summaries) {
+    return half_space_sentence(c, summaries, true);
 }
 
 /// Who couples and who does not, where half-spaces are taken.
@@ -117,11 +122,27 @@ std::string far_shift_sentence(const contact::Case& c, const Summaries&) {
         report::significant(ratio, 2));
 }
 
+std::string direction_sentence(const contact::Case& c, const Summaries& summaries) {
+    if (!c.rolling || !has_model(summaries, &ModelKind::is_independent)) return {};
+    return "MDR's springs lie on one line, so it cannot distinguish rolling along the load from "
+           "rolling across it: its result is the same for every angle. Transformed back to three "
+           "dimensions its traction may exceed μp: the bound holds spring by spring only.";
+}
+
 /// Whether a sentence of its own says that a model leaves it out.
 bool is_told_above(const contact::Case& c, const std::string& model, const std::string& left_out) {
     return left_out.starts_with("substrate.thickness") ||
            (contact::model_kind(model).is_independent() && c.rolling &&
             left_out.starts_with("rolling direction"));
+}
+
+std::vector<std::string> left_out_sentences(const contact::Case& c, const Summaries& summaries) {
+    std::vector<std::string> sentences;
+    for (const Results& s : summaries)
+        for (const std::string& one : left_out(c, s.model))
+            if (!is_told_above(c, s.model, one))
+                sentences.push_back(report::display_name(s.model) + " leaves out " + one + ".");
+    return sentences;
 }
 
 }  // namespace
@@ -135,14 +156,9 @@ std::vector<std::string> uncoupled_half_spaces(const contact::Case& c, const Sum
 
 std::vector<std::string> limitations(const contact::Case& c, const Summaries& summaries) {
     std::vector<std::string> findings;
-    if (c.rolling && has_model(summaries, &ModelKind::is_independent))
-        findings.push_back(
-            "MDR's springs lie on one line, so it cannot distinguish rolling along the load "
-            "from rolling across it: its result is the same for every angle. Transformed back to "
-            "three "
-            "dimensions its traction may exceed μp: the bound holds spring by spring only.");
-    for (const auto& sentence : {own_load_sentence, thickness_sentence, uncoupled_sentence,
-                                 coupled_sentence, pressure_sentence, far_shift_sentence})
+    for (const auto& sentence :
+         {direction_sentence, own_load_sentence, thickness_sentence, uncoupled_sentence,
+          coupled_sentence, pressure_sentence, far_shift_sentence})
         findings.push_back(sentence(c, summaries));
     if (c.indenter.shape == contact::Case::Shape::sphere)
         findings.push_back(
@@ -152,15 +168,26 @@ std::vector<std::string> limitations(const contact::Case& c, const Summaries& su
         findings.push_back(
             "The loads oscillate with the rolling: the closed forms, κ and η assume constant loads "
             "and are left out; f_T and w refer to the mean loads.");
-    for (const Results& s : summaries)
-        for (const std::string& one : left_out(c, s.model))
-            if (!is_told_above(c, s.model, one))
-                findings.push_back(report::display_name(s.model) + " leaves out " + one + ".");
+    for (const std::string& sentence : left_out_sentences(c, summaries))
+        findings.push_back(sentence);
     for (const Results& s : summaries)
         for (const auto& [quantity, why] : why_undefined(c, s))
             if (constant_loads(c))  // else the sentence above
                 findings.push_back(fmt::format("{}: no {} {}: {}.", report::display_name(s.model),
                                                quantity->name, quantity->symbol, why));
+    std::erase(findings, "");
+    return findings;
+}
+
+std::vector<std::string> body_limitations(const contact::Case& c,
+                                          const std::vector<std::string>& models) {
+    Summaries summaries(models.size());
+    for (std::size_t i = 0; i < models.size(); ++i) summaries[i].model = models[i];
+    std::vector<std::string> findings;
+    if (c.layer.thickness) findings.push_back(half_space_sentence(c, summaries, false));
+    findings.push_back(uncoupled_sentence(c, summaries));
+    findings.push_back(direction_sentence(c, summaries));
+    for (const std::string& one : left_out_sentences(c, summaries)) findings.push_back(one);
     std::erase(findings, "");
     return findings;
 }

@@ -18,6 +18,11 @@ std::vector<std::string> reading(const contact::Case& c, const std::vector<Resul
 /// What the models of a case leave out, a sentence each, so that not more is read into them.
 std::vector<std::string> limitations(const contact::Case& c, const std::vector<Results>& results);
 
+/// Of these, what the models make of the case's bodies and of its rolling, for answers without a
+/// report: a layer that is not seen, no coupling, one direction. Empty where nothing is left out.
+std::vector<std::string> body_limitations(const contact::Case& c,
+                                          const std::vector<std::string>& models);
+
 /// Models for which a closed form of uncoupled, elastic half-spaces decides.
 std::vector<std::string> uncoupled_half_spaces(const contact::Case& c,
                                                const std::vector<Results>& results);

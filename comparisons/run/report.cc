@@ -31,10 +31,11 @@ constexpr const char* sources =
     "Micro-Walking (thesis, TU Berlin) · Mindlin and Deresiewicz (1953), J. Appl. Mech. 20 · "
     "Johnson (1985), Contact Mechanics";
 
-DocumentSection results_section(const contact::Case& c, const std::vector<Results>& results) {
+DocumentSection results_section(const contact::Case& c, const std::vector<Results>& results,
+                                const std::optional<NumericalError>& error) {
     DocumentSection section{.id = "results",
                             .heading = "Results",
-                            .tables = results_tables(c, results),
+                            .tables = results_tables(c, results, error),
                             .printed = true};
     if (std::ranges::any_of(results, [](const Results& s) { return s.periods() > 0; }))
         section.tables.push_back(period_table(results));
@@ -110,7 +111,8 @@ report::Document run_document(const contact::Case& c, const std::string& resolve
     document.verdicts_heading = "Assumptions";
     document.verdicts = assumption_verdicts(c, results, extras);
     document.player = player_of(c, extras.films);
-    document.sections = {{"reading", "Reading", reading(c, results)}, results_section(c, results)};
+    document.sections = {{"reading", "Reading", reading(c, results)},
+                         results_section(c, results, extras.numerical)};
     if (c.prescribed_path) document.sections.push_back(path_section(c, histories));
     for (DocumentSection& section : study_sections(c, histories, extras))
         document.sections.push_back(std::move(section));

@@ -16,7 +16,8 @@ using Value = std::optional<double>;
 
 constexpr int most_open_periods = 12;  // longer tables start folded
 
-std::string results_note(const contact::Case& c, bool several_models) {
+std::string results_note(const contact::Case& c, bool several_models,
+                         const std::optional<NumericalError>& error) {
     std::string text = "Ratios u are over each model's own U_max. ";
     if (contact::is_hertz_round(c))
         text +=
@@ -36,6 +37,11 @@ std::string results_note(const contact::Case& c, bool several_models) {
             "superposition of two normal contacts (static shift) and, after rolling, the method "
             "of dimensionality reduction (MDR) where it holds; the limit f_T,lim is what the "
             "least pressures over the path carry, exact for uncoupled contact.";
+    if (error && error->why_none.empty())
+        text += " ±: what mesh and steps leave in the numbers of " +
+                report::display_name(error->model) +
+                "; without it a number is prescribed, or its "
+                "error is not known.";
     if (several_models) text += " Last columns: by how much a model differs from the last model.";
     return text;
 }
@@ -79,9 +85,11 @@ void drop_empty_columns(DocumentTable& table) {
 /// Rows over the same models, with the same columns of theory and differences.
 class RowMaker {
   public:
-    RowMaker(const contact::Case& c, const std::vector<Results>& results)
+    RowMaker(const contact::Case& c, const std::vector<Results>& results,
+             const std::optional<NumericalError>& error)
         : case_(c),
           results_(results),
+          error_(error),
           reference_(reference(c)),
           theory_(c.layer.thickness ? "half-space theory" : "theory") {}
 
@@ -146,6 +154,10 @@ class RowMaker {
             (is_size ? size_name(case_) : q.name) + (symbol.empty() ? "" : " ") + symbol,
             unit.symbol};
         for (const Results& r : results_) row.push_back(cell(r[q], unit.factor));
+        if (const auto width = half_width(q)) {
+            Cell& last = row.back();
+            last = report::WithError{std::get<double>(last), *width / unit.factor};
+        }
         row.push_back(q.exact ? cell(exact, unit.factor) : "");
         const bool has_numbers = std::ranges::any_of(
             results_, [&](const Results& r) { return number_of(r[q]).has_value(); });
@@ -155,6 +167,16 @@ class RowMaker {
                               ? change_cell(results_[i].told(q), other)
                               : Cell(""));
         return row;
+    }
+
+    /// Of the last model, whose error is told; none of what the case prescribes.
+    Value half_width(const Quantity& q) const {
+        const auto& known = quantities_with_error();
+        const bool is_told = error_ && error_->model == results_.back().model &&
+                             std::ranges::find(known, &q) != known.end() &&
+                             number_of(results_.back()[q]).has_value();
+        const Value width = is_told ? error_->of(q) : Value();
+        return width && *width > 0 ? width : Value();
     }
 
     static Cell cell(const QuantityValue& value, double factor) {
@@ -167,6 +189,7 @@ class RowMaker {
 
     const contact::Case& case_;
     const std::vector<Results>& results_;
+    const std::optional<NumericalError>& error_;
     Reference reference_;
     std::string theory_;
 };
@@ -174,15 +197,17 @@ class RowMaker {
 }  // namespace
 
 std::vector<DocumentTable> results_tables(const contact::Case& c,
-                                          const std::vector<Results>& results) {
-    const RowMaker make(c, results);
+                                          const std::vector<Results>& results,
+                                          const std::optional<NumericalError>& error) {
+    const RowMaker make(c, results, error);
     std::vector<DocumentTable> tables{make.table("pressed", "Pressed and loaded", Part::pressed,
-                                                 results_note(c, results.size() > 1))};
+                                                 results_note(c, results.size() > 1, error))};
     if (c.rolling)
         tables.push_back(
             make.table("rolled", "After rolling, indenter upright", Part::rolled, rolling_note(c)));
     tables.push_back(make.table("ends", "Ends of the roller", Part::ends));
     tables.push_back(make.table("inside", "Inside the substrate", Part::inside));
+    tables.push_back(make.table("end_of_run", "At the end of the run", Part::end_of_run));
     tables.push_back(make.table("cost", "Work and cost", Part::cost));
     std::erase_if(tables, [](const DocumentTable& table) { return table.rows.empty(); });
     return tables;

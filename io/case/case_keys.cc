@@ -70,6 +70,11 @@ std::vector<CaseKey> model_keys() {
                      "springs of the whole bed, contact and rolling path",
                      {.default_value = "10000"}),
          kept<&mdr::Settings::springs>},
+        {integer_key("mdr.elements_per_radius", {5, 1000}, "100",
+                     "elements of mdr-layer in the contact radius, shorter ones where the layer is "
+                     "thin",
+                     {.default_value = "100"}),
+         kept<&mdr::Settings::elements_per_radius>},
         {number_key("fem.accuracy", {1e-5, 0.2, false, true}, "0.01",
                     "relative accuracy of the normal contact; the size is chosen for it",
                     {.default_value = "0.01", .alternative = element_size}),

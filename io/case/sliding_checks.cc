@@ -23,7 +23,6 @@ using contact::triangle_wave;
 // times the square of cells over contact radius (seen: 0.26, of a power law of 1.4): at a fixed
 // indentation that is F_N.
 constexpr double force_of_cells = .5;
-constexpr double layer_elements = 100;  // of mdr-layer in the contact radius
 
 /// Largest F_T/(mu F_N) on a path whose loads oscillate as triangles. The quotient of two piecewise
 /// linear functions is largest at a kink of either: at the crests and troughs. `force`: F_N over
@@ -70,10 +69,11 @@ double coarsest_cell(const Case& c, const HalfSpaceScales& s) {
     const auto& cells = c.of<contact::Cells>();
     for (const std::string& model : c.models) {
         const ModelKind& kind = contact::model_kind(model);
+        const auto& line = c.of<mdr::Settings>();
         if (kind.is_on_line())
-            coarsest = std::max(coarsest, kind.is_independent()
-                                              ? 2 * (1 + path) / c.of<mdr::Settings>().springs
-                                              : 1 / layer_elements);
+            coarsest =
+                std::max(coarsest, kind.is_independent() ? 2 * (1 + path) / line.springs
+                                                         : 1. / line.elements_per_radius);
         if (kind.is_on_cells())
             coarsest = std::max(coarsest, std::max(1., cells.ratio.value_or(1)) *
                                               (cells.spacing ? *cells.spacing / s.contact_radius

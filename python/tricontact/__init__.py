@@ -8,7 +8,7 @@ Quantities are in SI units; those of a case may be texts with units, as in case 
 quantities of pint.
 """
 
-from . import atlas, theory
+from . import atlas, benchmark, theory
 from ._core import (
     Case,
     HalfSpaceScales,
@@ -25,6 +25,7 @@ from ._core import (
 )
 from .commands import (
     deviation,
+    compare,
     design,
     experiment,
     fit,
@@ -62,6 +63,8 @@ __all__ = [
     "WalkCase",
     "__version__",
     "atlas",
+    "benchmark",
+    "compare",
     "design",
     "deviation",
     "experiment",

@@ -33,14 +33,15 @@ def _arguments(options: dict[str, Any]) -> list[str]:
 
 
 def _printed(
-    name: str, given: Any, overrides: Overrides, progress: Progress, options: dict[str, Any]
+    name: str, given: Any, overrides: Overrides, progress: Progress, options: dict[str, Any],
+    further: Sequence[str] = (),
 ) -> str:
     """Calls the command; what it prints."""
     sets = [part for one in _toml.overrides(overrides or {}) for part in ("--set", one)]
     shown = display(progress)
     try:
         with file_of(given) as file:
-            arguments = [_toml.argument(one) for one in (file, *sets, *_arguments(options))]
+            arguments = [_toml.argument(one) for one in (file, *further, *sets, *_arguments(options))]
             return _core._run_command(name, arguments, shown.say, shown.progress)
     finally:
         shown.close()
@@ -52,12 +53,13 @@ def _call(
     overrides: Overrides,
     output: Optional[StrPath],
     progress: Progress,
+    further: Sequence[str] = (),
     **options: Any,
 ) -> Outcome:
     with tempfile.TemporaryDirectory(prefix="tricontact-") as temporary:
         folder = Path(temporary) / "results" if output is None else Path(os.fspath(output))
         options["output"] = str(folder)
-        text = _printed(name, given, overrides, progress, options)
+        text = _printed(name, given, overrides, progress, options, further)
         return read_outcome(name, folder, text, keep=output is not None)
 
 
@@ -253,3 +255,18 @@ def reproduce(
     outcome["same_bytes"], and the table "changed" of the quantities that differ.
     """
     return _call("reproduce", archive, None, output, progress, tolerance=tolerance)
+
+
+def compare(
+    a: StrPath,
+    b: StrPath,
+    *,
+    output: Optional[StrPath] = None,
+    progress: Progress = None,
+) -> Outcome:
+    """Two folders of results of run() side by side: quantities, histories, fields; A minus B.
+
+    outcome["case_differences"]: keys of the cases that differ; outcome["pairs"]: a model of A
+    beside one of B.
+    """
+    return _call("compare", a, None, output, progress, further=[os.fspath(b)])

@@ -181,6 +181,7 @@ refused "no atlas is about indenters on a layer that are not rigid" predict "$la
     --set "indenter.young=10 MPa" --set "models=[\"bem-layer\"]"
 "$program" predict "$layer" --set "substrate.width=60 mm" --models mdr >said || complain "predict of the half-space, asked for"
 grep -q 'leaves out substrate.thickness: the substrate is a half-space' said || complain "a layer left out: $(cat said)"
+sed -n 2p said | grep -q 'the thickness of the layer is not seen' || complain "numbers before what they leave out: $(cat said)"
 refused "no atlas is about line contacts by MDR" predict "$cylinder" --models mdr
 refused "no atlas is about half-spaces that couple" predict "$rig" --set substrate.poisson=0.3 --set "models=[\"bem\"]" --models bem
 refused "atlas runs nothing" run "$rig" --models atlas

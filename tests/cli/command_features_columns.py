@@ -123,4 +123,4 @@ unaffected = [
 open_cells = set()
 commands_with_no_report = ["run", "sweep"]
 # They take no case, or those of the catalogue: files of others, archives, folders of results.
-commands_without_a_case = ["verify", "keys", "list", "manual", "reproduce", "benchmark"]
+commands_without_a_case = ["verify", "keys", "list", "manual", "reproduce", "benchmark", "compare"]

@@ -77,15 +77,15 @@ done
 groups=$(sed -n 's/^\([A-Z][a-z]*\):$/\1/p' help.txt | grep -v Options | tr '\n' ' ')
 [ "$groups" = "Compute Trust Ask Rigs Exchange Tools " ] || complain "groups: $groups"
 group_of() { awk -v name="$1" '/^[A-Z][a-z]*:$/ { group = $1 } $1 == name && /^  / { print group }' help.txt; }
-for group in "Compute: run sweep predict" "Trust: check refine verify reproduce benchmark" "Ask: limit deviation fit" \
+for group in "Compute: run sweep predict" "Trust: check refine verify reproduce benchmark compare" "Ask: limit deviation fit" \
     "Rigs: rig design identify experiment" "Exchange: contact influence" "Tools: atlas list keys manual"; do
     for command in ${group#*:}; do
         [ "$(group_of "$command")" = "${group%%:*}:" ] || complain "$command stands in $(group_of "$command")"
     done
 done
 n=$(sed -n '/^Compute:/,$p' help.txt | grep -c '^  [a-z]')
-# A new command is a part of another where it can be: 23 with benchmark, whose own parts are many.
-[ "$n" -le 23 ] || complain "$n commands"
+# A new command is a part of another where it can be: 24 with benchmark, whose own parts are many, and compare.
+[ "$n" -le 24 ] || complain "$n commands"
 for part in "contact export" "contact import" "sweep merge" "benchmark list" "benchmark show"; do
     "$program" "${part% *}" --help | grep -q "^  $part  " || complain "no $part in the help of ${part% *}"
     # shellcheck disable=SC2086

@@ -86,6 +86,65 @@ says "bem.spacing was refined" out
 says "p_0 of a mesh has no limit" out
 grep -q '^peak pressure' out && complain "an infinite pressure is refined: $(grep p_0 out)"
 
+# Springs, and the elements of mdr-layer: no order, the exact layer within the error.
+cat >springs.toml <<'END'
+models = ["mdr", "mdr-layer"]
+[indenter]
+radius = "40 mm"
+[substrate]
+young = "5.2 MPa"
+poisson = 0.5
+thickness = "8 mm"
+[friction]
+coefficient = 0.57
+[load]
+indentation = "0.35 mm"
+tangential_ratio = 0.3
+[mdr]
+springs = 300
+elements_per_radius = 20
+END
+expect 0 springs.toml --model mdr --quiet --output springs
+says "mdr.springs was refined on 3 levels, springs from" out
+says "mdr leaves out substrate.thickness" out
+says '"key": "mdr.springs"' springs/refinement.json
+expect 0 springs.toml --model mdr-layer --quiet --output elements
+says "mdr.elements_per_radius was refined on 3 levels" out
+grep -q "^elements_per_radius = 40$" elements/case.toml || complain "elements of the finest level: $(cat elements/case.toml)"
+"$python" - springs elements <<'END' || complain "springs beside theory"
+import json, sys
+for folder in sys.argv[1:]:
+    quantities = json.load(open(folder + "/refinement.json"))["quantities"]
+    force = quantities["normal_force_N"]
+    assert force["convergence"] == "no order" and force["limit"] == force["values"][-1], force
+    for key in "normal_force_N", "contact_radius_m", "peak_pressure_Pa":
+        one = quantities[key]
+        assert 0 < abs(one["values"][-1] - one["exact"]) <= one["error_of_finest"] < .01 * one["exact"], (folder, key, one)
+    for key in "contact_area_m2", "stick_area_m2", "slip_area_m2", "stored_energy_J", "friction_energy_J", "end_normal_force_N":
+        assert quantities[key]["error_of_finest"] > 0, (folder, key)
+END
+
+# A cylinder beside the closed forms of the line contact.
+cat >line.toml <<'END'
+models = ["bem"]
+[indenter]
+shape = "cylinder"
+radius = "40 mm"
+length = "100 mm"
+[substrate]
+young = "5.2 MPa"
+poisson = 0.5
+[friction]
+coefficient = 0.57
+[load]
+normal_force = "20 N"
+tangential_ratio = 0.3
+[bem]
+cells_per_radius = 10
+END
+expect 0 line.toml --model bem --quiet --output line
+says "Theory (half-space) lies within the estimated error of" out
+
 # 2. Bad input.
 expect 2 "$source_dir/examples/cases/rig_sphere_parallel.toml" --output none
 says "models: fem is not among the models of the case" err
@@ -93,8 +152,10 @@ for levels in 2 9 many; do
     expect 2 "$case_file" --levels "$levels" --output none
     says "--levels" err
 done
-expect 2 "$case_file" --model mdr --output none
+expect 2 "$case_file" --model atlas --output none
 says "--model" err
+expect 2 "$case_file" --model mdr --output none
+says "models: mdr is not among the models of the case" err
 [ -e none ] && complain "a folder in spite of bad input"
 
 if ! "$program" list | grep -q '^  fem '; then

@@ -124,9 +124,6 @@ refused "../bad.toml:9:25: load.tangential_ratio = 1.2: must be" sweep ../bad.to
 study bad.toml 'load.tangential_ratio = {from = 0.1, to = 0.2, points = 400}' \
     'rolling.amplitude_ratio = {from = 0.1, to = 0.2, points = 400}'
 refused "the study has 320000 points, more than 100000" sweep ../bad.toml
-study bad.toml 'load.tangential_ratio = [0.1]'
-sed -i '2s/.*/models = ["mdr-layer"]\nlevels = 2/; s/^\[set\]/[set]\nsubstrate.thickness = "8 mm"/' bad.toml
-refused "levels: mdr-layer chooses its elements by itself" sweep ../bad.toml
 refused "the file cannot be read" sweep missing.toml
 refused "--shard 4/3: must be i/n" sweep ../a.toml --shard 4/3
 refused "--shard 0/3: must be i/n" sweep ../a.toml --shard 0/3

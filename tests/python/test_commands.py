@@ -25,6 +25,7 @@ FUNCTIONS = {
     "fit": commands.fit,
     "atlas": commands.build_atlas,
     "reproduce": commands.reproduce,
+    "compare": commands.compare,
 }
 # In Python a parameter of another name, what progress decides, or what the result always has.
 OTHERWISE = {"--set": "overrides", "--quiet": None, "--json": None}
@@ -171,3 +172,15 @@ rolling.amplitude_ratio = [0.1, 0.2, 0.3]
     points = fit.table("points")
     assert points.n_rows == len(table["rolling.amplitude_ratio"])
     assert table.units["settled_shift_m"] == "m"
+
+
+def test_two_folders_of_results_are_compared(rig, program, tmp_path):
+    for name, springs in ("a", 500), ("b", 1000):
+        program("run", rig, "--models", "mdr", "--set", f"mdr.springs={springs}", "--output", name,
+                "--quiet", "--no-studies", "--no-report")
+    outcome = tricontact.compare(tmp_path / "a", tmp_path / "b")
+    assert [change["key"] for change in outcome["case_differences"]] == ["mdr.springs"]
+    pair = outcome["pairs"][0]
+    assert pair["a"] == "mdr" and pair["quantities"]["normal_force_N"]["relative"] == 0
+    with pytest.raises(tricontact.InputError, match="summary.json"):
+        tricontact.compare(tmp_path / "a", tmp_path)

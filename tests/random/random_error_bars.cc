@@ -42,6 +42,8 @@ struct Truth {
         if (half_space && drawn.has_closed_form && &q == &indentation) return scales.indentation;
         if (half_space && drawn.has_closed_form && &q == &contact_radius)
             return scales.contact_radius;
+        if (half_space && drawn.has_closed_form && &q == &peak_pressure)
+            return scales.peak_pressure;
         if (drawn.exact_shift && &q == &final_shift) return drawn.exact_shift;
         return fine.number(q);
     }

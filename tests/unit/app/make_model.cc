@@ -76,6 +76,27 @@ TEST(ModelMakers, CoarserSpringsAndCells) {
     EXPECT_NEAR(surface(cells).spacing[0], 1e-3, 1e-15);
 }
 
+// The elements of a line on a layer: those of the case's settings, and as far as the thickness
+// allows.
+TEST(ModelMakers, CoarserElementsOfALayersLine) {
+    Case c = pressed_case();
+    c.layer.thickness = 8e-3;
+    const auto coarser = [&](double factor) {
+        return model_makers().make_coarser(contact::models::mdr_layer, c, factor, 1,
+                                           contact::silent);
+    };
+    EXPECT_EQ(coarser(2).c.of<mdr::Settings>().elements_per_radius, 50);
+    EXPECT_EQ(coarser(.5).c.of<mdr::Settings>().elements_per_radius, 200);
+    c.layer.thickness = 2e-4;  // elements of a quarter of it, whatever the radius
+    try {
+        coarser(2);
+        FAIL() << "not refused";
+    } catch (const contact::InputError& why) {
+        EXPECT_NE(std::string(why.what()).find("increase mdr.elements_per_radius"),
+                  std::string::npos);
+    }
+}
+
 TEST(ModelMakers, NoMeshIsCoarserThanThatOfAFile) {
     Case c = pressed_case();
     c.layer.thickness = 8e-3;

@@ -72,22 +72,23 @@ TEST(NumericalError, SpringsHaveNoOrder) {
 // tolerance.
 TEST(NumericalError, ForcesAndWorkHaveHalfWidths) {
     using namespace quantities;
-    EXPECT_EQ(prescribed_quantities(the_case), std::vector{&indentation});
+    EXPECT_EQ(prescribed_quantities(the_case), (std::vector{&indentation, &end_indentation}));
     contact::Case c = the_case;
     c.load.indentation.reset();
     c.load.normal_force = 1;
-    EXPECT_EQ(prescribed_quantities(c), std::vector{&normal_force});
+    EXPECT_EQ(prescribed_quantities(c), (std::vector{&normal_force, &end_normal_force}));
     contact::PrescribedPath path;
     path.rows.resize(2);
     path.rows[1].normal = {contact::NormalControl::Kind::indentation, 1e-4};
     path.rows[1].tangential[0] = {contact::TangentialControl::Kind::force, .1};
     c.prescribed_path = path;
-    EXPECT_EQ(prescribed_quantities(c), (std::vector{&indentation, &path_force}));
+    EXPECT_EQ(prescribed_quantities(c), (std::vector{&indentation, &end_indentation, &path_force}));
     c.prescribed_path->rows[1].tangential[0].kind = contact::TangentialControl::Kind::ratio;
-    EXPECT_EQ(prescribed_quantities(c), std::vector{&indentation});
+    EXPECT_EQ(prescribed_quantities(c), (std::vector{&indentation, &end_indentation}));
     c.prescribed_path->rows[1].normal.kind = contact::NormalControl::Kind::force;
     c.prescribed_path->rows[1].tangential[0].kind = contact::TangentialControl::Kind::shift;
-    EXPECT_EQ(prescribed_quantities(c), (std::vector{&normal_force, &final_shift}));
+    EXPECT_EQ(prescribed_quantities(c),
+              (std::vector{&normal_force, &end_normal_force, &final_shift}));
 
     contact::History history = synthetic::settling_history("bem");
     for (contact::StepRecord& step : history.steps) step.dissipation = 0;
@@ -136,7 +137,8 @@ TEST(NumericalError, IsZeroOfWhatIsPrescribedAlone) {
     error.prescribed = prescribed_quantities(c);
     EXPECT_TRUE(error.is_exact(quantities::indentation));
     EXPECT_EQ(error.of(quantities::indentation), 0);
-    EXPECT_EQ(numerical_error_json(error)["exact"], nlohmann::json({"indentation_m"}));
+    EXPECT_EQ(numerical_error_json(error)["exact"],
+              nlohmann::json({"indentation_m", "end_indentation_m"}));
 }
 
 // Where other steps do not converge, ± is that of the mesh, and says so.

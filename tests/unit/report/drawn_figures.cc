@@ -214,5 +214,19 @@ TEST(DrawnFigures, DataAreOneTable) {
     EXPECT_NE(figure_csv(study()).find("\"MDR, f_T = 0.3: shift [µm]\""), std::string::npos);
 }
 
+// Words beside an axis stand in both drawings, in the places of 0, 1, ...
+TEST(DrawnFigures, NamesStandInThePlaceOfNumbers) {
+    const Figure figure{
+        .id = "rows",
+        .x = {"difference [%]"},
+        .y = {.low = 1.5, .high = -.5, .names = {"penalty's", "left_over"}},
+        .curves = {{.name = "a", .x = {1, 2}, .y = {0, 1}, .kind = Curve::Kind::points}}};
+    EXPECT_EQ(page_of(figure)["y"]["names"].size(), 2u);
+    EXPECT_TRUE(page_of(figure)["x"]["names"].empty());
+    const std::string svg = draw_all({figure}).front().svg;
+    EXPECT_EQ(count(svg, "penalty"), 1u) << svg;
+    EXPECT_NE(content_of(figure).find("penalty's"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace tricontact::report::drawn_figures_test

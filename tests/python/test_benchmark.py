@@ -1,0 +1,66 @@
+"""References beside closed forms."""
+
+import numpy as np
+import pytest
+
+import tricontact
+from tricontact import benchmark
+
+HERTZ = {
+    "models": ["bem"],
+    "indenter": {"radius": "1 m"},
+    "substrate": {"young": "15 MPa", "poisson": 0.3},
+    "friction": {"coefficient": 0.3},
+    "contact": {"coupling": False},
+    "load": {"indentation": "10 mm", "tangential_ratio": 0.0},
+}
+
+
+@pytest.fixture
+def hertz(tmp_path, monkeypatch):
+    monkeypatch.setenv("TRICONTACT_CACHE", str(tmp_path))
+    reference = benchmark.reference(HERTZ)
+    assert len(list(tmp_path.glob("*.reference"))) == 1
+    again = benchmark.reference(HERTZ)
+    assert again.values == reference.values
+    return reference
+
+
+def test_values_are_those_of_hertz(hertz):
+    scales = tricontact.Case.from_dict(HERTZ).scales
+    force = hertz.values["normal_force"]
+    assert force["source"] == "Hertz (1882)"
+    assert force["value"] == pytest.approx(scales.normal_force, rel=1e-9)
+    assert 0 < force["bar"] < 1e-3 * force["value"]
+    assert hertz.values["indentation"]["bar"] == 0
+    assert hertz.prescribed == ["indentation"]
+    assert hertz.geometry == "axisymmetric"
+    assert hertz.contact_radius == pytest.approx(scales.contact_radius)
+    # -1/2 d/dd of pi/2 p0^2 a^2, see tests/unit/benchmarks/reference.cc.
+    modulus = 15e6 / 0.91
+    compliance = hertz.effects["normal_compliance"]["value"]
+    assert compliance == pytest.approx(-2 / np.pi * modulus**2 * 0.01, rel=1e-6)
+
+
+def test_fields_take_arrays(hertz):
+    scales = tricontact.Case.from_dict(HERTZ).scales
+    x = np.linspace(0, 0.12, 7)
+    pressure = hertz.pressure(x)
+    np.testing.assert_allclose(pressure, tricontact.theory.hertz_pressure(scales, x),
+                               atol=1e-7 * scales.peak_pressure)
+    assert hertz.pressure(0.03, 0.04) == pytest.approx(hertz.pressure(0.05))
+    assert hertz.pressure(np.zeros((2, 3)), 0.01).shape == (2, 3)
+    assert hertz.traction(x, x).shape == (7, 2)
+    assert hertz.displacement(x, x).shape == (7, 3)
+    np.testing.assert_allclose(hertz.displacement(0.0)[2], 0.01)
+    assert (hertz.pressure_bar(x) >= 0).all()
+    assert hertz.load_within(1.0) == pytest.approx(scales.normal_force)
+
+
+def test_no_reference_is_refused():
+    with pytest.raises(tricontact.InputError, match="relaxes"):
+        benchmark.reference({
+            **HERTZ,
+            "substrate": {**HERTZ["substrate"], "relaxation": {
+                "relative_moduli": [0.5], "times": ["1 s"]}},
+        })
