@@ -1,5 +1,5 @@
 // The command line program. Exit codes: 0 done, 1 did not converge (or failed), 2 bad input, 3 what
-// was kept is not reproduced.
+// was kept is not reproduced, or a code fails a comparison, 4 a comparison is not resolved.
 
 #include <fmt/format.h>
 #include <unistd.h>

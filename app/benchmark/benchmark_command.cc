@@ -93,9 +93,9 @@ Command benchmark_command() {
             "benchmark: no part is given; begin with tricontact benchmark list (tricontact "
             "benchmark --help)");
     };
-    return Declared<CommandOptions>(Group::trust, "benchmark",
-                                    "Problems for contact codes, with references: list, show, deck",
-                                    none);
+    return Declared<CommandOptions>(
+        Group::trust, "benchmark",
+        "Problems for contact codes, with references: list, show, deck, compare", none);
 }
 
 Command benchmark_list_command() {

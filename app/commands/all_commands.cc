@@ -20,6 +20,7 @@ Command benchmark_command();
 Command benchmark_list_command();
 Command benchmark_show_command();
 Command benchmark_deck_command();
+Command benchmark_compare_command();
 Command compare_command();
 Command limit_command();
 Command deviation_command();
@@ -83,6 +84,7 @@ std::vector<Command> all_commands() {
                                   benchmark_list_command(),
                                   benchmark_show_command(),
                                   benchmark_deck_command(),
+                                  benchmark_compare_command(),
                                   compare_command(),
                                   limit_command(),
                                   deviation_command(),

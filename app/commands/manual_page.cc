@@ -39,7 +39,9 @@ std::string manual_page(const std::vector<CommandText>& commands) {
     }
     return out +
            ".SH EXIT STATUS\n.TP\n.B 0\nDone.\n.TP\n.B 1\nSomething did not converge, or failed.\n"
-           ".TP\n.B 2\nBad input: the message names place, value, rule and remedy.\n";
+           ".TP\n.B 2\nBad input: the message names place, value, rule and remedy.\n"
+           ".TP\n.B 3\nWhat was kept is not reproduced, or a comparison fails.\n"
+           ".TP\n.B 4\nA comparison is not resolved.\n";
 }
 
 }  // namespace tricontact::app

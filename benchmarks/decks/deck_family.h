@@ -26,6 +26,9 @@ struct DeckFamily {
     std::vector<std::string> remarks;  ///< of the code, for the README
 };
 
+/// By wishes.code. Throws contact::InputError for a code that has no deck.
+DeckFamily make_family(const DeckModel& model, const DeckWishes& wishes);
+
 /// Input of CalculiX, or of Abaqus where `is_abaqus`.
 DeckFamily inp_family(const DeckModel& model, const DeckWishes& wishes, bool is_abaqus);
 

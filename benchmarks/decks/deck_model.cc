@@ -168,7 +168,7 @@ void set_block(DeckModel& model, const contact::Case& c) {
     model.is_half_space = !c.layer.thickness;
     if (model.is_half_space) {
         model.width = model.thickness =
-            model.a * (is_half_model ? half_space_half_model : half_space_size);
+            model.a * (is_half_model ? half_space_half_model : half_space_block);
     } else {
         model.thickness = *c.layer.thickness * to_mm;
         model.width = std::max((is_half_model ? half_model_sides : layer_sides) * model.thickness,
@@ -189,7 +189,7 @@ double rounded(double value) {
     return std::round(value / unit) * unit;
 }
 
-// p0/K = 0.46 % of the depth: 260 MPa/mm for the pressed layer, which lowers its force by 0.42 %.
+// 260 MPa/mm for the pressed layer, which lowers its force by 0.42 %.
 void set_stiffness(DeckModel& model, const Reference& reference) {
     const ReferenceValue* depth = reference.find(quantity_keys::indentation);
     const ReferenceValue* peak = reference.find(quantity_keys::peak_pressure);
@@ -198,7 +198,7 @@ void set_stiffness(DeckModel& model, const Reference& reference) {
     if (!(d > 0) || !std::isfinite(d)) d = std::max(model.height(model.a, 0), 1e-3 * model.a);
     if (!(p > 0) || !std::isfinite(p)) p = modulus * d / model.a / 2;
     model.depth_scale = d;
-    model.stiffness = rounded(216 * p / d);
+    model.stiffness = rounded(stiffness_factor * p / d);
     // Without it the indenter under a force has nothing that it rests on when the load begins.
     if (model.has_force()) model.overlap = .02 * d;
     // A force once, a force always: 0 where there is none yet.
@@ -255,7 +255,8 @@ DeckModel make_deck_model(const Reference& reference, const DeckWishes& wishes) 
 DeckLines deck_lines(const DeckModel& model, int n, int level) {
     const double size = model.a / n;
     // As many equal elements as reach beyond the faces that may touch.
-    const int equal = static_cast<int>(std::ceil(model.contact_reach / size - 1e-9));
+    const double equal_reach = std::max(model.contact_reach, contact_reach * model.a);
+    const int equal = static_cast<int>(std::ceil(equal_reach / size - 1e-9));
     const bool is_half_model = model.shape == DeckModel::Shape::half;
     const double growth = model.is_half_space ? 2. : is_half_model ? 1.8 : 1.6;
     DeckLines lines;

@@ -8,6 +8,6 @@ namespace tricontact::benchmarks {
 std::string submission_text(const DeckModel& model, const DeckFamily& family);
 
 /// README.txt: commands, what is prescribed, units, block, family.
-std::string readme_text(const DeckModel& model, const DeckFamily& family);
+std::string readme_text(const DeckModel& model, const DeckFamily& family, bool has_submission);
 
 }  // namespace tricontact::benchmarks

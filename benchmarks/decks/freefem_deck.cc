@@ -18,7 +18,8 @@ constexpr const char* freefem_template =
 verbosity = 0;
 real young = @young@, poisson = @poisson@, K = @stiffness@;   // K [MPa/mm]
 real lambda = young*poisson/((1 + poisson)*(1 - 2*poisson)), shear = young/(2*(1 + poisson));
-func real gap(real r) { return @gap@; }   // [mm]
+// Between the undeformed surfaces [mm]; the indenter ends at @end@ mm.
+func real gap(real r) { if (r > @end@) return 1e9; return @gap@; }
 
 // Nodes along the surface and upwards from the base.
 real[int] X = [@x@];
@@ -137,6 +138,7 @@ DeckFamily freefem_family(const DeckModel& model, const DeckWishes& wishes) {
                      {"poisson", number(model.poisson)},
                      {"stiffness", number(model.stiffness)},
                      {"gap", model.gap},
+                     {"end", number(model.indenter_reach * (1 + 1e-9))},
                      {"x", number_list(lines.x)},
                      {"z", number_list(heights)},
                      {"element", element},

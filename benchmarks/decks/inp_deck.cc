@@ -38,28 +38,12 @@ const InpElement& inp_element(const DeckModel& model, const std::string& wish) {
 
 using Out = std::back_insert_iterator<std::string>;
 
-void write_contact(Out out, const DeckModel& model) {
-    fmt::format_to(out, "*SURFACE INTERACTION, NAME=CONTACT\n");
-    fmt::format_to(out, "*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=LINEAR\n{:.9g}\n",
-                   model.stiffness);
-    if (model.mu > 0) {
-        fmt::format_to(out, "*FRICTION\n{:.9g}, {:.9g}\n", model.mu, model.stick_slope);
-    }
-    fmt::format_to(out,
-                   "*CONTACT PAIR, INTERACTION=CONTACT, TYPE=SURFACE TO SURFACE\nSLAYER, SIND\n");
-}
-
-void write_abaqus_contact(Out out, const DeckModel& model) {
-    fmt::format_to(out, "*SURFACE INTERACTION, NAME=CONTACT\n1.\n");
-    fmt::format_to(out, "*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=LINEAR\n{:.9g}\n",
-                   model.stiffness);
-    if (model.mu > 0)
-        // Abaqus bounds the elastic slip: mu p0 over the stick slope.
-        fmt::format_to(out, "*FRICTION, ELASTIC SLIP={:.6g}\n{:.9g}\n",
-                       model.mu * model.stiffness * model.depth_scale / 216 / model.stick_slope,
-                       model.mu);
-    fmt::format_to(out,
-                   "*CONTACT PAIR, INTERACTION=CONTACT, TYPE=SURFACE TO SURFACE\nSLAYER, SIND\n");
+InpInteraction interaction_of(const DeckModel& model) {
+    // The peak pressure, of which K was made, times mu over the stick slope.
+    const double slip = model.mu > 0 ? model.mu * model.stiffness * model.depth_scale /
+                                           (stiffness_factor * model.stick_slope)
+                                     : 0;
+    return {model.stiffness, model.mu, model.stick_slope, slip};
 }
 
 // All nodes of the indenter move along a loaded direction as NDEPTH does.
@@ -86,29 +70,6 @@ void write_supports(Out out, const DeckModel& model) {
         fmt::format_to(out, "NAXIS, 1, 1\n");
 }
 
-// What is written at the end of a step.
-void write_output(Out out, bool is_abaqus, bool has_depth_node) {
-    if (is_abaqus) {
-        fmt::format_to(out,
-                       "*NODE PRINT, NSET=NIND, FREQUENCY=99999, TOTALS=YES, SUMMARY=NO\nRF\n"
-                       "*NODE PRINT, NSET=NBASE, FREQUENCY=99999, TOTALS=YES, SUMMARY=NO\nRF\n"
-                       "*CONTACT PRINT, SLAVE=SLAYER, MASTER=SIND, FREQUENCY=99999\n"
-                       "CPRESS, CSHEAR1, CSHEAR2, COPEN\n"
-                       "*OUTPUT, FIELD, FREQUENCY=99999\n*NODE OUTPUT\nU, RF\n"
-                       "*ELEMENT OUTPUT\nS\n*CONTACT OUTPUT\nCSTRESS, CDISP, CFORCE\n");
-        return;
-    }
-    fmt::format_to(out,
-                   "*NODE PRINT, NSET=NIND, TOTALS=ONLY, FREQUENCY=99999\nRF\n"
-                   "*NODE PRINT, NSET=NBASE, TOTALS=ONLY, FREQUENCY=99999\nRF\n");
-    if (has_depth_node) fmt::format_to(out, "*NODE PRINT, NSET=NDEPTH, FREQUENCY=99999\nU\n");
-    // OUTPUT=3D: else contact values of plane elements stand at nodes that the file has not.
-    fmt::format_to(out,
-                   "*NODE FILE, OUTPUT=3D, FREQUENCY=99999\nU, RF\n"
-                   "*EL FILE, OUTPUT=3D, FREQUENCY=99999\nS\n"
-                   "*CONTACT FILE, FREQUENCY=99999\nCDIS, CSTR\n");
-}
-
 // Normal and tangential control of a step: displacements of all nodes of the indenter, or of the
 // node NDEPTH that they follow, or forces on those.
 void write_control(Out out, const DeckModel& model, const DeckStep& step, bool is_first) {
@@ -129,7 +90,8 @@ void write_control(Out out, const DeckModel& model, const DeckStep& step, bool i
     if (!loads.empty()) fmt::format_to(out, "*CLOAD{}\n{}", is_first ? "" : ", OP=NEW", loads);
 }
 
-void write_steps(Out out, const DeckModel& model, bool is_abaqus) {
+void write_steps(std::string& text, const DeckModel& model, bool is_abaqus) {
+    const Out out = std::back_inserter(text);
     for (std::size_t i = 0; i < model.steps.size(); ++i) {
         const DeckStep& step = model.steps[i];
         fmt::format_to(out, "** step {}: {} {:.9g}, {} {:.9g}\n", i + 1,
@@ -140,7 +102,7 @@ void write_steps(Out out, const DeckModel& model, bool is_abaqus) {
         fmt::format_to(out, "*STEP, INC=1000{}\n*STATIC\n{:.9g}, 1., 1e-6, {:.9g}\n",
                        is_abaqus ? ", NLGEOM=NO" : "", 1. / increments, 1. / increments);
         write_control(out, model, step, i == 0);
-        write_output(out, is_abaqus, model.has_force());
+        write_inp_output(text, {"NIND", "NBASE"}, model.has_force() ? "NDEPTH" : "", is_abaqus);
         fmt::format_to(out, "*END STEP\n");
     }
 }
@@ -162,10 +124,10 @@ std::string inp_text(const DeckModel& model, const InpElement& element, int n, i
     const char* section = is_plane ? "1.\n" : "";
     fmt::format_to(out, "*SOLID SECTION, ELSET=EBODY, MATERIAL=BODY\n{}", section);
     fmt::format_to(out, "*SOLID SECTION, ELSET=EIND, MATERIAL=INDENTER\n{}", section);
-    is_abaqus ? write_abaqus_contact(out, model) : write_contact(out, model);
+    write_inp_contact(text, interaction_of(model), is_abaqus);
     write_followers(text, model, mesh);
     write_supports(out, model);
-    write_steps(out, model, is_abaqus);
+    write_steps(text, model, is_abaqus);
     return text;
 }
 

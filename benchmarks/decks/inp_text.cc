@@ -56,4 +56,41 @@ void write_inp_mesh(std::string& text, const DeckMesh& mesh, const std::string& 
     }
 }
 
+void write_inp_contact(std::string& text, const InpInteraction& interaction, bool is_abaqus) {
+    const auto out = std::back_inserter(text);
+    text += "*SURFACE INTERACTION, NAME=CONTACT\n";
+    if (is_abaqus) text += "1.\n";
+    fmt::format_to(out, "*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=LINEAR\n{:.9g}\n",
+                   interaction.stiffness);
+    // CalculiX takes the slope of the traction over elastic slip, Abaqus the largest elastic slip.
+    if (interaction.mu > 0 && is_abaqus)
+        fmt::format_to(out, "*FRICTION, ELASTIC SLIP={:.6g}\n{:.9g}\n", interaction.elastic_slip,
+                       interaction.mu);
+    else if (interaction.mu > 0)
+        fmt::format_to(out, "*FRICTION\n{:.9g}, {:.9g}\n", interaction.mu, interaction.stick_slope);
+    text += "*CONTACT PAIR, INTERACTION=CONTACT, TYPE=SURFACE TO SURFACE\nSLAYER, SIND\n";
+}
+
+void write_inp_output(std::string& text, const std::vector<std::string>& force_sets,
+                      const std::string& moved, bool is_abaqus) {
+    const auto out = std::back_inserter(text);
+    for (const std::string& set : force_sets)
+        fmt::format_to(out, "*NODE PRINT, NSET={}, FREQUENCY=99999, {}\nRF\n", set,
+                       is_abaqus ? "TOTALS=YES, SUMMARY=NO" : "TOTALS=ONLY");
+    if (!moved.empty()) fmt::format_to(out, "*NODE PRINT, NSET={}, FREQUENCY=99999\nU\n", moved);
+    if (is_abaqus) {
+        text +=
+            "*CONTACT PRINT, SLAVE=SLAYER, MASTER=SIND, FREQUENCY=99999\n"
+            "CPRESS, CSHEAR1, CSHEAR2, COPEN\n"
+            "*OUTPUT, FIELD, FREQUENCY=99999\n*NODE OUTPUT\nU, RF\n"
+            "*ELEMENT OUTPUT\nS\n*CONTACT OUTPUT\nCSTRESS, CDISP, CFORCE\n";
+        return;
+    }
+    // OUTPUT=3D: else contact values of plane elements stand at nodes that the file has not.
+    text +=
+        "*NODE FILE, OUTPUT=3D, FREQUENCY=99999\nU, RF\n"
+        "*EL FILE, OUTPUT=3D, FREQUENCY=99999\nS\n"
+        "*CONTACT FILE, FREQUENCY=99999\nCDIS, CSTR\n";
+}
+
 }  // namespace tricontact::benchmarks

@@ -21,6 +21,11 @@ std::string number_with_bar(double value, double bar, double size, std::string_v
     return unit.empty() ? number : number + ' ' + std::string(unit);
 }
 
+/// Results of a code can be held against a reference of the case: that of contact in its place.
+bool is_compared(const Problem& problem) {
+    return problem.has_case() && problem.group != "rolling";
+}
+
 }  // namespace
 
 std::vector<NumberRow> target_rows(const Problem& problem, bool is_solution) {
@@ -57,6 +62,15 @@ std::vector<std::string> commands_of(const Problem& problem) {
             fmt::format("tricontact benchmark show {0} --case >{0}.toml", problem.name));
         commands.push_back(fmt::format("tricontact run {}.toml", problem.name));
     }
+    if (!problem.decks.empty()) {
+        commands.push_back(
+            fmt::format("tricontact benchmark deck {} --code calculix --output try", problem.name));
+        if (problem.has_case())
+            commands.emplace_back("tricontact benchmark compare try/submission.toml");
+    }
+    if (is_compared(problem))
+        commands.push_back(fmt::format(
+            "tricontact benchmark compare --case {} coarse.csv medium.csv fine.csv", problem.name));
     return commands;
 }
 

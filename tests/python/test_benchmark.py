@@ -64,3 +64,32 @@ def test_no_reference_is_refused():
             "substrate": {**HERTZ["substrate"], "relaxation": {
                 "relative_moduli": [0.5], "times": ["1 s"]}},
         })
+
+
+def test_the_catalogue_is_there():
+    names = [one["name"] for one in benchmark.problems()]
+    assert len(names) >= 18 and "layer_pressed" in names
+    assert [one["name"] for one in benchmark.problems("locking")] == [
+        "layer_pressed_nearly_incompressible"
+    ]
+    page = benchmark.problem("two-spheres")
+    assert page["targets"][0]["value"] == pytest.approx(0.01)
+    with pytest.raises(tricontact.InputError, match="did you mean layer_pressed"):
+        benchmark.problem("layer_presed")
+
+
+def test_exact_values_of_a_code_pass(tmp_path, monkeypatch):
+    monkeypatch.setenv("TRICONTACT_CACHE", str(tmp_path))
+    files = []
+    for n in (16, 32, 64):
+        # Hertz: 20 kN on a radius of 100 mm, sampled at nodes.
+        r = np.arange(2 * n + 1) * 100 / n
+        p = 0.9549297 * np.sqrt(np.maximum(0, 1 - (r / 100) ** 2))
+        files.append(tmp_path / f"mesh_{n}.csv")
+        lines = [f"{one}, {other}" for one, other in zip(r, p)]
+        files[-1].write_text("# normal_force = 20 kN\nr [mm], p [MPa]\n" + "\n".join(lines) + "\n")
+    found = benchmark.compare(*files, case="hertz_sphere", no_report=True)
+    assert found["quantities"]["normal_force"]["verdict"] == "pass"
+    assert abs(found["quantities"]["normal_force"]["difference"]) < 1e-3
+    wrong = benchmark.compare(*files, case="layer_pressed", no_report=True, tolerance=0.01)
+    assert wrong["verdict"] != "pass"

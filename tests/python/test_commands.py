@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 import tricontact
-from tricontact import _core, commands
+from tricontact import _core, benchmark, commands
 
 COARSE = {"mdr.springs": 500, "rolling.steps": "turning-points"}
 FUNCTIONS = {
@@ -25,6 +25,8 @@ FUNCTIONS = {
     "fit": commands.fit,
     "atlas": commands.build_atlas,
     "reproduce": commands.reproduce,
+    "benchmark deck": benchmark.deck,
+    "benchmark compare": benchmark.compare,
     "compare": commands.compare,
 }
 # In Python a parameter of another name, what progress decides, or what the result always has.

@@ -1,0 +1,17 @@
+#pragma once
+
+#include "benchmarks/decks/deck.h"
+
+namespace tricontact::benchmarks {
+
+/// Two blocks of 1000 mm x 500 mm, one on the other, with meshes that do not match, compressed by a
+/// strain of 0.1; E = 1 MPa, nu = 0: p = 0.1 MPa everywhere. Taylor and Papadopoulos (1991).
+std::vector<DeckFile> patch_test_deck(const DeckWishes& wishes);
+
+/// A block that is pushed up a slope: F/G = (tan(alpha) + mu)/(1 - mu tan(alpha)). NAFEMS CGS-4.
+std::vector<DeckFile> wedge_deck(const DeckWishes& wishes);
+
+/// A rigid flat punch on a half-space. Boussinesq (1885).
+std::vector<DeckFile> complete_punch_deck(const DeckWishes& wishes);
+
+}  // namespace tricontact::benchmarks
