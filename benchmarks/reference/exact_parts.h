@@ -11,8 +11,8 @@ namespace tricontact::benchmarks {
 /// Values of an exact theory of pressing as those of a reference that has none.
 void set_exact_values(Reference& reference, const std::map<std::string, double>& exact,
                       const std::string& source);
-/// The same in place of computed ones, whose differences become bars of models. The stored energy
-/// stays: that of tractions is in it.
+/// The same in place of computed ones, the contact's radius included, whose differences become bars
+/// of models. The stored energy stays: that of tractions is in it.
 void replace_by_exact(Reference& reference, const std::map<std::string, double>& exact,
                       const std::string& source);
 

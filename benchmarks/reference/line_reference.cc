@@ -73,8 +73,8 @@ void refer_line(Reference& reference, const contact::ModelRunner& runner) {
 void take_line_pressing(Reference& reference, const std::shared_ptr<const TabledFields>& shearing) {
     const NormalControl control = final_normal(reference.c);
     const PlaneContact contact(reference.c, control);
-    reference.contact_radius = contact.half_width();
     replace_by_exact(reference, exact_line_scalars(contact), line_theory(reference.c));
+    reference.contact_radius = contact.half_width();
     reference.fields = std::make_shared<SplitFields>(line_fields(reference, contact), shearing);
     add_line_effects(reference, control, contact.half_width());
 }

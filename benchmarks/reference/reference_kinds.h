@@ -47,6 +47,8 @@ void take_line_pressing(Reference& reference, const std::shared_ptr<const Tabled
 /// The closed form of a tangential load applied once to uncoupled half-spaces: values where it is
 /// exact, else a remark with its difference.
 void take_closed_shearing(Reference& reference);
+/// The same of a twist about the body's axis.
+void take_closed_twist(Reference& reference);
 
 /// What sides at the distances that the case gives change: as bars of the domain.
 void add_sides_of_case(Reference& reference);
