@@ -78,6 +78,7 @@ inline constexpr const char* dissipation = "dissipation";            ///< by fri
 inline constexpr const char* normal_stiffness = "normal_stiffness";  ///< dF_N/dd [N/m]
 inline constexpr const char* tangential_stiffness = "tangential_stiffness";  ///< dF_T/dU [N/m]
 inline constexpr const char* torque = "torque";  ///< on the body, about the twist's centre [N m]
+inline constexpr const char* creepage = "creepage";  ///< of steady rolling, along it [-]
 // Of contacts that roll back and forth:
 inline constexpr const char* static_shift = "static_shift";        ///< U before rolling [m]
 inline constexpr const char* settled_shift = "settled_shift";      ///< U_sd after shakedown [m]

@@ -73,6 +73,15 @@ void expect_within_bar(const Reference& reference, const char* key, double exact
     EXPECT_NEAR(value->value, exact, value->bar()) << key;
 }
 
+void expect_refused(const Case& c, const std::string& assumption) {
+    try {
+        of(c);
+        ADD_FAILURE() << "expected: " << assumption;
+    } catch (const contact::InputError& error) {
+        EXPECT_NE(std::string(error.what()).find(assumption), std::string::npos) << error.what();
+    }
+}
+
 // F, a and p0 of the layer by an independent solution of the Fredholm equation, to the digits that
 // were printed.
 TEST(BenchmarkReference, LayerHasIndependentNumbers) {
@@ -309,8 +318,59 @@ TEST(BenchmarkReference, ShearedSphereIsCattaneoAndMindlin) {
     EXPECT_EQ(r.geometry, Geometry::spatial);
 }
 
-// Plane: the sum of p over the layer's contact, and -1/2 d/dd ∫ p^2 dx against differences of a
-// Winkler layer in series, which is exact where the substrate is much stiffer than it.
+// Carter (1926), Johnson (1985), eq. 8.46 and 8.48: xi R/(mu a) = 1 - sqrt(1 - f), c/a = sqrt(1 -
+// f); the tractions carry f mu F_N.
+TEST(BenchmarkReference, RollingCylinderIsCarter) {
+    const std::string free_of_coupling = R"(
+[tractive_rolling]
+distance = 6
+)";
+    const Case c = io::parse_case(
+        "models = [\"bem\"]\n" + cylinder + "tangential_ratio = 0.56\n" + free_of_coupling,
+        "case.toml", {"load.normal_force=2110 N", "indenter.length=8 m", "substrate.young=5 MPa"});
+    const Reference r = of(c);
+    const double a = r.contact_radius, load = 2110. / 8;
+    EXPECT_NEAR(r.find(keys::creepage)->value, .336675 * .1 * a / .05, 1e-6 * .1 * a / .05);
+    EXPECT_NEAR(r.find(keys::stick_area)->value, .663325 * 2 * a, 1e-6 * a);
+    EXPECT_NEAR(r.find(keys::tangential_force)->value, .056 * load, 1e-9 * load);
+    double sum = 0;
+    constexpr int n = 4000;
+    for (int i = 0; i < n; ++i)
+        sum += r.fields->at(-a + (i + .5) * 2 * a / n, 0).traction_x * 2 * a / n;
+    EXPECT_NEAR(sum, .056 * load, 1e-4 * .056 * load);
+    EXPECT_TRUE(r.is_prescribed(keys::tangential_force));
+    Case sphere = half_space_case(hertz);
+    sphere.tractive_rolling.emplace();
+    expect_refused(sphere, "rolls on");
+}
+
+// Lubkin (1951): the numbers of the catalogue, c = a/2.
+TEST(BenchmarkReference, TwistedSphereIsLubkin) {
+    const Reference r = of(half_space_case(R"(
+[indenter]
+radius = "40 mm"
+[substrate]
+young = "5.2 MPa"
+poisson = 0.3
+[friction]
+coefficient = 0.57
+[contact]
+coupling = false
+[path]
+steps = 10
+table = """
+normal_force [N], rotation [mrad]
+21.1, 0
+21.1, 58.84648389
+"""
+)"));
+    EXPECT_EQ(r.find(keys::torque)->source, "Lubkin (1951)");
+    EXPECT_NEAR(r.find(keys::torque)->value, 30.53130e-3, 1e-8);
+    EXPECT_NEAR(r.find(keys::stick_area)->value, 18.11553e-6, 1e-10);
+    EXPECT_LT(r.find(keys::torque)->model, 1e-4 * 30.5e-3);  // bem
+}
+
+// Plane: the sum of p over the layer's contact is its load, and its surface is drawn inwards.
 TEST(BenchmarkReference, PlaneLayerBalances) {
     const Case c = io::parse_case("models = [\"bem-layer\"]\n" + cylinder, "case.toml",
                                   {"substrate.thickness=20 mm", "substrate.young=5 MPa",
@@ -326,15 +386,6 @@ TEST(BenchmarkReference, PlaneLayerBalances) {
     EXPECT_NEAR(sum, layer.load(), 1e-6 * layer.load());
     EXPECT_NEAR(layer.load_within(layer.half_width()), layer.load(), 1e-9 * layer.load());
     EXPECT_LT(layer.displacement_along(layer.half_width()), 0);
-}
-
-void expect_refused(const Case& c, const std::string& assumption) {
-    try {
-        of(c);
-        ADD_FAILURE() << "expected: " << assumption;
-    } catch (const contact::InputError& error) {
-        EXPECT_NE(std::string(error.what()).find(assumption), std::string::npos) << error.what();
-    }
 }
 
 TEST(BenchmarkReference, RefusesWhatNoModelIsAReferenceFor) {
