@@ -153,7 +153,7 @@ DeckFamily inp_family(const DeckModel& model, const DeckWishes& wishes, bool is_
         run.files.push_back({job + ".inp", inp_text(model, element, coarsest, level, is_abaqus)});
         run.command = is_abaqus ? "abaqus interactive job=" + job : "ccx " + job;
         run.field = job + (is_abaqus ? ".csv" : ".frd");
-        run.set = is_abaqus ? "" : "SLAYER";
+        run.set = is_abaqus ? "" : "BODY";  // as the file names it: by its material
         run.totals = is_abaqus ? "" : job + ".dat";
     }
     return family;
