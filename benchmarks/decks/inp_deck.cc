@@ -141,6 +141,13 @@ DeckFamily inp_family(const DeckModel& model, const DeckWishes& wishes, bool is_
     family.method = "penalty";
     family.kinematics = "displaced";
     family.has_stiffness = true;
+    if (is_abaqus)
+        family.remarks.push_back(
+            "The input was not tried with Abaqus: mesh and steps are those of the input for "
+            "CalculiX, "
+            "which was; friction's elastic slip and the output follow Abaqus' manual. Save r (or "
+            "x, y) "
+            "and CPRESS of SLAYER as columns of the CSV files that submission.toml names.");
     const bool is_spatial = model.shape == DeckModel::Shape::half;
     const int coarsest = is_spatial ? 2 : 4, levels = wishes.levels > 0 ? wishes.levels
                                                       : is_spatial      ? 3
