@@ -22,8 +22,8 @@ constexpr InpElement inp_elements[]{
     {"CAX8R", DeckModel::Shape::axisymmetric, true}, {"CAX8", DeckModel::Shape::axisymmetric, true},
     {"CAX4", DeckModel::Shape::axisymmetric, false}, {"CPE8R", DeckModel::Shape::plane, true},
     {"CPE8", DeckModel::Shape::plane, true},         {"CPE4", DeckModel::Shape::plane, false},
-    {"C3D20R", DeckModel::Shape::half, true},        {"C3D20", DeckModel::Shape::half, true},
-    {"C3D8", DeckModel::Shape::half, false}};
+    {"C3D8", DeckModel::Shape::half, false},         {"C3D20R", DeckModel::Shape::half, true},
+    {"C3D20", DeckModel::Shape::half, true}};
 
 const InpElement& inp_element(const DeckModel& model, const std::string& wish) {
     std::string names;
