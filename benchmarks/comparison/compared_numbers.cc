@@ -38,11 +38,11 @@ constexpr std::array rows{
     Row{keys::static_shift, "static shift", "m", smooth},
     Row{keys::settled_shift, "settled shift", "m", smooth},
     Row{keys::shift_increment, "shift per period", "m", "1"},
-    Row{keys::limit_tangential_ratio, "limit of shakedown f_T", "", smooth}};
+    Row{keys::shakedown_limit, "limit of shakedown f_T", "", smooth}};
 
 constexpr std::array decisive{
     keys::normal_force, keys::indentation,   keys::tangential_force, keys::shift,
-    keys::static_shift, keys::settled_shift, keys::shift_increment,  keys::limit_tangential_ratio};
+    keys::static_shift, keys::settled_shift, keys::shift_increment,  keys::shakedown_limit};
 
 std::string percent(double share) {
     return fmt::format("{:.2g} %", 100 * share);
