@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "comparisons/half_space/layer.h"
 #include "comparisons/quantities/left_out.h"
@@ -9,6 +8,7 @@
 #include "comparisons/quantities/undefined.h"
 #include "comparisons/run/reading.h"
 #include "contact/models/model_kind.h"
+#include "contact/substrates/normal_tangential.h"
 #include "report/format.h"
 #include "theory/rolling/body_rolling.h"
 
@@ -18,8 +18,6 @@ namespace {
 
 using contact::ModelKind;
 using Summaries = std::vector<Results>;
-
-constexpr double negligible_beta = 1e-3;  // steel on rubber: 1e-5
 
 /// Whether one of the models has this property of ModelKind.
 template <class Property>
@@ -188,7 +186,7 @@ std::vector<std::string> body_limitations(const contact::Case& c,
     for (std::size_t i = 0; i < models.size(); ++i) summaries[i].model = models[i];
     std::vector<std::string> findings;
     if (c.layer.thickness) findings.push_back(half_space_sentence(c, summaries, false));
-    if (std::abs(c.materials().dundurs_beta()) > negligible_beta)
+    if (contact::half_spaces_couple(c.materials()))
         findings.push_back(uncoupled_sentence(c, summaries));
     findings.push_back(direction_sentence(c, summaries));
     for (const std::string& one : left_out_sentences(c, summaries)) findings.push_back(one);
