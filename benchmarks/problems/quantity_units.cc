@@ -51,7 +51,7 @@ constexpr std::array<QuantityRow, 16> quantities{
      {quantity_keys::static_shift, "shift before rolling", "m", "m"},
      {quantity_keys::settled_shift, "settled shift U_sd", "m", "m"},
      {quantity_keys::shift_increment, "shift per period", "m", "m"},
-     {quantity_keys::limit_tangential_ratio, "limit of shakedown f_T,lim", "", ""}}};
+     {quantity_keys::shakedown_limit, "limit of shakedown f_T,lim", "", ""}}};
 
 const QuantityRow* find_quantity(std::string_view key) {
     const auto found = std::ranges::find(quantities, key, &QuantityRow::key);

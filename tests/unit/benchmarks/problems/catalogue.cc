@@ -175,7 +175,7 @@ TEST(BenchmarkCatalogue, HasTheNumbersOfRolling) {
     expect_target("kalker_coefficients", "c22", kalker.lateral);
     expect_target("kalker_coefficients", "c23", kalker.spin);
     expect_target("kalker_coefficients", "c33", kalker.moment);
-    expect_target("shakedown_limit", "limit_tangential_ratio", theory::shakedown_limit(.24));
+    expect_target("shakedown_limit", "shakedown_limit", theory::shakedown_limit(.24));
 }
 
 TEST(BenchmarkCatalogue, HasTheNumbersOfLubkin) {
