@@ -41,7 +41,7 @@ md.add_fem_variable('u', mf_u)
 md.add_filtered_fem_variable('p', mf_p, TOP)
 @variables@md.add_initialized_data('la', young*poisson/((1 + poisson)*(1 - 2*poisson)))
 md.add_initialized_data('mu', young/(2*(1 + poisson)))
-md.add_initialized_data('ga', @augmentation@)   # of the augmented Lagrangian [MPa/mm]: changes no result
+md.add_initialized_data('ga', @augmentation@)   # of the augmented Lagrangian [MPa/mm]: matters on coarse meshes only
 md.add_linear_term(mim, '@elastic@')
 md.add_Dirichlet_condition_with_simplification('u', BASE)
 md.add_linear_term(mim, '1e8*mu*u(1)*Test_u(1)', AXIS)   # u = 0 there
