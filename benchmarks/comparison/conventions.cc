@@ -106,6 +106,16 @@ bool is_extensive(const std::string& key) {
            key == keys::dissipation || key == keys::contact_area || key == keys::stick_area;
 }
 
+/// What a number without a unit has to be multiplied by for its lengths.
+double length_factor(const std::string& key, double unit) {
+    if (key == keys::contact_area || key == keys::stick_area) return unit * unit;
+    const bool has_length = key == keys::indentation || key == keys::shift ||
+                            key == keys::stored_energy || key == keys::dissipation ||
+                            key == keys::contact_radius || key == keys::static_shift ||
+                            key == keys::settled_shift || key == keys::shift_increment;
+    return has_length ? unit : 1;
+}
+
 /// Length and other totals as they stand, resultants of the whole contact.
 void read_totals(UnderstoodMesh& mesh, const MeshField& field, const ContactReach& reach,
                  const Reference& reference, std::vector<Convention>& conventions) {
@@ -113,13 +123,14 @@ void read_totals(UnderstoodMesh& mesh, const MeshField& field, const ContactReac
         const ReferenceValue* v = reference.find(key);
         return v && v->value != 0 ? std::abs(v->value) : 0.;
     };
-    double factor = 1;
+    double factor = 1, share = 1;
     const auto normal = field.totals.find(keys::normal_force);
     if (normal != field.totals.end()) {
         const ForceReading read =
             force_reading(normal->second, keys::normal_force, reference_of(keys::normal_force),
                           mesh.field_force, reach, mesh.result.geometry);
         factor = read.factor;
+        share = read.share;
         mesh.result.totals[keys::normal_force] = std::abs(normal->second.value) * factor;
         if (!read.is_plain)
             conventions.push_back({"share", "the force given is in " + read.text,
@@ -131,8 +142,10 @@ void read_totals(UnderstoodMesh& mesh, const MeshField& field, const ContactReac
     for (const auto& [key, total] : field.totals) {
         if (key == keys::normal_force || key == "size" || key == "cpu_time") continue;
         double whole = total.value;
-        if (is_extensive(key)) whole *= factor;
-        if (!total.unit && (key == keys::indentation || key == keys::shift)) whole *= reach.unit;
+        if (is_extensive(key))
+            whole *=
+                total.unit || key == keys::contact_area || key == keys::stick_area ? share : factor;
+        if (!total.unit) whole *= length_factor(key, reach.unit);
         mesh.result.totals[key] =
             key == keys::tangential_force || key == keys::shift ? whole : std::abs(whole);
     }

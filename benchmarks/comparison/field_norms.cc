@@ -63,8 +63,8 @@ void add_friction_norms(std::vector<FieldNorm>& norms, const FieldSums& at, doub
         loads[i] = std::isfinite(d) ? points[i].area * d : 0;
     }
     if (force > 0)
-        norms.push_back({"traction_load_within", "tangential load inside r, largest difference",
-                         load_order, largest_load_within(at.mesh, loads) / force, 0});
+        norms.push_back({"traction_load_within", "tangential load inside r, largest", load_order,
+                         largest_load_within(at.mesh, loads) / force, 0});
     const double mu = at.reference.c.friction_coefficient();
     if (!(mu > 0)) return;
     double bound = 0;
@@ -98,7 +98,7 @@ std::vector<FieldNorm> field_norms(const UnderstoodMesh& mesh, const ReferenceSa
         const double d = difference(i);
         loads[i] = std::isfinite(d) ? points[i].area * d : 0;
     }
-    norms.push_back({"load_within", "load inside r, largest difference over F", load_order,
+    norms.push_back({"load_within", "load inside r, largest over F", load_order,
                      largest_load_within(mesh, loads) / force,
                      at.integral(0, everywhere, bar) / force});
     const double scale = at.integral(0, everywhere, squared);
@@ -115,12 +115,12 @@ std::vector<FieldNorm> field_norms(const UnderstoodMesh& mesh, const ReferenceSa
             most = std::max(most, std::abs(difference(i)));
             most_bar = std::max(most_bar, bar(i));
         }
-    norms.push_back({"pressure_max_inside", "pressure, largest difference inside .85 a over p0",
-                     inner_order, most / p0, most_bar / p0});
+    norms.push_back({"pressure_max_inside", "pressure, largest inside .85 a over p0", inner_order,
+                     most / p0, most_bar / p0});
     const double band =
         at.integral(band_low * a, band_high * a, [](std::size_t) { return 1.; }) * p0 * p0;
-    norms.push_back({"edge_band", "pressure, root mean square from .9 a to 1.15 a over p0",
-                     edge_order, at.root(band_low * a, band_high * a, band, difference),
+    norms.push_back({"edge_band", "pressure, rms .9 a to 1.15 a over p0", edge_order,
+                     at.root(band_low * a, band_high * a, band, difference),
                      at.root(band_low * a, band_high * a, band, bar).value_or(0)});
     add_friction_norms(norms, at, p0);
     const ReferenceValue* depth = reference.find(keys::indentation);
@@ -134,7 +134,7 @@ std::vector<FieldNorm> field_norms(const UnderstoodMesh& mesh, const ReferenceSa
     if (depth && std::isfinite(points.front().values.displacement_z) &&
         std::isfinite(ref.front().displacement_z)) {
         const double area = at.integral(0, a, [](std::size_t) { return 1.; });
-        norms.push_back({"displacement_l2", "normal displacement, L2 inside a over d", inner_order,
+        norms.push_back({"displacement_l2", "displacement u_z, L2 inside a over d", inner_order,
                          at.root(0, a, area * depth->value * depth->value,
                                  [&](std::size_t i) {
                                      return points[i].values.displacement_z - ref[i].displacement_z;

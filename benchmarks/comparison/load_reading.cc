@@ -231,7 +231,8 @@ ForceReading force_reading(const Total& total, const std::string& what, double r
             const double misfit = misfit_of(whole) + (is_plain ? 0 : plainness);
             if (!(misfit < least)) continue;
             least = misfit;
-            best = {unit.factor * share.factor, fmt::format("{}, {}", unit.name, share.name),
+            best = {unit.factor * share.factor, share.factor,
+                    fmt::format("{}, {}", unit.name, share.name),
                     whole / std::abs(field_force.value_or(reference_force)), is_plain};
         }
     if (least - (best.is_plain ? 0 : plainness) > force_tolerance && field_force)

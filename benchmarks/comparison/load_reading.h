@@ -43,6 +43,7 @@ LoadReading load_reading(const std::vector<WeightedField>& fields, const Contact
 /// What a resultant in a file is of the whole contact's.
 struct ForceReading {
     double factor = 1;  ///< whole in N over the number as given
+    double share = 1;   ///< whole over the part that was modelled
     std::string text;   ///< "N, of a sector of 2 degrees"
     double ratio = 1;   ///< of the whole to what it is compared with
     bool is_plain = true;

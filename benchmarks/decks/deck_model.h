@@ -39,13 +39,14 @@ struct DeckModel {
     std::shared_ptr<const contact::Indenter> indenter;  ///< in m
     std::string gap;  ///< formula of the profile over r (x of plane decks), both in mm
     bool is_half_space = false;
-    double width = 0;           ///< radius or half width of the block [mm]
-    double thickness = 0;       ///< of the block [mm]
-    double contact_reach = 0;   ///< of the set of faces that may touch [mm]
-    double indenter_reach = 0;  ///< of the meshed indenter [mm]
-    double stiffness = 0;       ///< K of penalties [MPa/mm]
-    double stick_slope = 0;     ///< K_T [MPa/mm]; 0 where frictionless
-    double depth_scale = 0;     ///< d of the reference [mm], where the search of a depth begins
+    bool has_sharp_edge = false;  ///< infinite pressure at the edge of the contact
+    double width = 0;             ///< radius or half width of the block [mm]
+    double thickness = 0;         ///< of the block [mm]
+    double contact_reach = 0;     ///< of the set of faces that may touch [mm]
+    double indenter_reach = 0;    ///< of the meshed indenter [mm]
+    double stiffness = 0;         ///< K of penalties [MPa/mm]
+    double stick_slope = 0;       ///< K_T [MPa/mm]; 0 where frictionless
+    double depth_scale = 0;       ///< d of the reference [mm], where the search of a depth begins
     double overlap = 0;  ///< by which a meshed indenter begins in the block under a force [mm]
     std::vector<DeckStep> steps;
     std::vector<std::string> remarks;  ///< what the deck does that the case does not

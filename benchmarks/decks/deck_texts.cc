@@ -160,7 +160,10 @@ std::string readme_text(const DeckModel& model, const DeckFamily& family, bool h
                     counts += (counts.empty() ? "" : ", ") + std::to_string(run.n);
                 return counts;
             }(),
-            model.a, model.shape == DeckModel::Shape::half ? 8 : 4));
+            model.a, model.shape == DeckModel::Shape::half ? 8 : 4,
+            model.has_sharp_edge
+                ? ""
+                : " The pressure then converges with the order 1 in L2, for any elements."));
     if (!model.remarks.empty() || !family.remarks.empty()) text += '\n';
     for (const std::string& remark : model.remarks) write_paragraph(text, remark);
     for (const std::string& remark : family.remarks) write_paragraph(text, remark);

@@ -22,8 +22,8 @@ constexpr InpElement inp_elements[]{
     {"CAX8R", DeckModel::Shape::axisymmetric, true}, {"CAX8", DeckModel::Shape::axisymmetric, true},
     {"CAX4", DeckModel::Shape::axisymmetric, false}, {"CPE8R", DeckModel::Shape::plane, true},
     {"CPE8", DeckModel::Shape::plane, true},         {"CPE4", DeckModel::Shape::plane, false},
-    {"C3D20R", DeckModel::Shape::half, true},        {"C3D20", DeckModel::Shape::half, true},
-    {"C3D8", DeckModel::Shape::half, false}};
+    {"C3D8", DeckModel::Shape::half, false},         {"C3D20R", DeckModel::Shape::half, true},
+    {"C3D20", DeckModel::Shape::half, true}};
 
 const InpElement& inp_element(const DeckModel& model, const std::string& wish) {
     std::string names;
@@ -141,6 +141,13 @@ DeckFamily inp_family(const DeckModel& model, const DeckWishes& wishes, bool is_
     family.method = "penalty";
     family.kinematics = "displaced";
     family.has_stiffness = true;
+    if (is_abaqus)
+        family.remarks.push_back(
+            "The input was not tried with Abaqus: mesh and steps are those of the input for "
+            "CalculiX, "
+            "which was; friction's elastic slip and the output follow Abaqus' manual. Save r (or "
+            "x, y) "
+            "and CPRESS of SLAYER as columns of the CSV files that submission.toml names.");
     const bool is_spatial = model.shape == DeckModel::Shape::half;
     const int coarsest = is_spatial ? 2 : 4, levels = wishes.levels > 0 ? wishes.levels
                                                       : is_spatial      ? 3
@@ -153,7 +160,7 @@ DeckFamily inp_family(const DeckModel& model, const DeckWishes& wishes, bool is_
         run.files.push_back({job + ".inp", inp_text(model, element, coarsest, level, is_abaqus)});
         run.command = is_abaqus ? "abaqus interactive job=" + job : "ccx " + job;
         run.field = job + (is_abaqus ? ".csv" : ".frd");
-        run.set = is_abaqus ? "" : "BODY";
+        run.set = is_abaqus ? "" : "BODY";  // as the file names it: by its material
         run.totals = is_abaqus ? "" : job + ".dat";
     }
     return family;

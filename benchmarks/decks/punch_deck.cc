@@ -24,7 +24,7 @@ DeckModel punch_model(const std::string& name) {
     model.poisson = .3;
     model.indenter = std::make_shared<FlatFace>();
     model.gap = "0";
-    model.is_half_space = true;
+    model.is_half_space = model.has_sharp_edge = true;
     model.width = model.thickness = half_space_block * model.a;
     model.contact_reach = model.indenter_reach = model.a;
     model.depth_scale = .35;
@@ -35,8 +35,10 @@ DeckModel punch_model(const std::string& name) {
         "Closed form (Boussinesq 1885): F_N = 2 a E* d = 20 N, p = F_N/(2 pi a sqrt(a^2 - r^2)): "
         "0.12732 MPa on the axis, 0.29210 MPa at r = 0.9 a.");
     model.remarks.push_back(
-        "The punch ends at r = a, a node of every mesh, and the pressure is infinite there: it "
-        "converges with the order 1/2 of the size of elements, depth and force with the order 1.");
+        "The punch ends at r = a, a node of every mesh, and the pressure is infinite there: "
+        "the largest value of a mesh means nothing. The force converges with the order 1 of the "
+        "size "
+        "of elements.");
     return model;
 }
 

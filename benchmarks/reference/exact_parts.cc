@@ -58,8 +58,10 @@ void replace_by_exact(Reference& reference, const std::map<std::string, double>&
     for (const auto& [key, value] : exact) {
         if (key == keys::stored_energy) continue;
         const auto computed = reference.values.find(key);
-        const double difference =
+        double difference =
             computed == reference.values.end() ? 0 : std::abs(computed->second.value - value);
+        if (key == keys::contact_area)  // not what cells count
+            difference = std::abs(smooth_area(reference.c, reference.contact_radius) - value);
         reference.values[key] = {.value = value,
                                  .grid = theory_accuracy * std::abs(value),
                                  .model = difference,

@@ -12,20 +12,6 @@ using contact::Case;
 using contact::NormalControl;
 namespace keys = quantity_keys;
 
-std::map<std::string, double> exact_line_scalars(const PlaneContact& contact) {
-    std::map<std::string, double> values{{keys::normal_force, contact.load()},
-                                         {keys::contact_radius, contact.half_width()},
-                                         {keys::contact_area, 2 * contact.half_width()},
-                                         {keys::peak_pressure, contact.centre_pressure()}};
-    const auto add = [&values](const char* key, const std::optional<double>& value) {
-        if (value) values[key] = *value;
-    };
-    add(keys::indentation, contact.indentation());
-    add(keys::normal_stiffness, contact.stiffness());
-    add(keys::stored_energy, contact.stored_energy());
-    return values;
-}
-
 std::string line_theory(const Case& c) {
     return c.layer.thickness ? "exact layer under a cylinder" : "Hertz (1882)";
 }
@@ -44,6 +30,22 @@ std::shared_ptr<const RadialFields> line_fields(const Reference& reference,
         });
 }
 
+}  // namespace
+
+std::map<std::string, double> exact_line_scalars(const PlaneContact& contact) {
+    std::map<std::string, double> values{{keys::normal_force, contact.load()},
+                                         {keys::contact_radius, contact.half_width()},
+                                         {keys::contact_area, 2 * contact.half_width()},
+                                         {keys::peak_pressure, contact.centre_pressure()}};
+    const auto add = [&values](const char* key, const std::optional<double>& value) {
+        if (value) values[key] = *value;
+    };
+    add(keys::indentation, contact.indentation());
+    add(keys::normal_stiffness, contact.stiffness());
+    add(keys::stored_energy, contact.stored_energy());
+    return values;
+}
+
 void add_line_effects(Reference& reference, const NormalControl& control, double half_width) {
     const Case& c = reference.c;
     add_pressing_effects(reference, control, half_width / c.indenter.radius,
@@ -56,8 +58,6 @@ void add_line_effects(Reference& reference, const NormalControl& control, double
         reference.remarks.emplace_back(
             "the depth of a line contact on the half-space is that of a body of the case's length");
 }
-
-}  // namespace
 
 void refer_line(Reference& reference, const contact::ModelRunner& runner) {
     const Case& c = reference.c;
@@ -73,8 +73,8 @@ void refer_line(Reference& reference, const contact::ModelRunner& runner) {
 void take_line_pressing(Reference& reference, const std::shared_ptr<const TabledFields>& shearing) {
     const NormalControl control = final_normal(reference.c);
     const PlaneContact contact(reference.c, control);
-    reference.contact_radius = contact.half_width();
     replace_by_exact(reference, exact_line_scalars(contact), line_theory(reference.c));
+    reference.contact_radius = contact.half_width();
     reference.fields = std::make_shared<SplitFields>(line_fields(reference, contact), shearing);
     add_line_effects(reference, control, contact.half_width());
 }

@@ -118,7 +118,9 @@ std::map<std::string, double> scalars_of(const Case& c, const EndState& end) {
     const bool is_sheared = std::abs(force) > 1e-6 * r.normal_force;
     if (is_sheared) values[keys::tangential_force] = force / length;
     if (is_sheared && has_datum) values[keys::shift] = r.shift[0];
-    if (is_sheared || !is_uncoupled(c)) {
+    const bool is_twisted = c.prescribed_path && c.prescribed_path->twists();
+    if (is_twisted) values[keys::torque] = r.torque;
+    if (is_sheared || is_twisted || !is_uncoupled(c)) {
         values[keys::stick_area] = r.stick_area / length;
         values[keys::dissipation] = end.dissipation() / length;
     }

@@ -92,8 +92,8 @@ void take_radial_pressing(Reference& reference,
                           const std::shared_ptr<const TabledFields>& shearing) {
     const NormalControl control = final_normal(reference.c);
     const RadialContact contact(reference.c, control);
-    reference.contact_radius = contact.radius();
     replace_by_exact(reference, exact_scalars(reference.c, contact), theory_name(reference.c));
+    reference.contact_radius = contact.radius();
     reference.fields = std::make_shared<SplitFields>(radial_fields(reference, contact), shearing);
     add_radial_effects(reference, control, contact.radius());
 }

@@ -20,6 +20,10 @@ std::vector<std::string> prescribed_by(const Case& c) {
     std::vector<std::string> list;
     const bool by_force = final_normal(c).kind == NormalControl::Kind::force;
     list.emplace_back(by_force ? keys::normal_force : keys::indentation);
+    if (c.tractive_rolling && c.tractive_rolling->longitudinal_creepage) {
+        list.emplace_back(keys::creepage);
+        return list;
+    }
     if (!c.prescribed_path) {
         if (c.load.tangential_force.value_or(0) != 0 ||
             (by_force && c.load.tangential_ratio.value_or(0) != 0))
@@ -51,7 +55,9 @@ Reference reference(const Case& c, const contact::ModelRunner& runner, const con
                       : is_axisymmetric(c) ? Geometry::axisymmetric
                                            : Geometry::spatial;
     result.prescribed = prescribed_by(c);
-    if (is_frictionless(c) && has_exact_radial_contact(c)) {
+    if (c.tractive_rolling) {
+        refer_carter(result);
+    } else if (is_frictionless(c) && has_exact_radial_contact(c)) {
         say("reference: exact frictionless contact beside springs and boundary elements");
         refer_radial(result, runner);
     } else if (is_frictionless(c) && has_exact_line_contact(c)) {

@@ -77,6 +77,8 @@ inline constexpr const char* stored_energy = "stored_energy";        ///< [J]
 inline constexpr const char* dissipation = "dissipation";            ///< by friction, so far [J]
 inline constexpr const char* normal_stiffness = "normal_stiffness";  ///< dF_N/dd [N/m]
 inline constexpr const char* tangential_stiffness = "tangential_stiffness";  ///< dF_T/dU [N/m]
+inline constexpr const char* torque = "torque";  ///< on the body, about the twist's centre [N m]
+inline constexpr const char* creepage = "creepage";  ///< of steady rolling, along it [-]
 // Of contacts that roll back and forth:
 inline constexpr const char* static_shift = "static_shift";        ///< U before rolling [m]
 inline constexpr const char* settled_shift = "settled_shift";      ///< U_sd after shakedown [m]

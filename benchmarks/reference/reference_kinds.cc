@@ -49,11 +49,11 @@ void check_has_reference(const Case& c) {
     if (c.indenter.roughness || contact::is_nominally_flat(c))
         refuse("a smooth body with one contact is assumed, but the indenter is rough or a map",
                "take a smooth indenter");
-    if (c.tractive_rolling)
+    if (c.tractive_rolling && !has_carter(c))
         refuse(
-            "a contact that stays in its place or rolls back and forth is assumed, but this one "
-            "rolls on",
-            "take tricontact run, or the closed forms of the catalogue");
+            "a contact that stays in its place or rolls back and forth is assumed, or Carter's "
+            "cylinder, but this one rolls on",
+            "take tricontact run, whose creep curves stand beside closed forms");
     if (c.period) refuse("one indenter is assumed, but the case repeats it", "remove bem.period");
     if (c.of<bem::Settings>().influence)
         refuse(

@@ -31,6 +31,12 @@ bool has_exact_radial_contact(const contact::Case& c);
 /// A cylinder on a half-space or, a rigid one, on one layer with a rigid ground.
 bool has_exact_line_contact(const contact::Case& c);
 
+/// A cylinder that rolls on over an uncoupled half-space, driven along the rolling without sliding
+/// as a whole.
+bool has_carter(const contact::Case& c);
+/// Fills a reference of that, Carter's (1926) closed form.
+void refer_carter(Reference& reference);
+
 /// Fills a reference of frictionless contact of a body of revolution.
 void refer_radial(Reference& reference, const contact::ModelRunner& runner);
 /// The same of a cylinder, plane strain.
@@ -47,6 +53,8 @@ void take_line_pressing(Reference& reference, const std::shared_ptr<const Tabled
 /// The closed form of a tangential load applied once to uncoupled half-spaces: values where it is
 /// exact, else a remark with its difference.
 void take_closed_shearing(Reference& reference);
+/// The same of a twist about the body's axis.
+void take_closed_twist(Reference& reference);
 
 /// What sides at the distances that the case gives change: as bars of the domain.
 void add_sides_of_case(Reference& reference);

@@ -53,6 +53,12 @@ report::Verdict answer_on(const Comparison& comparison) {
     return {standing_of(comparison.standing), text};
 }
 
+/// An id as words, which a narrow column can break.
+std::string spaced(std::string id) {
+    std::ranges::replace(id, '_', ' ');
+    return id;
+}
+
 std::vector<report::Verdict> verdicts_on(const Comparison& comparison) {
     std::vector<report::Verdict> verdicts{
         {standing_of(comparison.unexplained_standing),
@@ -61,8 +67,8 @@ std::vector<report::Verdict> verdicts_on(const Comparison& comparison) {
         verdicts.push_back({VerdictOf::finding, sentence});
     for (const Diagnosis& one : comparison.diagnoses)
         verdicts.push_back({VerdictOf::finding,
-                            one.sentence + (one.remedy.empty() ? "" : " Remedy: " + one.remedy),
-                            one.id});
+                            one.sentence + (one.remedy.empty() ? "" : ". Remedy: " + one.remedy),
+                            spaced(one.id)});
     for (const ComparedNumber& one : comparison.numbers)
         if (one.standing == Standing::not_resolved && !one.remedy.empty())
             verdicts.push_back(

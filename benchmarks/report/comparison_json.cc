@@ -2,6 +2,7 @@
 
 #include "benchmarks/report/comparison_output.h"
 #include "benchmarks/report/comparison_words.h"
+#include "comparisons/quantities/quantities.h"
 #include "io/keys/toml_document.h"
 #include "report/csv.h"
 #include "report/json_number.h"
@@ -105,26 +106,27 @@ json comparison_json(const std::string& version, const Comparison& comparison) {
     for (std::size_t k = 0; k < comparison.meshes.size(); ++k)
         meshes.push_back(mesh_json(comparison, k));
     const Reference& reference = comparison.reference;
-    return {{"version", version},
-            {"problem", comparison.name},
-            {"title", comparison.title},
-            {"verdict", name_of(comparison.standing)},
-            {"verdict_unexplained", name_of(comparison.unexplained_standing)},
-            {"blame", comparison.blame},
-            {"sentences", comparison.sentences},
-            {"quantities", quantities},
-            {"diagnoses", report::list_of(comparison.diagnoses, diagnosis_json)},
-            {"conventions", report::list_of(comparison.conventions, convention_json)},
-            {"meshes", meshes},
-            {"is_family", comparison.is_family},
-            {"submission", submission_json(comparison.submission)},
-            {"reference",
-             {{"digest", reference.digest},
-              {"contact_radius_m", report::number(reference.contact_radius)},
-              {"prescribed", reference.prescribed},
-              {"models", reference.models},
-              {"remarks", reference.remarks}}},
-            {"case", io::case_json(case_text(comparison))}};
+    return {
+        {"version", version},
+        {"problem", comparison.name},
+        {"title", comparison.title},
+        {"verdict", name_of(comparison.standing)},
+        {"verdict_unexplained", name_of(comparison.unexplained_standing)},
+        {"blame", comparison.blame},
+        {"sentences", comparison.sentences},
+        {"quantities", quantities},
+        {"diagnoses", report::list_of(comparison.diagnoses, diagnosis_json)},
+        {"conventions", report::list_of(comparison.conventions, convention_json)},
+        {"meshes", meshes},
+        {"is_family", comparison.is_family},
+        {"submission", submission_json(comparison.submission)},
+        {"reference",
+         {{"digest", reference.digest},
+          {comparisons::quantities::contact_radius.key, report::number(reference.contact_radius)},
+          {"prescribed", reference.prescribed},
+          {"models", reference.models},
+          {"remarks", reference.remarks}}},
+        {"case", io::case_json(case_text(comparison))}};
 }
 
 std::string comparison_csv(const Comparison& comparison) {

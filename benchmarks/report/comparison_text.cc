@@ -54,7 +54,7 @@ std::string comparison_text(const Comparison& comparison) {
     if (!comparison.diagnoses.empty()) text += "\ndiagnoses\n";
     for (const Diagnosis& one : comparison.diagnoses)
         text += fmt::format("{}: {}{}\n", one.id, one.sentence,
-                            one.remedy.empty() ? "" : " Remedy: " + one.remedy);
+                            one.remedy.empty() ? "" : "\n    remedy: " + one.remedy);
     return text + remedy_lines(comparison);
 }
 

@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "benchmarks/report/comparison_output.h"
+#include "comparisons/quantities/quantities.h"
 #include "io/results/vtk_xml.h"
 
 namespace tricontact::benchmarks {
@@ -164,7 +165,8 @@ io::VtkFile comparison_vtk(const Comparison& comparison, const MeshResult& mesh,
     io::VtkXml xml(has_faces ? "UnstructuredGrid" : "PolyData", {}, io::Compression::small);
     xml.begin("FieldData");
     xml.add_numbers("element_size_m", {mesh.size});
-    xml.add_numbers("contact_radius_m", {comparison.reference.contact_radius});
+    xml.add_numbers(comparisons::quantities::contact_radius.key,
+                    {comparison.reference.contact_radius});
     xml.add_texts("file", {mesh.file});
     xml.add_provenance(provenance);
     xml.end();

@@ -97,9 +97,7 @@ void add_columns(MeshField& field, std::vector<RawColumn> columns, const std::st
         bring_to_si(one.raw, one.meaning, place);
         all.push_back(std::move(one));
     }
-    const auto note = [&](const std::string& heading, const std::string& what) {
-        field.notes.push_back("column " + quoted(heading) + " is " + what);
-    };
+    std::vector<std::string> used, unused, unitless;
     std::vector<bool> taken(all.size());
     for (std::size_t i = 0; i < all.size(); ++i)
         taken[i] =
@@ -107,7 +105,7 @@ void add_columns(MeshField& field, std::vector<RawColumn> columns, const std::st
     for (std::size_t i = 0; i < all.size(); ++i) {
         Candidate& one = all[i];
         if (!taken[i]) {
-            note(one.raw.heading, "not used");
+            unused.push_back(quoted(one.raw.heading));
             continue;
         }
         for (std::size_t row = 0; row < one.raw.values.size(); ++row)
@@ -115,12 +113,19 @@ void add_columns(MeshField& field, std::vector<RawColumn> columns, const std::st
                 io::fail(place, "column " + quoted(one.raw.heading),
                          "value " + std::to_string(row + 1) + " is not a finite number",
                          "write zeros where there is no contact");
-        const bool has_unit = one.raw.unit || dimensions_of(one.meaning).empty();
-        note(one.raw.heading, "read as " + std::string(name_of(one.meaning)) +
-                                  (has_unit ? "" : ", as written: it has no unit"));
+        used.push_back(quoted(one.raw.heading) + " as " + std::string(name_of(one.meaning)));
+        if (!one.raw.unit && !dimensions_of(one.meaning).empty())
+            unitless.push_back(quoted(one.raw.heading));
         field.columns.push_back(
             {one.raw.heading, one.meaning, one.raw.unit, std::move(one.raw.values)});
     }
+    const auto note = [&](const char* what, const std::vector<std::string>& headings) {
+        if (!headings.empty()) field.notes.push_back(what + io::joined(headings));
+    };
+    note("columns read: ", used);
+    note("columns without units, values as written: ",
+         unitless.size() == used.size() ? std::vector<std::string>{"all"} : unitless);
+    note("columns not used: ", unused);
 }
 
 bool has_contact(const MeshField& field) {

@@ -190,7 +190,7 @@ std::map<std::string, Total> parse_dat(std::string_view text, const std::string&
             file.energies[0].values[0], {}, file.energies[0].place};
     else if (file.energies.size() > 1)
         notes.emplace_back("internal energies are not used: there are several sets");
-    for (const std::string& heading : file.unused) notes.push_back(heading + " is not used");
+    if (!file.unused.empty()) notes.push_back("prints not used: " + io::joined(file.unused));
     if (totals.empty())
         io::fail(name, "", "holds neither a total force nor the statistics of a contact pair",
                  "print them by *NODE PRINT, NSET=..., TOTALS=ONLY with RF, or by *CONTACT PRINT "

@@ -225,6 +225,7 @@ class FrdParser {
 
     std::vector<MeshArray> arrays(FrdFile& file) const {
         std::vector<MeshArray> all;
+        std::vector<std::string> unused;
         for (const auto& [name, block] : blocks_) {
             const std::size_t n = block.components.size();
             if (block.time != last_time_) {
@@ -237,9 +238,10 @@ class FrdParser {
                 for (std::size_t k = 0; k < n; ++k)
                     all.push_back(array_of(block, block.components[k], k, 1, file));
             } else {
-                file.notes.push_back(name + " is not used");
+                unused.push_back(name);
             }
         }
+        if (!unused.empty()) file.notes.push_back("results not used: " + io::joined(unused));
         return all;
     }
 
@@ -284,6 +286,8 @@ class FrdParser {
         for (const FrdElement& element : elements_)
             if (std::ranges::count(materials, element.material) == 0)
                 materials.push_back(element.material);
+        if (materials.empty())
+            io::fail(name_, "", "has no elements (3C)", "name the .frd file of a run that ended");
         if (materials.size() > 1000)
             io::fail(name_, "", "has more than 1000 materials", "repeat the run");
         for (const int material : materials) file.meshes.push_back(mesh_of(material, all));

@@ -40,10 +40,11 @@ MeshData faces_of_volumes(const MeshData& mesh, const std::function<bool(const V
         plane.connectivity.insert(plane.connectivity.end(), face.points.begin(), face.points.end());
         plane.offsets.push_back(static_cast<std::int64_t>(plane.connectivity.size()));
     }
+    keep_used_points(plane);
     return plane;
 }
 
-/// Nodes of collapsed faces without area, at the axis, make triangles of quadrilaterals: harmless.
+/// Components at a point in the axes along r and across it.
 void turn(MeshArray& array, std::size_t i, double c, double s) {
     const auto n = static_cast<std::size_t>(array.n_components);
     double* const v = array.values.data() + i * n;

@@ -63,7 +63,7 @@ struct MeshField {
     std::vector<FieldColumn> columns;
     Faces faces;                          ///< empty where the file has none
     std::map<std::string, Total> totals;  ///< by quantity_keys, and "size", "cpu_time"
-    std::vector<std::string> notes;       ///< "column CPRESS is read as pressure"
+    std::vector<std::string> notes;       ///< "columns read: "CPRESS" as normal traction"
     double n_elements = 0;                ///< of the whole mesh; 0: the file does not say it
 
     const FieldColumn* find(Meaning meaning) const;

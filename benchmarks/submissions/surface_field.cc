@@ -93,7 +93,7 @@ void add_points(MeshField& field, const MeshData& mesh, const Surface& surface,
         std::iota(items.begin(), items.end(), 0U);
     }
     std::ranges::sort(items);
-    items.erase(std::ranges::unique(items).begin(), items.end());
+    items.erase(std::unique(items.begin(), items.end()), items.end());
     if (surface.is_plane)
         std::ranges::stable_sort(
             items, {}, [&](std::size_t i) { return mesh.points[i][axes[0] == 'x' ? 0 : 1]; });

@@ -65,7 +65,8 @@ double in_si(double value, double factor) {
 
 Total read_total(const TotalKey& key, std::string_view text, const std::string& place) {
     const auto refuse = [&](const std::string& rule, const std::string& remedy) {
-        io::fail(place, std::string(key.key) + " = " + io::shortened(text, 40), rule, remedy);
+        io::fail(place, std::string(key.key) + " = " + io::shortened(io::trimmed(text), 40), rule,
+                 remedy);
     };
     const std::string_view all = io::trimmed(text);
     const std::size_t end = std::min(all.find_first_of(" \t"), all.size());

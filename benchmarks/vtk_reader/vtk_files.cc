@@ -324,7 +324,9 @@ MeshAnswer read_by_vtk(const std::string& path) {
         read_one(path, answer, unused);
     }
     if (answer.meshes.empty()) throw std::runtime_error("holds no points");
-    for (const std::string& name : unused) answer.notes.push_back("array " + name + " is not used");
+    std::string names;
+    for (const std::string& name : unused) names += (names.empty() ? "" : ", ") + name;
+    if (!names.empty()) answer.notes.push_back("arrays not used: " + names);
     return answer;
 }
 

@@ -8,9 +8,11 @@
 #include <vtkObjectFactory.h>
 #include <vtkOutputWindow.h>
 
+#include <algorithm>
 #include <exception>
 #include <new>
 #include <string>
+#include <string_view>
 
 #include "benchmarks/vtk_reader/vtk_files.h"
 
@@ -35,21 +37,30 @@ class FirstError : public vtkOutputWindow {
     void DisplayErrorText(const char* text) override {
         if (error.empty() && text) error = text;
     }
-    void DisplayWarningText(const char*) override {}
-    void DisplayGenericWarningText(const char*) override {}
+    void DisplayWarningText(const char* text) override { keep_warning(text); }
+    void DisplayGenericWarningText(const char* text) override { keep_warning(text); }
     void DisplayDebugText(const char*) override {}
 
-    std::string error;
+    std::string error, warning;
+
+  private:
+    void keep_warning(const char* text) {
+        if (warning.empty() && text) warning = text;
+    }
 };
 vtkStandardNewMacro(FirstError);
 
 /// "ERROR: In vtkXMLReader.cxx, line 404\nvtkX (0x...): text\n\n" as its text.
 std::string plain(std::string text) {
     const auto colon = text.find("): ");
-    if (colon != text.npos) text = text.substr(colon + 3);
+    const auto line = text.find(", line ");
+    if (colon != text.npos)
+        text = text.substr(colon + 3);
+    else if (line != text.npos)
+        text = text.substr(std::min(text.find_first_not_of("0123456789", line + 7), text.size()));
     for (char& c : text)
         if (c == '\n' || c == '\r' || c == '\t') c = ' ';
-    text = text.substr(0, 200);
+    text = text.substr(std::min(text.find_first_not_of(' '), text.size())).substr(0, 200);
     return text.substr(0, text.find_last_not_of(' ') + 1);
 }
 
@@ -86,6 +97,8 @@ int main(int n_arguments, char** arguments) {
         answer.error = error.what();
     }
     // What was read in spite of an error may be half of the file.
+    const bool is_legacy = std::string_view(arguments[1]).ends_with(".vtk");
+    if (is_legacy && errors->error.empty()) errors->error = errors->warning;
     if (!errors->error.empty()) answer.error = plain(errors->error);
     if (!answer.error.empty()) {
         answer.meshes.clear();

@@ -21,11 +21,13 @@ constexpr double time_apart = 1e-9;        // times are sums of fractions of a p
 struct HistoryQuantity {
     const char *column, *label, *unit;
 };
-constexpr HistoryQuantity history_quantities[] = {
-    {"shift_x_m", "shift U", "m"},
-    {"tangential_force_x_N", "tangential force F_T", "N"},
-    {"indentation_m", "indentation d", "m"},
-    {"normal_force_N", "normal force F_N", "N"}};
+/// Along x, which rolling and loads without an angle have; columns named as results are theirs.
+std::vector<HistoryQuantity> history_quantities() {
+    return {{"shift_x_m", "shift U", "m"},
+            {"tangential_force_x_N", "tangential force F_T", "N"},
+            {quantities::indentation.key, "indentation d", "m"},
+            {quantities::normal_force.key, "normal force F_N", "N"}};
+}
 
 /// Leaves of an object by their keys: "load.indentation".
 void flatten(const json& value, const std::string& key, std::map<std::string, std::string>& out) {
@@ -124,7 +126,7 @@ std::vector<std::pair<double, double>> by_phase(const SavedRun& run, const std::
 
 std::vector<CurvePair> curve_pairs(const SavedRun& a, const SavedRun& b) {
     std::vector<CurvePair> curves;
-    for (const auto& [column, label, unit] : history_quantities) {
+    for (const auto& [column, label, unit] : history_quantities()) {
         const auto of_a = by_phase(a, column), of_b = by_phase(b, column);
         if (of_a.size() < 2 || of_b.size() < 2) continue;
         CurvePair pair{column, label, unit, {}, {}, {}};

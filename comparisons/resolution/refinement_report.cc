@@ -62,8 +62,8 @@ std::string doubt_sentence(const Refinement& r) {
             doubtful.push_back(q.quantity->symbol);
     if (doubtful.empty()) return {};
     return fmt::format(
-        "No order can be relied on for {}: nothing is extrapolated there, and the error is 1.25 "
-        "times the spread of the last three values.",
+        "No order can be relied on for {}: nothing is extrapolated there, and the error is twice "
+        "the spread of the last three values.",
         fmt::join(doubtful, ", "));
 }
 
@@ -175,8 +175,9 @@ report::DocumentTable refinement_table(const Refinement& r) {
             "Order: p of v + C h^p through the finest three levels; limit: Richardson's "
             "extrapolation with it. Error: of the finest value, 1.25 times its distance from "
             "the limit with an order of at most 2, of frictional work 1 (Roache's grid convergence "
-            "index); where the sequence is not ordered, 1.25 times the spread of the last three "
-            "values.",
+            "index), but not less than the spread of the last three values, as the contact ends "
+            "anywhere between cells; where the sequence is not ordered, twice that spread, where "
+            "errors have no order 1.25 times.",
         .columns = quantity_columns()};
     for (const double size : r.sizes) table.columns.push_back({report::quantity(size, "m", 3), 5});
     table.columns.insert(table.columns.end(),

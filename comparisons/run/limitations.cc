@@ -8,6 +8,7 @@
 #include "comparisons/quantities/undefined.h"
 #include "comparisons/run/reading.h"
 #include "contact/models/model_kind.h"
+#include "contact/substrates/normal_tangential.h"
 #include "report/format.h"
 #include "theory/rolling/body_rolling.h"
 
@@ -185,7 +186,8 @@ std::vector<std::string> body_limitations(const contact::Case& c,
     for (std::size_t i = 0; i < models.size(); ++i) summaries[i].model = models[i];
     std::vector<std::string> findings;
     if (c.layer.thickness) findings.push_back(half_space_sentence(c, summaries, false));
-    findings.push_back(uncoupled_sentence(c, summaries));
+    if (contact::half_spaces_couple(c.materials()))
+        findings.push_back(uncoupled_sentence(c, summaries));
     findings.push_back(direction_sentence(c, summaries));
     for (const std::string& one : left_out_sentences(c, summaries)) findings.push_back(one);
     std::erase(findings, "");

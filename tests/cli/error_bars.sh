@@ -79,6 +79,6 @@ for run in sys.argv[1:]:
     for key, width in error["half_widths"].items():
         assert (width > 0) != (key in error["exact"]), (run, key, width)
 exact = json.load(open("depth/summary.json"))["numerical_error"]["exact"]
-assert exact == ["indentation_m", "final_shift_m"], exact
+assert exact == ["indentation_m", "final_shift_m", "end_indentation_m"], exact
 END
 finish

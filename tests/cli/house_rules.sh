@@ -80,7 +80,7 @@ only_in() {
 only_in fem '#include <(deal\.II|petsc|cholmod|metis)'
 only_in meshes '#include <gmsh'
 only_in python '#include <pybind11'
-only_in '(io|walking)' '#include <(vtk|sqlite3)'
+only_in '(io|walking|benchmarks/vtk_reader)' '#include <(vtk|sqlite3)'
 only_in '(contact|comparisons|statistics)' '#include <gsl/gsl_multifit'
 only_in 'no_folder' '#include <regex>'  # calls itself once per character: no input may reach it
 

@@ -22,6 +22,12 @@ if ./linked list | grep -q '^  fem '; then
     ./linked mesh "$copy/share/tricontact/examples/cases/rig_layer_parallel.toml" --set 'fem.size=2 mm' \
         --output mesh >/dev/null || complain "the program does not find its finite elements"
 fi
+# A file of VTK's is refused by its reader, not for the want of it.
+printf '<VTKFile/>' >broken.vtu
+message=$(./linked benchmark compare --case layer_pressed broken.vtu --output none 2>&1)
+case $message in
+    *"not where it was installed"* | '') complain "the program does not find its reader of VTK's files: $message" ;;
+esac
 
 printf '%d failures\n' "$failures"
 exit $((failures > 0))

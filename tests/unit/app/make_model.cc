@@ -87,9 +87,9 @@ TEST(ModelMakers, CoarserElementsOfALayersLine) {
     };
     EXPECT_EQ(coarser(2).c.of<mdr::Settings>().elements_per_radius, 50);
     EXPECT_EQ(coarser(.5).c.of<mdr::Settings>().elements_per_radius, 200);
-    c.layer.thickness = 2e-4;  // elements of a quarter of it, whatever the radius
+    c.layer.thickness = 1e-4;  // of which elements are a quarter at most
     try {
-        coarser(2);
+        coarser(8);
         FAIL() << "not refused";
     } catch (const contact::InputError& why) {
         EXPECT_NE(std::string(why.what()).find("increase mdr.elements_per_radius"),

@@ -5,11 +5,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "app/models/make_model.h"
-#include "benchmarks/reference/plane_contact.h"
 #include "benchmarks/reference/radial_contact.h"
-#include "contact/base/error.h"
-#include "io/case/case_reader.h"
+#include "tests/unit/benchmarks/reference_cases.h"
 #include "theory/hertz.h"
 
 namespace tricontact::benchmarks::reference_test {
@@ -17,20 +14,16 @@ namespace {
 
 using contact::Case;
 using contact::NormalControl;
+using reference_cases::expect_refused;
+using reference_cases::expect_within_bar;
+using reference_cases::foreign_case;
+using reference_cases::half_space_case;
+using reference_cases::hertz;
+using reference_cases::of;
 using std::numbers::pi;
 namespace keys = quantity_keys;
 
 constexpr double megapascal_per_mm = 1e9;
-
-Case foreign_case(const std::string& name, const std::vector<std::string>& overrides = {}) {
-    return io::read_case(
-        std::string(TRICONTACT_SOURCE_DIR) + "/tests/benchmarks/foreign/" + name + ".toml",
-        overrides);
-}
-
-Reference of(const Case& c) {
-    return reference(c, contact::ModelRunner(app::model_makers(), 1));
-}
 
 /// The layer pressed to .35 mm without friction, computed once.
 const Reference& pressed_layer() {
@@ -42,35 +35,9 @@ const Reference& incompressible_layer() {
     return layer;
 }
 
-Case half_space_case(const std::string& rest) {
-    return io::parse_case("models = [\"bem\"]\n" + rest, "case.toml");
-}
-
-const std::string hertz = R"(
-[indenter]
-radius = "1 m"
-[substrate]
-young = "15 MPa"
-poisson = 0.3
-[friction]
-coefficient = 0.3
-[contact]
-coupling = false
-[load]
-indentation = "10 mm"
-tangential_ratio = 0
-)";
-
 const Reference& hertz_contact() {
     static const Reference contact = of(half_space_case(hertz));
     return contact;
-}
-
-/// Of a value and its bar.
-void expect_within_bar(const Reference& reference, const char* key, double exact) {
-    const ReferenceValue* value = reference.find(key);
-    ASSERT_TRUE(value) << key;
-    EXPECT_NEAR(value->value, exact, value->bar()) << key;
 }
 
 // F, a and p0 of the layer by an independent solution of the Fredholm equation, to the digits that
@@ -245,96 +212,6 @@ TEST(BenchmarkReference, SidesOfABlockAddToItsCompliance) {
     EXPECT_GT(block.find(keys::normal_force)->domain, 0);
     EXPECT_NEAR(block.find(keys::normal_force)->domain, -2 * change.value, .5 * -change.value);
     EXPECT_FALSE(block.remarks.empty());
-}
-
-const std::string cylinder = R"(
-[indenter]
-shape = "cylinder"
-radius = "50 mm"
-length = "1 m"
-young = "210 GPa"
-poisson = 0.3
-[substrate]
-young = "70 GPa"
-poisson = 0.3
-[friction]
-coefficient = 0.1
-[contact]
-coupling = false
-[load]
-normal_force = "35 MN"
-)";
-
-// NAFEMS CB1: a = 6.21 mm, p0 = 3585.37 MPa (SSNP154 of code_aster).
-TEST(BenchmarkReference, CylinderOnABlockIsNafemsCb1) {
-    Case c = half_space_case(cylinder + "tangential_ratio = 0\n");
-    const Reference r = of(c);
-    EXPECT_EQ(r.geometry, Geometry::plane);
-    EXPECT_NEAR(r.find(keys::contact_radius)->value, 6.21e-3, 1e-5);
-    EXPECT_NEAR(r.find(keys::peak_pressure)->value, 3585.37e6, .1e6);
-    EXPECT_NEAR(r.find(keys::normal_force)->value, 35e6, 1);
-    EXPECT_EQ(r.find(keys::indentation), nullptr);
-    EXPECT_NEAR(r.fields->load_within(1), 35e6, 1);
-    // p does not depend on y.
-    EXPECT_EQ(r.fields->at(1e-3, 0).pressure, r.fields->at(-1e-3, 5e-3).pressure);
-}
-
-// Cattaneo (1938): what sticks is 2 c = 2 a sqrt(1 - f); tau in it is mu p less mu p0 c/a
-// sqrt(1 - x^2/c^2).
-TEST(BenchmarkReference, ShearedCylinderIsCattaneo) {
-    const Reference r = of(half_space_case(cylinder + "tangential_ratio = 0.5\n"));
-    const double a = r.contact_radius, c = a * std::sqrt(.5);
-    expect_within_bar(r, keys::stick_area, 2 * c);
-    EXPECT_TRUE(r.has_friction());
-    const double p0 = r.find(keys::peak_pressure)->value;
-    for (const double share : {0., .3, .5, .85}) {
-        const double x = share * a;
-        const double stick = x < c ? c / a * std::sqrt(1 - x * x / (c * c)) : 0;
-        const double exact = .1 * p0 * (std::sqrt(1 - share * share) - stick);
-        // Of cells, linear between them: 1 % at 64 in the half width.
-        EXPECT_NEAR(r.fields->at(x, 0).traction_x, exact, .01 * .1 * p0) << share;
-    }
-    EXPECT_TRUE(r.effects.tangential_compliance);
-}
-
-// Johnson (1985), section 7.2d, at nu = 0: exact.
-TEST(BenchmarkReference, ShearedSphereIsCattaneoAndMindlin) {
-    const Case c = io::parse_case("models = [\"bem\"]\n" + hertz, "case.toml",
-                                  {"substrate.poisson=0", "load.tangential_ratio=0.5"});
-    const Reference r = of(c);
-    const double a = .1, stick = a * std::cbrt(.5);
-    EXPECT_NEAR(r.find(keys::stick_area)->value, pi * stick * stick, 1e-9);
-    EXPECT_NEAR(r.find(keys::shift)->value, .3 * .01 * (1 - std::pow(.5, 2. / 3)), 1e-9);
-    EXPECT_LT(r.find(keys::shift)->bar(), 1e-4 * r.find(keys::shift)->value);
-    EXPECT_EQ(r.geometry, Geometry::spatial);
-}
-
-// Plane: the sum of p over the layer's contact, and -1/2 d/dd ∫ p^2 dx against differences of a
-// Winkler layer in series, which is exact where the substrate is much stiffer than it.
-TEST(BenchmarkReference, PlaneLayerBalances) {
-    const Case c = io::parse_case("models = [\"bem-layer\"]\n" + cylinder, "case.toml",
-                                  {"substrate.thickness=20 mm", "substrate.young=5 MPa",
-                                   "load.indentation=0.3 mm", "load.tangential_ratio=0"});
-    const PlaneContact layer(c, {NormalControl::Kind::indentation, .3e-3});
-    double sum = 0;
-    constexpr int n = 2000;
-    for (int i = 0; i < n; ++i) {
-        const double theta = (i + .5) * pi / 2 / n;
-        const double x = layer.half_width() * std::sin(theta);
-        sum += 2 * layer.pressure(x) * layer.half_width() * std::cos(theta) * pi / 2 / n;
-    }
-    EXPECT_NEAR(sum, layer.load(), 1e-6 * layer.load());
-    EXPECT_NEAR(layer.load_within(layer.half_width()), layer.load(), 1e-9 * layer.load());
-    EXPECT_LT(layer.displacement_along(layer.half_width()), 0);
-}
-
-void expect_refused(const Case& c, const std::string& assumption) {
-    try {
-        of(c);
-        ADD_FAILURE() << "expected: " << assumption;
-    } catch (const contact::InputError& error) {
-        EXPECT_NE(std::string(error.what()).find(assumption), std::string::npos) << error.what();
-    }
 }
 
 TEST(BenchmarkReference, RefusesWhatNoModelIsAReferenceFor) {

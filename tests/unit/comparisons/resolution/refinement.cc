@@ -270,9 +270,9 @@ TEST(RefinementFiles, TextStandsInColumns) {
     std::getline(text, a);
     EXPECT_NE(head.find("  1.00 mm  "), std::string::npos);
     EXPECT_NE(head.find("wide block"), std::string::npos);
-    // 1.25 * 2.5e-6 of 3.025e-4: 1.0 %.
+    // The spread, 7.5e-6 of 3.025e-4; 1.25 * 2.5e-6 by the order is less.
     for (const char* cell :
-         {"µm", "310.00", "305.00", "302.50", "2.00", "300.00", "1.0 %", "301.00", "+2.0"})
+         {"µm", "310.00", "305.00", "302.50", "2.00", "300.00", "2.5 %", "301.00", "+2.0"})
         EXPECT_NE(d.find(cell), std::string::npos) << cell << " in: " << d;
     EXPECT_NE(a.find("no order"), std::string::npos) << a;
     EXPECT_NE(force.find("unchanged"), std::string::npos) << force;

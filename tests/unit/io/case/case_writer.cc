@@ -180,6 +180,7 @@ Case any_case() {
         c.of<contact::Cells>().per_radius = between(2, 50);
     c.of<bem::Settings>().tolerance = of_magnitude(-13, -3);
     c.of<mdr::Settings>().springs = *rc::gen::inRange(100, 5000);
+    c.of<mdr::Settings>().elements_per_radius = *rc::gen::inRange(5, 1000);
     c.of<io::Output>().vtk = one_of({io::Output::Vtk::none, io::Output::Vtk::quarters,
                                      io::Output::Vtk::frames, io::Output::Vtk::all});
     if (c.of<io::Output>().vtk == io::Output::Vtk::frames)
@@ -299,6 +300,8 @@ void same(const Case& a, const Case& b) {
     same(a.period, b.period);
     RC_ASSERT(a.of<bem::Settings>().influence == b.of<bem::Settings>().influence);
     RC_ASSERT(a.of<mdr::Settings>().springs == b.of<mdr::Settings>().springs);
+    RC_ASSERT(a.of<mdr::Settings>().elements_per_radius ==
+              b.of<mdr::Settings>().elements_per_radius);
     same(a.layer, b.layer);
     RC_ASSERT(a.contact.coupling == b.contact.coupling);
     same(a.of<fem::Settings>(), b.of<fem::Settings>());
