@@ -53,11 +53,11 @@ RadialContact::RadialContact(const contact::Case& c, const NormalControl& contro
     if (c.layer.thickness)
         solve_layer(c, control);
     else
-        solve_half_space(control);
+        solve_half_space(c, control);
 }
 
 // q = E* [d - g(x)], Popov and Hess (2015), ch. 3.
-void RadialContact::solve_half_space(const NormalControl& control) {
+void RadialContact::solve_half_space(const contact::Case&, const NormalControl& control) {
     const bool by_force = control.kind == NormalControl::Kind::force;
     const double target = by_force ? control.value / modulus_ : control.value;
     const auto excess = [&](double a) {

@@ -43,9 +43,9 @@ class RadialContact {
   private:
     struct Wave {
         double k, weight;      ///< [1/m]
-        double normal, along;  ///< k p^ times what the layer's C33, C13 have more [m^2]
+        double normal, along;  ///< p^ times k times what C33, C13 of the layer lack [m/...]
     };
-    void solve_half_space(const contact::NormalControl& control);
+    void solve_half_space(const contact::Case& c, const contact::NormalControl& control);
     void solve_layer(const contact::Case& c, const contact::NormalControl& control);
     void find_waves(const theory::ElasticLayer& layer);
     double waves_along(double r) const;
