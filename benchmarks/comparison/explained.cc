@@ -11,6 +11,7 @@ namespace keys = quantity_keys;
 // What contact on the displaced surface leaves behind the first order, over (a/R)^2: .31, .21 and
 // .35 were measured at a/R = .108, .040 and .114.
 constexpr double displaced_second_order = .4;
+constexpr double negligible = 1e-5;  // relative: a hundredth of the least tolerance that is usual
 
 /// Under a prescribed depth effects act on the force, else on the depth.
 bool acts_on(const std::string& key, const Reference& reference, const char* force,
@@ -68,6 +69,7 @@ std::vector<Explained> explained(const std::string& key, const Submission& submi
         add_of("one_step", "pressed in one step", effects.one_step);
     if (submission.block_width)
         add_of("block", "finite block", finite_block_effect(reference, *submission.block_width));
+    std::erase_if(all, [](const Explained& e) { return std::abs(e.change) + e.bar < negligible; });
     return all;
 }
 

@@ -74,7 +74,7 @@ std::vector<report::Verdict> verdicts_on(const Comparison& comparison) {
             verdicts.push_back(
                 {VerdictOf::not_resolved,
                  fmt::format("{}: {}{}", one.title,
-                             one.blame.empty() ? "" : "for " + one.blame + "; ", one.remedy)});
+                             one.blame.empty() ? "" : "because " + one.blame + "; ", one.remedy)});
     return verdicts;
 }
 
