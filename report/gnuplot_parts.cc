@@ -132,7 +132,8 @@ std::string axes(const Figure& figure, int width) {
     std::string text = axis_commands('x', figure.x, x) + axis_commands('y', figure.y, y);
     const double low = std::min(figure.x.low.value_or(x.low), figure.x.high.value_or(x.high)),
                  high = std::max(figure.x.low.value_or(x.low), figure.x.high.value_or(x.high));
-    if (!figure.x.logarithmic && figure.x.names.empty() && std::isfinite(low) && high - low > 1e-9 * std::abs(high))
+    if (!figure.x.logarithmic && figure.x.names.empty() && std::isfinite(low) &&
+        high - low > 1e-9 * std::abs(high))
         text += fmt::format("set xtics {:.6g}\n", tic_step(low, high, width));
     return text;
 }

@@ -29,7 +29,7 @@ Json state_json(const RollingState& s, double friction_coefficient) {
             {"half_length_m", s.half_length},
             {"half_width_m", s.half_width},
             {comparisons::quantities::peak_pressure.key, s.peak_pressure},
-            {"contact_area_m2", s.contact_area},
+            {comparisons::quantities::contact_area.key, s.contact_area},
             {"stick_share", s.stick_area / s.contact_area},
             {"dissipation_J_per_m", s.dissipation},
             {"material_dissipation_J_per_m", s.material_dissipation},
@@ -46,8 +46,8 @@ Json row_json(const RollingState& s) {
     row.update({{"distance_m", s.distance},
                 {"tangential_force_x_N", s.force[0]},
                 {"tangential_force_y_N", s.force[1]},
-                {"stick_area_m2", s.stick_area},
-                {"slip_area_m2", s.slip_area}});
+                {comparisons::quantities::stick_area.key, s.stick_area},
+                {comparisons::quantities::slip_area.key, s.slip_area}});
     return row;
 }
 
@@ -102,9 +102,9 @@ std::string history_csv(const RollingRun& run) {
                                  "half_length_m",
                                  "half_width_m",
                                  comparisons::quantities::peak_pressure.key,
-                                 "contact_area_m2",
-                                 "stick_area_m2",
-                                 "slip_area_m2",
+                                 comparisons::quantities::contact_area.key,
+                                 comparisons::quantities::stick_area.key,
+                                 comparisons::quantities::slip_area.key,
                                  "dissipation_J_per_m",
                                  "material_dissipation_J_per_m",
                                  "resistance_N",

@@ -29,23 +29,23 @@ struct SteadyNumber {
 std::vector<SteadyNumber> numbers_of(const RollingState& s, const contact::Case& c, double cell) {
     const double mu = c.friction_coefficient(), limit = mu * s.normal_force,
                  unit = creepage_unit(c);
-    return {
-        {"longitudinal_creepage", s.creepage.longitudinal, unit},
-        {"lateral_creepage", s.creepage.lateral, unit},
-        {"force_ratio", force_ratio(s, mu), 1},
-        {"tangential_force_x_N", s.force[0], limit},
-        {"tangential_force_y_N", s.force[1], limit},
-        {"spin_moment_Nm", s.spin_moment, limit * s.half_length},
-        {comparisons::quantities::normal_force.key, s.normal_force, s.normal_force},
-        {comparisons::quantities::indentation.key, s.indentation, s.indentation},
-        {"half_length_m", s.half_length, s.half_length, cell / 2},
-        {"half_width_m", s.half_width, s.half_width, cell / 2},
-        {comparisons::quantities::peak_pressure.key, s.peak_pressure, s.peak_pressure},
-        {"contact_area_m2", s.contact_area, s.contact_area, cell / s.half_length * s.contact_area},
-        {"stick_share", s.stick_area / s.contact_area, 1, cell / s.half_length},
-        {"dissipation_J_per_m", s.dissipation, limit * unit},
-        {"material_dissipation_J_per_m", s.material_dissipation, limit * unit},
-        {"resistance_N", s.resistance, limit * unit}};
+    return {{"longitudinal_creepage", s.creepage.longitudinal, unit},
+            {"lateral_creepage", s.creepage.lateral, unit},
+            {"force_ratio", force_ratio(s, mu), 1},
+            {"tangential_force_x_N", s.force[0], limit},
+            {"tangential_force_y_N", s.force[1], limit},
+            {"spin_moment_Nm", s.spin_moment, limit * s.half_length},
+            {comparisons::quantities::normal_force.key, s.normal_force, s.normal_force},
+            {comparisons::quantities::indentation.key, s.indentation, s.indentation},
+            {"half_length_m", s.half_length, s.half_length, cell / 2},
+            {"half_width_m", s.half_width, s.half_width, cell / 2},
+            {comparisons::quantities::peak_pressure.key, s.peak_pressure, s.peak_pressure},
+            {comparisons::quantities::contact_area.key, s.contact_area, s.contact_area,
+             cell / s.half_length * s.contact_area},
+            {"stick_share", s.stick_area / s.contact_area, 1, cell / s.half_length},
+            {"dissipation_J_per_m", s.dissipation, limit * unit},
+            {"material_dissipation_J_per_m", s.material_dissipation, limit * unit},
+            {"resistance_N", s.resistance, limit * unit}};
 }
 
 std::vector<std::string> prescribed_by(const contact::Case& c) {

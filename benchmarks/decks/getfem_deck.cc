@@ -39,33 +39,56 @@ mim = gf.MeshIm(mesh, gf.Integ('IM_GAUSS_PARALLELEPIPED(2, 8)'))
 md = gf.Model('real')
 md.add_fem_variable('u', mf_u)
 md.add_filtered_fem_variable('p', mf_p, TOP)
-md.add_initialized_data('la', young*poisson/((1 + poisson)*(1 - 2*poisson)))
+@variables@md.add_initialized_data('la', young*poisson/((1 + poisson)*(1 - 2*poisson)))
 md.add_initialized_data('mu', young/(2*(1 + poisson)))
-md.add_initialized_data('ga', @augmentation@)   # of the augmented Lagrangian [MPa/mm]: changes no result
+md.add_initialized_data('ga', @augmentation@)   # of the augmented Lagrangian [MPa/mm]: matters on coarse meshes only
 md.add_linear_term(mim, '@elastic@')
 md.add_Dirichlet_condition_with_simplification('u', BASE)
 md.add_linear_term(mim, '1e8*mu*u(1)*Test_u(1)', AXIS)   # u = 0 there
 @depth@
 # Pressure that the penetration of the undeformed profile asks for.
 push = 'pos_part(p + ga*(u(2) + depth - @gap@))'
-md.add_nonlinear_term(mim, f'@weight@*({push}*Test_u(2) + ({push} - p)/ga*Test_p)', TOP)
-@load@iterations, converged = md.solve('max_res', 1e-9, 'max_iter', 100, 'lsearch', 'simplest')
-if not converged:
-    raise SystemExit('error: the contact did not converge in 100 iterations')
+@contact@@load@@solve@
 
 force = @share@gf.asm_generic(mim, 0, '@weight@*p', TOP, md)
 depth = float(np.ravel(md.variable('depth'))[0])
 x = X[X <= @reach@]
 @middle@pressure = md.interpolation('p', np.array([x, 0*x]), mesh)
-with open('@job@.csv', 'w') as table:
+@traction@with open('@job@.csv', 'w') as table:
     table.write('# @code@, @element@, augmented Lagrangian, undeformed surface\n')
     table.write(f'# normal_force = {force:.10g} @force_unit@\n# indentation = {depth:.10g} mm\n')
-    table.write('# size = @size@ mm\n@column@ [mm],p [MPa]\n')
-    for point, value in zip(x, pressure):
-        table.write(f'{point:.10g},{value:.10g}\n')
+    table.write('# size = @size@ mm\n@heading@\n')
+    for row in zip(@columns@):
+        table.write(','.join(f'{value:.10g}' for value in row) + '\n')
 mf_u.export_to_vtu('@job@.vtu', mf_u, md.variable('u'), 'displacement')
 print(f'normal_force = {force:.10g} @force_unit@, depth = {depth:.10g} mm')
 )";
+
+constexpr const char* getfem_frictionless =
+    R"(md.add_nonlinear_term(mim, f'@weight@*({push}*Test_u(2) + ({push} - p)/ga*Test_p)', TOP)
+)";
+// The traction t on the body opposes the slip of a step, u - old: Alart and Curnier (1991).
+constexpr const char* getfem_friction = R"(bound = f'friction*{push}'
+drag = f'min({bound}, max(-({bound}), t - ga*(u(1) - old(1))))'
+md.add_nonlinear_term(mim, f'@weight@*({push}*Test_u(2) - {drag}*Test_u(1)'
+                           f' + ({push} - p)/ga*Test_p + ({drag} - t)/ga*Test_t)', TOP)
+)";
+constexpr const char* getfem_variables =
+    R"(md.add_filtered_fem_variable('t', mf_p, TOP)   # tractions along the surface
+md.add_fem_data('old', mf_u)   # displacements at the end of the step before
+md.add_initialized_data('friction', @mu@)
+)";
+constexpr const char* getfem_solve =
+    R"(iterations, converged = md.solve('max_res', 1e-9, 'max_iter', 100, 'lsearch', 'simplest')
+if not converged:
+    raise SystemExit('error: the contact did not converge in 100 iterations'))";
+constexpr const char* getfem_steps =
+    R"(for depth in np.linspace(0, @depth_end@, @increments@ + 1)[1:]:
+    md.set_variable('depth', depth)
+    iterations, converged = md.solve('max_res', 1e-9, 'max_iter', 100, 'lsearch', 'simplest')
+    if not converged:
+        raise SystemExit('error: the contact did not converge in 100 iterations')
+    md.set_variable('old', md.variable('u')))";
 
 constexpr const char* getfem_plane = "la*Div_u*Div_Test_u + 2*mu*(Sym(Grad_u):Sym(Grad_Test_u))";
 constexpr const char* getfem_axisymmetric =
@@ -88,9 +111,12 @@ std::string in_getfem(const std::string& formula) {
 }  // namespace
 
 DeckFamily getfem_family(const DeckModel& model, const DeckWishes& wishes) {
-    if (model.shape == DeckModel::Shape::half || model.mu > 0)
+    const bool has_friction = model.mu > 0;
+    if (model.shape == DeckModel::Shape::half || model.is_shifted() ||
+        (has_friction && (model.has_force() || model.steps.size() > 1)))
         throw contact::InputError(
-            "deck: the deck for GetFEM is axisymmetric or plane and frictionless; take calculix");
+            "deck: the deck for GetFEM is axisymmetric or plane, with friction pressed to one "
+            "depth; take calculix");
     const std::string element = wishes.elements.empty() ? "Q2" : wishes.elements;
     if (element != "Q1" && element != "Q2")
         throw contact::InputError("deck: elements " + element +
@@ -127,7 +153,19 @@ DeckFamily getfem_family(const DeckModel& model, const DeckWishes& wishes) {
         run.files.push_back(
             {job + ".py",
              filled(getfem_template,
-                    {{"load", load},
+                    {{"variables", has_friction ? getfem_variables : ""},
+                     {"contact", has_friction ? getfem_friction : getfem_frictionless},
+                     {"solve", has_friction ? getfem_steps : getfem_solve},
+                     {"mu", number(model.mu)},
+                     {"depth_end", number(model.last().normal)},
+                     {"increments", std::to_string(model.last().increments)},
+                     {"traction",
+                      has_friction ? "traction = md.interpolation('t', np.array([x, 0*x]), mesh)\n"
+                                   : ""},
+                     {"heading",
+                      std::string("@column@ [mm],p [MPa]") + (has_friction ? ",tx [MPa]" : "")},
+                     {"columns", has_friction ? "x, pressure, traction" : "x, pressure"},
+                     {"load", load},
                      {"depth", depth},
                      {"name", model.name},
                      {"n", std::to_string(run.n)},

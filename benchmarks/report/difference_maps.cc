@@ -60,16 +60,12 @@ struct MappedField {
     double SurfaceValues::*of;
 };
 
-/// Of the reference in its contact: on a grid, since a mesh may have very many points.
 double largest_value(const Comparison& comparison, double SurfaceValues::*of) {
-    constexpr int n = 40;
-    const double a = comparison.reference.contact_radius;
     double largest = 0;
-    for (int j = -n; j <= n; ++j)
-        for (int i = -n; i <= n; ++i) {
-            const double value = comparison.reference.fields->at(a * i / n, a * j / n).*of;
-            if (std::isfinite(value)) largest = std::max(largest, std::abs(value));
-        }
+    for (const SurfacePoint& point : comparison.meshes.back().points) {
+        const double value = comparison.reference.fields->at(point.x, point.y).*of;
+        if (std::isfinite(value)) largest = std::max(largest, std::abs(value));
+    }
     return largest;
 }
 

@@ -141,8 +141,22 @@ double along(const Printed& force, const std::string& axes, char letter) {
     return force.values[axes.find(letter)];
 }
 
-void add_forces(const std::vector<Printed>& forces, const std::string& axes,
+/// Letters of the axes where z is that of the largest component of all.
+std::string axes_of_largest(const std::vector<Printed>& forces) {
+    double largest = 0;
+    std::size_t axis = 2;
+    for (const Printed& force : forces)
+        for (std::size_t k = 0; k < 3; ++k)
+            if (std::abs(force.values[k]) > largest) {
+                largest = std::abs(force.values[k]);
+                axis = k;
+            }
+    return axis == 2 ? "xyz" : axis == 1 ? "xzy" : "zyx";
+}
+
+void add_forces(const std::vector<Printed>& forces, const std::string& given_axes,
                 std::map<std::string, Total>& totals, std::vector<std::string>& notes) {
+    const std::string axes = given_axes.empty() ? axes_of_largest(forces) : given_axes;
     const auto normal = [&](const Printed& force) { return along(force, axes, 'z'); };
     const auto largest =
         std::ranges::max_element(forces, {}, [&](const Printed& f) { return std::abs(normal(f)); });

@@ -12,6 +12,7 @@
 #include "benchmarks/submissions/surface_field.h"
 #include "benchmarks/submissions/table_field.h"
 #include "benchmarks/submissions/vtk_file.h"
+#include "contact/base/error.h"
 #include "io/keys/input_file.h"
 #include "io/keys/messages.h"
 #include "io/tables/divided_text.h"
@@ -74,12 +75,16 @@ MeshField read_frd(const FieldSource& source) {
     MeshField field{.file = source.file, .format = "CalculiX frd", .notes = frd.notes};
     const MeshData& mesh = chosen(frd.meshes, source.set, source.file, field.notes);
     const std::string axes = add_surface(field, mesh, source.file);
-    std::string totals = source.totals;
-    if (totals.empty()) {
-        totals = print_beside(source.file);
-        if (!totals.empty()) field.notes.push_back("resultants are read from " + totals);
+    if (!source.totals.empty()) {
+        add_totals(field, source.totals, axes);
+    } else if (const std::string beside = print_beside(source.file); !beside.empty()) {
+        try {
+            add_totals(field, beside, axes);
+            field.notes.push_back("resultants are read from " + beside);
+        } catch (const contact::InputError& why) {  // nobody named it
+            field.notes.push_back(std::string("no resultants: ") + why.what());
+        }
     }
-    if (!totals.empty()) add_totals(field, totals, axes);
     // Along r the set of a rigid indenter carries what holds its nodes.
     if (mesh.is_axisymmetric) field.totals.erase(quantity_keys::tangential_force);
     return field;
@@ -89,7 +94,7 @@ MeshField read_mesh_file(const FieldSource& source) {
     MeshField field{.file = source.file, .format = ending_of(source.file).substr(1)};
     const std::vector<MeshData> meshes = read_vtk(source.file, field.notes);
     add_surface(field, chosen(meshes, source.set, source.file, field.notes), source.file);
-    if (!source.totals.empty()) add_totals(field, source.totals, "xyz");
+    if (!source.totals.empty()) add_totals(field, source.totals, {});
     return field;
 }
 
@@ -97,7 +102,7 @@ MeshField read_rpt(const FieldSource& source) {
     const std::string text = text_of(source.file, "report of Abaqus");
     MeshField field = is_field_report(text) ? parse_rpt(text, source.file, source.set)
                                             : parse_table(text, source.file);
-    if (!source.totals.empty()) add_totals(field, source.totals, "xyz");
+    if (!source.totals.empty()) add_totals(field, source.totals, {});
     return field;
 }
 
@@ -110,7 +115,7 @@ MeshField read_table(const FieldSource& source) {
         io::fail(source.file, "set = " + io::toml_string(source.set),
                  "a table of columns has no sets", "omit it");
     MeshField field = parse_table(text, source.file);
-    if (!source.totals.empty()) add_totals(field, source.totals, "xyz");
+    if (!source.totals.empty()) add_totals(field, source.totals, {});
     return field;
 }
 

@@ -18,10 +18,10 @@ struct FieldSource {
 /// say. Throws contact::InputError naming file, line, what is wrong, what helps.
 MeshField read_field(const FieldSource& source);
 
-/// Resultants of a file: .dat of CalculiX, or lines "key = value unit". Of .dat z is taken as the
-/// normal of the surface. Throws contact::InputError.
+/// Resultants of a file: .dat of CalculiX, or lines "key = value unit". `axes` as in
+/// parse_dat. Throws contact::InputError.
 std::map<std::string, Total> read_totals(const std::string& file, std::vector<std::string>& notes,
-                                         const std::string& axes = "xyz");
+                                         const std::string& axes = {});
 
 /// Reads a submission file (TOML) and the fields that it names, beside it. Throws
 /// contact::InputError.

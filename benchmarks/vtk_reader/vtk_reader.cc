@@ -9,6 +9,7 @@
 #include <vtkOutputWindow.h>
 
 #include <algorithm>
+#include <csignal>
 #include <exception>
 #include <new>
 #include <string>
@@ -85,6 +86,8 @@ int main(int n_arguments, char** arguments) {
     limit(RLIMIT_FSIZE, most_output);
     limit(RLIMIT_CPU, most_seconds);
     limit(RLIMIT_CORE, 0);
+    // A file may name others, and among them a pipe that nobody writes to.
+    std::signal(SIGALRM, SIG_DFL);
     ::alarm(2 * most_seconds);
     const vtkNew<FirstError> errors;
     vtkOutputWindow::SetInstance(errors);

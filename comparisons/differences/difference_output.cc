@@ -187,7 +187,8 @@ std::vector<report::Figure> difference_figures(const SurfaceDifference& d, const
          {DrawnField{"pressure", "pressure", "p", &Surface::normal_traction, d.pressure},
           DrawnField{"traction", "traction along x", "t", &Surface::tangential_traction_x,
                      d.traction}})
-        if (drawn.largest.over > least_drawn * p0 && !d.of(drawn.field).empty())
+        if (drawn.largest.over > least_drawn * p0 &&
+            std::abs(drawn.largest.value) > least_drawn * p0 && !d.of(drawn.field).empty())
             figures.push_back(figure_of(d, drawn, id));
     return figures;
 }

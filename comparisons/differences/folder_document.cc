@@ -34,14 +34,19 @@ std::vector<report::Figure> curve_figures(const RunPair& pair, const std::string
     std::vector<report::Figure> figures;
     for (const CurvePair& curve : pair.curves) {
         double largest = 0, apart = 0;
+        std::vector<double> apart_by;
         for (std::size_t k = 0; k < curve.phase.size(); ++k) {
+            apart_by.push_back(curve.a[k] - curve.b[k]);
             largest = std::max({largest, std::abs(curve.a[k]), std::abs(curve.b[k])});
             apart = std::max(apart, std::abs(curve.a[k] - curve.b[k]));
         }
-        const auto is_constant = [](const std::vector<double>& values) {
-            return std::ranges::minmax(values).min == std::ranges::minmax(values).max;
+        // What varies by less is held by the load to the accuracy of the solvers.
+        const double least = 1e-6 * largest;
+        const auto varies = [least](const std::vector<double>& values) {
+            const auto [low, high] = std::ranges::minmax(values);
+            return high - low > least;
         };
-        if (largest == 0 || (apart == 0 && is_constant(curve.a))) continue;
+        if (!(apart > least) && !varies(curve.a)) continue;
         const report::Unit unit = report::fitting_unit(largest, curve.unit);
         const report::Unit fine = report::fitting_unit(apart > 0 ? apart : largest, curve.unit);
         report::Figure values{.id = fmt::format("{}_{}", curve.column, id),
@@ -63,7 +68,7 @@ std::vector<report::Figure> curve_figures(const RunPair& pair, const std::string
         values.curves = {std::move(a), std::move(b)};
         differences.curves = {std::move(d)};
         figures.push_back(std::move(values));
-        if (apart > 0) figures.push_back(std::move(differences));
+        if (varies(apart_by)) figures.push_back(std::move(differences));
     }
     return figures;
 }

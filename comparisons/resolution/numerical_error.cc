@@ -31,10 +31,11 @@ constexpr double of_tolerance = 10;
 // what is counted in cells (a period's increment in those that slip), and on springs, which bring
 // an error that depends on where between two of them the contact ends, of either sign.
 constexpr double first_order = .5, no_order = 1;
-constexpr double of_work = 1.7;
+constexpr double of_work = 2.5;
 
-/// What differences count for. Frictional work of a path falls with the power 2/3 of its steps'
-/// length, as the slip of a contact that grows does: half the steps change 1/1.7 of the error.
+/// What differences count for. The error of frictional work falls with the power 2/3 of the steps'
+/// length, as the slip of a contact that grows does: half the steps change 1/1.7 of it. With the
+/// two to six steps of runs drawn at random it falls more slowly yet; 2.5 covers 95 % of them.
 struct Factors {
     double coarsest = first_order, steps = 1;
 };

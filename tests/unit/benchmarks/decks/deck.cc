@@ -279,6 +279,20 @@ TEST(Deck, MeshesForOtherCodes) {
     EXPECT_NE(vtu.find("NumberOfCells=\"48\""), std::string::npos);
 }
 
+TEST(Deck, GetfemPressesWithFriction) {
+    std::string text = pressed;
+    text.replace(text.find("mdr-layer"), 9, "bem-layer");
+    text.replace(text.find("coupling = false"), 16, "coupling = true");
+    text.replace(text.find("tangential_ratio = 0.0"), 22,
+                 "tangential_ratio = 0.0\npress_steps = 5");
+    const Reference reference = reference_of(text, 4.31e-3, .35e-3, .426e6, Geometry::axisymmetric);
+    const std::string script =
+        write_deck(reference, {.code = "getfem", .levels = 1, .problem = "p"}).front().text;
+    EXPECT_NE(script.find("np.linspace(0, 0.35, 5 + 1)"), std::string::npos) << script;
+    EXPECT_NE(script.find("'friction', 0.57"), std::string::npos);
+    EXPECT_NE(refusal(reference, {.code = "freefem"}).find("frictionless"), std::string::npos);
+}
+
 TEST(ClosedDeck, ThreeProblems) {
     for (const char* name : {"patch_test", "wedge", "complete_punch"}) {
         EXPECT_TRUE(has_closed_deck(name));

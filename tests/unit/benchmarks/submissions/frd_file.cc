@@ -1,9 +1,11 @@
 #include "benchmarks/submissions/frd_file.h"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <fstream>
 #include <numbers>
 #include <sstream>
@@ -135,7 +137,24 @@ TEST(FrdFile, PrintOfTheLastTimeIsRead) {
     EXPECT_GT(totals.at("stored_energy").value, 0);
     ASSERT_EQ(notes.size(), 1U);
     EXPECT_NE(notes[0].find("contact stress"), std::string::npos);
+    // Without a field the largest force is along the normal.
+    EXPECT_EQ(read_totals(folder + "formats/calculix_CAX4_3d.dat", notes).at("normal_force").value,
+              totals.at("normal_force").value);
     EXPECT_TRUE(is_calculix_print(text_of("formats/calculix_CAX4_3d.dat")));
+}
+
+TEST(FrdFile, APrintBesideItThatHoldsNothingIsNoted) {
+    namespace fs = std::filesystem;
+    const fs::path work = fs::temp_directory_path() / ("frd_file_test_" + std::to_string(getpid()));
+    fs::create_directories(work);
+    std::ofstream(work / "a.frd") << text_of("formats/calculix_CAX4_2d.frd");
+    std::ofstream(work / "a.dat") << "\n";
+    const MeshField field = read_field({(work / "a.frd").string(), "", ""});
+    EXPECT_TRUE(field.totals.empty());
+    EXPECT_NE(field.notes.back().find("no resultants: "), std::string::npos);
+    EXPECT_THROW(read_field({(work / "a.frd").string(), "", (work / "a.dat").string()}),
+                 contact::InputError);
+    fs::remove_all(work);
 }
 
 TEST(FrdFile, NumbersThatOverflowTheirFieldsAreRead) {
