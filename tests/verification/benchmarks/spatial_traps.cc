@@ -171,7 +171,9 @@ TEST(SpatialTraps, ElasticSlipAndOneStep) {
     EXPECT_TRUE(foreign::has(c, "tangential_springs"));
     // CalculiX at 26 and 260 MPa/mm: -2.46 % between them, of which nine tenths are predicted.
     for (const Explained& e : foreign::number(c, "tangential_force").explained)
-        if (e.id == "stick_slope") EXPECT_NEAR(e.change, -.0246 / .9, .1 * .0246);
+        if (e.id == "stick_slope") {
+            EXPECT_NEAR(e.change, -.0246 / .9, .1 * .0246);
+        }
 }
 
 }  // namespace spatial_traps

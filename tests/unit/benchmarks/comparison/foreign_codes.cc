@@ -78,7 +78,9 @@ TEST(ForeignCodes, CalculixPassesByWhatExplainsIt) {
     EXPECT_NEAR(force.explained_change(), .0178, .0002);
     EXPECT_LT(std::abs(force.left()), .0041);
     for (const Explained& e : force.explained)
-        if (e.id == "displaced_surface") EXPECT_NEAR(e.change, .0184, .2 * .0184);
+        if (e.id == "displaced_surface") {
+            EXPECT_NEAR(e.change, .0184, .2 * .0184);
+        }
     // Forces of a sector of two degrees, pressures without a unit, a spike beside the axis.
     for (const char* id : {"share", "units", "axis_spike", "penalty", "displaced_surface"})
         EXPECT_TRUE(foreign::has(c, id)) << id;

@@ -76,6 +76,7 @@ tolerance = 1e-07
 
 [mdr]
 springs = 10000
+elements_per_radius = 100
 
 [fem]
 accuracy = 0.01
