@@ -81,6 +81,13 @@ auto components(At at, const std::array<double SurfaceValues::*, n>& members) {
     };
 }
 
+py::object mean_pressure(const Reference& reference, const Numbers& x, const Numbers& y,
+                         const Numbers& area) {
+    return py::vectorize([&](double at_x, double at_y, double over) {
+        return benchmarks::mean_values(*reference.fields, at_x, at_y, over).pressure;
+    })(x, y, area);
+}
+
 py::object load_within(const Reference& reference, const Numbers& r) {
     return py::vectorize([&](double at) { return reference.fields->load_within(at); })(r);
 }
@@ -105,6 +112,8 @@ void add_benchmark(py::module_& module) {
         .def_readonly("models", &Reference::models, "That stand behind it.")
         .def_readonly("remarks", &Reference::remarks, "What it leaves out.")
         .def_readonly("digest", &Reference::digest, "Of the case.")
+        .def("mean_pressure", mean_pressure, py::arg("x"), py::arg("y"), py::arg("area"),
+             "p [Pa], mean over squares of the given areas [m^2] about points [m].")
         .def("load_within", load_within, py::arg("r"), "Force within the distance r [N].");
     const auto add_field = [&](const char* name, const auto& members, const char* text) {
         kind.def(name, components(value, members), x, y, text);

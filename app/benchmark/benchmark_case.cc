@@ -3,8 +3,10 @@
 #include <filesystem>
 
 #include "benchmarks/problems/problem.h"
+#include "benchmarks/reference/reference_cache.h"
 #include "io/case/case_reader.h"
 #include "io/keys/input_file.h"
+#include "runs/point_key.h"
 
 namespace tricontact::app {
 
@@ -38,6 +40,11 @@ BenchmarkCase benchmark_case(const std::string& name_or_file, const std::string&
     // A file of this name is not the problem of the catalogue, whatever it holds.
     if (benchmarks::find_problem(found.name)) found.name += "_case";
     return found;
+}
+
+benchmarks::Reference reference_of(const contact::Case& c, const runs::CommandOptions& options) {
+    const std::string identity = runs::program_identity() + '\n' + runs::file_digests(c);
+    return benchmarks::kept_reference(c, options.runner(), identity, options.sayer());
 }
 
 }  // namespace tricontact::app

@@ -2,7 +2,9 @@
 
 #include <string>
 
+#include "benchmarks/reference/reference.h"
 #include "contact/case.h"
+#include "runs/options.h"
 
 namespace tricontact::app {
 
@@ -17,5 +19,8 @@ struct BenchmarkCase {
 /// A problem of the catalogue by its name, else a case file, of which relative names are also
 /// looked up in `folder`. Throws contact::InputError where it is neither.
 BenchmarkCase benchmark_case(const std::string& name_or_file, const std::string& folder = {});
+
+/// The reference of a case, computed or kept from an earlier call.
+benchmarks::Reference reference_of(const contact::Case& c, const runs::CommandOptions& options);
 
 }  // namespace tricontact::app

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cctype>
 
+#include "app/benchmark/benchmark_case.h"
 #include "app/commands/command.h"
 #include "benchmarks/problems/problem_page.h"
 #include "io/keys/messages.h"
@@ -61,7 +62,7 @@ struct FoundReference {
 FoundReference reference_of(const Problem& problem, const CommandOptions& options) {
     if (!problem.has_case()) return {{}, "The closed forms below are the reference."};
     try {
-        return {benchmarks::reference(problem.make_case(), options.runner())};
+        return {reference_of(problem.make_case(), options)};
     } catch (const contact::InputError& error) {
         std::string text = error.what();
         constexpr std::string_view speaker = "reference: ";

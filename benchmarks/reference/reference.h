@@ -46,6 +46,10 @@ class ReferenceFields {
     virtual double load_within(double r) const = 0;
 };
 
+/// Means over a square of a given area [m^2] about a point, by 4 x 4 Gauss points: what an element,
+/// or a node with its share of faces, stands for.
+SurfaceValues mean_values(const ReferenceFields& fields, double x, double y, double area);
+
 /// What small changes of the interface and of the kinematics do to the resultants, to first order,
 /// by the envelope theorem: with the fields of three neighbouring depths or shifts. `value` per
 /// unit of what changes. Empty where the case has no such thing.

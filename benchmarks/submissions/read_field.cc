@@ -8,6 +8,7 @@
 #include "benchmarks/reference/reference.h"
 #include "benchmarks/submissions/dat_totals.h"
 #include "benchmarks/submissions/frd_file.h"
+#include "benchmarks/submissions/own_surface.h"
 #include "benchmarks/submissions/rpt_file.h"
 #include "benchmarks/submissions/surface_field.h"
 #include "benchmarks/submissions/table_field.h"
@@ -130,6 +131,12 @@ std::map<std::string, Total> read_totals(const std::string& file, std::vector<st
 
 MeshField read_field(const FieldSource& source) {
     const std::string ending = ending_of(source.file);
+    const bool may_be_own = ending == ".vti" || ending == ".vtp" || ending == ".vtu";
+    if (may_be_own && is_own_surface(source.file)) {
+        MeshField field = read_own_surface(source.file);
+        if (!source.totals.empty()) add_totals(field, source.totals, {});
+        return field;
+    }
     if (ending == ".csv" || ending == ".txt" || ending == ".dat") return read_table(source);
     if (ending == ".frd") return read_frd(source);
     if (ending == ".rpt") return read_rpt(source);

@@ -50,6 +50,9 @@ def test_fields_take_arrays(hertz):
                                atol=1e-7 * scales.peak_pressure)
     assert hertz.pressure(0.03, 0.04) == pytest.approx(hertz.pressure(0.05))
     assert hertz.pressure(np.zeros((2, 3)), 0.01).shape == (2, 3)
+    # p0 (1 - r^2/a^2)^(1/2): its mean over a square of the side s about the centre is p0 (1 - s^2/(12 a^2)).
+    side = 0.05 * scales.contact_radius
+    assert hertz.mean_pressure(0, 0, side**2) == pytest.approx(scales.peak_pressure * (1 - 0.05**2 / 12), rel=1e-6)
     assert hertz.traction(x, x).shape == (7, 2)
     assert hertz.displacement(x, x).shape == (7, 3)
     np.testing.assert_allclose(hertz.displacement(0.0)[2], 0.01)
