@@ -4,10 +4,8 @@
 #include <array>
 #include <string>
 
-#include "app/models/make_model.h"
-#include "benchmarks/reference/reference_cache.h"
+#include "app/benchmark/benchmark_case.h"
 #include "python/bindings.h"
-#include "runs/point_key.h"
 
 namespace tricontact::python {
 
@@ -25,9 +23,7 @@ Reference make_reference(const Case& c, int threads) {
     if (threads < 1) throw py::value_error("threads: must be at least 1");
     const py::gil_scoped_release free_the_lock;
     SignalCheck check_signals;
-    return benchmarks::kept_reference(c, contact::ModelRunner(app::model_makers(), threads),
-                                      runs::program_identity() + '\n' + runs::file_digests(c),
-                                      [&](const std::string&) { check_signals(); });
+    return app::reference_of(c, threads, [&](const std::string&) { check_signals(); });
 }
 
 py::dict in_parts(const ReferenceValue& value) {

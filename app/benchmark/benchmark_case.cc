@@ -2,6 +2,8 @@
 
 #include <filesystem>
 
+#include "app/benchmark/rolling_reference.h"
+#include "app/models/make_model.h"
 #include "benchmarks/problems/problem.h"
 #include "benchmarks/reference/reference_cache.h"
 #include "io/case/case_reader.h"
@@ -42,9 +44,14 @@ BenchmarkCase benchmark_case(const std::string& name_or_file, const std::string&
     return found;
 }
 
-benchmarks::Reference reference_of(const contact::Case& c, const runs::CommandOptions& options) {
+benchmarks::Reference reference_of(const contact::Case& c, int n_threads, const contact::Say& say) {
+    if (has_rolling_reference(c)) {
+        say("reference: steady rolling by boundary elements on three grids");
+        return rolling_reference(c, n_threads);
+    }
     const std::string identity = runs::program_identity() + '\n' + runs::file_digests(c);
-    return benchmarks::kept_reference(c, options.runner(), identity, options.sayer());
+    return benchmarks::kept_reference(c, contact::ModelRunner(model_makers(), n_threads), identity,
+                                      say);
 }
 
 }  // namespace tricontact::app

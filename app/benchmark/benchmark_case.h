@@ -4,7 +4,6 @@
 
 #include "benchmarks/reference/reference.h"
 #include "contact/case.h"
-#include "runs/options.h"
 
 namespace tricontact::app {
 
@@ -20,7 +19,8 @@ struct BenchmarkCase {
 /// looked up in `folder`. Throws contact::InputError where it is neither.
 BenchmarkCase benchmark_case(const std::string& name_or_file, const std::string& folder = {});
 
-/// The reference of a case, computed or kept from an earlier call.
-benchmarks::Reference reference_of(const contact::Case& c, const runs::CommandOptions& options);
+/// The reference of a case, computed or kept from an earlier call. Throws what
+/// benchmarks::reference throws.
+benchmarks::Reference reference_of(const contact::Case& c, int n_threads, const contact::Say& say);
 
 }  // namespace tricontact::app

@@ -25,6 +25,8 @@ constexpr std::array rows{
     Row{keys::indentation, "indentation d", "m", smooth},
     Row{keys::tangential_force, "tangential force F_T", "N", smooth},
     Row{keys::shift, "tangential shift U", "m", smooth},
+    Row{keys::torque, "torque M", "N m", smooth},
+    Row{keys::creepage, "longitudinal creepage", "", smooth},
     Row{keys::contact_radius, "contact radius a, by the second moment of p", "m",
         "1 to 3/2: the edge's error on its own load"},
     Row{keys::peak_pressure, "peak pressure p0, fitted inside .3 a", "Pa",
@@ -40,9 +42,10 @@ constexpr std::array rows{
     Row{keys::shift_increment, "shift per period", "m", "1"},
     Row{keys::shakedown_limit, "limit of shakedown f_T", "", smooth}};
 
-constexpr std::array decisive{keys::normal_force,    keys::indentation,    keys::tangential_force,
-                              keys::shift,           keys::static_shift,   keys::settled_shift,
-                              keys::shift_increment, keys::shakedown_limit};
+constexpr std::array decisive{keys::normal_force,    keys::indentation,     keys::tangential_force,
+                              keys::shift,           keys::static_shift,    keys::settled_shift,
+                              keys::shift_increment, keys::shakedown_limit, keys::torque,
+                              keys::creepage};
 
 std::string percent(double share) {
     return fmt::format("{:.2g} %", 100 * share);
