@@ -37,6 +37,12 @@ std::span<const TotalKey> total_keys() {
         {q::dissipation, {energy, force}, "0.0169 mJ", "work lost to friction so far", {}},
         {q::normal_stiffness, {stiffness, pressure}, "110 N/mm", "dF_N/dd", {}},
         {q::tangential_stiffness, {stiffness, pressure}, "50 N/mm", "dF_T/dU", {}},
+        {q::static_shift, {length}, "0.15 mm", "U before rolling", {}},
+        {q::settled_shift, {length}, "0.28 mm", "U that stands after shakedown", {}},
+        {q::shift_increment, {length}, "2 um", "growth of U per period where it ratchets", {}},
+        {q::shakedown_limit, {none}, "0.65", "F_T/(mu F_N) at the limit of shakedown", {}},
+        {q::torque, {energy, force}, "3 mN m", "about the normal, on the body", {}},
+        {q::creepage, {none}, "0.001", "slid over rolled way along x", {}},
         {"size", {length}, "1 mm", "of elements in the contact", {"h", "element_size"}},
         {"cpu_time", {time}, "12 s", "of the computation", {"cpu"}}};
     return keys;

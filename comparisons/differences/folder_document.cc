@@ -124,7 +124,7 @@ report::Verdict pair_verdict(const RunPair& pair) {
     std::string text = fmt::format("{} minus {}: ", pair.title_a(), pair.title_b());
     if (n_apart + n_overlap == 0) {
         text +=
-            "the numerical errors of both are not known, so that no difference is told from "
+            "the numerical errors of both are not known, so that no difference is judged from "
             "them";
     } else {
         text += fmt::format("numerical bars overlap in {} of {} quantities", n_overlap,
