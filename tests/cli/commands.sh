@@ -129,7 +129,7 @@ printf 'case = "%s"\nmodels = ["mdr"]\n[set]\nmdr.springs = 100\nrolling.periods
 former merge "sweep merge" whole "$work/part"
 former merge "sweep merge" whole "$work/nowhere"
 if "$program" list | grep -q '^  fem '; then
-    [ "$n" -eq 23 ] || complain "$n commands"
+    [ "$n" -eq 24 ] || complain "$n commands"
     [ "$(group_of mesh)" = Exchange: ] && [ "$(group_of cache)" = Tools: ] || complain "groups of mesh and cache"
     former condense "cache condense" "$contact" --set fem.cache=none
 fi
