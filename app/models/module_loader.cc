@@ -28,6 +28,15 @@ std::optional<double> address_space_left() {
            pages * static_cast<double>(::sysconf(_SC_PAGESIZE));
 }
 
+/// Below this libraries are loaded whose own threads then cannot start, which ends the process.
+constexpr double least_space = 5e8;  // [bytes]
+
+std::string too_little_space(double left) {
+    return fmt::format(
+        "{:.2g} GB of address space are left to load them, raise the limit (ulimit -v)",
+        left / 1e9);
+}
+
 /// OpenBLAS starts its threads while it is loaded, and where one cannot have its stack it ends the
 /// process. Where space is short one thread has to do, for which none is started.
 void spare_threads(double left) {
@@ -40,6 +49,8 @@ void spare_threads(double left) {
 
 void* module_symbol(const std::string& what, const char* file, const char* symbol) {
     const std::optional<double> left = address_space_left();
+    if (left && *left < least_space)
+        throw std::runtime_error(what + ": " + too_little_space(*left));
     if (left) spare_threads(*left);
     const auto path = files::find_part(file);
     if (!path)
@@ -49,12 +60,8 @@ void* module_symbol(const std::string& what, const char* file, const char* symbo
     // Globally: MPI's own plug-ins look for its symbols there.
     void* const module = dlopen(path->c_str(), RTLD_LAZY | RTLD_GLOBAL);
     if (!module)
-        throw std::runtime_error(
-            what + ": " + dlerror() +
-            (left ? fmt::format("; {:.2g} GB of address space are left to load them, raise the "
-                                "limit (ulimit -v)",
-                                *left / 1e9)
-                  : ""));
+        throw std::runtime_error(what + ": " + dlerror() +
+                                 (left ? "; " + too_little_space(*left) : std::string()));
     void* const found = dlsym(module, symbol);
     if (!found) throw std::runtime_error(what + ": " + dlerror());
     return found;
