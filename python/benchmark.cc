@@ -23,7 +23,7 @@ Reference make_reference(const Case& c, int threads) {
     if (threads < 1) throw py::value_error("threads: must be at least 1");
     const py::gil_scoped_release free_the_lock;
     SignalCheck check_signals;
-    return app::reference_of(c, threads, [&](const std::string&) { check_signals(); });
+    return app::reference_of_case(c, threads, [&](const std::string&) { check_signals(); });
 }
 
 py::dict in_parts(const ReferenceValue& value) {

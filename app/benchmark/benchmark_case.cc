@@ -44,7 +44,8 @@ BenchmarkCase benchmark_case(const std::string& name_or_file, const std::string&
     return found;
 }
 
-benchmarks::Reference reference_of(const contact::Case& c, int n_threads, const contact::Say& say) {
+benchmarks::Reference reference_of_case(const contact::Case& c, int n_threads,
+                                        const contact::Say& say) {
     if (has_rolling_reference(c)) {
         say("reference: steady rolling by boundary elements on three grids");
         return rolling_reference(c, n_threads);

@@ -21,6 +21,7 @@ BenchmarkCase benchmark_case(const std::string& name_or_file, const std::string&
 
 /// The reference of a case, computed or kept from an earlier call. Throws what
 /// benchmarks::reference throws.
-benchmarks::Reference reference_of(const contact::Case& c, int n_threads, const contact::Say& say);
+benchmarks::Reference reference_of_case(const contact::Case& c, int n_threads,
+                                        const contact::Say& say);
 
 }  // namespace tricontact::app

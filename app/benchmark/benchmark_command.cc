@@ -62,7 +62,7 @@ struct FoundReference {
 FoundReference reference_of(const Problem& problem, const CommandOptions& options) {
     if (!problem.has_case()) return {{}, "The closed forms below are the reference."};
     try {
-        return {reference_of(problem.make_case(), options.threads, contact::silent)};
+        return {reference_of_case(problem.make_case(), options.threads, contact::silent)};
     } catch (const contact::InputError& error) {
         std::string text = error.what();
         constexpr std::string_view speaker = "reference: ";

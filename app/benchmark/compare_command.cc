@@ -133,7 +133,7 @@ int compare_submission(CompareOptions options) {
     const BenchmarkCase found = benchmark_case(submission.problem, folder);
     options.file = has_file ? options.inputs.front() : found.name + ".toml";
     options.choose_folder("_comparison");
-    auto reference = reference_of(found.c, options.threads, options.sayer());
+    auto reference = reference_of_case(found.c, options.threads, options.sayer());
     Comparison comparison = benchmarks::compare(std::move(submission), std::move(reference));
     comparison.title = found.title;
     comparison.name = found.name;

@@ -24,7 +24,7 @@ benchmarks::DeckWishes wishes_of(const DeckOptions& options, const std::string& 
 }
 
 std::vector<benchmarks::DeckFile> files_of(const BenchmarkCase& found, const DeckOptions& options) {
-    const auto reference = reference_of(found.c, options.threads, options.sayer());
+    const auto reference = reference_of_case(found.c, options.threads, options.sayer());
     auto files = benchmarks::write_deck(reference, wishes_of(options, found.name));
     // The submission names the case by its file beside it.
     if (!found.text.empty()) files.push_back({found.name + ".toml", io::write_case(found.c)});

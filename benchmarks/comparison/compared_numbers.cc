@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "benchmarks/comparison/explained.h"
+#include "benchmarks/reference/quantity_units.h"
 
 namespace tricontact::benchmarks {
 
@@ -16,31 +17,26 @@ namespace {
 namespace keys = quantity_keys;
 constexpr double unknown = std::numeric_limits<double>::infinity();
 
-struct Row {
-    const char *key, *title, *unit, *order;
-};
 const char* const smooth = "1 to 2: resultants of smooth elements";
-constexpr std::array rows{
-    Row{keys::normal_force, "normal force F_N", "N", smooth},
-    Row{keys::indentation, "indentation d", "m", smooth},
-    Row{keys::tangential_force, "tangential force F_T", "N", smooth},
-    Row{keys::shift, "tangential shift U", "m", smooth},
-    Row{keys::torque, "torque M", "N m", smooth},
-    Row{keys::creepage, "longitudinal creepage", "", smooth},
-    Row{keys::contact_radius, "contact radius a, by the second moment of p", "m",
-        "1 to 3/2: the edge's error on its own load"},
-    Row{keys::peak_pressure, "peak pressure p0, fitted inside .3 a", "Pa",
-        "1 to 2: away from the contact's edge"},
-    Row{keys::contact_area, "contact area", "m^2", "1: counted in elements"},
-    Row{keys::stick_area, "stick area", "m^2", "1: counted in elements"},
-    Row{keys::stored_energy, "stored elastic energy", "J", smooth},
-    Row{keys::dissipation, "frictional dissipation", "J", "1"},
-    Row{keys::normal_stiffness, "normal stiffness dF_N/dd", "N/m", smooth},
-    Row{keys::tangential_stiffness, "tangential stiffness dF_T/dU", "N/m", smooth},
-    Row{keys::static_shift, "static shift", "m", smooth},
-    Row{keys::settled_shift, "settled shift", "m", smooth},
-    Row{keys::shift_increment, "shift per period", "m", "1"},
-    Row{keys::shakedown_limit, "limit of shakedown f_T", "", smooth}};
+
+/// Where a resultant's order is not expected.
+struct OrderOfKey {
+    const char *key, *order;
+};
+constexpr std::array other_orders{
+    OrderOfKey{keys::contact_radius, "1 to 3/2: the edge's error on its own load"},
+    OrderOfKey{keys::peak_pressure, "1 to 2: away from the contact's edge"},
+    OrderOfKey{keys::contact_area, "1: counted in elements"},
+    OrderOfKey{keys::stick_area, "1: counted in elements"},
+    OrderOfKey{keys::dissipation, "1: of the steps"},
+    OrderOfKey{keys::shift_increment, "1: counted in elements"}};
+
+/// What a quantity's number of a field is, behind its title.
+std::string_view how_found(std::string_view key) {
+    if (key == keys::contact_radius) return ", by the second moment of p";
+    if (key == keys::peak_pressure) return ", fitted inside .3 a";
+    return {};
+}
 
 constexpr std::array decisive{keys::normal_force,    keys::indentation,     keys::tangential_force,
                               keys::shift,           keys::static_shift,    keys::settled_shift,
@@ -87,14 +83,14 @@ void name_the_blame(ComparedNumber& n, std::size_t n_meshes, const MeshFamily& f
     n.remedy = worst.remedy;
 }
 
-ComparedNumber named(const std::string& key) {
+ComparedNumber named(const std::string& key, Geometry geometry) {
     ComparedNumber n;
     n.key = key;
-    const QuantityName name = name_of_quantity(key);
-    n.title = name.title;
-    n.unit = name.unit;
-    const auto row = std::ranges::find(rows, key, [](const Row& r) { return std::string(r.key); });
-    if (row != rows.end()) n.expected_order = row->order;
+    n.title = std::string(title_of_quantity(key)) + std::string(how_found(key));
+    n.unit = usual_unit(key, geometry).base;
+    const auto other = std::ranges::find(
+        other_orders, key, [](const OrderOfKey& one) { return std::string(one.key); });
+    n.expected_order = other == other_orders.end() ? smooth : other->order;
     return n;
 }
 
@@ -109,12 +105,6 @@ std::optional<double> value_of(const std::string& key, const UnderstoodMesh& mes
 }
 
 }  // namespace
-
-QuantityName name_of_quantity(const std::string& key) {
-    for (const Row& row : rows)
-        if (key == row.key) return {row.title, row.unit};
-    return {key, ""};
-}
 
 Standing standing_of(double difference, double uncertainty, double tolerance) {
     if (std::abs(difference) + uncertainty <= tolerance) return Standing::pass;
@@ -171,18 +161,19 @@ std::vector<ComparedNumber> compared_numbers(const Submission& submission, const
         norms.push_back(samples.empty() ? std::vector<FieldNorm>{}
                                         : field_norms(all.meshes[k], samples[k], reference));
     }
-    for (const Row& row : rows) {
-        const ReferenceValue* value = reference.find(row.key);
+    for (const std::string_view shown : shown_quantities()) {
+        const std::string key(shown);
+        const ReferenceValue* value = reference.find(key);
         if (!value || value->value == 0 || !std::isfinite(value->value) ||
-            reference.is_prescribed(row.key))
+            reference.is_prescribed(key))
             continue;
-        ComparedNumber n = named(row.key);
+        ComparedNumber n = named(key, reference.geometry);
         n.reference = *value;
         for (std::size_t k = 0; k < all.meshes.size(); ++k)
-            n.values.push_back(value_of(row.key, all.meshes[k], of_fields[k]));
+            n.values.push_back(value_of(key, all.meshes[k], of_fields[k]));
         if (!n.values.back()) continue;
-        n.tolerance = submission.tolerances.at(row.key);
-        n.explained = explained(row.key, submission, reference);
+        n.tolerance = submission.tolerances.at(key);
+        n.explained = explained(key, submission, reference);
         judge(n, sizes, family);
         numbers.push_back(std::move(n));
     }

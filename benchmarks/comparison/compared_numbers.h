@@ -9,12 +9,6 @@
 
 namespace tricontact::benchmarks {
 
-/// Title of a quantity for readers: "normal force F_N"; its SI unit.
-struct QuantityName {
-    std::string title, unit;
-};
-QuantityName name_of_quantity(const std::string& key);
-
 /// Each number that meshes and reference have, with its limit over the family, what is explained of
 /// its difference, its uncertainty and its standing. `samples`: of each mesh; none without fields.
 std::vector<ComparedNumber> compared_numbers(const Submission& submission, const Understanding& all,

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "benchmarks/problems/quantity_units.h"
+#include "benchmarks/reference/quantity_units.h"
 #include "report/format.h"
 
 namespace tricontact::benchmarks {

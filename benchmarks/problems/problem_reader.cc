@@ -2,7 +2,7 @@
 #include <deque>
 
 #include "benchmarks/problems/problem.h"
-#include "benchmarks/problems/quantity_units.h"
+#include "benchmarks/reference/quantity_units.h"
 #include "io/keys/key_checks.h"
 
 namespace tricontact::benchmarks {

@@ -42,8 +42,7 @@ struct ShownUnit {
 };
 
 ShownUnit shown_unit(const ComparedNumber& number) {
-    if (number.unit == "m^2") return {"mm^2", 1e-6, false};
-    if (number.unit == "m^3") return {"mm^3", 1e-9, false};
+    if (number.unit == "m2") return {"mm2", 1e-6, false};
     return {number.unit};
 }
 

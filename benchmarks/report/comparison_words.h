@@ -16,7 +16,7 @@ const char* words_of(ContactMethod::Kinematics kinematics);
 /// Of mesh k from the reference, relative to its value; of norms the value. Empty where the mesh
 /// has none.
 std::optional<double> difference_of(const ComparedNumber& number, std::size_t k);
-/// "16.49 N", "57.9 mm^2"; of norms "1.2 %".
+/// "16.49 N", "57.9 mm2"; of norms "1.2 %".
 std::string value_of(const ComparedNumber& number, std::optional<double> value);
 /// The reference with its bar: "16.489 ± 0.001 N"; of norms empty.
 std::string reference_of(const ComparedNumber& number);

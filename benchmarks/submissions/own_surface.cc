@@ -9,7 +9,7 @@ namespace tricontact::benchmarks {
 
 namespace {
 
-using contact::Surface;
+using RunSurface = contact::Surface;
 
 constexpr std::size_t header_bytes = 16384;
 
@@ -18,10 +18,10 @@ struct Positions {
 };
 
 /// About the indenter, which a rolling contact follows.
-Positions positions_of(const Surface& s) {
+Positions positions_of(const RunSurface& s) {
     Positions at;
     for (std::size_t i = 0; i < s.size(); ++i) {
-        const bool are_nodes = s.layout == Surface::Layout::nodes;
+        const bool are_nodes = s.layout == RunSurface::Layout::nodes;
         const int n_x = are_nodes ? 1 : s.n_x;
         const int column = static_cast<int>(i) % n_x, row = static_cast<int>(i) / n_x;
         at.x.push_back((are_nodes ? s.node_x[i] : s.x(column)) - s.offset[0]);
@@ -43,7 +43,7 @@ bool is_own_surface(const std::string& file) {
 
 MeshField read_own_surface(const std::string& file) {
     io::note_input_file(file);
-    const Surface s = io::read_surface_file(file);
+    const RunSurface s = io::read_surface_file(file);
     MeshField field;
     field.file = file;
     field.format = "Tricontact";
@@ -52,7 +52,7 @@ MeshField read_own_surface(const std::string& file) {
         if (values.size() == s.size()) field.columns.push_back({name, meaning, unit, values});
     };
     const Positions at = positions_of(s);
-    const bool is_line = s.layout == Surface::Layout::line;
+    const bool is_line = s.layout == RunSurface::Layout::line;
     add("x", Meaning::x, "m", at.x);
     if (!is_line) add("y", Meaning::y, "m", at.y);
     add("normal_traction_Pa", Meaning::pressure, "Pa", s.normal_traction);
@@ -61,7 +61,7 @@ MeshField read_own_surface(const std::string& file) {
     add("displacement_x", Meaning::displacement_x, "m", s.displacement_x);
     if (!is_line) add("displacement_y", Meaning::displacement_y, "m", s.displacement_y);
     add("displacement_z", Meaning::displacement_z, "m", s.displacement_z);
-    if (s.layout == Surface::Layout::grid)
+    if (s.layout == RunSurface::Layout::grid)
         add("area", Meaning::area, "m2",
             std::vector<double>(s.size(), s.spacing[0] * s.spacing[1]));
     field.notes.push_back("a surface of tricontact run, SI units, tractions on the substrate");

@@ -9,7 +9,7 @@
 #include <set>
 
 #include "benchmarks/problems/problem.h"
-#include "benchmarks/problems/quantity_units.h"
+#include "benchmarks/reference/quantity_units.h"
 #include "contact/half_space_scales.h"
 #include "contact/models/model_kind.h"
 #include "io/case/case_reader.h"

@@ -1,4 +1,4 @@
-#include "benchmarks/problems/quantity_units.h"
+#include "benchmarks/reference/quantity_units.h"
 
 #include <algorithm>
 #include <array>
@@ -35,7 +35,7 @@ struct QuantityRow {
 };
 
 /// In the order in which they are shown.
-constexpr std::array<QuantityRow, 16> quantities{
+constexpr std::array<QuantityRow, 18> quantities{
     {{quantity_keys::normal_force, "normal force F_N", "N", "N/m"},
      {quantity_keys::indentation, "indentation d", "m", "m"},
      {quantity_keys::tangential_force, "tangential force F_T", "N", "N/m"},
@@ -51,7 +51,9 @@ constexpr std::array<QuantityRow, 16> quantities{
      {quantity_keys::static_shift, "shift before rolling", "m", "m"},
      {quantity_keys::settled_shift, "settled shift U_sd", "m", "m"},
      {quantity_keys::shift_increment, "shift per period", "m", "m"},
-     {quantity_keys::shakedown_limit, "limit of shakedown f_T,lim", "", ""}}};
+     {quantity_keys::shakedown_limit, "limit of shakedown f_T,lim", "", ""},
+     {quantity_keys::torque, "torque M", "N m", "N m"},
+     {quantity_keys::creepage, "longitudinal creepage", "", ""}}};
 
 const QuantityRow* find_quantity(std::string_view key) {
     const auto found = std::ranges::find(quantities, key, &QuantityRow::key);
