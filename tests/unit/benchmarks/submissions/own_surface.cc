@@ -32,7 +32,7 @@ Surface cells() {
 }
 
 TEST_F(OwnSurface, IsReadWithItsAreas) {
-    const io::VtkFile file = io::vtk_file({0, 1}, cells(), provenance_);
+    const io::VtkFile file = io::vtk_file({io::time_in_periods, 1}, cells(), provenance_);
     const std::string path = at("surface" + file.extension);
     std::ofstream(path, std::ios::binary) << file.bytes;
     const MeshField field = read_field({.file = path, .set = "", .totals = ""});
