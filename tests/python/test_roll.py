@@ -18,9 +18,13 @@ def cylinder(examples):
 def test_rolling_is_that_of_the_program(cylinder, program, tmp_path):
     rolling = tricontact.roll(tricontact.Case.from_file(cylinder, COARSE), points=3, threads=1)
     arguments = [text for key, value in COARSE.items() for text in ("--set", f"{key}={value}")]
+    program("run", cylinder, *arguments, "--points", 3, "--quiet", "--output", "out")
+    summary = json.loads((tmp_path / "out" / "summary.json").read_text())
     # The half widths of the steady state are further runs, which roll() leaves to the program.
-    program("run", cylinder, *arguments, "--points", 3, "--no-studies", "--quiet", "--output", "out")
-    assert rolling.summary == json.loads((tmp_path / "out" / "summary.json").read_text())
+    for model in summary["models"]:
+        assert model["numerical_error"]["half_widths"]["indentation_m"] >= 0
+        model["numerical_error"] = None
+    assert rolling.summary == summary
     for table, name in ((rolling.creep, "creep"), (rolling.histories["bem"], "bem/history")):
         file = tricontact.read_table(tmp_path / "out" / f"{name}.csv")
         assert list(file) == list(table)
