@@ -24,7 +24,8 @@ struct Prediction {
     std::vector<std::string> rests_on;  ///< atlases and closed forms
     std::vector<std::string> gaps;      ///< what is not said, and why
     std::vector<std::string> left_out;  ///< of the case, see comparisons::left_out
-    /// The same and what the model makes of the bodies, in sentences: comparisons::body_limitations.
+    /// The same and what the model makes of the bodies, in sentences:
+    /// comparisons::body_limitations.
     std::vector<std::string> limitations = {};
 
     const Entry* find(const comparisons::Quantity& q) const;

@@ -62,8 +62,8 @@ class LayerModel final : public contact::Model {
 /// For a case: about `elements_per_radius` elements in the contact radius, as many as contact and
 /// rolling path need. On a thin layer the usual 100 stand for elements of a quarter of its
 /// thickness, other numbers for longer or shorter ones in proportion. Throws contact::InputError if
-/// a value of the case is out of range: no thickness, a frictionless base (nothing holds the layer),
-/// too long a path, elements longer than a quarter of the thickness.
+/// a value of the case is out of range: no thickness, a frictionless base (nothing holds the
+/// layer), too long a path, elements longer than a quarter of the thickness.
 std::unique_ptr<contact::Model> make_layer_model(const contact::Case& c, int elements_per_radius);
 /// The same with those of the case's settings.
 std::unique_ptr<contact::Model> make_layer_model(const contact::Case& c);

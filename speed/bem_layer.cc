@@ -4,8 +4,8 @@
 
 #include "bem/grid_compliance.h"
 #include "bem/model.h"
-#include "speed/rig.h"
 #include "contact/run.h"
+#include "speed/rig.h"
 #include "theory/layer/layer_stack.h"
 
 namespace tricontact::speed {

@@ -3,9 +3,9 @@
 #include <memory>
 #include <utility>
 
-#include "speed/cpu_timer.h"
 #include "contact/compliances/compliance.h"
 #include "contact/solvers/normal_grid.h"
+#include "speed/cpu_timer.h"
 
 namespace tricontact::speed {
 

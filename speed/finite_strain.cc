@@ -6,14 +6,14 @@
 
 #include <filesystem>
 
-#include "speed/cpu_timer.h"
-#include "speed/rig.h"
 #include "contact/run.h"
 #include "contact/surface_model.h"
 #include "fem/case/layer_condenser.h"
 #include "fem/case/model.h"
 #include "fem/finite_strain/strained_model.h"
 #include "fem/settings.h"
+#include "speed/cpu_timer.h"
+#include "speed/rig.h"
 
 namespace tricontact::speed {
 namespace {

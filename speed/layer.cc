@@ -6,11 +6,11 @@
 
 #include <filesystem>
 
-#include "speed/rig.h"
 #include "contact/load_path.h"
 #include "contact/run.h"
 #include "fem/case/model.h"
 #include "fem/settings.h"
+#include "speed/rig.h"
 
 namespace tricontact::speed {
 namespace {

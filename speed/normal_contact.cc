@@ -5,9 +5,9 @@
 #include <sys/resource.h>
 
 #include "bem/grid_compliance.h"
-#include "speed/rig.h"
 #include "contact/solvers/contact_region.h"
 #include "contact/solvers/normal_solver.h"
+#include "speed/rig.h"
 
 namespace tricontact::speed {
 namespace {

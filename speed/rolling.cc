@@ -9,12 +9,12 @@
 #include "bem/grid_compliance.h"
 #include "bem/model.h"
 #include "bem/settings.h"
-#include "speed/rig.h"
 #include "contact/compliances/active_operator.h"
 #include "contact/run.h"
 #include "contact/surface_model.h"
 #include "mdr/model.h"
 #include "mdr/settings.h"
+#include "speed/rig.h"
 
 namespace tricontact::speed {
 namespace {

@@ -11,13 +11,13 @@
 
 #include "bem/grid_compliance.h"
 #include "bem/periodic_compliance.h"
-#include "speed/counting.h"
-#include "speed/cpu_timer.h"
 #include "contact/bodies/height_map.h"
 #include "contact/bodies/roughness.h"
 #include "contact/bodies/shapes_of_revolution.h"
 #include "contact/solvers/contact_region.h"
 #include "contact/solvers/normal_solver.h"
+#include "speed/counting.h"
+#include "speed/cpu_timer.h"
 
 namespace tricontact::speed {
 namespace {

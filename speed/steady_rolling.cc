@@ -7,10 +7,10 @@
 
 #include "bem/settings.h"
 #include "bem/steady_model.h"
-#include "speed/cpu_timer.h"
 #include "contact/cells.h"
 #include "contact/relaxing_case.h"
 #include "rolling/run.h"
+#include "speed/cpu_timer.h"
 
 namespace tricontact::speed {
 namespace {

@@ -71,9 +71,8 @@ double coarsest_cell(const Case& c, const HalfSpaceScales& s) {
         const ModelKind& kind = contact::model_kind(model);
         const auto& line = c.of<mdr::Settings>();
         if (kind.is_on_line())
-            coarsest =
-                std::max(coarsest, kind.is_independent() ? 2 * (1 + path) / line.springs
-                                                         : 1. / line.elements_per_radius);
+            coarsest = std::max(coarsest, kind.is_independent() ? 2 * (1 + path) / line.springs
+                                                                : 1. / line.elements_per_radius);
         if (kind.is_on_cells())
             coarsest = std::max(coarsest, std::max(1., cells.ratio.value_or(1)) *
                                               (cells.spacing ? *cells.spacing / s.contact_radius
