@@ -12,9 +12,10 @@ namespace tricontact::benchmarks {
 namespace {
 
 // Causes that decide come first, then those that explain, then what was found out about the files.
-constexpr std::array<DiagnosisRule, 26> rules{locking,
+constexpr std::array<DiagnosisRule, 27> rules{locking,
                                               other_parameters,
                                               half_load,
+                                              other_load,
                                               no_friction_in_pressing,
                                               penalty,
                                               elastic_slip,

@@ -34,6 +34,7 @@ std::optional<Diagnosis> units_found(const Evidence& e);
 std::optional<Diagnosis> sign_or_axes(const Evidence& e);
 std::optional<Diagnosis> deformed_positions(const Evidence& e);
 std::optional<Diagnosis> half_load(const Evidence& e);
+std::optional<Diagnosis> other_load(const Evidence& e);
 std::optional<Diagnosis> resultant_mismatch(const Evidence& e);
 std::optional<Diagnosis> axis_spike_found(const Evidence& e);
 std::optional<Diagnosis> alternating_pressure(const Evidence& e);

@@ -26,13 +26,20 @@ Explained relative(const char* id, const char* title, const ReferenceValue& effe
 
 }  // namespace
 
+double edge_slope(const Reference& reference) {
+    const contact::Case& c = reference.c;
+    const double a = reference.contact_radius;
+    // Just inside: a rim or a kink may end the contact.
+    return std::abs(c.make_indenter()->slope(.999 * a, 0)[0]);
+}
+
 std::optional<Explained> displaced_surface(const std::string& key, const Reference& reference) {
     const ReferenceValue* value = reference.find(key);
     if (!value || value->value == 0 || !reference.effects.displaced_surface) return {};
     if (!acts_on(key, reference, keys::normal_force, keys::indentation)) return {};
     Explained e = relative("displaced_surface", "contact on the displaced surface",
                            *reference.effects.displaced_surface, 1, value->value);
-    const double slope = reference.contact_radius / reference.c.indenter.radius;
+    const double slope = edge_slope(reference);
     e.bar = std::max(e.bar, displaced_second_order * slope * slope);
     return e;
 }

@@ -16,6 +16,10 @@ namespace tricontact::benchmarks {
 std::vector<Explained> explained(const std::string& key, const Submission& submission,
                                  const Reference& reference);
 
+/// Slope h'(a) of the indenter at the contact's edge [-]: a/R of a paraboloid. The size of what
+/// kinematics change.
+double edge_slope(const Reference& reference);
+
 /// Change of the normal force by contact on the displaced surface, over the force; empty where it
 /// is not known. Also for those who do not say how they do it.
 std::optional<Explained> displaced_surface(const std::string& key, const Reference& reference);

@@ -34,7 +34,7 @@ constexpr double largest_misfit = 1.6, ambiguous = .12;
 // A heading that names pressures is not overruled by a slightly better fit as nodal forces.
 constexpr double against_heading = .7;
 // Agreement with the code's own force counts as this misfit to the reference.
-constexpr double beside_given = .5;
+constexpr double beside_given = .5, given_tolerance = .2;
 // Shares are powers of two or far from 1; a code may be wrong by more than the field, not by half.
 constexpr double force_tolerance = .35, plainness = .1;
 
@@ -79,11 +79,11 @@ std::optional<double> misfit_to_given(const WeightedField& field, double resulta
     const auto& totals = field.laid_out->field->totals;
     const auto given = totals.find(quantity_keys::normal_force);
     if (given == totals.end() || given->second.value == 0) return {};
-    double least = largest_misfit;
+    double least = given_tolerance;
     for (const NamedFactor& share : shares)
         least = std::min(least, std::abs(std::log(std::abs(given->second.value) * share.factor /
                                                   std::abs(resultant))));
-    return least + beside_given;
+    return least < given_tolerance ? std::optional(least + beside_given) : std::nullopt;
 }
 
 /// Misfit of a reading over all meshes, the finest counting most.

@@ -21,11 +21,6 @@ const ComparedNumber* force_or_depth(const Evidence& e) {
     return force ? force : e.find(keys::indentation);
 }
 
-double slope_of(const Evidence& e) {
-    const double radius = e.c.reference.c.indenter.radius;
-    return radius > 0 ? e.c.reference.contact_radius / radius : 0;
-}
-
 std::string signed_percent_of(double share) {
     return fmt::format("{:+.3g} %", 100 * share);
 }
@@ -42,7 +37,8 @@ std::optional<Diagnosis> displaced_kinematics(const Evidence& e) {
         "displaced_surface",
         fmt::format("Gap and normal on the displaced surface change {} by {} +- {:.2g} "
                     "% at a/R = {:.3g}; the reference has them on the undeformed one",
-                    n->title, signed_percent_of(x->change), 100 * x->bar, slope_of(e)),
+                    n->title, signed_percent_of(x->change), 100 * x->bar,
+                    edge_slope(e.c.reference)),
         "small displacements in the contact's kinematics, or a smaller depth: the "
         "change goes with a/R"};
 }
@@ -64,7 +60,7 @@ std::optional<Diagnosis> unknown_kinematics(const Evidence& e) {
 
 std::optional<Diagnosis> finite_strains(const Evidence& e) {
     const Kinematics kinematics = e.c.submission.contact.kinematics;
-    const double slope = slope_of(e);
+    const double slope = edge_slope(e.c.reference);
     if (kinematics != Kinematics::finite &&
         !(kinematics == Kinematics::displaced && slope > large_slope))
         return {};
@@ -111,6 +107,23 @@ std::optional<Diagnosis> locking(const Evidence& e) {
                     poisson, 100 * first, 100 * n->finest),
         "the control experiment is the same deck at nu = 0.3; if that agrees, take quadratic, "
         "reduced or mixed elements"};
+}
+
+std::optional<Diagnosis> other_load(const Evidence& e) {
+    const auto& totals = e.finest().result.totals;
+    for (const std::string& key : e.c.reference.prescribed) {
+        const ReferenceValue* due = e.c.reference.find(key);
+        const auto given = totals.find(key);
+        if (!due || due->value == 0 || given == totals.end()) continue;
+        const double off = std::abs(given->second / due->value) - 1;
+        if (std::abs(off) < noteworthy_share * e.c.submission.tolerances.usual) continue;
+        return Diagnosis{"load",
+                         fmt::format("The code's {} is {:+.3g} % off what the case prescribes, "
+                                     "{:.6g} in SI units: all else follows it",
+                                     key, 100 * off, due->value),
+                         "compute the case's load, or give this one's as a case file"};
+    }
+    return {};
 }
 
 std::optional<Diagnosis> half_load(const Evidence& e) {

@@ -127,6 +127,15 @@ TEST(Diagnoses, Equilibrium) {
     expect_only_with("equilibrium", base(.97), base(1));
 }
 
+TEST(Diagnoses, OtherLoad) {
+    const auto pressed = [](double depth) {
+        return with(meshes(), [depth](MeshField& f) {
+            f.totals["indentation"] = {depth, "mm", "file"};
+        });
+    };
+    expect_only_with("load", pressed(.36e-3), pressed(.35e-3));
+}
+
 TEST(Diagnoses, OtherParameters) {
     // Plane stress in place of plane strain: all tractions times 1 - nu^2.
     const double factor = 1 - .3 * .3;

@@ -87,6 +87,10 @@ TEST(Traps, UnitsOfPressure) {
     }
 }
 
+TEST(Traps, UnknownUnitOfPressureIsRefusedWithTheNearest) {
+    expect_refused([](MeshField& f) { strip(f, Meaning::pressure, 101325); }, "nearest are");
+}
+
 TEST(Traps, UnitsOfLength) {
     for (const double unit : {1., 1e-3, 1e-6, 1e-2, .0254})
         expect_same(trapped([unit](MeshField& f) {
