@@ -44,7 +44,8 @@ constexpr std::array decisive{keys::normal_force,    keys::indentation,     keys
                               keys::creepage};
 
 std::string percent(double share) {
-    return fmt::format("{:.2g} %", 100 * share);
+    return 100 * share < 100 ? fmt::format("{:.2g} %", 100 * share)
+                             : fmt::format("{:.0f} %", 100 * share);
 }
 
 /// Differences of the values from the reference: relative, or as they stand of norms.

@@ -33,14 +33,13 @@ std::optional<Diagnosis> displaced_kinematics(const Evidence& e) {
     if (!n || (kinematics != Kinematics::displaced && kinematics != Kinematics::finite)) return {};
     const auto x = displaced_surface(n->key, e.c.reference);
     if (!x || std::abs(x->change) < noteworthy_share * n->tolerance) return {};
-    return Diagnosis{
-        "displaced_surface",
-        fmt::format("Gap and normal on the displaced surface change {} by {} +- {:.2g} "
-                    "% at a/R = {:.3g}; the reference has them on the undeformed one",
-                    n->title, signed_percent_of(x->change), 100 * x->bar,
-                    edge_slope(e.c.reference)),
-        "small displacements in the contact's kinematics, or a smaller depth: the "
-        "change goes with a/R"};
+    return Diagnosis{"displaced_surface",
+                     fmt::format("Gap and normal on the displaced surface change {} by {} ± {:.2g} "
+                                 "% at a/R = {:.3g}; the reference has them on the undeformed one",
+                                 n->title, signed_percent_of(x->change), 100 * x->bar,
+                                 edge_slope(e.c.reference)),
+                     "small displacements in the contact's kinematics, or a smaller depth: the "
+                     "change goes with a/R"};
 }
 
 std::optional<Diagnosis> unknown_kinematics(const Evidence& e) {
@@ -51,7 +50,7 @@ std::optional<Diagnosis> unknown_kinematics(const Evidence& e) {
     if (std::abs(n->left() - x->change) > x->bar + std::min(n->discretisation, x->bar)) return {};
     return Diagnosis{
         "kinematics_unknown",
-        fmt::format("{} differs by {}; contact on the displaced surface would change it by {} +- "
+        fmt::format("{} differs by {}; contact on the displaced surface would change it by {} ± "
                     "{:.2g} %",
                     n->title, signed_percent_of(n->left()), signed_percent_of(x->change),
                     100 * x->bar),
@@ -82,7 +81,7 @@ std::optional<Diagnosis> finite_block(const Evidence& e) {
                 return Diagnosis{
                     "block",
                     fmt::format("The block ends at {:.3g} a from the centre: against an unbounded "
-                                "layer this changes {} by {} +- {:.1g} %",
+                                "layer this changes {} by {} ± {:.1g} %",
                                 *width / e.c.reference.contact_radius, n.title,
                                 signed_percent_of(x.change), 100 * x.bar),
                     "a wider block"};

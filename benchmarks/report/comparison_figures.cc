@@ -104,7 +104,7 @@ report::Figure budget_figure(const ComparedNumber& number) {
             "From the difference of the code the predicted effects are taken one after another; "
             "what is left, with U as its bar, is compared with the tolerance of {} (grey).",
             report::share(number.tolerance)),
-        .x = {"difference from the reference [%]"},
+        .x = {"difference [%]"},
         .y = {.low = n - .5, .high = -.5}};
     figure.bands.push_back({.name = "tolerance",
                             .x = {-tolerance, tolerance},
@@ -178,7 +178,7 @@ std::vector<report::Figure> error_figures(const Comparison& comparison) {
                 "of the mesh. Dashed: slopes of the expected orders, through the finest "
                 "mesh.",
             .x = {"size of elements h [mm]", true},
-            .y = {norms ? "norm of the difference [%]" : "difference from the reference [%]",
+            .y = {norms ? "norm of the difference [%]" : "difference [%]",
                   true}};
         for (const ComparedNumber& one : comparison.numbers) {
             if (one.is_norm != norms) continue;
