@@ -178,8 +178,7 @@ std::vector<report::Figure> error_figures(const Comparison& comparison) {
                 "of the mesh. Dashed: slopes of the expected orders, through the finest "
                 "mesh.",
             .x = {"size of elements h [mm]", true},
-            .y = {norms ? "norm of the difference [%]" : "difference [%]",
-                  true}};
+            .y = {norms ? "norm of the difference [%]" : "difference [%]", true}};
         for (const ComparedNumber& one : comparison.numbers) {
             if (one.is_norm != norms) continue;
             Curve curve{.name = one.title, .kind = Curve::Kind::line_and_points};
