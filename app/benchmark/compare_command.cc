@@ -27,26 +27,6 @@ struct CompareOptions : CommandOptions {
     int press_steps = 0;
 };
 
-struct MethodWord {
-    const char* word;
-    ContactMethod::Kind kind;
-};
-constexpr std::array<MethodWord, 5> method_words{
-    {{"penalty", ContactMethod::Kind::penalty},
-     {"augmented-lagrangian", ContactMethod::Kind::augmented_lagrangian},
-     {"lagrange", ContactMethod::Kind::lagrange},
-     {"mortar", ContactMethod::Kind::mortar},
-     {"nitsche", ContactMethod::Kind::nitsche}}};
-
-struct KinematicsWord {
-    const char* word;
-    ContactMethod::Kinematics kinematics;
-};
-constexpr std::array<KinematicsWord, 3> kinematics_words{
-    {{"undeformed", ContactMethod::Kinematics::undeformed},
-     {"displaced", ContactMethod::Kinematics::displaced},
-     {"finite", ContactMethod::Kinematics::finite}}};
-
 template <class Table>
 std::vector<std::string> words_in(const Table& table) {
     std::vector<std::string> words;
@@ -91,9 +71,9 @@ void take_options(const CompareOptions& options, Submission& submission) {
     if (!options.block_width.empty())
         submission.block_width =
             quantity_of(options.block_width, io::Dimension::length, "--block-width", "48 mm");
-    for (const MethodWord& one : method_words)
+    for (const benchmarks::MethodWord& one : benchmarks::method_words())
         if (options.method == one.word) contact.kind = one.kind;
-    for (const KinematicsWord& one : kinematics_words)
+    for (const benchmarks::KinematicsWord& one : benchmarks::kinematics_words())
         if (options.kinematics == one.word) contact.kinematics = one.kinematics;
     if (options.press_steps > 0) contact.press_steps = options.press_steps;
 }
@@ -161,13 +141,13 @@ Command benchmark_compare_command() {
         .option("--code", &CompareOptions::code, "Name of the code, for the report", "NAME")
         .option("--elements", &CompareOptions::elements, "Its elements, for the report", "NAME")
         .word("--method", &CompareOptions::method, "How the code enforces contact",
-              words_in(method_words))
+              words_in(benchmarks::method_words()))
         .option("--penalty", &CompareOptions::penalty,
                 "Normal stiffness of its penalty: \"260 MPa/mm\"", "K")
         .option("--stick-slope", &CompareOptions::stick_slope,
                 "Tangential stiffness of its penalty: \"260 MPa/mm\"", "K")
         .word("--kinematics", &CompareOptions::kinematics,
-              "Surface on which it takes gap and normal", words_in(kinematics_words))
+              "Surface on which it takes gap and normal", words_in(benchmarks::kinematics_words()))
         .number("--press-steps", &CompareOptions::press_steps,
                 "Steps in which it pressed (those of the case)", 1, 1'000'000)
         .option("--block-width", &CompareOptions::block_width,

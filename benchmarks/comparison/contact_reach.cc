@@ -21,7 +21,6 @@ constexpr std::array length_units{LengthUnit{"mm", 1e-3}, LengthUnit{"m", 1},
                                   LengthUnit{"um", 1e-6}, LengthUnit{"cm", 1e-2},
                                   LengthUnit{"inch", .0254}};
 
-constexpr double touched_load_share = .02;  // of the largest load
 // Neighbouring units differ by 2.54 and more, halves by 2.
 constexpr double largest_reach_misfit = .45;  // natural logarithm
 // A symmetry plane stands at 0, but for what a file rounds or a mesh shifts.
@@ -39,7 +38,7 @@ Span span_of(const std::vector<double>& positions, const std::vector<double>& lo
     for (const double v : load) most = std::max(most, std::abs(v));
     std::vector<double> touched;
     for (std::size_t i = 0; i < load.size(); ++i)
-        if (std::abs(load[i]) > touched_load_share * most) touched.push_back(positions[i]);
+        if (std::abs(load[i]) > touched_share * most) touched.push_back(positions[i]);
     if (touched.empty()) return {};
     const auto [low, high] = std::ranges::minmax(touched);
     return {low, high};
@@ -74,7 +73,7 @@ double reference_reach(const Reference& reference, bool along_y) {
     const auto pressure = [&](double s) {
         return reference.fields->at(along_y ? 0 : s, along_y ? s : 0).pressure;
     };
-    const double threshold = touched_load_share * pressure(0);
+    const double threshold = touched_share * pressure(0);
     for (int k = 0; k < 40; ++k) {
         const double middle = (inside + outside) / 2;
         (pressure(middle) > threshold ? inside : outside) = middle;

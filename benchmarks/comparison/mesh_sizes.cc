@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "benchmarks/comparison/surface_layout.h"
+
 namespace tricontact::benchmarks {
 
 namespace {
@@ -54,7 +56,7 @@ double mesh_size(const MeshField& field, const MeshResult& mesh, double unit) {
     double reach = 0, most = 0;
     for (const SurfacePoint& p : mesh.points) most = std::max(most, p.values.pressure);
     for (const SurfacePoint& p : mesh.points)
-        if (p.values.pressure > .02 * most) reach = std::max(reach, std::hypot(p.x, p.y));
+        if (p.values.pressure > touched_share * most) reach = std::max(reach, std::hypot(p.x, p.y));
     return spacing(mesh, reach);
 }
 

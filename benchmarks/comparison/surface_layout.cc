@@ -15,7 +15,6 @@ namespace {
 
 using contact::InputError;
 
-constexpr double touched_share = .02;  // of the largest value: what counts as contact
 // The height of a body over the contact's radius is a/(2 R): shallow contacts stay below it.
 constexpr double height_share = .2;
 

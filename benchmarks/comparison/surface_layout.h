@@ -8,6 +8,9 @@
 
 namespace tricontact::benchmarks {
 
+/// Share of the largest load from which on a point counts as touched.
+inline constexpr double touched_share = .02;
+
 /// Where the points of a code's surface lie, in the unit of its file.
 struct SurfaceLayout {
     Geometry geometry = Geometry::spatial;  ///< of the points: over r, along x, over x and y

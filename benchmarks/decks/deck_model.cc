@@ -252,6 +252,13 @@ DeckModel make_deck_model(const Reference& reference, const DeckWishes& wishes) 
     return model;
 }
 
+std::vector<double> heights_of(const DeckLines& lines) {
+    std::vector<double> heights;
+    for (auto depth = lines.depth.rbegin(); depth != lines.depth.rend(); ++depth)
+        heights.push_back(0 - *depth);
+    return heights;
+}
+
 DeckLines deck_lines(const DeckModel& model, int n, int level) {
     const double size = model.a / n;
     // As many equal elements as reach beyond the faces that may touch.

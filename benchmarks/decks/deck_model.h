@@ -75,5 +75,7 @@ struct DeckLines {
 };
 /// `n` elements in a on the coarsest level, the given level of refinement.
 DeckLines deck_lines(const DeckModel& model, int n, int level);
+/// Heights of those lines, z out of the body, from the base up.
+std::vector<double> heights_of(const DeckLines& lines);
 
 }  // namespace tricontact::benchmarks

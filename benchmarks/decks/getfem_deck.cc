@@ -130,9 +130,7 @@ DeckFamily getfem_family(const DeckModel& model, const DeckWishes& wishes) {
 
     for (int level = 0; level < (wishes.levels > 0 ? wishes.levels : 4); ++level) {
         const DeckLines lines = deck_lines(model, 4, level);
-        std::vector<double> heights;
-        for (auto depth = lines.depth.rbegin(); depth != lines.depth.rend(); ++depth)
-            heights.push_back(0 - *depth);
+        const std::vector<double> heights = heights_of(lines);
         DeckRun& run = family.runs.emplace_back();
         run.n = 4 << level;
         run.size = model.a / run.n;

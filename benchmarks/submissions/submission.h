@@ -2,6 +2,7 @@
 
 #include <map>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -81,6 +82,18 @@ struct ContactMethod {
     std::optional<int> press_steps;     ///< in how many steps it was pressed
     bool faceted_indenter = false;      ///< its surface is meshed with straight faces
 };
+
+/// How submissions and options name those, but for what is unknown.
+struct MethodWord {
+    const char* word;  ///< "augmented-lagrangian"
+    ContactMethod::Kind kind;
+};
+std::span<const MethodWord> method_words();
+struct KinematicsWord {
+    const char* word;
+    ContactMethod::Kinematics kinematics;
+};
+std::span<const KinematicsWord> kinematics_words();
 
 /// Relative tolerances, by quantity or norm key; `usual` of all others.
 struct Tolerances {

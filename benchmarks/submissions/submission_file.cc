@@ -19,12 +19,18 @@ namespace {
 using io::Dimension;
 using io::Document;
 using io::Entry;
-using Kind = ContactMethod::Kind;
-using Kinematics = ContactMethod::Kinematics;
 using SubmissionKey = io::PlacedKey<Submission>;
 
+/// The words of a table, and that it is unknown.
+template <class Word, class Enum>
+std::vector<io::Choice> choices_of(std::span<const Word> words, Enum Word::*value) {
+    std::vector<io::Choice> choices;
+    for (const Word& one : words) choices.push_back(io::choice(one.word, one.*value));
+    choices.push_back(io::choice("unknown", Enum::unknown));
+    return choices;
+}
+
 const std::vector<SubmissionKey>& placed_keys() {
-    using io::choice;
     constexpr double stiffest = 1e30;
     static const std::vector<SubmissionKey> keys{
         {io::text_key("case", R"("layer_pressed")", "name in the catalogue, or a case file beside",
@@ -37,11 +43,7 @@ const std::vector<SubmissionKey>& placed_keys() {
         {io::length_key("block_width", R"("48 mm")",
                         "half width, or radius, of the block that was computed"),
          [](Submission& s) { return io::Field(&s.block_width); }},
-        {io::choice_key("contact.method",
-                        {choice("penalty", Kind::penalty),
-                         choice("augmented-lagrangian", Kind::augmented_lagrangian),
-                         choice("lagrange", Kind::lagrange), choice("mortar", Kind::mortar),
-                         choice("nitsche", Kind::nitsche), choice("unknown", Kind::unknown)},
+        {io::choice_key("contact.method", choices_of(method_words(), &MethodWord::kind),
                         R"("penalty")", "how contact is enforced"),
          [](Submission& s) { return io::Field(&s.contact.kind); }},
         {io::quantity_key("contact.stiffness", Dimension::pressure_per_length,
@@ -52,13 +54,10 @@ const std::vector<SubmissionKey>& placed_keys() {
                           io::above_zero(stiffest), R"("260 MPa/mm")",
                           "K_T: traction over elastic slip"),
          [](Submission& s) { return io::Field(&s.contact.stick_slope); }},
-        {io::choice_key(
-             "contact.kinematics",
-             {choice("undeformed", Kinematics::undeformed),
-              choice("displaced", Kinematics::displaced), choice("finite", Kinematics::finite),
-              choice("unknown", Kinematics::unknown)},
-             R"("displaced")",
-             "surface on which gap and normal are taken; finite: with finite strains"),
+        {io::choice_key("contact.kinematics",
+                        choices_of(kinematics_words(), &KinematicsWord::kinematics),
+                        R"("displaced")",
+                        "surface on which gap and normal are taken; finite: with finite strains"),
          [](Submission& s) { return io::Field(&s.contact.kinematics); }},
         {io::integer_key("contact.press_steps", {1, 1e6}, "1",
                          "in how many steps the indenter was pressed"),
