@@ -1,9 +1,11 @@
 """Sphinx: the documents of docs/ as a site, built by scripts/docs.sh."""
 
 import re
+import sys
 from pathlib import Path
 
 root = Path(__file__).resolve().parent.parent
+sys.path.insert(0, str(root / "scripts" / "site"))
 project = "Tricontact"
 author = "The Tricontact developers"
 copyright = "GPL-3.0-or-later"
@@ -11,13 +13,18 @@ release = version = re.search(
     r"project\(Tricontact VERSION ([\d.]+)", (root / "CMakeLists.txt").read_text()
 ).group(1)
 
-extensions = ["myst_parser"]
+extensions = ["myst_parser", "formulas"]
+myst_enable_extensions = ["dollarmath"]
+html_math_renderer = "katex"
 myst_heading_anchors = 3  # links of the form page.md#heading
 root_doc = "docs/index"
-include_patterns = ["*.md", "docs/**.md", "meshes/README.md", "speed/README.md", "speed/peers/README.md"]
+include_patterns = ["*.md", "docs/**.md", "docs/**.rst", "meshes/README.md", "speed/README.md", "speed/peers/README.md"]
 nitpicky = True
+nitpick_ignore_regex = [("py:.*", ".*")]  # types of Python and NumPy; a name of ours is a link where it is one
 
 html_theme = "sphinx_rtd_theme"
+html_static_path = ["../scripts/site/static"]
+html_css_files = ["site.css"]
 html_title = "Tricontact"
 html_show_sphinx = False
 html_copy_source = False
