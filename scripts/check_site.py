@@ -7,7 +7,7 @@ import re
 import sys
 from html.parser import HTMLParser
 
-UNRENDERED = re.compile(r"\$[^$]+\$|\$\$|\\(?:frac|sqrt|sum|int|begin|end|mathrm|text|left|right|[a-z]+(?=[_^{]))|```math|\{math\}")
+UNRENDERED = re.compile(r"\$[^$\s](?:[^$]*[^$\s])?\$(?!\w)|\$\$|\\(?:frac|sqrt|sum|int|begin|end|mathrm|text|left|right|[a-z]+(?=[_^{]))|```math|\{math\}")
 SILENT = {"script", "style", "annotation", "code", "pre", "title"}
 VOID = {"area", "base", "br", "col", "embed", "hr", "img", "input", "link", "meta", "source", "track", "wbr"}
 

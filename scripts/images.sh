@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Makes the pictures of docs/images from a run of the demo, one of stresses inside and a map of
-# walking machines, and those of docs/tutorials/gallery.md from its commands; needs chromium besides.
+# walking machines, and those of docs/tutorials/gallery.md and other pages from their commands; needs chromium besides.
 # usage: images.sh
 set -euo pipefail
 root=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." >/dev/null && pwd)
@@ -54,6 +54,9 @@ small "$root/docs/images/shift.png" sphere_layer
 small "$root/docs/images/von_mises_bem_layer.png" inside
 small "$root/docs/images/atlas_layer.png" atlas 1000
 small "$root/docs/images/walking_map.png" walking_map
+small "$root/docs/images/zones_fem.png" zones_fem
+small "$root/docs/images/traction_x.png" traction_x
+small "$root/docs/images/report.png" report
 # Name, figure among the plots of the run, arguments of the run.
 while read -r -a words; do
     computed "${words[0]}" run "${words[@]:2}"
@@ -79,6 +82,9 @@ computed identification identify examples/measurements/rig_indentation.toml
 figure identification fit
 computed rig rig examples/rigs/sphere_parallel.toml
 figure rig indentation
+computed design design examples/rigs/design_resolution.toml
+picture gallery/design.png 900,830 "$root/results/gallery/design/report.html"
+small "$gallery/design.png" design
 computed thesis sweep examples/studies/cylinder_shakedown.toml
 computed thesis fit examples/studies/cylinder_shakedown.toml
 figure thesis figure_3_43 fit.html
