@@ -52,7 +52,10 @@ class Package:
                     (there / path.name).symlink_to(path.resolve())
             sys.dont_write_bytecode = True
             sys.path.insert(0, self.home.name)
-            self.core = importlib.import_module("tricontact._core")
+            try:
+                self.core = importlib.import_module("tricontact._core")
+            except ImportError as error:  # built of other sources, or NumPy is not there
+                print(f"The compiled part cannot be read: {error}")
 
     def definition(self, module, name):
         """(module, definition) of what a module defines or imports from its neighbours."""
@@ -126,7 +129,8 @@ def function(package, module, node, indent=0, path=(), kind="function"):
 def described_class(package, module, node):
     bases = {ast.unparse(base) for base in node.bases}
     is_error = bases & {"ValueError", "RuntimeError", "Exception"}
-    fields = [one for one in node.body if isinstance(one, ast.AnnAssign) and not one.target.id.startswith("_")]
+    fields = [one for one in node.body if isinstance(one, ast.AnnAssign) and isinstance(one.target, ast.Name) and
+              not one.target.id.startswith("_")]
     yield from ["", f".. py:{'exception' if is_error else 'class'}:: {node.name}"]
     yield from paragraphs(package.text(module, node, node.name), 3)
     for one in fields:
@@ -166,7 +170,7 @@ def main():
     folder.mkdir(parents=True, exist_ok=True)
     (folder / "python-api.rst").write_text("\n".join(lines) + "\n", encoding="utf-8")
     n = sum(line.lstrip().startswith(".. py:") for line in lines)
-    print(f"Python reference: {n} entries" + ("" if compiled else ", without the texts of the compiled part"))
+    print(f"Python reference: {n} entries" + ("" if package.core else ", without the texts of the compiled part"))
 
 
 if __name__ == "__main__":
