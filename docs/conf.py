@@ -20,6 +20,7 @@ myst_heading_anchors = 3  # links of the form page.md#heading
 root_doc = "docs/index"
 include_patterns = ["*.md", "docs/**.md", "docs/**.rst", "meshes/README.md", "speed/README.md", "speed/peers/README.md"]
 exclude_patterns = ["docs/paper/**"]  # a journal's form, made a page by its own tools
+smartquotes = False  # --set is no dash
 nitpicky = True
 nitpick_ignore_regex = [("py:.*", ".*")]  # types of Python and NumPy; a name of ours is a link where it is one
 

@@ -37,8 +37,9 @@ missing=()
 while read -r package need _; do
     case " $* " in *" $need "*) ;; *) continue ;; esac
     [[ $beside_paraview && $package == libvtk9-dev ]] && continue
-    # Not only Debian has npm, and others' conflicts with Debian's.
+    # Not only Debian has npm and node, and others' conflict with Debian's.
     [ "$package" = npm ] && command -v npm >/dev/null && continue
+    [ "$package" = nodejs ] && command -v node >/dev/null && continue
     is_installed "$package" || missing+=("$package")
 done < <(sed 's/#.*//; /^[[:space:]]*$/d' "$scripts/packages.txt")
 
