@@ -39,6 +39,12 @@ exported identify identify "$examples/measurements/rig_indentation.toml"
 exported limit limit "$examples/cases/rig_sphere_parallel.toml" --models mdr --tolerance 0.05
 exported deviation deviation "$examples/cases/rig_layer_parallel.toml" --no-runs
 exported refine refine "$examples/cases/rig_sphere_parallel.toml" --model bem "${coarse[@]}"
+for springs in 400 500; do
+    "$program" run "$examples/cases/rig_sphere_parallel.toml" "${coarse[@]}" --models mdr,bem --set output.vtk=quarters \
+        --set mdr.springs=$springs --output runs/$springs --no-studies --no-report --quiet >/dev/null || complain "run"
+done
+exported compare compare runs/400 runs/500/
+exported itself compare runs/400 runs/400
 mkdir studies && cp "$examples/cases/rig_sphere_parallel.toml" ball.toml
 cat >studies/amplitudes.toml <<'TOML'
 case = "../ball.toml"
