@@ -78,6 +78,17 @@ void for_each_text(const json& item, const std::function<void(const std::string&
              "take the archive as --export wrote it");
 }
 
+/// Whether it is a file of the archive, or a folder with some.
+bool holds(const io::ZipFiles& files, const std::string& path) {
+    const auto below = files.lower_bound(path + '/');
+    return files.contains(path) || (below != files.end() && below->first.starts_with(path + '/'));
+}
+
+std::string without_slash(std::string path) {
+    while (path.size() > 1 && path.ends_with('/')) path.pop_back();
+    return path;
+}
+
 bool leads_out(const std::string& folder, const std::string& path) {
     if (fs::path(path).is_absolute()) return true;
     const auto there = (fs::path(folder) / path).lexically_normal();
@@ -86,18 +97,24 @@ bool leads_out(const std::string& folder, const std::string& path) {
 
 }  // namespace
 
-InputPlaces::InputPlaces(std::vector<io::InputLog::File> files) : files_(std::move(files)) {
+InputPlaces::InputPlaces(std::vector<io::InputLog::File> files,
+                         const std::vector<std::string>& folders)
+    : files_(std::move(files)) {
     if (files_.empty()) return;
     fs::path root = fs::path(files_.front().path).parent_path();
-    for (const auto& file : files_) {
-        const fs::path path(file.path);
+    const auto widen = [&root](const fs::path& path) {
         while (std::ranges::mismatch(root, path).in1 != root.end()) root = root.parent_path();
+    };
+    for (const auto& file : files_) widen(file.path);
+    for (const std::string& given : folders) {
+        folders_.push_back({without_slash(given), fs::canonical(given).string()});
+        widen(fs::path(folders_.back().path).parent_path());  // it keeps its name
     }
     root_ = (root / "").string();
 }
 
-std::string InputPlaces::place_of(const io::InputLog::File& file) const {
-    return inputs_folder + file.path.substr(root_.size());
+std::string InputPlaces::place_of(const std::string& path) const {
+    return inputs_folder + path.substr(root_.size());
 }
 
 const io::InputLog::File* InputPlaces::find(const std::string& path) const {
@@ -108,11 +125,11 @@ const io::InputLog::File* InputPlaces::find(const std::string& path) const {
 }
 
 std::string InputPlaces::with_relative_paths(const io::InputLog::File& file) const {
-    const fs::path folder = fs::path(place_of(file)).parent_path();
+    const fs::path folder = fs::path(place_of(file.path)).parent_path();
     return with_each_path(file.content, [&](const std::string& key, const std::string& path) {
         if (!fs::path(path).is_absolute()) return path;
         if (const auto* input = find(path))
-            return fs::path(place_of(*input)).lexically_relative(folder).string();
+            return fs::path(place_of(input->path)).lexically_relative(folder).string();
         if (is_cache(key)) return std::string("none");
         io::fail(file.path, key + " \"" + path + '"',
                  "is an absolute path of no input: nothing that an archive can hold",
@@ -123,7 +140,7 @@ std::string InputPlaces::with_relative_paths(const io::InputLog::File& file) con
 io::ZipFiles InputPlaces::files() const {
     io::ZipFiles files;
     for (const auto& file : files_)
-        files[place_of(file)] =
+        files[place_of(file.path)] =
             file.path.ends_with(".toml") ? with_relative_paths(file) : file.content;
     return files;
 }
@@ -135,17 +152,23 @@ std::string InputPlaces::argument(const std::string& text) const {
     std::string path = text.substr(begin);
     if (path.size() > 1 && path.front() == '"' && path.back() == '"')
         path = path.substr(1, path.size() - 2);
+    const auto folder = std::ranges::find(folders_, without_slash(path), &Folder::given);
+    if (folder != folders_.end())
+        return text.substr(0, begin) + archive_place + '/' + place_of(folder->path);
     const auto* input = path.empty() ? nullptr : find(path);
-    return input ? text.substr(0, begin) + archive_place + '/' + place_of(*input) : text;
+    return input ? text.substr(0, begin) + archive_place + '/' + place_of(input->path) : text;
 }
 
 std::string InputPlaces::in_places(std::string text) const {
     for (const auto& file : files_)
         for (const std::string& name : file.names)
             if (fs::path(name).is_absolute())
-                replace(text, name, place_of(file));
+                replace(text, name, place_of(file.path));
             else  // a relative one may be part of a word
-                replace(text, '"' + name + '"', '"' + place_of(file) + '"');
+                replace(text, '"' + name + '"', '"' + place_of(file.path) + '"');
+    constexpr const char* key = "\"folder\": ";  // a name alone may be a word
+    for (const Folder& folder : folders_)
+        replace(text, key + json(folder.given).dump(), key + json(place_of(folder.path)).dump());
     return text;
 }
 
@@ -165,7 +188,7 @@ void check_inside(const std::string& archive, const io::ZipFiles& files,
     const auto check = [&](std::string_view path) {
         const bool is_placed = path.starts_with(placed);
         if (is_placed) path.remove_prefix(placed.size());
-        if ((is_placed && !files.contains(std::string(path))) ||
+        if ((is_placed && !holds(files, std::string(path))) ||
             (!is_placed && path.find(archive_place) != path.npos) ||
             leads_out("", std::string(path)))
             refuse_way_out(archive, "an argument", std::string(path));

@@ -40,6 +40,17 @@ std::vector<const report::DocumentTable*> tables_of(const report::Document& docu
     return tables;
 }
 
+/// Folders of results that the command was given.
+std::vector<std::string> folders_of(const CLI::App& parser) {
+    std::vector<std::string> folders;
+    for (const CLI::Option* option : parser.get_options()) {
+        if (!option->get_positional()) continue;
+        for (const std::string& path : option->results())
+            if (fs::is_directory(path)) folders.push_back(path);
+    }
+    return folders;
+}
+
 Call call_of(const CLI::App& parser, const InputPlaces& places) {
     Call call{parser.get_name(), archived_arguments(parser)};
     for (std::string& argument : call.arguments) argument = places.argument(argument);
@@ -140,7 +151,8 @@ int run_for_papers(const CLI::App& parser, CommandOptions& options,
     const io::InputLog inputs;
     options.papers.findings = std::make_shared<Findings>();
     if (const int code = call(); code != 0) return code;
-    const Archive archive = archive_of(parser, options, InputPlaces(inputs.files()));
+    const Archive archive =
+        archive_of(parser, options, InputPlaces(inputs.files(), folders_of(parser)));
     const Files files = paper_files(*options.papers.findings, archive);
     papers.fill([&] {
         remove_old_papers(folder);

@@ -126,12 +126,13 @@ addEventListener("hashchange", unfold_target);
 unfold_target();
 make_unfold_button();
 print_folded();
-// The figures' data stand behind this script; the page is painted before them.
+// The figures' data and the library stand behind this script; the page is painted before them. What is unfolded from the
+// start says so while they are still being read, and is drawn afterwards with the rest.
 addEventListener("DOMContentLoaded", () => requestAnimationFrame(() => draw_on_screen(ids)));
 matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => draw_on_screen(ids));
 for (const details of foldings)
     details.addEventListener("toggle", () => {
-        if (details.open) draw_on_screen(ids.filter(id => details.contains(chart_of(id))));
+        if (details.open && document.readyState !== "loading") draw_on_screen(ids.filter(id => details.contains(chart_of(id))));
     });
 for (const id of ids) {
     const button = document.querySelector(`#figure_${id} button`);

@@ -195,7 +195,7 @@ void set_player(const std::optional<Player>& player, data& page) {
     page.set("player_axis", player->axis);
     page.set("player_caption", player->caption);
     page.set("films_json", script_json(player_json(*player)));
-    page.set("player_script", std::string(player_movie) + player_script);
+    page.set("player_script", std::string(player_movie) + player_difference + player_script);
     page.set("has_scene", !player->body_heights.empty());
     if (player->body_heights.empty()) return;
     static const std::string library = packed(scene_library());

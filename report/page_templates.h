@@ -28,6 +28,7 @@ extern const char* const document_script;
 /// Plays the contact of a document that has a player.
 extern const char* const player_style;
 extern const char* const player_movie;
+extern const char* const player_difference;
 extern const char* const player_script;
 
 /// The script that draws charts (plotly.js), its licence in front, embedded when the program is

@@ -84,7 +84,7 @@ let theme = charts.screen();
 const colour = name => theme[name];
 const minus = text => text.replace("-", "−");
 const palette = document.getElementById("content").dataset.colours.split(" ");
-let now = 0, timer = 0, scene = null, opening = null;
+let now = 0, timer = 0, scene = null, opening = null, difference = null;
 
 // The five fields of a frame, on the film's cells.
 function fields_of(film, frame) {
@@ -344,6 +344,7 @@ function show(frame) {
     for (const id of ["history", "loop", "force"]) chart(part(id));
     films.forEach((film, i) => { part("of_" + i).textContent = words_of_film(film); });
     draw_bar();
+    difference?.show(now);
     scene?.show(now);
 }
 
@@ -358,6 +359,11 @@ function play() {
     part("play").textContent = "Pause";
     part("play").setAttribute("aria-pressed", "true");
     timer = setInterval(() => show((now + 1) % instants.length), 1000 / Number(part("speed").value));
+}
+
+if (films.length > 1) {
+    difference = player_difference({films, part, element, fields_of, signs, gradient, pen_on, set_pixel, colour});
+    difference.chosen.addEventListener("change", () => show(now));
 }
 
 // Instants at which some film has a section.

@@ -58,6 +58,7 @@ Command compare_command() {
         .on_file("a", "Folder of results", "A")
         .required("b", &CompareOptions::other, "Folder of results to compare it with", "B")
         .output("Folder (results/<A>_compared)")
+        .exports()
         .quiet();
 }
 

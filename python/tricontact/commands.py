@@ -262,6 +262,7 @@ def compare(
     b: StrPath,
     *,
     output: Optional[StrPath] = None,
+    export: Optional[StrPath] = None,
     progress: Progress = None,
 ) -> Outcome:
     """Two folders of results of run() side by side: quantities, histories, fields; A minus B.
@@ -269,4 +270,4 @@ def compare(
     outcome["case_differences"]: keys of the cases that differ; outcome["pairs"]: a model of A
     beside one of B.
     """
-    return _call("compare", a, None, output, progress, further=[os.fspath(b)])
+    return _call("compare", a, None, output, progress, further=[os.fspath(b)], export=export)

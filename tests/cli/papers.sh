@@ -39,6 +39,13 @@ exported identify identify "$examples/measurements/rig_indentation.toml"
 exported limit limit "$examples/cases/rig_sphere_parallel.toml" --models mdr --tolerance 0.05
 exported deviation deviation "$examples/cases/rig_layer_parallel.toml" --no-runs
 exported refine refine "$examples/cases/rig_sphere_parallel.toml" --model bem "${coarse[@]}"
+with_surfaces=("${coarse[@]/vtk=none/vtk=quarters}")
+for springs in 400 500; do
+    "$program" run "$examples/cases/rig_sphere_parallel.toml" "${with_surfaces[@]/springs=500/springs=$springs}" \
+        --output runs/$springs --no-studies --no-report --quiet >/dev/null || complain "run with $springs springs"
+done
+exported compare compare runs/400 runs/500/
+exported itself compare runs/400 runs/400
 mkdir studies && cp "$examples/cases/rig_sphere_parallel.toml" ball.toml
 cat >studies/amplitudes.toml <<'TOML'
 case = "../ball.toml"

@@ -180,7 +180,8 @@ def test_two_folders_of_results_are_compared(rig, program, tmp_path):
     for name, springs in ("a", 500), ("b", 1000):
         program("run", rig, "--models", "mdr", "--set", f"mdr.springs={springs}", "--output", name,
                 "--quiet", "--no-studies", "--no-report")
-    outcome = tricontact.compare(tmp_path / "a", tmp_path / "b")
+    outcome = tricontact.compare(tmp_path / "a", tmp_path / "b", export=tmp_path / "paper")
+    assert (tmp_path / "paper" / "archive.zip").is_file()
     assert [change["key"] for change in outcome["case_differences"]] == ["mdr.springs"]
     pair = outcome["pairs"][0]
     assert pair["a"] == "mdr" and pair["quantities"]["normal_force_N"]["relative"] == 0
