@@ -75,7 +75,7 @@ case = tricontact.Case.from_file("/usr/share/tricontact/examples/cases/rig_spher
                                  {"rolling.periods": 2, "rolling.steps": "turning-points"})
 print("Python:", tricontact.run(case, models=["mdr"], studies=False)["mdr"].state, "of", tricontact.__version__)
 ' || complain "import tricontact does not work"
-for file in share/man/man1/tricontact.1 share/bash-completion/completions/tricontact share/doc/tricontact/README.md; do
+for file in share/man/man1/tricontact.1.gz share/bash-completion/completions/tricontact share/doc/tricontact/README.md; do
     [ -s "$root/usr/$file" ] || complain "there is no $file"
 done
 if [ "$beside" != paraview ]; then
