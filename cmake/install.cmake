@@ -21,5 +21,5 @@ install(FILES ${PROJECT_BINARY_DIR}/TricontactConfig.cmake
 
 install(DIRECTORY examples
         DESTINATION ${CMAKE_INSTALL_DATADIR}/tricontact)
-install(FILES LICENSE README.md CHANGELOG.md DESTINATION ${documents})
+install(FILES LICENSE README.md CHANGELOG.md CITATION.cff DESTINATION ${documents})
 install(DIRECTORY docs DESTINATION ${documents} PATTERN conf.py EXCLUDE)

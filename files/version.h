@@ -2,7 +2,7 @@
 
 namespace tricontact::files {
 
-/// The program's version, "0.1.0": in every file that it writes.
+/// The program's version, "0.2.0": in every file that it writes.
 extern const char* const version;
 
 }  // namespace tricontact::files

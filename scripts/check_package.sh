@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Installs the Debian package into a bare Debian 12 in a folder, which mmdebstrap makes, and tries it there: a case
-# runs, Python imports the module, manual and completions are in place. With `paraview` beside ParaView and its
+# runs, Python imports the module, manual and completions are in place, nothing asks for VTK but the reader of its files,
+# which says so. lintian, where it is installed, finds neither error nor warning. With `paraview` beside ParaView and its
 # module for Python. As root; the archives of packages that the machine has are used, others are fetched.
 # usage: check_package.sh PACKAGE.deb FOLDER [paraview]   FOLDER is kept: another call begins with its Debian
 set -euo pipefail
@@ -10,6 +11,12 @@ beside=${3:-}
 base=$folder/debian
 root=$folder/root
 mkdir -p "$folder"
+
+if command -v lintian >/dev/null; then
+    lintian --allow-root --fail-on error,warning "$package" || { echo "FAILED: lintian"; exit 1; }
+else
+    echo "no lintian: its rules are not checked"
+fi
 
 # The mirror of this machine, and its key.
 sources=$(cat /etc/apt/sources.list /etc/apt/sources.list.d/* 2>/dev/null || true)
@@ -68,9 +75,18 @@ case = tricontact.Case.from_file("/usr/share/tricontact/examples/cases/rig_spher
                                  {"rolling.periods": 2, "rolling.steps": "turning-points"})
 print("Python:", tricontact.run(case, models=["mdr"], studies=False)["mdr"].state, "of", tricontact.__version__)
 ' || complain "import tricontact does not work"
-for file in share/man/man1/tricontact.1 share/bash-completion/completions/tricontact share/doc/tricontact/README.md; do
+for file in share/man/man1/tricontact.1.gz share/bash-completion/completions/tricontact share/doc/tricontact/README.md; do
     [ -s "$root/usr/$file" ] || complain "there is no $file"
 done
+if [ "$beside" != paraview ]; then
+    [ -z "$(find "$root/usr/lib" -name 'libvtk*')" ] || complain "the package asks for VTK"
+    printf '<VTKFile type="UnstructuredGrid"></VTKFile>\n' >"$root/tmp/field.vtu"
+    if inside tricontact benchmark compare --case layer_pressed /tmp/field.vtu --output /tmp/compared >"$folder/vtk.log" 2>&1; then
+        complain "a file of VTK is read without VTK"
+    fi
+    grep -q 'read by VTK, whose library .* cannot be loaded; apt-get install libvtk9.1' "$folder/vtk.log" ||
+        complain "not said: $(cat "$folder/vtk.log")"
+fi
 if [ "$beside" = paraview ]; then
     inside pvpython -c 'import paraview.simple' || complain "ParaView has lost its module for Python"
 fi

@@ -22,6 +22,19 @@ constexpr std::array<std::string_view, 17> vtk_endings{
 
 constexpr const char* other_way = "write it again, or a table of columns (.csv)";
 
+/// The package does without VTK, whose libraries the reader alone needs: the loader's words name
+/// what is missing.
+void fail_without_libraries(const std::string& path, const std::string& message) {
+    constexpr std::string_view loader = "error while loading shared libraries: ";
+    const auto begin = message.find(loader);
+    if (begin == message.npos) return;
+    const auto name = begin + loader.size();
+    io::fail(path, "",
+             "files of this kind are read by VTK, whose library " +
+                 message.substr(name, message.find(':', name) - name) + " cannot be loaded",
+             "apt-get install libvtk9.1, or write a table of columns (.csv)");
+}
+
 }  // namespace
 
 bool is_vtk_ending(const std::string& ending) {
@@ -46,7 +59,8 @@ std::vector<MeshData> read_vtk(const std::string& path, std::vector<std::string>
     bool is_whole = false;
     try {
         is_whole = read_answer(report::run_program({program->string(), path}, ""), answer);
-    } catch (const report::ProgramError&) {
+    } catch (const report::ProgramError& why) {
+        fail_without_libraries(path, why.what());
         is_whole = false;
     }
     if (!is_whole)
