@@ -154,10 +154,8 @@ DeckFamily inp_family(const DeckModel& model, const DeckWishes& wishes, bool is_
             "Times of the shifted layer with CalculiX 2.20, C3D8: 4 s at n = 2, a minute at n = 4; "
             "at n = 8 "
             "more than half an hour, in which it was not tried to its end.");
-    const int coarsest = is_spatial ? 2 : 4, levels = wishes.levels > 0 ? wishes.levels
-                                                      : is_spatial      ? 3
-                                                                        : 4;
-    for (int level = 0; level < levels; ++level) {
+    const int coarsest = coarsest_elements(model);
+    for (int level = 0; level < levels_of(model, wishes); ++level) {
         DeckRun& run = family.runs.emplace_back();
         run.n = coarsest << level;
         run.size = model.a / run.n;
