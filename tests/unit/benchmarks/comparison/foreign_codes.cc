@@ -81,6 +81,10 @@ TEST(ForeignCodes, CalculixPassesByWhatExplainsIt) {
     EXPECT_NEAR(force.difference, .0140, .0005);
     EXPECT_NEAR(force.explained_change(), .0178, .0002);
     EXPECT_LT(std::abs(force.left()), .0041);
+    // The radius comes nearer by both.
+    const ComparedNumber& radius = number(c, "contact_radius");
+    EXPECT_EQ(radius.explained.size(), 2u);
+    EXPECT_LT(std::abs(radius.left()), .25 * std::abs(radius.difference));
     for (const Explained& e : force.explained)
         if (e.id == "displaced_surface") {
             EXPECT_NEAR(e.change, .0184, .2 * .0184);
