@@ -151,7 +151,8 @@ DeckFamily inp_family(const DeckModel& model, const DeckWishes& wishes, bool is_
     const bool is_spatial = model.shape == DeckModel::Shape::half;
     if (is_spatial)
         family.remarks.push_back(
-            "Times of the shifted layer with CalculiX 2.20, C3D8, one thread: 5 s at n = 3 and 68 s "
+            "Times of the shifted layer with CalculiX 2.20, C3D8, one thread: 5 s at n = 3 and 68 "
+            "s "
             "at n = 6, both measured. Extrapolated by their ratio n = 12 takes a quarter of an "
             "hour, at the least: memory and time of the direct solver grow faster; a mesh of n = 8 "
             "did not end within half an hour on a loaded machine. n = 12 was not run.");
