@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "benchmarks/comparison/explained_pressing.h"
+
 namespace tricontact::benchmarks {
 
 namespace {
@@ -46,9 +48,9 @@ std::optional<Explained> displaced_surface(const std::string& key, const Referen
 
 std::vector<Explained> explained(const std::string& key, const Submission& submission,
                                  const Reference& reference) {
-    std::vector<Explained> all;
     const ReferenceValue* value = reference.find(key);
-    if (!value || value->value == 0) return all;
+    if (!value || value->value == 0) return {};
+    std::vector<Explained> all = explained_pressing(key, submission, reference);
     const ContactMethod& contact = submission.contact;
     const FirstOrderEffects& effects = reference.effects;
     const auto add_compliance = [&](const char* id, const char* title,

@@ -26,6 +26,16 @@ struct DeckFamily {
     std::vector<std::string> remarks;  ///< of the code, for the README
 };
 
+/// Elements in a on the coarsest mesh: three of half models, which are costly, else four.
+inline int coarsest_elements(const DeckModel& model) {
+    return model.shape == DeckModel::Shape::half ? 3 : 4;
+}
+/// Meshes that are wished, usually 3, 6, 12 of half models, else 4, 8, 16, 32.
+inline int levels_of(const DeckModel& model, const DeckWishes& wishes) {
+    if (wishes.levels > 0) return wishes.levels;
+    return model.shape == DeckModel::Shape::half ? 3 : 4;
+}
+
 /// By wishes.code. Throws contact::InputError for a code that has no deck.
 DeckFamily make_family(const DeckModel& model, const DeckWishes& wishes);
 

@@ -18,7 +18,8 @@ constexpr double layer_sides = 6, half_model_sides = 3.25;
 // Blocks of half-spaces, in a. A bonded base at the distance H from the load lowers the depth under
 // a force by about 0.6 a/H of it.
 constexpr double half_space_size = 1000, half_space_half_model = 30;
-constexpr double contact_reach = 1.5, indenter_reach = 2;  // in a
+// In a: nodes of the coarsest mesh, of four elements and of a half model's three.
+constexpr double contact_reach = 1.5, half_model_reach = 5. / 3, indenter_reach = 2;
 
 [[noreturn]] void refuse(const std::string& what, const std::string& help) {
     throw contact::InputError("deck: " + what + "; " + help);
@@ -179,7 +180,7 @@ void set_block(DeckModel& model, const contact::Case& c) {
         if (model.width < 2.5 * model.a)
             refuse("the block is narrower than 2.5 contact radii", "widen substrate.width");
     }
-    model.contact_reach = contact_reach * model.a;
+    model.contact_reach = (is_half_model ? half_model_reach : contact_reach) * model.a;
     model.indenter_reach = indenter_reach * model.a;
 }
 

@@ -169,9 +169,8 @@ DeckFamily mesh_family(const DeckModel& model, const DeckWishes& wishes) {
                                   " are none of a mesh; choose of quadratic, linear");
     DeckFamily family;
     family.elements = element;
-    const bool is_spatial = model.shape == DeckModel::Shape::half;
-    const int coarsest = is_spatial ? 2 : 4;
-    for (int level = 0; level < (wishes.levels > 0 ? wishes.levels : is_spatial ? 3 : 4); ++level) {
+    const int coarsest = coarsest_elements(model);
+    for (int level = 0; level < levels_of(model, wishes); ++level) {
         DeckRun& run = family.runs.emplace_back();
         run.n = coarsest << level;
         run.size = model.a / run.n;

@@ -215,8 +215,8 @@ TEST(Deck, ScriptsHaveTheEdgeAtANode) {
 TEST(Deck, AbaqusHasOutputOfItsOwn) {
     const DeckWishes calculix{.code = "calculix", .levels = 1, .problem = "p"},
         abaqus{.code = "abaqus", .levels = 1, .problem = "p"};
-    const Input ours = read_input(text_of(write_deck(shifted_layer(), calculix), "p_n2.inp")),
-                theirs = read_input(text_of(write_deck(shifted_layer(), abaqus), "p_n2.inp"));
+    const Input ours = read_input(text_of(write_deck(shifted_layer(), calculix), "p_n3.inp")),
+                theirs = read_input(text_of(write_deck(shifted_layer(), abaqus), "p_n3.inp"));
     EXPECT_EQ(ours.nodes, theirs.nodes);
     EXPECT_EQ(ours.elements, theirs.elements);
     EXPECT_EQ(ours.node_sets, theirs.node_sets);
@@ -231,7 +231,7 @@ TEST(Deck, AbaqusHasOutputOfItsOwn) {
 TEST(Deck, HalfModelOfTheShiftedLayer) {
     const auto files =
         write_deck(shifted_layer(), {.code = "calculix", .levels = 1, .problem = "p"});
-    const Input input = read_input(text_of(files, "p_n2.inp"));
+    const Input input = read_input(text_of(files, "p_n3.inp"));
     for (const int node : input.node_sets.at("NSYM")) EXPECT_EQ(input.nodes.at(node)[1], 0);
     EXPECT_EQ(input.keywords.at("*STEP"), 2);
     EXPECT_EQ(input.lines.at("*FRICTION").front().substr(0, 5), "0.57,");
