@@ -78,15 +78,56 @@ def check_picture(path):
     print(f"{os.path.basename(path)}: {100 * drawn:.1f} % drawn in {colours} colours")
 
 
-def run_macro(folder, *arguments):
-    """open_run.py as the window runs it: no __file__, no file name, elsewhere; what it says."""
-    with open(os.path.join(folder, "open_run.py"), encoding="utf-8") as file:
+def run_macro(folder, *arguments, imported=False):
+    """open_run.py, or its text alone as the window runs an imported macro: no __file__, no file name; what it says."""
+    path = os.path.join(folder, "open_run.py")
+    with open(path, encoding="utf-8") as file:
         text = file.read()
     said = io.StringIO()
     sys.argv = ["", *arguments]
+    name = "<string>" if imported else path
     with contextlib.redirect_stdout(said):
-        exec(compile(text, "<string>", "exec"), {"__name__": "__main__", "__file__": None})
+        exec(compile(text, name, "exec"), {"__name__": "__main__", "__file__": None})
     return said.getvalue()
+
+
+def areas(folder):
+    """Models whose surface is one of the plane."""
+    n = 0
+    for path in glob.glob(os.path.join(glob.escape(folder), "*", "surface.pvd")):
+        source = OpenDataFile(path)
+        source.UpdatePipeline()
+        bounds = source.GetDataInformation().GetBounds()
+        n += bounds[3] > bounds[2]
+        Delete(source)
+    return n
+
+
+def check_moved(folder, series, work):
+    """The smallest model and the macro in another folder: it opens that one, also imported, as soon as a series is
+    open; without results it says so."""
+    model = min((os.path.dirname(path) for path in series),
+                key=lambda name: sum(file.stat().st_size for file in Path(name).iterdir()))
+    moved = os.path.realpath(os.path.join(work, "moved"))
+    shutil.rmtree(moved, ignore_errors=True)
+    shutil.copytree(model, os.path.join(moved, os.path.basename(model)))
+    shutil.copy(os.path.join(folder, "open_run.py"), moved)
+    lost = os.path.join(work, "lost")
+    os.makedirs(lost, exist_ok=True)
+    os.chdir(lost)
+    for imported in (False, True):
+        if imported:
+            OpenDataFile(glob.glob(os.path.join(glob.escape(moved), "*", "*.pvd"))[0])
+        said = run_macro(moved, imported=imported)
+        if os.path.realpath(said.strip().removeprefix("results of ")) != moved:
+            complain(f"{moved}: the macro says '{said.strip()}'")
+        ResetSession()
+    try:
+        run_macro(moved, imported=True)
+        complain("the macro is content without results")
+    except RuntimeError as error:
+        print("without results:", error)
+    os.chdir(work)
 
 
 def check_macro(folder, work):
@@ -96,7 +137,11 @@ def check_macro(folder, work):
     said = run_macro(folder, pictures)
     if os.path.realpath(said.strip().removeprefix("results of ")) != folder:
         complain(f"{folder}: the macro says '{said.strip()}'")
+    ResetSession()
     series = glob.glob(os.path.join(glob.escape(folder), "*", "*.pvd"))
+    n_areas = areas(folder)
+    if os.path.exists(os.path.join(pictures, "models.png")) != (n_areas > 1):
+        complain(f"{folder}: {n_areas} surfaces of the plane, and models.png or none")
     drawn = glob.glob(os.path.join(pictures, "*.png"))
     # Of each model stick and slip, tractions, section and a plot; of a machine its motion and a plot.
     for model in {os.path.dirname(path) for path in series}:
@@ -109,19 +154,7 @@ def check_macro(folder, work):
     for picture in sorted(drawn):
         check_picture(picture)
     ResetSession()
-
-    # Where there are no results, it says so.
-    lost = os.path.join(work, "lost")
-    os.makedirs(lost, exist_ok=True)
-    with open(os.path.join(folder, "open_run.py"), encoding="utf-8") as file:
-        text = re.sub(r"(?m)^WRITTEN_TO = .*$", 'WRITTEN_TO = "/nowhere"', file.read())
-    with open(os.path.join(lost, "open_run.py"), "w", encoding="utf-8") as file:
-        file.write(text)
-    try:
-        run_macro(lost, pictures)
-        complain("the macro is content without results")
-    except RuntimeError as error:
-        print("without results:", error)
+    check_moved(folder, series, work)
 
 
 def check_movie(folder, n_steps, work):
