@@ -4,11 +4,10 @@ def surface_cells(source):
 
 
 def show_stick_slip(source, view):
-    """Each cell in the colour of its state; each node of finite elements as a disc over their outline, since only
-    nodes have a state of their own."""
+    """Each point of a surface in the colour of its state, as a disc over the outline; each cell of a single row."""
     display = Show(source, view)
     display.Ambient, display.Diffuse = 1.0, 0.0  # the colours of the scale
-    nodes = source.PointData["contact_state"] and source.CellData["contact_state"]
+    nodes = source.PointData["contact_state"] and is_area(source)
     if nodes:
         outline = Show(Outline(Input=source), view)
         outline.AmbientColor = outline.DiffuseColor = [0.0, 0.0, 0.0]
