@@ -4,6 +4,8 @@ usage: check_paraview.py WORK_FOLDER RESULTS_FOLDER..."""
 import contextlib
 import glob
 import io
+import json
+import math
 import os
 import re
 import shutil
@@ -157,6 +159,38 @@ def check_macro(folder, work):
     check_moved(folder, series, work)
 
 
+def last_state(folder, model):
+    source = OpenDataFile(os.path.join(folder, model, "surface.pvd"))
+    source.UpdatePipeline(source.TimestepValues[-1])
+    return source
+
+
+def check_overlay(folder):
+    """Surfaces of fem, sampled by ParaView at the points of bem-layer in the last state. In the inner half of the
+    contact, away from its edge of cells, the root mean square of what the pressures differ by lies within the
+    numerical bar of fem's peak pressure: both models are of the same layer."""
+    with open(os.path.join(folder, "summary.json"), encoding="utf-8") as file:
+        summary = json.load(file)
+    error = summary.get("numerical_error") or {}
+    if error.get("model") != "fem" or not os.path.exists(os.path.join(folder, "bem-layer", "surface.pvd")):
+        return
+    bar, name = error["half_widths"]["peak_pressure_Pa"], "normal_traction_Pa"
+    fem, layer = last_state(folder, "fem"), last_state(folder, "bem-layer")
+    sampled = ResampleWithDataset(SourceDataArrays=fem, DestinationMesh=layer)
+    sampled.UpdatePipeline(layer.TimestepValues[-1])
+    of_fem, of_layer = servermanager.Fetch(sampled), servermanager.Fetch(layer)
+    pressures = [vtk_to_numpy(data.GetPointData().GetArray(name)).astype(float) for data in (of_fem, of_layer)]
+    x, y = of_layer.GetFieldData().GetArray("indenter_position_m").GetTuple3(0)[:2]
+    inner = 0.5 * summary["models"]["bem-layer"]["contact_radius_m"]
+    points = map(of_layer.GetPoint, range(of_layer.GetNumberOfPoints()))
+    apart = [a - b for a, b, p in zip(*pressures, points) if math.hypot(p[0] - x, p[1] - y) < inner]
+    rms = math.sqrt(sum(d * d for d in apart) / len(apart))
+    print(f"{folder}: fem at {len(apart)} points of bem-layer: p differs by {rms:.0f} Pa, bar of fem {bar:.0f} Pa")
+    if not rms <= bar:
+        complain(f"{folder}: fem and bem-layer differ by more than the bar")
+    ResetSession()
+
+
 def check_movie(folder, n_steps, work):
     """Of each view but charts a picture of each instant, the first unlike the last."""
     pictures = os.path.join(work, "movie")
@@ -203,6 +237,8 @@ def main():
             print(f"{path}: {n} steps")
         if os.path.exists(os.path.join(folder, "open_run.py")):
             check_macro(folder, work)
+            if os.path.isdir(os.path.join(folder, "fem")):
+                check_overlay(folder)
             if len(series) == 1:  # of several it takes minutes
                 check_movie(folder, n_steps[0], work)
         for path in series:
