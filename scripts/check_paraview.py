@@ -4,6 +4,8 @@ usage: check_paraview.py WORK_FOLDER RESULTS_FOLDER..."""
 import contextlib
 import glob
 import io
+import json
+import math
 import os
 import re
 import shutil
@@ -78,15 +80,56 @@ def check_picture(path):
     print(f"{os.path.basename(path)}: {100 * drawn:.1f} % drawn in {colours} colours")
 
 
-def run_macro(folder, *arguments):
-    """open_run.py as the window runs it: no __file__, no file name, elsewhere; what it says."""
-    with open(os.path.join(folder, "open_run.py"), encoding="utf-8") as file:
+def run_macro(folder, *arguments, imported=False):
+    """open_run.py, or its text alone as the window runs an imported macro: no __file__, no file name; what it says."""
+    path = os.path.join(folder, "open_run.py")
+    with open(path, encoding="utf-8") as file:
         text = file.read()
     said = io.StringIO()
     sys.argv = ["", *arguments]
+    name = "<string>" if imported else path
     with contextlib.redirect_stdout(said):
-        exec(compile(text, "<string>", "exec"), {"__name__": "__main__", "__file__": None})
+        exec(compile(text, name, "exec"), {"__name__": "__main__", "__file__": None})
     return said.getvalue()
+
+
+def areas(folder):
+    """Models whose surface is one of the plane."""
+    n = 0
+    for path in glob.glob(os.path.join(glob.escape(folder), "*", "surface.pvd")):
+        source = OpenDataFile(path)
+        source.UpdatePipeline()
+        bounds = source.GetDataInformation().GetBounds()
+        n += bounds[3] > bounds[2]
+        Delete(source)
+    return n
+
+
+def check_moved(folder, series, work):
+    """The smallest model and the macro in another folder: it opens that one, also imported, as soon as a series is
+    open; without results it says so."""
+    model = min((os.path.dirname(path) for path in series),
+                key=lambda name: sum(file.stat().st_size for file in Path(name).iterdir()))
+    moved = os.path.realpath(os.path.join(work, "moved"))
+    shutil.rmtree(moved, ignore_errors=True)
+    shutil.copytree(model, os.path.join(moved, os.path.basename(model)))
+    shutil.copy(os.path.join(folder, "open_run.py"), moved)
+    lost = os.path.join(work, "lost")
+    os.makedirs(lost, exist_ok=True)
+    os.chdir(lost)
+    for imported in (False, True):
+        if imported:
+            OpenDataFile(glob.glob(os.path.join(glob.escape(moved), "*", "*.pvd"))[0])
+        said = run_macro(moved, imported=imported)
+        if os.path.realpath(said.strip().removeprefix("results of ")) != moved:
+            complain(f"{moved}: the macro says '{said.strip()}'")
+        ResetSession()
+    try:
+        run_macro(moved, imported=True)
+        complain("the macro is content without results")
+    except RuntimeError as error:
+        print("without results:", error)
+    os.chdir(work)
 
 
 def check_macro(folder, work):
@@ -96,7 +139,11 @@ def check_macro(folder, work):
     said = run_macro(folder, pictures)
     if os.path.realpath(said.strip().removeprefix("results of ")) != folder:
         complain(f"{folder}: the macro says '{said.strip()}'")
+    ResetSession()
     series = glob.glob(os.path.join(glob.escape(folder), "*", "*.pvd"))
+    n_areas = areas(folder)
+    if os.path.exists(os.path.join(pictures, "models.png")) != (n_areas > 1):
+        complain(f"{folder}: {n_areas} surfaces of the plane, and models.png or none")
     drawn = glob.glob(os.path.join(pictures, "*.png"))
     # Of each model stick and slip, tractions, section and a plot; of a machine its motion and a plot.
     for model in {os.path.dirname(path) for path in series}:
@@ -109,19 +156,39 @@ def check_macro(folder, work):
     for picture in sorted(drawn):
         check_picture(picture)
     ResetSession()
+    check_moved(folder, series, work)
 
-    # Where there are no results, it says so.
-    lost = os.path.join(work, "lost")
-    os.makedirs(lost, exist_ok=True)
-    with open(os.path.join(folder, "open_run.py"), encoding="utf-8") as file:
-        text = re.sub(r"(?m)^WRITTEN_TO = .*$", 'WRITTEN_TO = "/nowhere"', file.read())
-    with open(os.path.join(lost, "open_run.py"), "w", encoding="utf-8") as file:
-        file.write(text)
-    try:
-        run_macro(lost, pictures)
-        complain("the macro is content without results")
-    except RuntimeError as error:
-        print("without results:", error)
+
+def last_state(folder, model):
+    source = OpenDataFile(os.path.join(folder, model, "surface.pvd"))
+    source.UpdatePipeline(source.TimestepValues[-1])
+    return source
+
+
+def check_overlay(folder):
+    """Surfaces of fem, sampled by ParaView at the points of bem-layer in the last state. In the inner half of the
+    contact, away from its edge of cells, the root mean square of what the pressures differ by lies within the
+    numerical bar of fem's peak pressure: both models are of the same layer."""
+    with open(os.path.join(folder, "summary.json"), encoding="utf-8") as file:
+        summary = json.load(file)
+    error = summary.get("numerical_error") or {}
+    if error.get("model") != "fem" or not os.path.exists(os.path.join(folder, "bem-layer", "surface.pvd")):
+        return
+    bar, name = error["half_widths"]["peak_pressure_Pa"], "normal_traction_Pa"
+    fem, layer = last_state(folder, "fem"), last_state(folder, "bem-layer")
+    sampled = ResampleWithDataset(SourceDataArrays=fem, DestinationMesh=layer)
+    sampled.UpdatePipeline(layer.TimestepValues[-1])
+    of_fem, of_layer = servermanager.Fetch(sampled), servermanager.Fetch(layer)
+    pressures = [vtk_to_numpy(data.GetPointData().GetArray(name)).astype(float) for data in (of_fem, of_layer)]
+    x, y = of_layer.GetFieldData().GetArray("indenter_position_m").GetTuple3(0)[:2]
+    inner = 0.5 * summary["models"]["bem-layer"]["contact_radius_m"]
+    points = map(of_layer.GetPoint, range(of_layer.GetNumberOfPoints()))
+    apart = [a - b for a, b, p in zip(*pressures, points) if math.hypot(p[0] - x, p[1] - y) < inner]
+    rms = math.sqrt(sum(d * d for d in apart) / len(apart))
+    print(f"{folder}: fem at {len(apart)} points of bem-layer: p differs by {rms:.0f} Pa, bar of fem {bar:.0f} Pa")
+    if not rms <= bar:
+        complain(f"{folder}: fem and bem-layer differ by more than the bar")
+    ResetSession()
 
 
 def check_movie(folder, n_steps, work):
@@ -170,6 +237,8 @@ def main():
             print(f"{path}: {n} steps")
         if os.path.exists(os.path.join(folder, "open_run.py")):
             check_macro(folder, work)
+            if os.path.isdir(os.path.join(folder, "fem")):
+                check_overlay(folder)
             if len(series) == 1:  # of several it takes minutes
                 check_movie(folder, n_steps[0], work)
         for path in series:

@@ -9,6 +9,8 @@ root=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." >/dev/null && pwd)
 results=$root/results/rig_sphere_layer_all
 cp "$results/plots/shift.png" "$results/plots/traction_x.png" "$results/plots/zones_fem.png" \
     "$root/docs/images/"
+"$root/scripts/paraview.sh" pvpython --force-offscreen-rendering "$results/open_run.py" "$root/results/paraview_pictures"
+cp "$root/results/paraview_pictures/models.png" "$root/docs/images/paraview_models.png"
 "$root/build/release/app/tricontact" run "$root/examples/cases/rig_sphere_inside.toml" --models bem-layer \
     --output "$root/results/rig_sphere_inside" --quiet
 cp "$root/results/rig_sphere_inside/plots/von_mises_bem-layer.png" "$root/docs/images/von_mises_bem_layer.png"

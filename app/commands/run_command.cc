@@ -51,7 +51,7 @@ runs::CaseRun compute(const Case& c, const runs::RunOptions& options) {
     runs::CaseRun run = runs::run_models(c, options, options.sayer(), run_one);
     run.extras.films = std::move(films);
     options.write("summary.json", runs::summary_of(run));
-    options.write(io::paraview_macro_name, io::paraview_macro(options.output));
+    options.write(io::paraview_macro_name, std::string(io::paraview_script));
     const auto differences = comparisons::model_differences(run.histories);
     const io::Provenance provenance{files::version,
                                     std::string("tricontact run ") + resolved_case_name};

@@ -146,7 +146,7 @@ void write(const RollingReport& report, const std::string& resolved,
            const RunCommandOptions& options) {
     options.write("summary.json", roll_summary(report, resolved));
     options.write("creep.csv", rolling::creep_csv(report));
-    options.write(io::paraview_macro_name, io::paraview_macro(options.output));
+    options.write(io::paraview_macro_name, std::string(io::paraview_script));
     if (options.report) options.write_report(rolling::rolling_document(report), rolling_again);
 }
 

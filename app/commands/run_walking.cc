@@ -39,7 +39,7 @@ void write_animation(const CommandOptions& options, const WalkCase& walk_case, c
     const std::string folder = options.output + "/animation";
     io::make_output_folder(folder);
     walking::write_walk_animation(folder, walk_case, frames, {files::version, walk_again});
-    options.write(io::paraview_macro_name, io::paraview_macro(options.output));
+    options.write(io::paraview_macro_name, std::string(io::paraview_script));
 }
 
 void write_page(const CommandOptions& options, const WalkCase& walk_case, const Walk& walk) {

@@ -99,10 +99,6 @@ report::Figure figure_of(const SurfaceDifference& d, const DrawnField& drawn,
     return figure;
 }
 
-std::string extent_text(const Surface& s) {
-    return fmt::format("0 {} 0 {} 0 0", s.n_x, s.n_y);
-}
-
 void add_differences(io::VtkXml& xml, const SurfaceDifference& d) {
     const std::size_t n = d.size();
     const auto add_scalar = [&](const std::string& name, const char* unit, Field field) {
@@ -149,21 +145,18 @@ std::string place_text(const contact::Vector2& place) {
 io::VtkFile difference_vtk(const SurfaceDifference& d, const io::Provenance& provenance) {
     const Surface& s = d.a;
     const double dy = s.n_y > 1 ? s.spacing[1] : s.spacing[0];
-    const auto triple = [](double x, double y) {
-        return io::shortest(x) + ' ' + io::shortest(y) + " 0";
-    };
-    io::VtkXml xml("ImageData",
-                   {{"WholeExtent", extent_text(s)},
-                    {"Origin", triple(s.first[0] - s.spacing[0] / 2, s.first[1] - dy / 2)},
-                    {"Spacing", io::shortest(s.spacing[0]) + ' ' + io::shortest(dy) + " 1"}},
-                   io::Compression::small);
+    const io::ImageGrid grid = io::image_grid({s.n_x, s.n_y}, s.first, {s.spacing[0], dy});
+    io::VtkXml xml(
+        "ImageData",
+        {{"WholeExtent", grid.extent}, {"Origin", grid.origin}, {"Spacing", grid.spacing}},
+        io::Compression::small);
     xml.begin("FieldData");
     xml.add_numbers(io::time_in_periods, {d.phase});
     xml.add_numbers("indenter_position_m", {s.offset[0], s.offset[1], 0.});
     xml.add_provenance(provenance);
     xml.end();
-    xml.begin("Piece", {{"Extent", extent_text(s)}});
-    xml.begin("CellData");
+    xml.begin("Piece", {{"Extent", grid.extent}});
+    xml.begin(grid.data);
     add_differences(xml, d);
     return xml.file();
 }

@@ -42,7 +42,7 @@ SurfaceDifference difference_of(const contact::Surface& a, const contact::Surfac
 /// what assumes least minus what assumes more.
 std::vector<SurfaceDifference> model_differences(const std::vector<contact::History>& histories);
 
-/// `.vti` on that grid, cell data, SI units, z out of the body: of normal_traction,
+/// `.vti` on that grid (io::image_grid), SI units, z out of the body: of normal_traction,
 /// tangential_traction and displacement "normal_traction_NAME_Pa" of either and
 /// "normal_traction_difference_Pa", a minus b.
 io::VtkFile difference_vtk(const SurfaceDifference& difference, const io::Provenance& provenance);

@@ -1,5 +1,6 @@
 # Opens the results beside this script in ParaView, at the last state: one layout per model with stick and slip,
-# the tractions, a section through substrate and indenter, and the shift; of a walking machine its motion.
+# the tractions, a section through substrate and indenter, and the shift; one layout with the models side by side;
+# of a walking machine its motion. Cameras of like views are linked. The folder may be moved.
 #   paraview --script=open_run.py        (or, to save pictures, pvbatch open_run.py [--movie] FOLDER: with --movie one of
 #   each instant)
 import csv
@@ -28,7 +29,6 @@ PLOTS = [  # of the first that a table has the columns of: table, across, upward
 TITLES = {"time_s": "time [s]", "phase": "periods of rolling, or rows of the path",
           "distance_m": "rolled way [m]", "time": "time"}
 STEADY = []  # the sources that are steady states
-WRITTEN_TO = @folder@  # looked into where ParaView does not say where this script lies
 
 
 def own_folder():
@@ -46,16 +46,25 @@ def own_folder():
     return ""
 
 
+def opened_folder():
+    """The folder of results of which a series is open, for a macro, whose copy lies with ParaView's settings."""
+    for source in GetSources().values():
+        name = getattr(source, "FileName", None)
+        if isinstance(name, str) and name.endswith(".pvd"):
+            return os.path.dirname(os.path.dirname(os.path.abspath(name)))
+    return ""
+
+
 def all_series():
     """The series of the first folder that has some."""
-    folders = [folder for folder in (own_folder(), WRITTEN_TO, os.getcwd()) if folder]
+    folders = [folder for folder in (own_folder(), opened_folder(), os.getcwd()) if folder]
     for folder in folders:
         found = glob.glob(os.path.join(glob.escape(folder), "*", "*.pvd"))
         if found:
             print("results of", folder)
             return found
     raise RuntimeError("no results (*/*.pvd) in " + " or ".join(folders) +
-                       ": let WRITTEN_TO in this script name their folder")
+                       ": open one of their .pvd first, or start paraview --script=FOLDER/open_run.py")
 
 
 def fields_of(source):
@@ -106,6 +115,7 @@ def lay_out(name, views):
     for row, place in zip(rows, parts(0, len(rows), layout.SplitVertical)):
         for view, part in zip(row, parts(place, len(row), layout.SplitHorizontal)):
             layout.AssignView(part, view)
+    return layout
 
 
 def cross(a, b):

@@ -4,11 +4,10 @@ def surface_cells(source):
 
 
 def show_stick_slip(source, view):
-    """Each cell in the colour of its state; each node of finite elements as a disc over their outline, since only
-    nodes have a state of their own."""
+    """Each point of a surface in the colour of its state, as a disc over the outline; each cell of a single row."""
     display = Show(source, view)
     display.Ambient, display.Diffuse = 1.0, 0.0  # the colours of the scale
-    nodes = source.PointData["contact_state"] and source.CellData["contact_state"]
+    nodes = source.PointData["contact_state"] and is_area(source)
     if nodes:
         outline = Show(Outline(Input=source), view)
         outline.AmbientColor = outline.DiffuseColor = [0.0, 0.0, 0.0]
@@ -106,10 +105,10 @@ def near(volume, bounds, depth):
     return clip
 
 
-def show_section(folder, surface, volume, view, size, depth, lift):
+def show_section(folder, surface, volume, view, size, depth, lift, scale=None):
     """Volume, surface and indenter, cut at y = 0."""
     bounds = surface.GetDataInformation().GetBounds()
-    scale = warp_scale(surface, size)
+    scale = scale or warp_scale(surface, size)
     time = GetAnimationScene().AnimationTime
     skin = back_half(warped(surface, scale), bounds)
     display = Show(skin, view)
@@ -184,8 +183,8 @@ def touching(line, bounds):
     return (max(bounds[0], begin - beside), min(bounds[1], end + beside)) if end > begin else bounds[:2]
 
 
-def show_model(folder, series):
-    """The views of a model, by name."""
+def show_model(folder, series, surfaces):
+    """The views of a model, by name; adds its surface to the list."""
     views = {}
     kinds = [kind for kind in ("surface", "steady") if os.path.join(folder, kind + ".pvd") in series]
     volume = os.path.join(folder, "volume.pvd")
@@ -194,6 +193,8 @@ def show_model(folder, series):
         source = open_series(os.path.join(folder, kind + ".pvd"))
         if kind == "steady":
             STEADY.append(source)
+        else:
+            surfaces.append((folder, source))
         bounds = source.GetDataInformation().GetBounds()
         if not bounds[3] > bounds[2]:
             bounds = (*touching(source, bounds), *bounds[2:])
@@ -218,6 +219,45 @@ def show_model(folder, series):
     if plot:
         views["shift" if "shift_x_m" in plot[2] else "plot"] = show_plot(*plot)
     return views
+
+
+def is_area(source):
+    bounds = source.GetDataInformation().GetBounds()
+    return bounds[3] > bounds[2]
+
+
+def show_beside(surfaces):
+    """Models side by side: normal traction from above, then the section of the surface, all in one scale."""
+    named = [(os.path.basename(folder), folder, source) for folder, source in surfaces if is_area(source)]
+    if len(named) < 2:
+        return []
+    spans = [source.GetDataInformation().GetBounds() for _, _, source in named]
+    bounds = [(min, max)[i % 2](span[i] for span in spans) for i in range(6)]
+    size = max(bounds[1] - bounds[0], bounds[3] - bounds[2])
+    scale = min(warp_scale(source, size) for _, _, source in named)
+    above, sections = [], []
+    for name, folder, source in named:
+        view = new_view()
+        show_tractions(source, view, size, 2e-3 * size)
+        write_in(view, Text(Text=name), "Upper Right Corner", 14)
+        look(view, [0.0, 0.0, 1.0], [0.0, 1.0, 0.0], bounds)
+        above.append(view)
+        view = new_view()
+        show_section(folder, source, None, view, size, 0.12 * size, 2e-3 * size, scale)
+        write_in(view, Text(Text=name), "Upper Right Corner", 14)
+        look(view, [-0.35, -1.0, 0.5], [0.0, 0.0, 1.0], (*bounds[:2], 0.0, bounds[3], -0.12 * size, 0.1 * size))
+        sections.append(view)
+    # One scale for all: of the largest traction.
+    most = max(largest(source, "normal_traction_Pa") for _, _, source in named)
+    GetColorTransferFunction("normal_traction_Pa").RescaleTransferFunction(0.0, most)
+    link(above), link(sections)
+    return [*above, *sections]
+
+
+def link(views):
+    """One camera for all: who turns one view turns the others."""
+    for k, view in enumerate(views[1:]):
+        AddCameraLink(views[0], view, "camera %d of %s" % (k + 2, id(views[0])))
 
 
 def show_machine(folder):
@@ -260,17 +300,28 @@ def main():
     if pictures:
         os.makedirs(pictures, exist_ok=True)
     empty = [] if GetSources() else list(GetLayouts().values())  # of a window that has just opened
-    first = None
+    first, surfaces, alike = None, [], {}
     for model in sorted(set(os.path.dirname(path) for path in series)):
         is_machine = os.path.join(model, "machine.pvd") in series
-        views = show_machine(model) if is_machine else show_model(model, series)
+        views = show_machine(model) if is_machine else show_model(model, series, surfaces)
         lay_out(os.path.basename(model), list(views.values()))
         first = first or next(iter(views.values()))
         for name, view in views.items():
+            if view.GetXMLName() == "RenderView":
+                alike.setdefault((name, len(surfaces) and is_area(surfaces[-1][1])), []).append(view)
             if pictures:
                 save(view, os.path.join(pictures, os.path.basename(model) + "_" + name), is_movie)
             else:
                 Render(view)
+    for views in alike.values():
+        link(views)
+    beside = show_beside(surfaces)
+    if beside:
+        layout = lay_out("models", beside)
+        if pictures:
+            layout.SetSize(1600, 900)
+            SaveScreenshot(os.path.join(pictures, "models.png"), layout, SaveAllViews=1)
+        first = beside[0]
     for layout in empty:
         RemoveLayout(layout)
     SetActiveView(first)

@@ -99,6 +99,9 @@ class SavedData {
         if (found == tags_.end()) refuse("has no element " + std::string(name));
         return *found;
     }
+    bool has(std::string_view name) const {
+        return std::ranges::find(tags_, name, &Tag::name) != tags_.end();
+    }
     bool is_of(std::string_view type) const { return tag("VTKFile")["type"] == type; }
     std::size_t count(std::string_view attribute) const {
         const auto n = number_in<std::size_t>(tag("Piece")[attribute]);
@@ -205,7 +208,13 @@ Surface image(const SavedData& data) {
     Surface s;
     s.n_x = extent[1], s.n_y = extent[3];
     s.spacing = {spacing[0], spacing[1]};
-    s.first = {origin[0] + spacing[0] / 2, origin[1] + spacing[1] / 2};
+    s.first = {origin[0], origin[1]};
+    // Of a single row, and of versions that wrote no points, cells.
+    if (data.has("PointData")) {
+        ++s.n_x, ++s.n_y;
+    } else {
+        s.first = {s.first[0] + spacing[0] / 2, s.first[1] + spacing[1] / 2};
+    }
     return s;
 }
 

@@ -23,12 +23,8 @@ std::vector<double> told_gap(const Surface& s) {
     return gap;
 }
 
-std::string triple(double x, double y, double z) {
-    return shortest(x) + ' ' + shortest(y) + ' ' + shortest(z);
-}
-
-std::string extent_of(const Surface& s) {
-    return fmt::format("0 {} 0 {} 0 0", s.n_x, s.n_y);
+ImageGrid image_of(const Surface& s) {
+    return image_grid({s.n_x, s.n_y}, s.first, s.spacing);
 }
 
 std::string extent_of(const Interior& interior) {
@@ -115,8 +111,9 @@ void begin_piece(VtkXml& xml, std::size_t n_points, const Cells& cells) {
 }
 
 void write_image(VtkXml& xml, const Surface& s) {
-    xml.begin("Piece", {{"Extent", extent_of(s)}});
-    xml.begin("CellData");
+    const ImageGrid grid = image_of(s);
+    xml.begin("Piece", {{"Extent", grid.extent}});
+    xml.begin(grid.data);
     add_fields(xml, s);
 }
 
@@ -247,12 +244,9 @@ VtkFile vtk_file(const Instant& instant, const Surface& surface, const Provenanc
     if (surface.layout == Surface::Layout::line) return file({"PolyData", {}, of_many}, write_line);
     if (surface.layout == Surface::Layout::nodes)
         return file({"UnstructuredGrid", {}, of_many}, write_nodes);
-    const auto& [dx, dy] = surface.spacing;
-    const auto& [x, y] = surface.first;
+    const ImageGrid grid = image_of(surface);
     return file({"ImageData",
-                 {{"WholeExtent", extent_of(surface)},
-                  {"Origin", triple(x - dx / 2, y - dy / 2, 0)},
-                  {"Spacing", triple(dx, dy, 1)}},
+                 {{"WholeExtent", grid.extent}, {"Origin", grid.origin}, {"Spacing", grid.spacing}},
                  of_many},
                 write_image);
 }

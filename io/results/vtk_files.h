@@ -34,8 +34,8 @@ inline constexpr const char* time_in_seconds = "time_s";
 inline constexpr const char* time_in_periods = "time_periods";  ///< of rolling, or rows of a path
 inline constexpr const char* time_in_half_lengths = "time_half_lengths";  ///< of rolling on
 
-/// A contact surface: `.vti` (grid: cell data, cells centred on the points), `.vtp` (line: point
-/// data on vertices and a polyline) or `.vtu` (nodes: point data on biquadratic quadrilaterals at
+/// A contact surface: `.vti` (grid: point data; of a single row cell data, cells centred on the
+/// points), `.vtp` (line: point data on vertices and a polyline) or `.vtu` (nodes: point data on biquadratic quadrilaterals at
 /// z = 0, the contact state also as cell data). Throws std::invalid_argument where a field has
 /// another size than the surface.
 VtkFile vtk_file(const Instant& instant, const contact::Surface& surface,
@@ -104,16 +104,14 @@ class VtkSeries {
 /// earlier; the first ones as far apart as the following states are.
 std::vector<double> times_apart(const std::vector<double>& times);
 
-/// The script, with a place for the folder.
+/// Python for ParaView (paraview.simple): opens surface.pvd and volume.pvd of every model folder
+/// beside the script, each in views of its own, coloured by normal traction or von Mises' stress,
+/// warped by the displacement, and the models side by side with linked cameras. It holds no path:
+/// `paraview --script=open_run.py` finds the folder that it lies in; Macros > Import new macro
+/// that of a series which is open.
 extern const std::string_view paraview_script;
 /// Name of the macro beside a run's results.
 inline constexpr const char* paraview_macro_name = "open_run.py";
-
-/// Python for ParaView (paraview.simple): opens surface.pvd and volume.pvd of every model folder
-/// beside the script, each in a view of its own, coloured by normal traction or von Mises' stress,
-/// warped by the displacement. `paraview --script=open_run.py`, or Macros > Import new macro, which
-/// finds the results in `folder`.
-std::string paraview_macro(const std::string& folder);
 
 /// Hexahedra and their boundary faces to look at. Positions in m; nodes in VTK's order.
 struct MeshView {

@@ -1,4 +1,4 @@
-// Files over time for ParaView, and the macro that opens them.
+// Files over time for ParaView.
 
 #include <fmt/format.h>
 
@@ -94,15 +94,6 @@ std::string VtkSeries::collection() const {
                "\" group=\"\" part=\"0\" file=\"" + xml_attribute(files_.at(states_[i].file)) +
                "\"/>\n";
     return out + "  </Collection>\n</VTKFile>\n";
-}
-
-std::string paraview_macro(const std::string& folder) {
-    constexpr std::string_view place = "@folder@";
-    const std::string absolute = std::filesystem::absolute(folder).lexically_normal().string();
-    // A TOML string is one of Python too. A name that is not UTF-8 would make the script none.
-    const bool named = first_non_utf8(absolute) == std::string::npos;
-    std::string text(paraview_script);
-    return text.replace(text.find(place), place.size(), toml_string(named ? absolute : ""));
 }
 
 }  // namespace tricontact::io

@@ -50,7 +50,23 @@ std::string_view compressed(std::span<const char> bytes, Compression compression
     return {out, size};
 }
 
+std::string triple_text(double x, double y, double z) {
+    return shortest(x) + ' ' + shortest(y) + ' ' + shortest(z);
+}
+
 }  // namespace
+
+ImageGrid image_grid(const std::array<int, 2>& n_points, const std::array<double, 2>& first,
+                     const std::array<double, 2>& spacing) {
+    const auto& [n_x, n_y] = n_points;
+    const auto& [x, y] = first;
+    const auto& [dx, dy] = spacing;
+    const bool has_rows = n_x > 1 && n_y > 1;
+    const double before = has_rows ? 0 : 0.5;  // of a cell, before its point
+    return {fmt::format("0 {} 0 {} 0 0", has_rows ? n_x - 1 : n_x, has_rows ? n_y - 1 : n_y),
+            triple_text(x - before * dx, y - before * dy, 0), triple_text(dx, dy, 1),
+            has_rows ? "PointData" : "CellData"};
+}
 
 VtkXml::VtkXml(std::string_view type, const Attributes& attributes, Compression compression)
     : compression_(compression),

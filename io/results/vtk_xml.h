@@ -18,6 +18,15 @@ namespace tricontact::io {
 /// By LZ4, or by zlib, which makes a fifth less of a surface in fifty times the time.
 enum class Compression { quick, small };
 
+/// A grid of a surface as an image: fields at its points, as those of elements are at their nodes.
+/// A single row of cells, which has an extent across, keeps them in its cells.
+struct ImageGrid {
+    std::string extent, origin, spacing;
+    const char* data;  ///< element of its fields: PointData or CellData
+};
+ImageGrid image_grid(const std::array<int, 2>& n_points, const std::array<double, 2>& first,
+                     const std::array<double, 2>& spacing);
+
 /// Memory that is used again and again, not initialised.
 template <class T>
 class Scratch {

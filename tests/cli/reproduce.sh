@@ -19,7 +19,6 @@ timeless() {
     case $1 in
         */summary.json) sed '/^ *"\(cpu_s\|wall_s\)": [-0-9.e+]*,$/d' "$1" ;;
         */report.html) sed '/<th scope="row"[^>]*>CPU time\( per step\)\?<\/th>/d; /download="cost.csv"/d' "$1" ;;
-        */open_run.py) sed '/^WRITTEN_TO = /d' "$1" ;;
         *) cat "$1" ;;
     esac
 }

@@ -89,7 +89,7 @@ def test_signs_are_those_of_the_files_for_paraview(rig, program, tmp_path):
     reader = vtk.vtkXMLImageDataReader()
     reader.SetFileName(str(file))
     reader.Update()
-    fields = reader.GetOutput().GetCellData()
+    fields = reader.GetOutput().GetPointData()
     case = tricontact.Case.from_file(rig, COARSE)
     surface = tricontact.run(case, models=["bem"], studies=False)["bem"].snapshots[-1].surface
     moved = vtk_to_numpy(fields.GetArray("displacement_m"))

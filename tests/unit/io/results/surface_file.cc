@@ -40,6 +40,14 @@ Surface grid() {
     return filled(s);
 }
 
+Surface row() {
+    Surface s;
+    s.n_x = 6, s.n_y = 1;
+    s.first = {-.003, 0};
+    s.spacing = {2e-4, 3e-4};
+    return filled(s);
+}
+
 Surface line() {
     Surface s;
     s.layout = Surface::Layout::line;
@@ -67,7 +75,7 @@ void expect_same(const std::vector<double>& read, const std::vector<double>& wri
 }
 
 TEST_F(SurfaceFile, EveryLayoutComesBack) {
-    for (const Surface& s : {grid(), line(), nodes()}) {
+    for (const Surface& s : {grid(), row(), line(), nodes()}) {
         const VtkFile file = vtk_file({time_in_periods, 1}, s, provenance_);
         const std::string path = at("surface" + file.extension);
         std::ofstream(path, std::ios::binary) << file.bytes;
@@ -78,6 +86,8 @@ TEST_F(SurfaceFile, EveryLayoutComesBack) {
         EXPECT_EQ(read.node_x, s.node_x);
         EXPECT_EQ(read.offset, s.offset);
         EXPECT_NEAR(read.first[0], s.first[0], 1e-15);
+        EXPECT_NEAR(read.first[1], s.first[1], 1e-15);
+        EXPECT_EQ(read.n_y, s.layout == Surface::Layout::nodes ? 0 : s.n_y);
         EXPECT_NEAR(read.spacing[0], s.spacing[0], 1e-15);
         for (auto field :
              {&Surface::normal_traction, &Surface::tangential_traction_x,

@@ -83,7 +83,7 @@ void expect_provenance(vtkFieldData* data, double phase, const Surface& s) {
     expect_origin(data);
 }
 
-TEST_F(Vtk, AGridReadsBackExactlyAsCellData) {
+TEST_F(Vtk, AGridReadsBackExactlyAsPointData) {
     const Surface s = surface_of(Surface::Layout::grid, 31, 20);
     VtkSeries out = series("surface");
     out.add(1. / 3, s);
@@ -92,18 +92,34 @@ TEST_F(Vtk, AGridReadsBackExactlyAsCellData) {
     reader->SetFileName(at("surface_000000.vti").c_str());
     reader->Update();
     vtkImageData* image = reader->GetOutput();
-    ASSERT_EQ(image->GetNumberOfCells(), 31 * 20);
-    expect_fields(image->GetCellData(), s);
-    EXPECT_EQ(image->GetPointData()->GetNumberOfArrays(), 0);
+    ASSERT_EQ(image->GetNumberOfPoints(), 31 * 20);
+    expect_fields(image->GetPointData(), s);
+    EXPECT_EQ(image->GetCellData()->GetNumberOfArrays(), 0);
     expect_provenance(image->GetFieldData(), 1. / 3, s);
-    // Cell k = i + 31 j is centred on point (i, j): 12 digits, origins are written in decimal.
+    // Point k = i + 31 j is point (i, j): 12 digits, origins are written in decimal.
     for (const auto& [i, j] : {std::pair(0, 0), std::pair(30, 0), std::pair(4, 19)}) {
-        double bounds[6];
-        image->GetCellBounds(i + 31 * j, bounds);
-        EXPECT_NEAR((bounds[0] + bounds[1]) / 2, s.x(i), 1e-12 * 31 * s.spacing[0]);
-        EXPECT_NEAR((bounds[2] + bounds[3]) / 2, s.y(j), 1e-12 * 31 * s.spacing[1]);
-        EXPECT_NEAR(bounds[1] - bounds[0], s.spacing[0], 1e-12 * 31 * s.spacing[0]);
+        const double* point = image->GetPoint(i + 31 * j);
+        EXPECT_NEAR(point[0], s.x(i), 1e-12 * 31 * s.spacing[0]);
+        EXPECT_NEAR(point[1], s.y(j), 1e-12 * 31 * s.spacing[1]);
     }
+}
+
+// A row of a cylinder's cells has an extent across.
+TEST_F(Vtk, ASingleRowReadsBackExactlyAsCellData) {
+    const Surface s = surface_of(Surface::Layout::grid, 31, 1);
+    VtkSeries out = series("surface");
+    out.add(1. / 3, s);
+
+    vtkNew<vtkXMLImageDataReader> reader;
+    reader->SetFileName(at("surface_000000.vti").c_str());
+    reader->Update();
+    vtkImageData* image = reader->GetOutput();
+    ASSERT_EQ(image->GetNumberOfCells(), 31);
+    expect_fields(image->GetCellData(), s);
+    double bounds[6];
+    image->GetCellBounds(30, bounds);
+    EXPECT_NEAR((bounds[0] + bounds[1]) / 2, s.x(30), 1e-12 * 31 * s.spacing[0]);
+    EXPECT_NEAR(bounds[3] - bounds[2], s.spacing[1], 1e-12 * s.spacing[1]);
 }
 
 TEST_F(Vtk, ALineReadsBackExactlyAsPointData) {
@@ -150,7 +166,7 @@ TEST_F(Vtk, InfiniteGapsOutsideTheIndenterSurvive) {
     vtkNew<vtkXMLImageDataReader> reader;
     reader->SetFileName(at("surface_000000.vti").c_str());
     reader->Update();
-    expect_gap(reader->GetOutput()->GetCellData(), s);
+    expect_gap(reader->GetOutput()->GetPointData(), s);
 }
 
 TEST_F(Vtk, TheSameSurfaceGivesTheSameBytes) {
@@ -238,7 +254,7 @@ TEST_F(Vtk, AGridOfSeveralBlocksReadsBackExactly) {
     vtkNew<vtkXMLImageDataReader> reader;
     reader->SetFileName(at("surface_000000.vti").c_str());
     reader->Update();
-    expect_fields(reader->GetOutput()->GetCellData(), s);
+    expect_fields(reader->GetOutput()->GetPointData(), s);
 }
 
 TEST_F(Vtk, FieldsOfAWrongSizeAreRefused) {
