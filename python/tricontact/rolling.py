@@ -4,7 +4,7 @@ from dataclasses import dataclass
 from typing import Any, Callable, Optional, Sequence
 
 from ._core import Case, Surface, _roll
-from .inputs import Input, Overrides, case_of
+from .inputs import Input, Overrides, case_of, merged
 from .table import Table
 
 
@@ -30,6 +30,7 @@ def roll(
     points: int = 12,
     threads: Optional[int] = None,
     on_step: Optional[Callable[[str, int, int], object]] = None,
+    **keys: Any,
 ) -> Rolling:
     """Roll the models of a case, or those named, from rest to steady rolling. `overrides`
     are the program's --set.
@@ -41,6 +42,6 @@ def roll(
     Raises InputError, NotConverged.
     """
     names = list(models) if models is not None else None
-    summary, histories, surfaces, creep = _roll(case_of(Case, case, overrides), names, points, threads, on_step)
+    summary, histories, surfaces, creep = _roll(case_of(Case, case, merged(overrides, keys)), names, points, threads, on_step)
     tables = {model: Table(text) for model, text in histories.items()}
     return Rolling(summary, tables, surfaces, Table(creep))
