@@ -302,6 +302,10 @@ def _reduced(keep: Callable[[Any], Any]) -> Callable[[Any], Any]:
     return lambda self: (_same_object, (keep(self),))
 
 
+def _case_again(kind: Any, values: dict[str, Any]) -> Any:
+    return kind.from_dict(values)
+
+
 def _attach() -> None:
     for computed, saved, keep, has_names in _PAIRS:
         for kind in (computed, saved):
@@ -318,7 +322,7 @@ def _attach() -> None:
         setattr(case, "__eq__", lambda self, other: NotImplemented if type(other) is not type(self)
                 else self.to_toml() == other.to_toml())
         setattr(case, "__hash__", lambda self: hash(self.to_toml()))
-        setattr(case, "__reduce__", lambda self: (type(self).from_dict, (self.to_dict(),)))
+        setattr(case, "__reduce__", lambda self: (_case_again, (type(self), self.to_dict())))
 
 
 _attach()
