@@ -21,7 +21,8 @@ def run(
     progress: Progress = None,
     **keys: Any,
 ) -> Result:
-    """Run the models of a case, or those named. `overrides` are the program's --set.
+    """Run the models of a case, or those named. `overrides` are the program's --set,
+    and keywords such as load__tangential_ratio=0.4 single ones of them.
 
     threads: for large grids (all cores). studies: also the further runs that the program makes for
     comparison. surfaces: result.surfaces(model) has the contact surface at the quarters of the
