@@ -14,7 +14,7 @@ from pathlib import Path
 from typing import Any, Literal, Optional, Sequence
 
 from . import _core, _toml
-from .inputs import Input, Overrides, StrPath, StudyInput, file_of, study_folder, merged
+from .inputs import Input, Overrides, StrPath, StudyInput, file_of, merged, study_folder
 from .outcome import Outcome, read_outcome
 from .progress import Progress, display
 

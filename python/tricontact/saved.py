@@ -70,7 +70,7 @@ class SavedSnapshot:
     def surface(self) -> Any:
         """Its fields. Raises InputError for a damaged file."""
         if self._surface is None:
-            self._surface = _core._read_surface(self._path)
+            self._surface = _core._read_surface(self._path or b"")
         return self._surface
 
     def __reduce__(self) -> Any:
