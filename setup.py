@@ -30,7 +30,7 @@ class ByCMake(build_ext):
             options = ["-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release", "-DTRICONTACT_WITH_PYTHON=ON",
                        "-DTRICONTACT_WITH_TESTS=OFF", *os.environ.get("CMAKE_ARGS", "").split()]
             subprocess.run(["cmake", "-S", SOURCES, "-B", build, *options], check=True)
-            subprocess.run(["cmake", "--build", build, "--target", "tricontact_python"], check=True)
+            subprocess.run(["cmake", "--build", build, "--target", "tricontact_python", "tricontact"], check=True)
         package = Path(self.get_ext_fullpath(ext.name)).resolve().parent
         subprocess.run(["cmake", "--install", build, "--component", "wheel", "--prefix", package,
                         "--strip"], check=True)

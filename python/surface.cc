@@ -6,6 +6,8 @@
 #include <array>
 #include <cstdint>
 
+#include "comparisons/differences/results_folder.h"
+#include "io/results/surface_file.h"
 #include "python/arrays.h"
 #include "python/bindings.h"
 
@@ -103,6 +105,18 @@ py::array positions(const py::object& self, int axis) {
     return positions;
 }
 
+/// Of each model of a folder of results the times and files of its surfaces, the latter as bytes.
+py::dict saved_surfaces(const std::string& folder) {
+    py::dict models;
+    for (const comparisons::SavedRun& run : comparisons::read_results_folder(folder).runs) {
+        py::list files;
+        for (const io::SeriesFile& file : run.surfaces)
+            files.append(py::make_tuple(file.time, py::bytes(file.path)));
+        models[py::str(run.model)] = files;
+    }
+    return models;
+}
+
 const char* layout_of(const Surface& s) {
     if (s.layout == Surface::Layout::grid) return "grid";
     return s.layout == Surface::Layout::line ? "line" : "nodes";
@@ -136,6 +150,8 @@ void add_surface(py::module_& module) {
         .def_property_readonly(
             "offset", [](const Surface& s) { return py::make_tuple(s.offset[0], s.offset[1]); },
             "Position (x, y) of the indenter [m]");
+    module.def("_saved_surfaces", saved_surfaces, py::arg("folder"));
+    module.def("_read_surface", io::read_surface_file, py::arg("path"));
 }
 
 }  // namespace tricontact::python

@@ -37,9 +37,11 @@ from .commands import (
     rig,
 )
 from .labelled import Surfaces
+from .opening import open
 from .outcome import Outcome
 from .rolling import Rolling, roll
 from .running import run
+from .saved import SavedResult
 from .studies import sweep
 from .table import Table, read_table
 from .walking import Walk, walk
@@ -54,6 +56,7 @@ __all__ = [
     "Result",
     "Results",
     "Rolling",
+    "SavedResult",
     "Scales",
     "Snapshot",
     "Surface",
@@ -71,6 +74,7 @@ __all__ = [
     "fit",
     "identify",
     "limit",
+    "open",
     "predict",
     "read_table",
     "refine",

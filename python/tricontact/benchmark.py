@@ -18,7 +18,7 @@ from . import _core, _toml
 from ._core import BenchmarkReference as Reference
 from ._core import Case, _reference
 from .commands import _arguments
-from .inputs import Input, Overrides, StrPath, case_of
+from .inputs import Input, Overrides, StrPath, case_of, merged
 from .outcome import Outcome, read_outcome
 from .progress import Progress, display
 
@@ -99,7 +99,8 @@ def compare(
 
 
 def reference(
-    case: Input, *, overrides: Overrides = None, threads: Optional[int] = None
+    case: Input, *, overrides: Overrides = None, threads: Optional[int] = None,
+    **keys: Any,
 ) -> Reference:
     """The reference of a case: scalars and fields at the end of its path, each with a bar.
 
@@ -108,4 +109,4 @@ def reference(
 
     Raises InputError where no model is a reference for the case, NotConverged.
     """
-    return _reference(case_of(Case, case, overrides), 1 if threads is None else threads)
+    return _reference(case_of(Case, case, merged(overrides, keys)), 1 if threads is None else threads)

@@ -14,7 +14,7 @@ from pathlib import Path
 from typing import Any, Literal, Optional, Sequence
 
 from . import _core, _toml
-from .inputs import Input, Overrides, StrPath, StudyInput, file_of, study_folder
+from .inputs import Input, Overrides, StrPath, StudyInput, file_of, merged, study_folder
 from .outcome import Outcome, read_outcome
 from .progress import Progress, display
 
@@ -74,12 +74,13 @@ def limit(
     export: Optional[StrPath] = None,
     threads: Optional[int] = None,
     progress: Progress = None,
+    **keys: Any,
 ) -> Outcome:
     """The limit of shakedown of each model, in the load f_T or the amplitude w, by bisection.
 
     tolerance: width of the bracket (1e-6 of mdr, 1e-3 of others).
     """
-    return _call("limit", case, overrides, output, progress, vary=vary, tolerance=tolerance,
+    return _call("limit", case, merged(overrides, keys), output, progress, vary=vary, tolerance=tolerance,
                  models=models, threads=threads, export=export)
 
 
@@ -94,12 +95,13 @@ def refine(
     threads: Optional[int] = None,
     jobs: int = 1,
     progress: Progress = None,
+    **keys: Any,
 ) -> Outcome:
     """A case on finer and finer meshes: extrapolated values and their errors.
 
     jobs: levels side by side, but for the finest.
     """
-    return _call("refine", case, overrides, output, progress, levels=levels, model=model,
+    return _call("refine", case, merged(overrides, keys), output, progress, levels=levels, model=model,
                  threads=threads, jobs=jobs, export=export)
 
 
@@ -114,13 +116,14 @@ def deviation(
     export: Optional[StrPath] = None,
     jobs: Optional[int] = None,
     progress: Progress = None,
+    **keys: Any,
 ) -> Outcome:
     """How far the layer of a case is from a half-space, or linear elasticity from finite strains.
 
     no_runs: exact theory alone. finite_strain: by finite elements, so many `elements` in the
     contact radius (5).
     """
-    return _call("deviation", case, overrides, output, progress, no_runs=no_runs,
+    return _call("deviation", case, merged(overrides, keys), output, progress, no_runs=no_runs,
                  finite_strain=finite_strain, elements=elements, jobs=jobs, export=export)
 
 
@@ -131,6 +134,7 @@ def predict(
     overrides: Overrides = None,
     samples: Optional[int] = None,
     output: Optional[StrPath] = None,
+    **keys: Any,
 ) -> Outcome:
     """Predict a case from the atlases, without a run.
 
@@ -140,9 +144,9 @@ def predict(
     uncertain numbers of the case, for distributions and Sobol' indices.
     """
     if output is not None:
-        return _call("predict", case, overrides, output, None, models=models, samples=samples)
+        return _call("predict", case, merged(overrides, keys), output, None, models=models, samples=samples)
     options = {"models": models, "samples": samples, "json": True}
-    return Outcome("predict", json.loads(_printed("predict", case, overrides, None, options)))
+    return Outcome("predict", json.loads(_printed("predict", case, merged(overrides, keys), None, options)))
 
 
 def experiment(
@@ -153,9 +157,10 @@ def experiment(
     export: Optional[StrPath] = None,
     threads: Optional[int] = None,
     progress: Progress = None,
+    **keys: Any,
 ) -> Outcome:
     """Records of a rig evaluated, and compared with its models."""
-    return _call("experiment", case, overrides, output, progress, threads=threads, export=export)
+    return _call("experiment", case, merged(overrides, keys), output, progress, threads=threads, export=export)
 
 
 def identify(
@@ -167,12 +172,13 @@ def identify(
     export: Optional[StrPath] = None,
     threads: Optional[int] = None,
     progress: Progress = None,
+    **keys: Any,
 ) -> Outcome:
     """E, nu, mu, lengths and Prony terms from measurements on a rig.
 
     posterior: also draw from the density of what is found (the table "posterior").
     """
-    return _call("identify", case, overrides, output, progress, posterior=posterior,
+    return _call("identify", case, merged(overrides, keys), output, progress, posterior=posterior,
                  threads=threads, export=export)
 
 
@@ -183,12 +189,13 @@ def rig(
     samples: Optional[int] = None,
     output: Optional[StrPath] = None,
     export: Optional[StrPath] = None,
+    **keys: Any,
 ) -> Outcome:
     """What the evaluation of a rig assumes, checked. Violations are no error.
 
     samples: of the uncertain quantities, for the chance that an assumption is violated.
     """
-    return _call("rig", case, overrides, output, None, samples=samples, export=export)
+    return _call("rig", case, merged(overrides, keys), output, None, samples=samples, export=export)
 
 
 def design(
@@ -197,9 +204,10 @@ def design(
     overrides: Overrides = None,
     output: Optional[StrPath] = None,
     export: Optional[StrPath] = None,
+    **keys: Any,
 ) -> Outcome:
     """Values of a rig that make assumptions hold and deviations visible."""
-    return _call("design", case, overrides, output, None, export=export)
+    return _call("design", case, merged(overrides, keys), output, None, export=export)
 
 
 def fit(

@@ -19,6 +19,23 @@ Overrides = Optional[dict[str, Any]]
 Kind = TypeVar("Kind", Case, WalkCase)
 
 
+def merged(overrides: Overrides, keys: dict[str, Any]) -> dict[str, Any]:
+    """Overrides and keywords together: load__tangential_ratio=0.4 is "load.tangential_ratio".
+
+    Raises TypeError for a keyword that is neither an option nor a key, or given twice.
+    """
+    found = dict(overrides or {})
+    for name, value in keys.items():
+        key = name.replace("__", ".")
+        if "." not in key:
+            raise TypeError(f"there is no option {name}; keys of the case have two underscores for "
+                            "the dot: load__tangential_ratio=0.4")
+        if key in found:
+            raise TypeError(f"{key} is given twice, in overrides and as {name}")
+        found[key] = value
+    return found
+
+
 def case_of(kind: type[Kind], given: Any, overrides: Overrides = None) -> Kind:
     """The case itself, or that of a file or a dictionary. Raises InputError."""
     changed = overrides or {}
@@ -37,8 +54,8 @@ def file_of(given: Any) -> Iterator[str]:
     if not isinstance(given, (Case, dict)):
         yield os.fspath(given)
         return
-    text = given.to_toml() if isinstance(given, Case) else _toml.document(given)
     with tempfile.TemporaryDirectory(prefix="tricontact-") as folder:
+        text = given.to_toml() if isinstance(given, Case) else _toml.document(_with_case(given, folder))
         path = Path(folder) / "case.toml"
         path.write_text(text, encoding="utf-8")
         try:
@@ -46,6 +63,16 @@ def file_of(given: Any) -> Iterator[str]:
         except InputError as error:
             name = "<case>" if isinstance(given, Case) else "<dict>"
             raise InputError(str(error).replace(str(path), name)) from None
+
+
+def _with_case(given: dict[str, Any], folder: str) -> dict[str, Any]:
+    """The case of a study may be one, or a dictionary, instead of its file."""
+    inner = given.get("case")
+    if not isinstance(inner, (Case, dict)):
+        return given
+    path = Path(folder) / "base.toml"
+    path.write_text(inner.to_toml() if isinstance(inner, Case) else _toml.document(inner), encoding="utf-8")
+    return {**given, "case": str(path)}
 
 
 def study_folder(study: StudyInput, output: Optional[StrPath]) -> str:

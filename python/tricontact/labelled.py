@@ -8,6 +8,7 @@ import numpy as np
 
 from . import plots
 from .labels import label_of
+from .shown import quantity_names
 
 if TYPE_CHECKING:
     from ._core import History, Result, Snapshot, Surface
@@ -48,9 +49,7 @@ def result(shown: "Result") -> Any:
     """The quantities of all models along `model`; lists, one value per period, are left out."""
     found = [shown.results(model) for model in shown.models]
     variables = {}
-    for name in type(found[0]).__dict__:
-        if name.startswith("_"):
-            continue
+    for name in quantity_names():
         values = [getattr(one, name) for one in found]
         if any(isinstance(value, list) for value in values):
             continue

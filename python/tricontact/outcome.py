@@ -7,6 +7,7 @@ from typing import Any, Optional, Union
 
 from . import plots, shown
 from .labels import label_of
+from .equality import same
 from .table import Table, read_table
 
 
@@ -80,6 +81,19 @@ class Outcome(Mapping[str, Any]):
              y: Union[None, str, Sequence[str]] = None, ax: Any = None) -> Any:
         """Columns of one of its tables with matplotlib; returns the axes. Raises ImportError."""
         return plots.table(self.table(table), x, y, ax)
+
+    def __eq__(self, other: object) -> bool:
+        """Equal numbers and tables; times of computing do not count."""
+        if not isinstance(other, Outcome):
+            return NotImplemented
+        mine, others = [(one.command, one._numbers, one._tables) for one in (self, other)]
+        return mine[0] == others[0] and same(mine[1], others[1]) and same(mine[2], others[2])
+
+    def __contains__(self, key: object) -> bool:
+        models = self._numbers.get("models")
+        return key in self._numbers or (isinstance(models, dict) and key in models)
+
+    __hash__ = None  # type: ignore[assignment]
 
     def __repr__(self) -> str:
         return f"<Outcome of {self.command}: {', '.join(self._numbers)}>"

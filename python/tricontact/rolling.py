@@ -4,7 +4,8 @@ from dataclasses import dataclass
 from typing import Any, Callable, Optional, Sequence
 
 from ._core import Case, Surface, _roll
-from .inputs import Input, Overrides, case_of
+from .inputs import Input, Overrides, case_of, merged
+from .progress import Progress, display
 from .table import Table
 
 
@@ -30,17 +31,30 @@ def roll(
     points: int = 12,
     threads: Optional[int] = None,
     on_step: Optional[Callable[[str, int, int], object]] = None,
+    progress: Progress = None,
+    **keys: Any,
 ) -> Rolling:
     """Roll the models of a case, or those named, from rest to steady rolling. `overrides`
     are the program's --set.
 
     `points` of each creep curve (0: none). threads: for large grids (all cores).
     on_step(model, step, steps) is called after each step from rest and each point of the curve;
-    what it raises ends the run. Other threads go on, and Ctrl-C ends the run between two of these.
+    what it raises ends the run. progress: see tricontact.progress. Other threads go on, and Ctrl-C ends the run between two of these.
 
     Raises InputError, NotConverged.
     """
     names = list(models) if models is not None else None
-    summary, histories, surfaces, creep = _roll(case_of(Case, case, overrides), names, points, threads, on_step)
+    resolved = case_of(Case, case, merged(overrides, keys))
+    shown = display(progress)
+
+    def tell(model: str, step: int, steps: int) -> None:
+        shown.progress(model, step, steps)
+        if on_step is not None:
+            on_step(model, step, steps)
+
+    try:
+        summary, histories, surfaces, creep = _roll(resolved, names, points, threads, tell)
+    finally:
+        shown.close()
     tables = {model: Table(text) for model, text in histories.items()}
     return Rolling(summary, tables, surfaces, Table(creep))

@@ -1,10 +1,10 @@
 """Runs of a case."""
 
-from typing import Callable, Literal, Optional, Sequence
+from typing import Any, Callable, Literal, Optional, Sequence
 
 from ._core import Case, Result, _run
 from .commands import _call
-from .inputs import Input, Overrides, StrPath, case_of
+from .inputs import Input, Overrides, StrPath, case_of, merged
 from .progress import Progress, display
 
 
@@ -19,8 +19,10 @@ def run(
     on_step: Optional[Callable[[str, int, int], object]] = None,
     export: Optional[StrPath] = None,
     progress: Progress = None,
+    **keys: Any,
 ) -> Result:
-    """Run the models of a case, or those named. `overrides` are the program's --set.
+    """Run the models of a case, or those named. `overrides` are the program's --set,
+    and keywords such as load__tangential_ratio=0.4 single ones of them.
 
     threads: for large grids (all cores). studies: also the further runs that the program makes for
     comparison. surfaces: result.surfaces(model) has the contact surface at the quarters of the
@@ -41,12 +43,12 @@ def run(
             on_step(model, step, steps)
 
     names = list(models) if models is not None else None
-    resolved = case_of(Case, case, overrides)
+    resolved = case_of(Case, case, merged(overrides, keys))
     try:
         result = _run(resolved, names, threads, studies, surfaces == "all", tell)
     finally:
         shown.close()
     if export is not None:
-        _call("run", case, overrides, None, progress, models=names, threads=threads,
+        _call("run", case, merged(overrides, keys), None, progress, models=names, threads=threads,
               no_studies=not studies, export=export)
     return result

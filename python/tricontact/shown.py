@@ -5,6 +5,7 @@ from typing import TYPE_CHECKING, Any, Iterable, Sequence
 
 import numpy as np
 
+from . import _core
 from .labels import label_of
 
 if TYPE_CHECKING:
@@ -72,14 +73,16 @@ def models(found: dict[str, dict[str, Any]], caption: str = "") -> str:
     return rows(["", *found, "unit"], lines, caption)
 
 
+def quantity_names() -> list[str]:
+    """Of all quantities of a model, in the order of their declaration."""
+    return [name for name in _core.Results.__dict__ if not name.startswith("_")]
+
+
 def result(shown: "Result") -> str:
     """A row per quantity, a column per model."""
     found = {model: shown.results(model) for model in shown.models}
-    first = next(iter(found.values()))
-    names = [name for name in dir(first) if not name.startswith("_")]
-    declared = [name for name in type(first).__dict__ if name in names]
     lines = []
-    for name in declared:
+    for name in quantity_names():
         values = [getattr(one, name) for one in found.values()]
         if all(value is None or isinstance(value, list) for value in values):
             continue

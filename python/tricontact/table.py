@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from . import plots, shown
+from .equality import same
 from .labels import Label, label_of
 
 _Array = NDArray[Any]
@@ -43,6 +44,14 @@ class Table(Mapping[str, _Array]):
     def __len__(self) -> int:
         """Number of columns; that of rows is the length of each."""
         return len(self._columns)
+
+    def __eq__(self, other: object) -> bool:
+        """Equal columns in the same order, NaN equal to NaN."""
+        if not isinstance(other, Table):
+            return NotImplemented
+        return list(self) == list(other) and same(self._columns, other._columns)
+
+    __hash__ = None  # type: ignore[assignment]
 
     def __repr__(self) -> str:
         return f"<Table of {self.n_rows} rows: {', '.join(self._columns)}>"

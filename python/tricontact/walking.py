@@ -4,7 +4,7 @@ from dataclasses import dataclass
 from typing import Any, Union
 
 from ._core import WalkCase, _walk
-from .inputs import Overrides, StrPath, case_of
+from .inputs import Overrides, StrPath, case_of, merged
 from .table import Table
 
 
@@ -21,11 +21,12 @@ class Walk:
 
 
 def walk(
-    case: Union[StrPath, WalkCase, dict[str, Any]], *, overrides: Overrides = None
+    case: Union[StrPath, WalkCase, dict[str, Any]], *, overrides: Overrides = None,
+    **keys: Any,
 ) -> Walk:
     """Run a machine - a file, a WalkCase or a dictionary - and judge its motion.
 
     `overrides` are the program's --set. Takes seconds; other threads go on, Ctrl-C waits.
     """
-    summary, motion, windows = _walk(case_of(WalkCase, case, overrides))
+    summary, motion, windows = _walk(case_of(WalkCase, case, merged(overrides, keys)))
     return Walk(summary, Table(motion), Table(windows))

@@ -20,6 +20,11 @@ TRICONTACT_BUILD=$build /usr/bin/python3 -m build --no-isolation --wheel --outdi
 "$work/venv/bin/pip" -q install --no-index --no-deps "$work"/tricontact-*.whl
 rm -rf "$work/source"
 cd "$work"
+# Its platform tag promises no other distribution: what it needs is Debian 12's.
+compgen -G "$work/tricontact-*-linux_x86_64.whl" >/dev/null || { echo "tag: $(ls "$work"/*.whl)"; exit 1; }
+# The program comes along, and finds its way.
+printed=$(env -u PYTHONPATH "$work/venv/bin/tricontact" check "$source_dir/examples/cases/rig_sphere_parallel.toml")
+grep -q 'rig_sphere_parallel\|Sphere on rubber' <<<"$printed" || { echo "tricontact check printed: $printed"; exit 1; }
 env -u PYTHONPATH "$work/venv/bin/python" - "$source_dir/examples/cases" "$work" <<'PYTHON'
 import sys
 from pathlib import Path

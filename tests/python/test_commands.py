@@ -40,7 +40,7 @@ def test_options_are_those_of_the_program(name):
         parameter = OTHERWISE.get(option, option.lstrip("-").replace("-", "_"))
         if parameter:
             expected.add(parameter)
-    assert set(inspect.signature(FUNCTIONS[name]).parameters) - {"progress"} == expected
+    assert set(inspect.signature(FUNCTIONS[name]).parameters) - {"progress", "keys"} == expected
 
 
 def test_numbers_are_those_of_the_program(rig, program, tmp_path):
