@@ -21,6 +21,7 @@
 #include <vector>
 
 #include "app/commands/command.h"
+#include "app/commands/help.h"
 #include "app/plain_output.h"
 #ifdef TRICONTACT_WITH_FEM
 #include "app/models/fem_entries.h"
@@ -79,12 +80,17 @@ std::optional<Call> call_of(const std::vector<Command>& commands, int argc,
 
 int run_call(Call call, const std::string& program) {
     CLI::App& parser = *call.command.parser;
+    const std::vector<std::string> arguments = call.arguments;
     std::ranges::reverse(call.arguments);  // as CLI11 wants them
     try {
         parser.parse(call.arguments);
     } catch (const CLI::CallForHelp&) {
         std::cout << parser.help(program);
         return 0;
+    } catch (const CLI::ExtrasError& e) {
+        return fail(exit_bad_input,
+                    fmt::format("{}{}; see tricontact {} --help", e.what(),
+                                app::near_option(parser, arguments), call.command.name));
     } catch (const CLI::ParseError& e) {
         return fail(exit_bad_input,
                     fmt::format("{}; see tricontact {} --help", e.what(), call.command.name));
@@ -94,9 +100,8 @@ int run_call(Call call, const std::string& program) {
 
 /// What is wrong with the first argument, which is no command of the program; empty if it is an
 /// option.
-std::string what_is_wrong(const CLI::App& app, const std::vector<Command>& commands, int argc,
+std::string what_is_wrong(const CLI::App& app, const std::vector<Command>& commands,
                           const char* const* argv) {
-    if (argc < 2) return "no command is given; tricontact --help lists them";
     const std::string_view word = argv[1];
     const std::string shown = io::one_line(io::shortened(word, 60));
     if (word.starts_with('-') && app.get_option_no_throw(std::string(word))) return {};
@@ -133,6 +138,19 @@ int flushed(int code) {
 
 int run_program(int argc, char** argv) {
     const std::vector<Command> commands = app::all_commands();
+    const bool asks = argc > 1 && std::string_view(argv[1]) == "help";
+    if (argc < 2 || (asks && argc == 2)) {
+        std::cout << app::overview(commands);
+        return asks ? 0 : exit_bad_input;  // a script that forgot the command is to stop
+    }
+    if (asks) {  // help COMMAND is COMMAND --help
+        ++argv;
+        --argc;
+        if (auto call = call_of(commands, argc, argv)) {
+            std::cout << call->command.parser->help("tricontact");
+            return 0;
+        }
+    }
     if (auto call = call_of(commands, argc, argv)) return run_call(*std::move(call), argv[0]);
     CLI::App app{app::program_text};
     app.set_version_flag("--version", std::string("tricontact ") + files::version);
@@ -141,7 +159,7 @@ int run_program(int argc, char** argv) {
             app.add_subcommand(command.parser)->group(app::title_of(command.group));
     app.require_subcommand(1);
     app.footer("tricontact COMMAND --help lists the options of a command");
-    if (const auto wrong = what_is_wrong(app, commands, argc, argv); !wrong.empty())
+    if (const auto wrong = what_is_wrong(app, commands, argv); !wrong.empty())
         return fail(exit_bad_input, wrong);
     try {
         app.parse(argc, argv);

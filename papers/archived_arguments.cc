@@ -19,8 +19,9 @@ constexpr std::array kept_options{"--set",           "--models",    "--model",  
                                   "--points",        "--samples",   "--vary",      "--tolerance",
                                   "--shard",         "--elements",  "--no-runs",   "--confidence",
                                   "--finite-strain", "--posterior", "--no-studies"};
-constexpr std::array own_options{"--output", "--export",       "--quiet",     "--threads", "--jobs",
-                                 "--vtk",    "--retry-failed", "--no-report", "--help"};
+constexpr std::array own_options{"--output", "--export", "--quiet",        "--threads",
+                                 "--jobs",   "--vtk",    "--retry-failed", "--no-report",
+                                 "--help",   "--json"};
 
 bool is_flag(const CLI::Option& option) {
     return option.get_items_expected_max() == 0;

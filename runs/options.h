@@ -15,6 +15,7 @@
 #include "io/results/output_folder.h"
 #include "io/results/progress.h"
 #include "report/document.h"
+#include "runs/answer.h"
 #include "runs/findings.h"
 
 namespace tricontact::runs {
@@ -44,6 +45,7 @@ struct CommandOptions {
     std::vector<std::string> models;  ///< empty: those of the case
     int threads = 1;                  ///< or processes side by side
     bool quiet = false;
+    bool json = false;                                   ///< the answer as JSON
     bool report = true;                                  ///< write report.html
     std::vector<std::string> given = {};                 ///< names of the options of this call
     std::shared_ptr<const Listener> listener = nullptr;  ///< null: the terminal
@@ -55,6 +57,7 @@ struct CommandOptions {
 
     /// For the answer: standard output.
     std::ostream& out() const { return listener ? *listener->out : std::cout; }
+    void answer(const Answer& found) const { out() << printed(found, json); }
     /// A line on standard error, unless quiet.
     void say(const std::string& line) const {
         if (!quiet) listener ? listener->say(line) : void(std::cerr << line << '\n');

@@ -15,13 +15,11 @@ using benchmarks::ProblemFindings;
 
 struct BenchmarkListOptions : CommandOptions {
     std::string tests;
-    bool json = false;
     bool markdown = false;
 };
 
 struct BenchmarkShowOptions : CommandOptions {
     std::string problem;
-    bool json = false;
     bool markdown = false;
     bool case_alone = false;
 };
@@ -104,7 +102,7 @@ Command benchmark_list_command() {
                                           "List the problems for contact codes", list_problems)
         .option("--tests", &BenchmarkListOptions::tests,
                 "Only problems whose name, title, group or tests have this word", "WORD")
-        .flag("--json", &BenchmarkListOptions::json, "As JSON")
+        .json("As JSON")
         .flag("--markdown", &BenchmarkListOptions::markdown, "As a table in Markdown");
 }
 
@@ -115,7 +113,7 @@ Command benchmark_show_command() {
         .required("problem", &BenchmarkShowOptions::problem,
                   "Name of the problem; tricontact benchmark list names all", "NAME")
         .flag("--case", &BenchmarkShowOptions::case_alone, "The case file alone")
-        .flag("--json", &BenchmarkShowOptions::json, "As JSON, numbers in SI units")
+        .json("As JSON, numbers in SI units")
         .flag("--markdown", &BenchmarkShowOptions::markdown, "As a page in Markdown");
 }
 

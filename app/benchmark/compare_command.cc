@@ -1,5 +1,6 @@
 #include <array>
 #include <filesystem>
+#include <nlohmann/json.hpp>
 
 #include "app/benchmark/benchmark_case.h"
 #include "app/commands/command.h"
@@ -119,7 +120,8 @@ int compare_submission(CompareOptions options) {
     comparison.name = found.name;
     options.fill({benchmarks::comparison_file_names()},
                  [&] { write_comparison(options, comparison); });
-    options.out() << benchmarks::comparison_text(comparison) << options.where() << '\n';
+    options.answer({benchmarks::comparison_json(files::version, comparison).dump(2),
+                    benchmarks::comparison_text(comparison) + options.where() + '\n'});
     return comparison.standing == Standing::pass   ? 0
            : comparison.standing == Standing::fail ? exit_differs
                                                    : exit_not_resolved;
@@ -155,6 +157,7 @@ Command benchmark_compare_command() {
         .output("Folder (results/<submission>_comparison)")
         .exports()
         .no_report()
+        .json()
         .quiet();
 }
 

@@ -127,7 +127,7 @@ class Declared {
         return *this;
     }
     Declared& output(const char* text) {
-        return option("--output", &CommandOptions::output, text, "DIR");
+        return option("-o,--output", &CommandOptions::output, text, "DIR");
     }
     /// --export, of a command with a report. `filled_by`: the command that has to fill its folder
     /// before.
@@ -138,14 +138,18 @@ class Declared {
         return *this;
     }
     Declared& models(const char* text) {
-        option("--models", &CommandOptions::models, text, "NAME,NAME");
+        option("-m,--models", &CommandOptions::models, text, "NAME,NAME");
         list_.divide_by(',');
         return *this;
     }
-    Declared& threads() { return cores("--threads", "Threads for large grids (all cores)"); }
-    Declared& jobs() { return cores("--jobs", "Processes side by side (all cores)"); }
+    Declared& threads() { return cores("-t,--threads", "Threads for large grids (all cores)"); }
+    Declared& jobs() { return cores("-j,--jobs", "Processes side by side (all cores)"); }
     Declared& quiet(const char* text = "No progress, no closing line") {
-        return flag("--quiet", &CommandOptions::quiet, text);
+        return flag("-q,--quiet", &CommandOptions::quiet, text);
+    }
+    /// --json, of a command that gives its answer by CommandOptions::answer.
+    Declared& json(const char* text = "The answer as JSON on standard output, SI units") {
+        return flag("--json", &CommandOptions::json, text);
     }
     Declared& no_report(const char* text = "Skip report.html") {
         return flag("--no-report", &CommandOptions::report, text, false);

@@ -44,7 +44,8 @@ void compare_results(CompareOptions options) {
         }
         options.write_report(document, command);
     });
-    options.out() << comparisons::folder_text(comparison);
+    options.answer({comparisons::folder_json(files::version, comparison).dump(2),
+                    comparisons::folder_text(comparison)});
     options.say(options.where());
 }
 
@@ -59,6 +60,7 @@ Command compare_command() {
         .required("b", &CompareOptions::other, "Folder of results to compare it with", "B")
         .output("Folder (results/<A>_compared)")
         .exports()
+        .json()
         .quiet();
 }
 

@@ -25,15 +25,17 @@ void design_rig(DesignOptions options) {
         options.write("design.json", experiments::design_json(study));
         options.write_report(experiments::design_document(study), "tricontact design " + name);
     });
+    std::string notes;
     for (const std::string& one : comparisons::left_out(input.rig.c, contact::models::bem_layer))
-        options.out() << "design leaves out " << one << '\n';
+        notes += "design leaves out " + one + '\n';
     if (input.rig.c.load.hold > 0)
-        options.out() << "design leaves out load.hold: assumptions are checked without it\n";
+        notes += "design leaves out load.hold: assumptions are checked without it\n";
+    std::string text = notes;
     for (const report::Verdict& verdict : experiments::design_verdicts(study))
-        options.out() << verdict.sentence << '\n';
-    options.out() << "look closer: tricontact rig " << options.file
-                  << experiments::best_overrides(study) << '\n'
-                  << options.where() << '\n';
+        text += verdict.sentence + '\n';
+    text += fmt::format("look closer: tricontact rig {}{}\n{}\n", options.file,
+                        experiments::best_overrides(study), options.where());
+    options.answer({experiments::design_json(study), text, notes});
 }
 
 }  // namespace
@@ -44,7 +46,8 @@ Command design_command() {
                "Find values of a rig that make assumptions hold and deviations visible", design_rig)
         .on_case({"[rig]", "[record]", "[design]", io::uncertainty_mark})
         .output("Folder (results/<case>_design)")
-        .exports();
+        .exports()
+        .json();
 }
 
 }  // namespace tricontact::app

@@ -72,10 +72,10 @@ void compare_with_half_space(DeviationOptions options) {
                      if (options.runs) add_runs(options, deviation);
                      write(options, c, deviation);
                  });
-    options.out() << report::table_text(deviation_table(deviation))
-                  << comparisons::left_out_lines(c, {contact::models::bem_layer});
-    for (const auto& verdict : deviation_verdicts(deviation))
-        options.out() << verdict.sentence << '\n';
+    const std::string notes = comparisons::left_out_lines(c, {contact::models::bem_layer});
+    std::string text = report::table_text(deviation_table(deviation)) + notes;
+    for (const auto& verdict : deviation_verdicts(deviation)) text += verdict.sentence + '\n';
+    options.answer({deviation_json(files::version, io::write_case(c), deviation), text, notes});
     options.say(options.where());
 }
 
@@ -105,6 +105,7 @@ Command deviation_command() {
               "Linear elasticity against finite strains instead, by finite elements")
         .number("--elements", &DeviationOptions::elements,
                 "Elements in the contact radius, with --finite-strain (5)", 2, 20)
+        .json()
         .quiet();
 }
 

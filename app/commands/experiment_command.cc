@@ -50,9 +50,10 @@ void evaluate_records(CommandOptions options) {
         options.write("experiment.json", experiments::experiment_json(files::version, evaluation));
         options.write_report(document, "tricontact experiment " + options.file);
     });
-    options.out() << document.answer->sentence << '\n';
-    for (const auto& verdict : document.verdicts) options.out() << verdict.sentence << '\n';
-    for (const std::string& line : left_out) options.out() << line << '\n';
+    std::string text = document.answer->sentence + '\n', notes;
+    for (const auto& verdict : document.verdicts) text += verdict.sentence + '\n';
+    for (const std::string& line : left_out) notes += line + '\n';
+    options.answer({experiments::experiment_json(files::version, evaluation), text + notes, notes});
     options.say(options.where());
 }
 
@@ -66,6 +67,7 @@ Command experiment_command() {
         .output("Folder (results/<case>)")
         .exports()
         .threads()
+        .json()
         .quiet();
 }
 

@@ -174,6 +174,7 @@ void fit_study(FitOptions options) {
         if (!line_factor) comparisons::evaluate(fit);
         write(fit, line_factor, options);
     });
+    options.answer({comparisons::fit_json(fit), ""});
     if (relaxes) options.say(fit.caveat);
     for (const std::string& line : left_out_of(points)) options.say(line);
     runs::say_unread_parts(options, study, "fit");
@@ -191,6 +192,7 @@ Command fit_command() {
         .exports("sweep")
         .number("--confidence", &FitOptions::confidence, "Level of the intervals (0.95)", 0.5,
                 0.9999)
+        .json()
         .quiet("No closing line");
 }
 

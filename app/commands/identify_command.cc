@@ -1,6 +1,7 @@
 #include <cmath>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "app/commands/command.h"
 #include "experiments/identification/identification_checks.h"
@@ -68,7 +69,11 @@ void identify_properties(IdentifyOptions options) {
         options.write("identify.json", experiments::identification_json(study).dump(2) + '\n');
         options.write_report(experiments::identification_document(study), study.command);
     });
-    print(study, options.out());
+    std::ostringstream text;
+    print(study, text);
+    std::string notes;
+    for (const std::string& line : experiments::left_out_lines(input)) notes += line + '\n';
+    options.answer({experiments::identification_json(study).dump(2), text.str(), notes});
 }
 
 }  // namespace
@@ -85,6 +90,7 @@ Command identify_command() {
         .output("Folder (results/<case>)")
         .exports()
         .threads()
+        .json()
         .quiet("No progress");
 }
 

@@ -99,10 +99,12 @@ void find_limits(const Case& c, const LimitOptions& options) {
                       {"a row per model", "limit.csv"},
                       {"the case, resolved", resolved_case_name}};
     options.write_report(document, command);
-    options.out() << comparisons::limit_text(study) << comparisons::left_out_lines(c, c.models);
+    std::string notes = comparisons::left_out_lines(c, c.models);
     for (const auto& results : borders)
         if (const auto warning = comparisons::border_warning(results); !warning.empty())
-            options.out() << "warning: " << warning << '\n';
+            notes += "warning: " + warning + '\n';
+    options.answer({comparisons::limit_json(files::version, study).dump(2),
+                    comparisons::limit_text(study) + notes, notes});
     options.say(options.where());
 }
 
@@ -131,6 +133,7 @@ Command limit_command() {
         .output("Folder (results/<case>_limit)")
         .exports()
         .threads()
+        .json()
         .quiet();
 }
 

@@ -45,11 +45,13 @@ std::vector<std::string> settable_keys() {
 }
 
 OptionText text_of(const CLI::Option& option) {
-    OptionText text{.name = option.get_name(),
+    OptionText text{.letter = {},
+                    .name = option.get_name(),
                     .type = option.get_items_expected_max() == 0 ? "" : option.get_type_name(),
                     .text = option.get_description(),
                     .choices = {},
                     .is_argument = option.get_positional()};
+    if (!option.get_snames().empty()) text.letter = "-" + option.get_snames().front();
     text.type = split_at(text.type, ':').front();  // the rest is the range
     if (text.type.find('|') != std::string::npos) text.choices = split_at(text.type, '|');
     if (text.name == "--set") text.choices = settable_keys();

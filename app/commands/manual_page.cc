@@ -16,6 +16,7 @@ std::string roff(const std::string& text) {
 
 std::string entry(const OptionText& option) {
     std::string head = option.is_argument ? "" : "\\fB" + roff(option.name) + "\\fR";
+    if (!option.letter.empty()) head = "\\fB" + roff(option.letter) + "\\fR, " + head;
     if (!option.is_flag() && !option.is_argument) head += ' ';
     if (!option.is_flag()) head += "\\fI" + roff(option.type) + "\\fR";
     return ".TP\n" + head + '\n' + roff(option.text) + '\n';
@@ -29,7 +30,7 @@ std::string manual_page(const std::vector<CommandText>& commands) {
         ".SH NAME\ntricontact \\- models of frictional contact side by side\n"
         ".SH SYNOPSIS\n.B tricontact\n\\fICOMMAND\\fR [\\fIARGUMENT\\fR|\\fIOPTION\\fR]...\n"
         ".SH DESCRIPTION\n{}\n.PP\n\\fBtricontact \\fICOMMAND\\fB \\-\\-help\\fR prints the same "
-        "as the following sections.\n",
+        "as the following sections,\n.B tricontact help\nwhat each group of commands is for.\n",
         files::version, roff(program_text));
     std::string group;
     for (const CommandText& command : commands) {

@@ -9,6 +9,7 @@ namespace tricontact::app {
 
 /// What manual pages and completions say of an option or an argument.
 struct OptionText {
+    std::string letter;                ///< "-o" of "--output"; empty: none
     std::string name;                  ///< "--vary", or of an argument "case"
     std::string type;                  ///< "DIR", "INT"; empty: a flag
     std::string text;                  ///< what it does, one line

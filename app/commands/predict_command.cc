@@ -1,3 +1,5 @@
+#include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "app/commands/command.h"
@@ -18,9 +20,13 @@ constexpr const char* page_name = "atlas.html";
 constexpr const char* json_name = "prediction.json";
 
 struct PredictOptions : CommandOptions {
-    bool json = false;
     int samples = 0;  ///< of the uncertain numbers; 0: none
 };
+
+/// As people write it: 4.503 mm. Pure numbers have none.
+report::Unit unit_of(const comparisons::Quantity& quantity, double magnitude) {
+    return *quantity.unit ? report::fitting_unit(magnitude, quantity.unit) : report::Unit{};
+}
 
 std::string text_of(const Prediction& p) {
     std::string text = p.model;
@@ -30,11 +36,13 @@ std::string text_of(const Prediction& p) {
     // Before any number: a half-space is not taken for the case's layer.
     for (const std::string& sentence : p.limitations) text += "  " + sentence + '\n';
     for (const auto& [quantity, value] : p.entries) {
-        const bool is_exact = value.error == 0;
-        text += fmt::format("  {:<44} {}{}\n", comparisons::label_of(*quantity),
-                            is_exact ? report::significant(value.value, 6)
-                                     : report::with_error(value.value, value.error),
-                            *quantity->unit ? std::string(" ") + quantity->unit : "");
+        const report::Unit unit = unit_of(*quantity, value.value);
+        const double number = value.value / unit.factor;
+        text +=
+            fmt::format("  {:<44} {}{}{}\n", comparisons::label_of(*quantity),
+                        value.error == 0 ? report::significant(number)
+                                         : report::with_error(number, value.error / unit.factor),
+                        unit.symbol.empty() ? "" : " ", unit.symbol);
     }
     for (const std::string& gap : p.gaps) text += "  no value: " + gap + '\n';
     for (const std::string& one : p.left_out) text += "  leaves out " + one + '\n';
@@ -64,11 +72,12 @@ std::string text_of(const experiments::SampledPrediction& p) {
     if (p.outside > 0) text += fmt::format("  beyond the maps in {:.3g} %\n", 100 * p.outside);
     for (const experiments::SampledQuantity& one : p.quantities) {
         if (!(one.standard_deviation > 0)) continue;
-        const char* unit = *one.quantity->unit ? one.quantity->unit : "";
-        text +=
-            fmt::format("  {:<44} {} to {}{}{} (95 %){}\n", comparisons::label_of(*one.quantity),
-                        report::significant(one.low, 4), report::significant(one.high, 4),
-                        *unit ? " " : "", unit, contributors(one, p.numbers));
+        const report::Unit unit =
+            unit_of(*one.quantity, std::max(std::abs(one.low), std::abs(one.high)));
+        text += fmt::format(
+            "  {:<44} {} to {}{}{} (95 %){}\n", comparisons::label_of(*one.quantity),
+            report::significant(one.low / unit.factor), report::significant(one.high / unit.factor),
+            unit.symbol.empty() ? "" : " ", unit.symbol, contributors(one, p.numbers));
     }
     return text;
 }
@@ -149,12 +158,10 @@ void predict_case(PredictOptions& options) {
                                                        rig.correlations, options.samples);
             }));
     const std::string json = json_text(c, predictions, samples);
-    if (options.json)
-        options.out() << json;
-    else
-        for (const Prediction& p : predictions) options.out() << text_of(p);
-    if (!options.json)
-        for (const experiments::SampledPrediction& p : samples) options.out() << text_of(p);
+    std::string text;
+    for (const Prediction& p : predictions) text += text_of(p);
+    for (const experiments::SampledPrediction& p : samples) text += text_of(p);
+    options.answer({json, text});
     if (options.output.empty()) return;
     write_files(options, c, json);
     if (options.json) return;
@@ -174,7 +181,7 @@ Command predict_command() {
         .number("--samples", &PredictOptions::samples,
                 "Points of the uncertain numbers of the case, for distributions and Sobol' indices",
                 2, 1'000'000)
-        .flag("--json", &PredictOptions::json, "As JSON, keys as in summary.json");
+        .json("As JSON, keys as in summary.json");
 }
 
 }  // namespace tricontact::app

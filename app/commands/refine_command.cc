@@ -209,12 +209,12 @@ void refine_case(studies::RefineOptions options) {
         result = finish_last(plan.levels.back(), store, refined, options);
     });
 
-    options.out() << refinement_text(result);
-    for (const std::string& sentence : refinement_sentences(result))
-        options.out() << sentence << '\n';
-    options.out() << comparisons::left_out_lines(plan.levels.back().c(), {options.model});
+    std::string text = refinement_text(result);
+    for (const std::string& sentence : refinement_sentences(result)) text += sentence + '\n';
+    std::string notes = comparisons::left_out_lines(plan.levels.back().c(), {options.model});
     if (const auto warning = comparisons::border_warning(refined.values.back()); !warning.empty())
-        options.out() << "warning: " << warning << '\n';
+        notes += "warning: " + warning + '\n';
+    options.answer({refinement_json(files::version, result), text + notes, notes});
     options.say(options.where());
 }
 
@@ -243,8 +243,9 @@ Command refine_command() {
         .output("Folder (results/<case>_refined)")
         .exports()
         .threads()
-        .number("--jobs", &studies::RefineOptions::jobs,
+        .number("-j,--jobs", &studies::RefineOptions::jobs,
                 "Levels side by side, but for the finest (1)", 1, 1024)
+        .json()
         .quiet("No progress");
 }
 

@@ -89,19 +89,21 @@ runs::Findings run_again(const ReproduceOptions& options, const papers::Call& ca
 }
 
 /// What of the program is another one than when the archive was written.
-void say_versions(const ReproduceOptions& options, const papers::Archive& archive) {
+std::string version_lines(const papers::Archive& archive) {
+    std::string lines;
     const papers::Archive now = papers::new_archive();
     if (archive.version != now.version)
-        options.out() << fmt::format("made by version {}, run again by {}\n",
-                                     io::one_line(archive.version), now.version);
+        lines += fmt::format("made by version {}, run again by {}\n", io::one_line(archive.version),
+                             now.version);
     else if (archive.numerics != now.numerics)
-        options.out() << "made by the same version from other sources\n";
+        lines += "made by the same version from other sources\n";
     for (const auto& [library, version] : now.libraries) {
         const auto found = archive.libraries.find(library);
         if (found != archive.libraries.end() && found->second != version)
-            options.out() << fmt::format("made with {} {}, run again with {}\n", library,
-                                         io::one_line(found->second), version);
+            lines += fmt::format("made with {} {}, run again with {}\n", library,
+                                 io::one_line(found->second), version);
     }
+    return lines;
 }
 
 /// While it lives, condensed layers are kept in a folder that goes away with it: an archive of
@@ -161,8 +163,9 @@ int reproduce(const ReproduceOptions& options) {
         io::write_file(folder + '/' + text_name,
                        comparisons::reproduction_json(result).dump(2) + '\n');
     });
-    say_versions(options, archive);
-    options.out() << comparisons::reproduction_text(result);
+    const std::string versions = version_lines(archive);
+    options.answer({comparisons::reproduction_json(result).dump(2),
+                    versions + comparisons::reproduction_text(result), versions});
     return result.reproduces() ? 0 : exit_differs;
 }
 
@@ -176,6 +179,7 @@ Command reproduce_command() {
         .number("--tolerance", &ReproduceOptions::tolerance,
                 "Relative difference of numbers that counts as none (1e-6)", 0, 1)
         .output("Folder that keeps inputs and results of this run (none)")
+        .json()
         .quiet("No progress");
 }
 

@@ -1,5 +1,6 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "app/commands/command.h"
 #include "comparisons/quantities/left_out.h"
@@ -117,9 +118,12 @@ void check_assumptions(RigOptions options) {
         options.write_report(experiments::rig_document(given, report),
                              "tricontact rig " + stem + ".toml");
     });
-    print(report, options.out());
+    std::ostringstream text;
+    print(report, text);
+    std::string notes;
     if (const std::string warning = border_warning(given); !warning.empty())
-        options.out() << "warning: " << warning << '\n';
+        notes = "warning: " + warning + '\n';
+    options.answer({experiments::rig_json(report), text.str() + notes, notes});
 }
 
 }  // namespace
@@ -132,7 +136,8 @@ Command rig_command() {
                 "Points of the uncertain quantities, for the chance that an assumption is violated",
                 2, 1'000'000)
         .output("Folder (results/<case>)")
-        .exports();
+        .exports()
+        .json();
 }
 
 }  // namespace tricontact::app

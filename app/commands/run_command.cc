@@ -69,13 +69,10 @@ runs::CaseRun compute(const Case& c, const runs::RunOptions& options) {
     return run;
 }
 
-// "55.9 um": a terminal may have no other letters.
+/// "55.9 µm".
 std::string metres(double value) {
     const report::Unit unit = report::fitting_unit(value, "m");
-    constexpr std::string_view micro = "µ";
-    std::string symbol = unit.symbol;
-    if (symbol.starts_with(micro)) symbol.replace(0, micro.size(), "u");
-    return fmt::format("{:.3g} {}", value / unit.factor, symbol);
+    return fmt::format("{:.3g} {}", value / unit.factor, unit.symbol);
 }
 
 const char* by_limit_words(contact::State state) {
@@ -112,18 +109,22 @@ void run_contact(const Case& c, RunCommandOptions options) {
     options.choose_folder();
     std::optional<runs::CaseRun> run;
     options.fill(run_outputs(c.models), [&] { run.emplace(compute(c, options)); });
-    if (options.quiet) return;
-    for (const std::string& sentence : comparisons::input_sentences(c))
-        options.out() << sentence << '\n';
+    if (options.quiet && !options.json) return;
+    std::string text, notes;
+    for (const std::string& sentence : comparisons::input_sentences(c)) notes += sentence + '\n';
+    text = notes;
     for (const contact::History& history : run->histories) {
         const comparisons::Results results(c, history);
-        options.out() << line_of(results);
+        text += line_of(results);
+        std::string remarks;
         for (const std::string& one : comparisons::left_out(c, history.model))
-            options.out() << "  leaves out " << one << '\n';
+            remarks += "  leaves out " + one + '\n';
         if (const auto warning = comparisons::border_warning(results); !warning.empty())
-            options.out() << "warning: " << warning << '\n';
+            remarks += "warning: " + warning + '\n';
+        text += remarks;
+        if (!remarks.empty()) notes += history.model + ":\n" + remarks;
     }
-    options.out() << options.where() << '\n';
+    options.answer({runs::summary_of(*run), text + options.where() + '\n', notes});
 }
 
 /// Throws contact::InputError if the call has one of these options, which the kind of case that the
@@ -168,6 +169,7 @@ Command run_command() {
         .flag("--no-studies", &runs::RunOptions::studies, "Skip comparison runs", false)
         .number("--points", &RunCommandOptions::points,
                 "Of a case that rolls on: points per creep curve (12; 0: none)", 0, 1000)
+        .json("summary.json on standard output")
         .no_report("Skip report.html and the plots");
 }
 

@@ -160,7 +160,8 @@ void roll_models(const Case& c, const RunCommandOptions& options) {
         report.runs.push_back(std::move(run));
     }
     write(report, resolved, options);
-    options.out() << rolling::steady_text(report) << comparisons::left_out_lines(c, c.models);
+    const std::string notes = comparisons::left_out_lines(c, c.models);
+    options.answer({roll_summary(report, resolved), rolling::steady_text(report) + notes, notes});
 }
 
 }  // namespace

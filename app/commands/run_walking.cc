@@ -72,7 +72,9 @@ void run_walking(RunCommandOptions options) {
                      write_animation(options, walk_case, walk);
                      if (options.report) write_page(options, walk_case, walk);
                  });
-    if (!options.quiet) options.out() << walking::walk_text(walk_case, walk);
+    if (!options.quiet || options.json)
+        options.answer({walking::walk_summary(walk_case, resolved, walk),
+                        walking::walk_text(walk_case, walk)});
     options.say(options.where());
 }
 

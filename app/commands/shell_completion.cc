@@ -68,9 +68,12 @@ std::string bash_command(const CommandText& command) {
             continue;
         }
         flags += option.name + ' ';
+        if (!option.letter.empty()) flags += option.letter + ' ';
         if (!option.is_flag())
             values +=
-                fmt::format("            {}) {}; return ;;\n", option.name, bash_values(option));
+                fmt::format("            {}) {}; return ;;\n",
+                            option.letter.empty() ? option.name : option.letter + '|' + option.name,
+                            bash_values(option));
     }
     return fmt::format(
         "    {})\n        case $before in\n{}        esac\n"
@@ -98,11 +101,12 @@ std::string zsh_values(const OptionText& option) {
     return "";
 }
 
-std::string zsh_option(const OptionText& option) {
+/// Under one of its names.
+std::string zsh_option(const OptionText& option, const std::string& name) {
     const std::string values = zsh_values(option);
     if (option.is_argument) return fmt::format("*:{}:{}", option.name, values);
     const std::string many = option.name == "--set" ? "*" : "";
-    const std::string text = fmt::format("{}{}[{}]", many, option.name, zsh_text(option.text));
+    const std::string text = fmt::format("{}{}[{}]", many, name, zsh_text(option.text));
     return option.is_flag() ? text : fmt::format("{}:{}:{}", text, zsh_text(option.type), values);
 }
 
@@ -123,7 +127,7 @@ std::string bash_completion(const std::vector<CommandText>& commands) {
         "_tricontact() {{\n"
         "    local word=${{COMP_WORDS[COMP_CWORD]}} before=${{COMP_WORDS[COMP_CWORD-1]}}\n"
         "    if [ \"$COMP_CWORD\" -eq 1 ]; then\n"
-        "        COMPREPLY=($(compgen -W '{} --help --version' -- \"$word\"))\n"
+        "        COMPREPLY=($(compgen -W '{} help --help --version' -- \"$word\"))\n"
         "        return\n"
         "    fi\n"
         "    local command=${{COMP_WORDS[1]}}\n"
@@ -131,12 +135,13 @@ std::string bash_completion(const std::vector<CommandText>& commands) {
         "        case \"$command ${{COMP_WORDS[2]}}\" in {}) command+=\" ${{COMP_WORDS[2]}}\" ;; "
         "esac\n"
         "    fi\n"
-        "    case $command in\n{}    esac\n"
+        "    case $command in\n        help) COMPREPLY=($(compgen -W '{}' -- \"$word\")) ;;\n{}    "
+        "esac\n"
         "    [ \"$COMP_CWORD\" -eq 2 ] || return 0\n"
         "    case $command in\n{}    esac\n"
         "}}\n"
         "complete -F _tricontact tricontact\n",
-        names_of(commands), pattern_of_parts(commands), cases,
+        names_of(commands), pattern_of_parts(commands), names_of(commands), cases,
         cases_of_parts(commands, "        ", ") COMPREPLY+=($(compgen -W '",
                        "' -- \"$word\")) ;;\n"));
 }
@@ -149,7 +154,9 @@ std::string zsh_completion(const std::vector<CommandText>& commands) {
         cases += fmt::format("        {})\n            _arguments '--help[Print the help]'",
                              quoted(command.name));
         for (const OptionText& option : command.options)
-            cases += " \\\n                " + quoted(zsh_option(option));
+            for (const std::string& name : {option.letter, option.name})
+                if (!name.empty())
+                    cases += " \\\n                " + quoted(zsh_option(option, name));
         cases += " ;;\n";
     }
     return fmt::format(
@@ -158,6 +165,7 @@ std::string zsh_completion(const std::vector<CommandText>& commands) {
         "_tricontact() {{\n"
         "    local -a commands=(\n{}    )\n"
         "    if (( CURRENT == 2 )); then\n"
+        "        commands+=('help:Groups of commands, or the options of one')\n"
         "        _describe command commands\n"
         "        return\n"
         "    fi\n"
@@ -184,7 +192,8 @@ std::string zsh_completion(const std::vector<CommandText>& commands) {
 std::string fish_completion(const std::vector<CommandText>& commands) {
     std::string out =
         "# Completion of tricontact for fish: tricontact manual fish\n"
-        "complete -c tricontact -n __fish_use_subcommand -f\n";
+        "complete -c tricontact -n __fish_use_subcommand -f\n"
+        "complete -c tricontact -n __fish_use_subcommand -a help -d 'Groups of commands'\n";
     for (const CommandText& command : commands) {
         const std::string seen = "'__fish_seen_subcommand_from " + command.whole();
         out += fmt::format("complete -c tricontact -n {} -a {} -d {}\n",
@@ -195,7 +204,8 @@ std::string fish_completion(const std::vector<CommandText>& commands) {
         for (const OptionText& option : command.options) {
             const std::string when = fmt::format("complete -c tricontact -n {}{}'", seen, words);
             if (!option.is_argument)
-                out += fmt::format("{} -l {} -d {}{}\n", when, option.name.substr(2),
+                out += fmt::format("{} -l {}{} -d {}{}\n", when, option.name.substr(2),
+                                   option.letter.empty() ? "" : " -s " + option.letter.substr(1),
                                    quoted(option.text), fish_values(option));
             else if (!option.choices.empty())
                 out += fmt::format("{} -f -a {}\n", when, quoted(joined_choices(option)));

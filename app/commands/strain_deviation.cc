@@ -74,13 +74,13 @@ void compare_with_finite_strains(CommandOptions options, double elements) {
             deviation = computed(options, contact, points);
             write(options, deviation, elements);
         });
-    options.out() << report::table_text(strain_table(deviation))
-                  << comparisons::left_out_lines(c, {contact::models::fem});
+    std::string notes = comparisons::left_out_lines(c, {contact::models::fem});
     if (c.of<fem::Settings>().mesh)
-        options.out() << "fem leaves out fem.mesh: at each force and thickness it has a mesh of "
-                         "its own\n";
-    for (const auto& verdict : strain_verdicts(deviation))
-        options.out() << verdict.sentence << '\n';
+        notes += "fem leaves out fem.mesh: at each force and thickness it has a mesh of its own\n";
+    std::string text = report::table_text(strain_table(deviation)) + notes;
+    for (const auto& verdict : strain_verdicts(deviation)) text += verdict.sentence + '\n';
+    options.answer(
+        {strain_json(files::version, io::write_case(deviation.contact.c), deviation), text, notes});
     options.say(options.where());
 }
 

@@ -22,7 +22,7 @@ bool verify_models(const VerifyOptions& options) {
     const auto print = [&] {
         result = verification::verify(options.brief, {*options.makers, roll_on, options.sayer()});
         const std::string text = comparisons::verification_markdown(result);
-        std::cout << text;
+        options.answer({comparisons::verification_json(files::version, result).dump(2), text});
         return text;
     };
     if (options.output.empty())
@@ -43,6 +43,7 @@ Command verify_command() {
                                    "Compare the models with exact solutions", verify_models)
         .flag("--short", &VerifyOptions::brief, "On coarse levels, in seconds")
         .output("Folder for verification.md and .json")
+        .json()
         .quiet("No progress");
 }
 

@@ -9,7 +9,18 @@ refused "unknown command foo; tricontact --help lists them" foo
 refused "unknown command swep; did you mean tricontact sweep?" swep examples/studies/a.toml
 refused "is no command; write one before the file, as in tricontact check $cases/rough_plane.toml" \
     "$cases/rough_plane.toml"
-refused "no command is given; tricontact --help lists them"
+
+# Alone and as help: the groups, with a line and an example each; alone a script is to stop.
+"$program" >alone.txt 2>said.txt
+[ $? -eq 2 ] && [ ! -s said.txt ] || complain "alone: $(cat said.txt)"
+"$program" help >overview.txt || complain "help"
+cmp -s alone.txt overview.txt || complain "alone and help differ"
+[ "$(grep -c '^ *tricontact [a-z]* *[a-z]* *[a-z.]*$' overview.txt)" -eq 6 ] || complain "examples: $(cat overview.txt)"
+"$program" help sweep merge >help.txt && grep -q '^Usage: .*sweep merge' help.txt || complain "help sweep merge"
+refused "unknown command swep; did you mean tricontact sweep?" help swep
+refused "--modles; did you mean --models?" run "$cases/rough_plane.toml" --modles mdr
+refused "--model; did you mean --models?" run "$cases/rough_plane.toml" --model mdr
+refused "--frobnicate; see tricontact run --help" run "$cases/rough_plane.toml" --frobnicate
 refused "unknown option --hlep where a command is due" --hlep
 refused "unknown option --threads where a command is due" --threads 2 run "$cases/rough_plane.toml"
 
@@ -146,7 +157,7 @@ for model in mdr bem; do
         here && /"final_shift_ratio"/ { ratio = $2 + 0 }
         here && /"final_shift_m"/ { shift = $2 + 0 }
         here && /"state"/ { gsub(/[",]/, "", $2)
-            printf "%s: %s, U = %.3g um (%.4g U_max)", substr(model, 2, length(model) - 3), $2, shift * 1e6, ratio; exit }' \
+            printf "%s: %s, U = %.3g µm (%.4g U_max)", substr(model, 2, length(model) - 3), $2, shift * 1e6, ratio; exit }' \
         out/summary.json)
     grep -qE "^$(sed 's/[().]/\\&/g' <<<"$due"); [0-9.]+ s$" out.txt || complain "no '$due' in $(cat out.txt)"
 done

@@ -36,7 +36,7 @@ while read -r command; do
         grep -q -- "$option" completion.zsh || complain "completion.zsh has no $option of $command"
         grep -qF -- "__fish_seen_subcommand_from ${command#* }' -l ${option#--}" completion.fish ||
             complain "completion.fish has no $option of $command"
-    done < <("$program" $command --help | grep -oE '^  (-h,)?--[a-z-]+' | grep -oE -- '--[a-z-]+' | grep -v -- --help)
+    done < <("$program" $command --help | grep -oE '^  (-[a-z],)?--[a-z-]+' | grep -oE -- '--[a-z-]+' | grep -v -- --help)
 done <commands
 
 # What bash offers at the end of a line.
@@ -56,6 +56,8 @@ is_offered() {
     offered "$@" | grep -xF -- "$expected" >/dev/null || complain "$* <TAB> does not offer $expected"
 }
 is_offered limit tricontact li
+is_offered limit tricontact help li
+is_offered -o tricontact limit case.toml -o
 is_offered contact tricontact con
 is_offered merge tricontact sweep me
 is_offered export tricontact contact ""
