@@ -21,7 +21,7 @@
 #include <vector>
 
 #include "app/commands/command.h"
-#include "app/commands/help.h"
+#include "app/help.h"
 #include "app/plain_output.h"
 #ifdef TRICONTACT_WITH_FEM
 #include "app/models/fem_entries.h"

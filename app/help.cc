@@ -1,4 +1,4 @@
-#include "app/commands/help.h"
+#include "app/help.h"
 
 #include <CLI/CLI.hpp>
 #include <array>
