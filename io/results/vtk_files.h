@@ -35,9 +35,9 @@ inline constexpr const char* time_in_periods = "time_periods";  ///< of rolling,
 inline constexpr const char* time_in_half_lengths = "time_half_lengths";  ///< of rolling on
 
 /// A contact surface: `.vti` (grid: point data; of a single row cell data, cells centred on the
-/// points), `.vtp` (line: point data on vertices and a polyline) or `.vtu` (nodes: point data on biquadratic quadrilaterals at
-/// z = 0, the contact state also as cell data). Throws std::invalid_argument where a field has
-/// another size than the surface.
+/// points), `.vtp` (line: point data on vertices and a polyline) or `.vtu` (nodes: point data on
+/// biquadratic quadrilaterals at z = 0, the contact state also as cell data). Throws
+/// std::invalid_argument where a field has another size than the surface.
 VtkFile vtk_file(const Instant& instant, const contact::Surface& surface,
                  const Provenance& provenance);
 
