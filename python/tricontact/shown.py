@@ -1,11 +1,14 @@
 """Results as notebooks show them: HTML tables of numbers with their units."""
 
+import base64
 import html
+import importlib
+import io
 from typing import TYPE_CHECKING, Any, Iterable, Sequence
 
 import numpy as np
 
-from . import _core
+from . import _core, plots
 from .labels import label_of
 
 if TYPE_CHECKING:
@@ -89,7 +92,22 @@ def result(shown: "Result") -> str:
         label = label_of(name)
         unit = label.over or ("" if label.unit == "1" else label.unit)
         lines.append([label.text, *values, unit])
-    return rows(["", *found, "unit"], lines, shown.case.title)
+    states = ", ".join(f"{model}: {shown[model].state or 'pressed'}" for model in shown.models)
+    headline = f"<p><b>{html.escape(states)}</b></p>"
+    return headline + _shift_figure(shown) + rows(["", *found, "unit"], lines, shown.case.title)
+
+
+def _shift_figure(shown: "Result") -> str:
+    """The shift of all models over the periods as a picture; empty where there is no matplotlib."""
+    try:
+        figures = importlib.import_module("matplotlib.figure")
+    except ImportError:
+        return ""
+    figure = figures.Figure(figsize=(6, 4), layout="constrained")
+    plots.result(shown, ax=figure.subplots())
+    picture = io.BytesIO()
+    figure.savefig(picture, format="png", metadata={"Software": None})
+    return f'<img src="data:image/png;base64,{base64.b64encode(picture.getvalue()).decode()}"><br>'
 
 
 def history(shown: "History") -> str:

@@ -76,6 +76,7 @@ def test_results_iterate_print_pickle_and_compare(rig):
     loaded = tricontact.run(rig, overrides=SMALL, load__tangential_ratio=0.3, studies=False)
     assert loaded != result and loaded["mdr"] != history and result != 1
     assert "<Result of 'Sphere" in repr(result) and "300" not in repr(result)
+    assert "<b>mdr: shakedown</b>" in result._repr_html_()
     assert result._repr_html_() == pickle.loads(pickle.dumps(result))._repr_html_()
 
 
