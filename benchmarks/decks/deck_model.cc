@@ -125,7 +125,8 @@ void set_friction(DeckModel& model, const contact::Case& c) {
                             (c.layer.thickness || std::abs(c.materials().dundurs_beta()) > 1e-9);
     if (!is_coupled && !model.is_shifted()) return;
     model.mu = c.friction_coefficient();
-    if (model.mu > 0 && !c.prescribed_path)
+    // Only now it is known that friction acts while a path's first row presses.
+    if (model.mu > 0 && !(c.prescribed_path && c.prescribed_path->starts_unloaded()))
         model.steps.front().increments = press_increments(model, c);
     if (!c.contact.coupling)
         model.remarks.push_back(

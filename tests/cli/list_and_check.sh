@@ -96,7 +96,7 @@ for command in run check list; do
 done
 text=$("$program" run --help)
 for option in --set --output --models --threads --quiet --no-report --no-studies; do
-    holds "$text" "^  $option"
+    holds "$text" "^  (-[a-z],)?$option"
 done
 version=$(sed -n 's/^project(Tricontact VERSION \([0-9.]*\).*/\1/p' CMakeLists.txt)
 [ "$("$program" --version)" = "tricontact ${version:?}" ] ||

@@ -38,10 +38,16 @@ digest one moved.cc
 unit=$(dirname "$program")/runs_numerics_digest.cc
 if [ -e "$unit" ]; then
     own=$(grep -oE '[0-9a-f]{64}' "$unit")
-    LC_ALL=C sed "s/$own/$(printf '%064d' 0)/" "$program" >other
-    chmod +x other
-    ! cmp -s "$program" other || complain "another identity than that of the program's sources"
-    for one in "$program" ./other; do
+    # The digest stands in the program, or in the library that it shares with Python's module and finds beside it.
+    mkdir other
+    holder=$(dirname "$program")/libtricontact.so
+    [ -e "$holder" ] || holder=$program
+    cp "$program" other/tricontact
+    LC_ALL=C sed "s/$own/$(printf '%064d' 0)/" "$holder" >changed
+    ! cmp -s "$holder" changed || complain "another identity than that of the program's sources"
+    [ "$holder" = "$program" ] && cp changed other/tricontact || cp changed other/libtricontact.so
+    chmod +x other/*
+    for one in "$program" ./other/tricontact; do
         "$one" refine "$source_dir/examples/cases/rig_sphere_parallel.toml" --model bem --output refined \
             --set "bem.spacing=1 mm" --set rolling.periods=1 --set rolling.steps=turning-points >/dev/null 2>log ||
             complain "the next refinement: $(cat log)"
