@@ -235,7 +235,9 @@ TEST(Deck, HalfModelOfTheShiftedLayer) {
     for (const int node : input.node_sets.at("NSYM")) EXPECT_EQ(input.nodes.at(node)[1], 0);
     EXPECT_EQ(input.keywords.at("*STEP"), 2);
     EXPECT_EQ(input.lines.at("*FRICTION").front().substr(0, 5), "0.57,");
-    EXPECT_NE(text_of(files, "README.txt").find("twice as much"), std::string::npos);
+    std::string readme = text_of(files, "README.txt");
+    std::ranges::replace(readme, '\n', ' ');
+    EXPECT_NE(readme.find("twice as much"), std::string::npos);
 }
 
 TEST(Deck, ForceOfACylinderActsOnAMillimetre) {
