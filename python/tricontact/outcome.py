@@ -8,7 +8,7 @@ from typing import Any, Optional, Union
 from . import plots, shown
 from .labels import label_of
 from .equality import same
-from .table import Table, read_table
+from .table import Table, entry, read_table
 
 
 class Outcome(Mapping[str, Any]):
@@ -61,9 +61,7 @@ class Outcome(Mapping[str, Any]):
         """One of its tables, by default the first one. Raises KeyError."""
         if name is None and self._tables:
             return next(iter(self._tables.values()))
-        if name is None or name not in self._tables:
-            raise KeyError(f"no table {name}; there are {', '.join(self._tables) or 'none'}")
-        return self._tables[name]
+        return entry(self._tables, "table", str(name))
 
     def quantities(self) -> list[tuple[str, Any, str]]:
         """Place, value and SI unit of every single number and text but those of the case."""

@@ -11,7 +11,7 @@ import numpy as np
 
 from . import _core, _toml, labelled, plots, shown
 from .equality import same
-from .table import Table, read_table
+from .table import Table, entry, read_table
 
 _SCALES = ("normal_force", "contact_radius", "indentation", "peak_pressure", "unit_shift")
 
@@ -45,9 +45,7 @@ class SavedSurface:
 
     def __getitem__(self, name: str) -> Any:
         """A field. Raises KeyError."""
-        if name not in self._fields:
-            raise KeyError(f"no field {name}; there are {', '.join(self._fields) or 'none'}")
-        return self._fields[name]
+        return entry(self._fields, "field", name)
 
     def to_xarray(self) -> Any:
         """All fields as a Dataset. Raises ImportError."""
@@ -99,9 +97,7 @@ class SavedHistory:
 
     def __getitem__(self, name: str) -> Any:
         """A column, one value per step. Raises KeyError."""
-        if name not in self._columns:
-            raise KeyError(f"no column {name}; there are {', '.join(self._columns) or 'none'}")
-        return self._columns[name]
+        return entry(self._columns, "column", name)
 
     def __len__(self) -> int:
         return len(next(iter(self._columns.values()), ()))
@@ -146,22 +142,17 @@ class SavedResult:
         """Names of the models."""
         return list(self._histories)
 
-    def _of(self, found: dict[str, Any], model: str) -> Any:
-        if model not in found:
-            raise KeyError(f"no model {model}; there are {', '.join(found)}")
-        return found[model]
-
     def __getitem__(self, model: str) -> Any:
         """The history of a model. Raises KeyError."""
-        return self._of(self._histories, model)
+        return entry(self._histories, "model", model)
 
     def surfaces(self, model: str) -> labelled.Surfaces:
         """The contact surfaces of a model. Raises KeyError."""
-        return labelled.Surfaces(self._of(self._surfaces, model))
+        return labelled.Surfaces(entry(self._surfaces, "model", model))
 
     def results(self, model: str) -> SavedQuantities:
         """The quantities of a model. Raises KeyError."""
-        return SavedQuantities(quantities_of(self._of(self.summary["models"], model)))
+        return SavedQuantities(quantities_of(entry(self.summary["models"], "model", model)))
 
     def to_xarray(self) -> Any:
         """The quantities of all models along `model`. Raises ImportError."""

@@ -5,7 +5,7 @@ import importlib
 import os
 from collections.abc import Iterator, Mapping
 from pathlib import Path
-from typing import Any, Optional, Sequence, Union
+from typing import Any, Optional, Sequence, TypeVar, Union
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,6 +15,14 @@ from .equality import same
 from .labels import Label, label_of
 
 _Array = NDArray[Any]
+_Entry = TypeVar("_Entry")
+
+
+def entry(found: Mapping[str, _Entry], kind: str, name: str) -> _Entry:
+    """The entry of this name, of entries of one kind. Raises KeyError, which names them all."""
+    if name not in found:
+        raise KeyError(f"no {kind} {name}; there are {', '.join(found) or 'none'}")
+    return found[name]
 
 
 class Table(Mapping[str, _Array]):
@@ -34,9 +42,7 @@ class Table(Mapping[str, _Array]):
         self._units = dict(units or {})
 
     def __getitem__(self, name: str) -> _Array:
-        if name not in self._columns:
-            raise KeyError(f"no column {name}; there are {', '.join(self._columns) or 'none'}")
-        return self._columns[name]
+        return entry(self._columns, "column", name)
 
     def __iter__(self) -> Iterator[str]:
         return iter(self._columns)
