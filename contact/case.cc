@@ -23,8 +23,8 @@ void Case::Load::set_tangential_ratio(double ratio) {
 double Case::friction_coefficient() const {
     if (const auto mu = friction.law()->coulomb()) return *mu;
     throw InputError(
-        "friction: another law than Coulomb's, of whose coefficient this is a formula; give "
-        "friction.coefficient alone");
+        "friction: what is asked for presumes Coulomb's law, tau = mu p, and the case has tau = " +
+        friction.formula() + "; give friction.coefficient alone");
 }
 
 double Case::Layer::total_thickness() const {

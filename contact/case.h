@@ -159,8 +159,8 @@ struct HalfSpaceScales {
     double indentation;     ///< d [m]
     double normal_force;    ///< F_N [N]
     double peak_pressure;   ///< p0 [Pa] at the centre; the mean under a conical tip: infinite there
-    double unit_shift;      ///< U_max = mu (E*/G*) d [m]; see half_space_scales.cc for ellipses;
-                            ///< NaN under another law than Coulomb's
+    double unit_shift;  ///< U_max [m], mu (E*/G*) d of Coulomb's law on a body of revolution; see
+                        ///< half_space_scales.cc for ellipses, lines and other laws
     Vector2 half_widths{};  ///< of the contact along x and y [m]
 };
 HalfSpaceScales half_space_scales(const Case& c);

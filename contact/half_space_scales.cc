@@ -3,13 +3,13 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 #include "contact/base/error.h"
 #include "contact/base/root.h"
 #include "contact/bodies/ellipsoid.h"
 #include "contact/cells.h"
+#include "contact/friction/radial_bound.h"
 
 namespace tricontact::contact {
 
@@ -54,9 +54,9 @@ Spread spread(const Case::IndenterData& indenter) {
     return sum;
 }
 
-/// Of Coulomb's law, which U_max presumes; else NaN.
+/// mu of Coulomb's law; of another 1, to which unit_bound() is the factor.
 double friction_of(const Case& c) {
-    return c.friction.law()->coulomb().value_or(std::numeric_limits<double>::quiet_NaN());
+    return c.friction.law()->coulomb().value_or(1);
 }
 
 double shift_ratio(const MaterialPair& materials, double coulomb_coefficient) {
@@ -186,6 +186,57 @@ HalfSpaceScales rough_scales(const Case& c) {
             .half_widths = {radius, radius}};
 }
 
+/// Pressures [Pa] on a radius of the contact, from the edge to the centre: r = a sqrt(1 - y^2) at
+/// equal distances in y.
+std::vector<double> radial_pressures(const Case& c, const HalfSpaceScales& s) {
+    constexpr int pieces = 128;
+    std::vector<double> values;
+    const Case::Shape shape = c.indenter.shape;
+    if (c.is_cylindrical() || shape == Case::Shape::ellipsoid || shape == Case::Shape::paraboloid ||
+        shape == Case::Shape::sphere) {
+        for (int k = 0; k <= pieces; ++k) values.push_back(s.peak_pressure * k / pieces);
+        return values;
+    }
+    const auto radial = RadialBound::of(pieces);
+    const auto body = c.make_axisymmetric_indenter();
+    for (int k = 0; k <= pieces; ++k)
+        values.push_back(body->plane_profile(s.contact_radius * radial->radius(k)));
+    auto pressure = radial->pressure(values, s.contact_radius);
+    for (double& p : pressure) p *= c.materials().effective_modulus();
+    return pressure;
+}
+
+/// The centre's displacement under the traction tau(p) over that under p. On a circle, and an
+/// ellipse, both are integrals along the radius; of a line contact they are weighted with
+/// -ln|x| + ln(L/a) + q, see line_contact_scales().
+double unit_bound(const Case& c, const HalfSpaceScales& s) {
+    const auto law = c.friction.law();
+    if (is_nominally_flat(c)) return law->ratio_at(s.peak_pressure);
+    const std::vector<double> pressure = radial_pressures(c, s),
+                              bound = bounds_inside(*law, pressure);
+    const int n = static_cast<int>(pressure.size()) - 1;
+    const double beyond =
+        c.is_cylindrical()
+            ? line_shift_factor(c.materials(), c.indenter.length / s.contact_radius) -
+                  centre_factor(1)
+            : 0;
+    // dr = a y/sqrt(1 - y^2) dy: midpoints in the angle asin y.
+    const int points = 8 * n;
+    double sum = 0, of_pressure = 0;
+    for (int i = 0; i < points; ++i) {
+        const double angle = pi / 2 * (i + .5) / points, y = std::sin(angle) * n;
+        const int k = std::min(static_cast<int>(y), n - 1);
+        const auto at = [&](const std::vector<double>& values) {
+            return values[k] + (y - k) * (values[k + 1] - values[k]);
+        };
+        const double weight =
+            std::sin(angle) * (c.is_cylindrical() ? beyond - std::log(std::cos(angle)) : 1);
+        sum += weight * at(bound);
+        of_pressure += weight * at(pressure);
+    }
+    return sum / of_pressure;
+}
+
 }  // namespace
 
 HalfSpaceScales hertz_scales(const MaterialPair& materials, double radius, double normal_force,
@@ -228,7 +279,9 @@ double cell_side(const Case& c) {
     return cells.side(cells.spacing ? 0 : half_space_scales(c).contact_radius);
 }
 
-HalfSpaceScales half_space_scales(const Case& c) {
+namespace {
+
+HalfSpaceScales scales_of(const Case& c) {
     if (is_nominally_flat(c)) return rough_scales(c);
     if (c.is_cylindrical()) return line_contact_scales(c);
     switch (c.indenter.shape) {
@@ -240,6 +293,14 @@ HalfSpaceScales half_space_scales(const Case& c) {
         default:
             return axisymmetric_scales(c);
     }
+}
+
+}  // namespace
+
+HalfSpaceScales half_space_scales(const Case& c) {
+    HalfSpaceScales scales = scales_of(c);
+    if (!c.friction.is_coulomb()) scales.unit_shift *= unit_bound(c, scales);
+    return scales;
 }
 
 }  // namespace tricontact::contact

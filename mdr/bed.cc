@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "contact/base/error.h"
@@ -26,7 +27,8 @@ const BedData& checked(const BedData& data) {
     };
     positive("effective modulus E*", data.effective_modulus);
     positive("effective shear modulus G*", data.effective_shear_modulus);
-    positive("friction coefficient", coefficient_on_line(contact::models::mdr, *data.friction));
+    positive("friction coefficient", data.friction->ratio_at(data.effective_modulus));
+    if (data.relaxation) require_coulomb(contact::models::mdr, *data.friction);
     positive("half length of the bed", data.half_length);
     if (data.n_springs < 10)
         throw InputError(fmt::format("mdr: {} springs are too few, give at least 10 (mdr.springs)",
@@ -56,11 +58,12 @@ double position_on_line(const std::string& model, const contact::LoadStep& step,
     return along;
 }
 
-double coefficient_on_line(const std::string& model, const contact::FrictionLaw& friction) {
-    if (const auto mu = friction.coulomb()) return *mu;
-    throw InputError(model +
-                     ": springs reduce the contact to a line by Coulomb's law of friction; take "
-                     "bem, bem-layer or fem for another");
+void require_coulomb(const std::string& model, const contact::FrictionLaw& friction) {
+    if (friction.coulomb()) return;
+    throw InputError(
+        model +
+        ": relaxing springs and coupled ones reduce the contact to a line by Coulomb's "
+        "law of friction; take bem, bem-layer or fem for another");
 }
 
 Bed::Bed(const BedData& data)
@@ -68,8 +71,8 @@ Bed::Bed(const BedData& data)
       effective_shear_modulus_(data.effective_shear_modulus),
       law_(data.friction),
       direction_{std::cos(data.rolling_angle), std::sin(data.rolling_angle)},
-      bound_ratio_(coefficient_on_line(contact::models::mdr, *law_) * effective_modulus_ /
-                   effective_shear_modulus_) {}
+      bound_ratio_(law_->coulomb().value_or(std::numeric_limits<double>::quiet_NaN()) *
+                   effective_modulus_ / effective_shear_modulus_) {}
 
 void Bed::check_positive(const NormalControl& control) {
     if (!contact::is_positive_and_finite(control.value))
@@ -83,14 +86,13 @@ void Bed::check_carried(const TangentialControl& control) const {
     const double limit = friction_limit();
     if (!(std::abs(control.value) < limit))
         throw InputError(fmt::format(
-            "mdr: the tangential force {:.6g} N reaches the friction limit mu F_N = {:.6g} N: the "
+            "mdr: the tangential force {:.6g} N reaches the friction limit {:.6g} N: the "
             "indenter slides; lower tangential_force or tangential_ratio",
             control.value, limit));
 }
 
-void Bed::audit_forces(const contact::LoadStep& step, const SlipSums& sums, double depth,
+void Bed::audit_forces(const contact::LoadStep& step, const SlipSums& sums, double peak_bound,
                        bool held) {
-    const double peak_bound = bound_ratio_ * depth;
     audit_.record("friction_bound", sums.bound_excess / peak_bound, 0);
     audit_.record("slip_along_traction", -sums.lowest_work / (peak_bound * peak_bound), 0);
     if (step.normal.kind == NormalControl::Kind::force)

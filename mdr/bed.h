@@ -22,7 +22,7 @@ struct BedData {
     std::unique_ptr<PlaneProfile> profile;
     double effective_modulus = 0;        ///< E* [Pa], of a relaxing bed when relaxed
     double effective_shear_modulus = 0;  ///< G* [Pa], likewise
-    std::shared_ptr<const contact::FrictionLaw> friction;  ///< Coulomb's, mu > 0
+    std::shared_ptr<const contact::FrictionLaw> friction;  ///< of a relaxing bed Coulomb's
     int n_springs = 0;                                     ///< over the whole bed
     double half_length = 0;    ///< of the bed about the starting position [m]
     double rolling_angle = 0;  ///< of the line on which it rolls [rad]
@@ -39,9 +39,9 @@ double position_on_line(const std::string& model, const contact::LoadStep& step,
 /// Steps of independent springs are exact: slips below this part of the bound are rounding.
 inline constexpr double exact_steps = 1e-11;
 
-/// mu [-]. Springs and line elements carry mu times their pressure as points do, which other laws
-/// do not: throws contact::InputError, `model` being named.
-double coefficient_on_line(const std::string& model, const contact::FrictionLaw& friction);
+/// Throws contact::InputError, `model` being named, unless friction is Coulomb's: springs that
+/// relax and line elements carry mu times their load as points do, which other laws do not.
+void require_coulomb(const std::string& model, const contact::FrictionLaw& friction);
 
 /// What elastic and relaxing beds of independent springs have in common.
 class Bed : public contact::Model {
@@ -65,14 +65,16 @@ class Bed : public contact::Model {
     /// Springs to be added at each end of a bed that has proved too short.
     static int more_springs(int n) { return std::max(16, n / 4); }
 
-    /// Slip [m] below which a spring counts as sticking: rounding on the bound at this depth [m].
-    double negligible_slip(double depth) const { return exact_steps * bound_ratio_ * depth; }
-    contact::ContactState state_in_contact(double slip, double depth) const {
-        return std::abs(slip) > negligible_slip(depth) ? contact::ContactState::slip
-                                                       : contact::ContactState::stick;
+    /// Slip [m] below which a spring counts as sticking: rounding on the largest bound [m].
+    static double negligible_slip(double largest_bound) { return exact_steps * largest_bound; }
+    static contact::ContactState state_in_contact(double slip, double largest_bound) {
+        return std::abs(slip) > negligible_slip(largest_bound) ? contact::ContactState::slip
+                                                               : contact::ContactState::stick;
     }
-    /// Bounds, directions and forces of a step that ends at this depth [m]; `held`: by friction.
-    void audit_forces(const contact::LoadStep& step, const SlipSums& sums, double depth, bool held);
+    /// Bounds, directions and forces of a step whose largest bound is this [m]; `held`: by
+    /// friction.
+    void audit_forces(const contact::LoadStep& step, const SlipSums& sums, double largest_bound,
+                      bool held);
     /// All but energies and the normal iterations. Numbers of springs; areas are those of discs.
     struct Springs {
         double all, in_contact, sticking;
@@ -80,16 +82,17 @@ class Bed : public contact::Model {
     contact::StepRecord record(const contact::LoadStep& step, const ShiftSolution& shift,
                                double depth, double spacing, const Springs& n, bool held) const;
 
-    /// Of the present F_N [N].
-    double friction_limit() const { return law_->limit({normal_force_, 0}); }
+    /// Of the present F_N and bounds [N].
+    double friction_limit() const { return law_->limit({normal_force_, total_bound_}); }
 
     double effective_modulus_, effective_shear_modulus_;
     std::shared_ptr<const contact::FrictionLaw> law_;
     contact::Vector2 direction_;                      // of rolling
-    double bound_ratio_;                              // mu E*/G*
+    double bound_ratio_;                              // mu E*/G* of Coulomb's law, else NaN
+    double total_bound_ = 0;                          // of the springs [N], not under Coulomb's law
     double normal_force_ = 0, tangential_force_ = 0;  // [N]
     double shift_ = 0, shift_increment_ = 0;          // [m]
-    double limit_normal_force_ = 0;                   // at start_limit [N]
+    double limit_normal_force_ = 0, limit_total_bound_ = 0;  // at start_limit [N]
     contact::Audit audit_;
 };
 

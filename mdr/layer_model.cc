@@ -129,7 +129,7 @@ LayerModel::LayerModel(std::shared_ptr<const LayerSprings> springs,
       direction_{std::cos(rolling_angle), std::sin(rolling_angle)},
       model_(name(), *substrate_of(springs_, relaxation), std::make_shared<PlaneIndenter>(profile_),
              friction_, tolerance) {
-    coefficient_on_line(name(), *friction_);
+    require_coulomb(name(), *friction_);
 }
 
 contact::StepRecord LayerModel::advance(const contact::LoadStep& step) {

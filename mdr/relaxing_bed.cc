@@ -234,7 +234,7 @@ SlipSums RelaxingBed::slide(double increment) {
     const auto offsets = part(std::as_const(offsets_), contact_);
     const auto bounds = part(std::as_const(bounds_), contact_);
     const auto sheared = part(sheared_, contact_);
-    const double negligible = negligible_slip(depth_);
+    const double negligible = negligible_slip(bound_ratio_ * depth_);
     SlipSums sums = carried_.empty()
                         ? take_step(offsets, bounds, increment, negligible, sheared)
                         : take_step(offsets, bounds, carried_, increment, negligible, sheared);
@@ -246,7 +246,8 @@ SlipSums RelaxingBed::slide(double increment) {
     tangential_force_ = effective_shear_modulus_ * row_.spacing * stiffness * sums.deflection;
     if (n_contact_ == contact_.size()) return sums;
     for (int i = contact_.first; i < contact_.last; ++i)  // gaps inside do not stick
-        if (!(pressed_[i] > 0) && std::abs(slip(i)) <= negligible_slip(depth_)) --sums.n_stick;
+        if (!(pressed_[i] > 0) && std::abs(slip(i)) <= negligible_slip(bound_ratio_ * depth_))
+            --sums.n_stick;
     return sums;
 }
 

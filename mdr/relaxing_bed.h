@@ -65,7 +65,7 @@ class RelaxingBed final : public Bed {
     }
     contact::ContactState contact_state(int spring) const {
         if (!(pressed_[spring] > 0)) return contact::ContactState::open;
-        return state_in_contact(slip(spring), depth_);
+        return state_in_contact(slip(spring), bound_ratio_ * depth_);
     }
 
     std::unique_ptr<PlaneProfile> profile_;

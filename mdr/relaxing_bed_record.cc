@@ -28,7 +28,7 @@ void RelaxingBed::audit_step(const LoadStep& step, const SlipSums& sums) {
     audit_.record("spring_law",
                   std::max(pressing_.law_error, shearing_.law_error / bound_ratio_) / depth_,
                   rounding);
-    audit_forces(step, sums, depth_, friction_ && n_contact_ > 0);
+    audit_forces(step, sums, bound_ratio_ * depth_, friction_ && n_contact_ > 0);
     // The work on the springs is stored or dissipated in them; slip is the rest of the shift, and
     // friction takes the rest of its work.
     audit_.record("energy_balance",

@@ -46,13 +46,17 @@ SpringBed::SpringBed(BedData data)
       deflections_(data.n_springs),
       deflections_before_(data.n_springs),
       bounds_(data.n_springs),
-      least_bounds_(data.n_springs) {}
+      least_bounds_(data.n_springs) {
+    if (!law_->coulomb()) line_bound_.emplace(law_, effective_modulus_, effective_shear_modulus_);
+}
 
 contact::StepRecord SpringBed::advance(const LoadStep& step) {
     const double position = position_on_line(name(), step, direction_, normal_.spacing());
     const double force_before = tangential_force_, position_before = normal_.position();
     depth_before_ = normal_.depth();
     normal_force_before_ = normal_force_;
+    largest_bound_before_ = largest_bound_;
+    total_bound_before_ = total_bound_;
     contact_before_ = normal_.contact();
     const int normal_iterations = press(position, step.normal);
     update_bounds();
@@ -123,6 +127,19 @@ void SpringBed::update_bounds() {
     });
     normal_force_ = effective_modulus_ * normal_.spacing() * all_penetrations.value();
     normal_energy_ = effective_modulus_ * normal_.spacing() * all_squares.value() / 2;
+    largest_bound_ = bound_ratio_ * depth;
+    if (line_bound_) update_other_bounds();
+}
+
+void SpringBed::update_other_bounds() {
+    const Window& contact = normal_.contact();
+    line_bound_->press(normal_.profile(), normal_.depth());
+    line_bound_->sample(normal_.spring_position(contact.first) - normal_.position(),
+                        normal_.spacing(), part(bounds_, contact));
+    largest_bound_ = line_bound_->largest();
+    contact::CompensatedSum sum;
+    for (const double bound : part(std::as_const(bounds_), contact)) sum.add(bound);
+    total_bound_ = effective_shear_modulus_ * normal_.spacing() * sum.value();
 }
 
 /// Depth and position change linearly: the gap over a spring does, too, and closes when the share
@@ -152,7 +169,7 @@ ShiftSolution SpringBed::find_shift_increment(const TangentialControl& control) 
         return find_increment(part(deflections_, contact), part(bounds_, contact), carried_,
                               target);
     // Everything slides at the latest after the largest old and the largest new bound.
-    const double farthest = bound_ratio_ * (depth_before_ + normal_.depth());
+    const double farthest = largest_bound_before_ + largest_bound_;
     return find_increment(part(deflections_, contact), part(bounds_, contact), target, farthest);
 }
 
@@ -162,7 +179,7 @@ SlipSums SpringBed::slide(double increment) {
     std::fill(deflections_.begin(), deflections_.end(), 0);
     const auto before = part(std::as_const(deflections_before_), contact);
     const auto bounds = part(std::as_const(bounds_), contact);
-    const double negligible = negligible_slip(normal_.depth());
+    const double negligible = negligible_slip(largest_bound_);
     SlipSums sums = carried_.empty() ? take_step(before, bounds, increment, negligible,
                                                  part(deflections_, contact))
                                      : take_step(before, bounds, carried_, increment, negligible,
@@ -203,17 +220,16 @@ double SpringBed::limit_tangential_ratio() const {
     contact::CompensatedSum sum;
     for (const double bound : part(least_bounds_, least_contact_)) sum.add(bound);
     return effective_shear_modulus_ * normal_.spacing() * sum.value() /
-           law_->limit({limit_normal_force_, 0});
+           law_->limit({limit_normal_force_, limit_total_bound_});
 }
 
 void SpringBed::audit_step(const LoadStep& step, const SlipSums& sums, double force_before) {
-    const double peak_bound = bound_ratio_ * normal_.depth();
     const double stiffness = effective_shear_modulus_ * normal_.spacing();
     const auto bounds = part(std::as_const(bounds_), normal_.contact());
     // The least bounds are at the rim.
     const double least_bound = std::min(bounds.front(), bounds.back());
-    audit_.record("pressure_nonnegative", -least_bound / peak_bound, 0);
-    audit_forces(step, sums, normal_.depth(), true);
+    audit_.record("pressure_nonnegative", -least_bound / largest_bound_, 0);
+    audit_forces(step, sums, largest_bound_, true);
     // Spring by spring, 1/2 (q + q_before) (increment - slip) = change of q^2/(2 k): summed up, the
     // work of the shift equals stored energy and frictional work, exactly. What the indenter moved
     // before it met a spring is no work, but in this trapezoidal rule.
@@ -222,9 +238,10 @@ void SpringBed::audit_step(const LoadStep& step, const SlipSums& sums, double fo
     // no more than 2 L b of work, 4 L b of slip and L b of what is stored.
     const double work = shift_increment_ * (tangential_force_ + force_before) / 2;
     const double used = stiffness * (sums.stored + sums.trapezoidal + sums.unmet);
-    const double largest_limit = law_->limit({std::max(normal_force_, normal_force_before_), 0});
-    const double farthest = std::max(bound_ratio_ * std::max(normal_.depth(), depth_before_),
-                                     std::abs(shift_increment_));
+    const double largest_limit = law_->limit({std::max(normal_force_, normal_force_before_),
+                                              std::max(total_bound_, total_bound_before_)});
+    const double farthest =
+        std::max({largest_bound_, largest_bound_before_, std::abs(shift_increment_)});
     audit_.record("energy_balance", std::abs(work - used) / (largest_limit * farthest), rounding);
 }
 
@@ -235,7 +252,7 @@ contact::Scales SpringBed::scales() const {
             .indentation = normal_.depth(),
             .peak_pressure =
                 effective_modulus_ / std::numbers::pi * normal_.profile().centre_integral(a),
-            .unit_shift = bound_ratio_ * normal_.depth(),
+            .unit_shift = line_bound_ ? line_bound_->at_centre() : largest_bound_,
             .sliding_force = friction_limit()};
 }
 

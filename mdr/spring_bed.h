@@ -1,8 +1,10 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "mdr/bed.h"
+#include "mdr/line_bound.h"
 #include "mdr/normal_bed.h"
 
 namespace tricontact::mdr {
@@ -10,7 +12,8 @@ namespace tricontact::mdr {
 /// Method of dimensionality reduction (Popov and Hess 2015): independent springs of stiffness
 /// E* dx and G* dx at fixed positions on the substrate, pressed by the plane profile, which the
 /// rolling path moves along the bed. Out of contact a spring is free of force; in contact it
-/// sticks up to the bound |u| <= mu (E*/G*) (d - g). Every step is solved exactly.
+/// sticks up to the bound |u| <= mu (E*/G*) (d - g), under other laws up to that of LineBound.
+/// Every step is solved exactly.
 ///
 /// The bed has one direction. A rolling offset at any angle counts as its signed path length, and
 /// the tangential force (x) acts along the bed: MDR cannot tell parallel from perpendicular
@@ -47,6 +50,7 @@ class SpringBed final : public Bed {
         least_contact_ = normal_.contact();
         least_bounds_ = bounds_;
         limit_normal_force_ = normal_force_;
+        limit_total_bound_ = total_bound_;
     }
 
     const NormalBed& normal() const { return normal_; }
@@ -56,6 +60,7 @@ class SpringBed final : public Bed {
     int press(double position, const contact::NormalControl& control);
     void grow();
     void update_bounds();
+    void update_other_bounds();
     void find_carried(double position_before);
     ShiftSolution find_shift_increment(const contact::TangentialControl& control) const;
     SlipSums slide(double increment);
@@ -69,7 +74,7 @@ class SpringBed final : public Bed {
     contact::ContactState contact_state(int spring) const {
         if (spring < normal_.contact().first || spring >= normal_.contact().last)
             return contact::ContactState::open;
-        return state_in_contact(slip(spring), normal_.depth());
+        return state_in_contact(slip(spring), largest_bound_);
     }
     void set_spring_fields(int spring, int point, contact::Surface& surface) const;
 
@@ -77,7 +82,9 @@ class SpringBed final : public Bed {
 
     std::vector<double> deflections_, deflections_before_;  // [m], zero out of contact
     Window contact_before_;
-    std::vector<double> bounds_;  // mu (E*/G*) (d - g) [m] of the springs in contact
+    std::vector<double> bounds_;           // of the springs in contact [m]
+    std::optional<LineBound> line_bound_;  // empty: Coulomb's law
+    double largest_bound_ = 0, largest_bound_before_ = 0, total_bound_before_ = 0;
     /// Per spring in contact the share of the step's shift that carries it, see
     /// LoadStep::in_proportion; empty: all of it.
     std::vector<double> carried_;

@@ -1,31 +1,30 @@
 #pragma once
 
 #include <memory>
+#include <optional>
+#include <string>
 
 #include "contact/friction/friction_law.h"
 
 namespace tricontact::contact {
 
-/// Coulomb's law: mu p.
-class Coulomb final : public FrictionLaw {
-  public:
-    explicit Coulomb(double coefficient) : mu_(coefficient) {}
-    void bounds(const Points& points, std::span<double> bound) const override {
-        for (std::size_t i = 0; i < bound.size(); ++i) bound[i] = mu_ * points.pressure[i];
-    }
-    std::optional<double> coulomb() const override { return mu_; }
-
-  private:
-    double mu_;  // [-]
-};
-
-/// What a case says about its interface, in the keys of [friction].
+/// What a case says about its interface, in the keys of [friction]: a point that presses carries
+///   tau = min(tau_0 + mu p_r (p/p_r)^n, tau_cap),
+/// Coulomb's law without all but mu. A shear strength tau_0: Bowden and Tabor (1950), Briscoe and
+/// Tabor (1978); n < 1: rubber, Thirion (1948), Schallamach (1952); tau_cap: Orowan (1943).
 struct Friction {
-    double coefficient = 0;  ///< mu [-] of Coulomb's law
+    std::optional<double> coefficient;         ///< mu [-], at the pressure p_r if there is an n
+    std::optional<double> shear_strength;      ///< tau_0 [Pa], else 0
+    std::optional<double> pressure_exponent;   ///< n [-], else 1
+    std::optional<double> reference_pressure;  ///< p_r [Pa], which n = 1 has no use for
+    std::optional<double> strength_limit;      ///< tau_cap [Pa], else none
 
-    std::shared_ptr<const FrictionLaw> law() const {
-        return std::make_shared<Coulomb>(coefficient);
+    bool is_coulomb() const {
+        return !shear_strength && pressure_exponent.value_or(1) == 1 && !strength_limit;
     }
+    std::shared_ptr<const FrictionLaw> law() const;
+    /// With its numbers, for people: "0.35 MPa + 0.4 p".
+    std::string formula() const;
 };
 
 }  // namespace tricontact::contact

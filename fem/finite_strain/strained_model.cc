@@ -78,7 +78,7 @@ void StrainedModel::start_period() {
 
 void StrainedModel::start_limit() {
     least_pressure_ = now_.pressure;
-    least_pressure_force_ = normal_force_;
+    limit_start_ = total_friction(solver_->correction.bounds(now_, frames()));
 }
 
 contact::StepRecord StrainedModel::advance(const LoadStep& step) {
@@ -276,9 +276,14 @@ void StrainedModel::audit_energy(const ContactedBody& before, const RelaxingStep
 
 double StrainedModel::limit_tangential_ratio() const {
     const auto& area = points().area;
-    double sum = 0;
-    for (std::size_t i = 0; i < least_pressure_.size(); ++i) sum += area[i] * least_pressure_[i];
-    return sum / least_pressure_force_;
+    std::vector<double> bound(least_pressure_.size());
+    setup_.friction->bounds({least_pressure_}, bound);
+    contact::FrictionLaw::Total least{};
+    for (std::size_t i = 0; i < bound.size(); ++i) {
+        least.normal_force += area[i] * least_pressure_[i];
+        least.bound += area[i] * bound[i];
+    }
+    return setup_.friction->share(least, limit_start_);
 }
 
 }  // namespace tricontact::fem

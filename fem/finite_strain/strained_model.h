@@ -96,9 +96,9 @@ class StrainedModel final : public contact::Model {
     std::vector<double> work_;                       // of friction in the last step [J/m^2]
     std::vector<double> slip_path_, friction_work_;  // since start_period()
     std::vector<contact::ContactState> contact_state_;
-    std::vector<double> least_pressure_;  // since start_limit()
-    double least_pressure_force_ = 0;
-    int iterations_ = 0;  // of the last step
+    std::vector<double> least_pressure_;         // since start_limit()
+    contact::FrictionLaw::Total limit_start_{};  // at start_limit()
+    int iterations_ = 0;                         // of the last step
     double force_residual_ = 0, displacement_residual_ = 0;
     contact::Audit audit_;
 };

@@ -181,8 +181,8 @@ void StrainedModel::transfer(Archive& archive, Self& m) {
             m.memory_.strain, m.memory_.viscous, m.memory_.dilatation, m.memory_.viscous_dilatation,
             m.forces_, m.normal_force_, m.energy_, m.relaxed_energy_, m.material_dissipation_,
             m.slip_.x, m.slip_.y, m.work_, m.slip_path_, m.friction_work_, m.contact_state_,
-            m.least_pressure_, m.least_pressure_force_, m.iterations_, m.force_residual_,
-            m.displacement_residual_);
+            m.least_pressure_, m.limit_start_.normal_force, m.limit_start_.bound, m.iterations_,
+            m.force_residual_, m.displacement_residual_);
 }
 
 std::string StrainedModel::write_state() const {

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "contact/friction/friction_law.h"
+
+namespace tricontact::contact {
+
+/// What friction carries on a line of springs, of a contact of revolution whose points carry
+/// tau(p): b(x) = 2 ∫_x^a tau r dr/sqrt(r^2 - x^2), Jaeger (1995), Ciavarella (1998). Radii are
+/// r_k = a sqrt(1 - y_k^2), y_k = k/n: from the edge (k = 0) to the centre (k = n).
+class RadialBound {
+  public:
+    /// n pieces; weights of one n are made once and shared. Of order n^-2.
+    static std::shared_ptr<const RadialBound> of(int n);
+    explicit RadialBound(int n);
+
+    int pieces() const { return n_; }
+    /// r_k/a.
+    double radius(int k) const;
+    /// p(r_k)/E* [-] of a half-space, 1/pi ∫_r^a g'(x)/sqrt(x^2 - r^2) dx, from the plane profile
+    /// g(r_k) [m] and a [m]; exact where g is a polynomial of first degree in x^2. The value at a
+    /// conical tip, where p is infinite, is such that its piece carries what it should.
+    std::vector<double> pressure(std::span<const double> profile, double a) const;
+    /// b(r_k) [N/m] of tau(r_k) [Pa], tau linear in y between them; the value at k = 0 is the limit
+    /// from inside.
+    std::vector<double> line(std::span<const double> bound, double a) const;
+
+  private:
+    std::size_t row(int k) const { return static_cast<std::size_t>(k) * (k + 1) / 2; }
+
+    int n_;
+    std::vector<double> slope_weights_, bound_weights_;  // of the points 0..k of each row k
+};
+
+/// tau [Pa] at pressures from the edge to the centre, the first of them 0: its limit from inside.
+std::vector<double> bounds_inside(const FrictionLaw& law, std::vector<double> pressure);
+
+}  // namespace tricontact::contact

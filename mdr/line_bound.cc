@@ -1,0 +1,73 @@
+#include "mdr/line_bound.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace tricontact::mdr {
+
+namespace {
+
+constexpr int pieces = 512;             // of a table
+constexpr int depths_per_octave = 512;  // of tables, between which bounds are linear in ln d
+constexpr std::size_t most_tables = 2048;
+
+double depth_of(int depth_class) {
+    return std::exp2(static_cast<double>(depth_class) / depths_per_octave);
+}
+
+}  // namespace
+
+LineBound::LineBound(std::shared_ptr<const contact::FrictionLaw> law, double effective_modulus,
+                     double effective_shear_modulus)
+    : law_(std::move(law)),
+      effective_modulus_(effective_modulus),
+      effective_shear_modulus_(effective_shear_modulus),
+      radial_(contact::RadialBound::of(pieces)) {}
+
+const LineBound::Table& LineBound::table(const PlaneProfile& profile, int depth_class) {
+    if (tables_.size() > most_tables) tables_.clear();
+    Table& one = tables_[depth_class];
+    if (!one.empty()) return one;
+    const double a = profile.half_width(depth_of(depth_class));
+    std::vector<double> heights;
+    for (int k = 0; k <= pieces; ++k) heights.push_back(profile.value(a * radial_->radius(k)));
+    std::vector<double> pressure = radial_->pressure(heights, a);
+    for (double& p : pressure) p *= effective_modulus_;
+    one = radial_->line(contact::bounds_inside(*law_, std::move(pressure)), 1);
+    for (double& bound : one) bound /= effective_shear_modulus_;
+    return one;
+}
+
+void LineBound::press(const PlaneProfile& profile, double depth) {
+    if (depth == depth_) return;
+    depth_ = depth;
+    half_width_ = profile.half_width(depth);
+    const double position = std::log2(depth) * depths_per_octave, below = std::floor(position);
+    const int depth_class = static_cast<int>(below);
+    // A profile that ends at its rim has no table beyond it.
+    const bool has_next = depth_of(depth_class + 1) <= profile.value(profile.range());
+    const double part = has_next ? position - below : 0;
+    const Table lower = table(profile, depth_class);
+    const Table& upper = has_next ? table(profile, depth_class + 1) : lower;
+    now_.resize(lower.size());
+    for (std::size_t k = 0; k < now_.size(); ++k)
+        now_[k] = half_width_ * ((1 - part) * lower[k] + part * upper[k]);
+    largest_ = *std::max_element(now_.begin(), now_.end());
+}
+
+void LineBound::sample(double first, double spacing, std::span<double> bound) const {
+    const int n = static_cast<int>(bound.size());
+    double* const out = bound.data();
+    const double* const table = now_.data();
+    const double scaled_first = first / half_width_, scaled_spacing = spacing / half_width_;
+#pragma omp simd
+    for (int i = 0; i < n; ++i) {
+        const double x = scaled_first + i * scaled_spacing;
+        const double y = std::sqrt(std::max(1 - x * x, 0.)) * pieces;
+        const int k = std::min(static_cast<int>(y), pieces - 1);
+        out[i] = table[k] + (y - k) * (table[k + 1] - table[k]);
+    }
+}
+
+}  // namespace tricontact::mdr
