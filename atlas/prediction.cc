@@ -206,7 +206,7 @@ class Predictor {
             const double f = c_.load.ratio_by_limit(limit.value);
             return {f, std::abs(c_.load.ratio_by_limit(limit.value + limit.error) - f)};
         }
-        return exact(comparisons::tangential_ratio(c_, normal_force));
+        return exact(comparisons::tangential_ratio(c_, {normal_force, contact::undefined}));
     }
 
     /// Whatever the maps do not reach is a gap.

@@ -39,6 +39,10 @@ bool is_hertz_round(const Case& c) {
     return round && !c.indenter.roughness;
 }
 
+bool is_coulomb_round(const Case& c) {
+    return is_hertz_round(c) && c.friction.is_coulomb();
+}
+
 bool has_conical_tip(const Case& c) {
     const auto says = body_shape(c.indenter.shape).has_conical_tip;
     return says && says(c.indenter);

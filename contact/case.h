@@ -161,7 +161,8 @@ struct HalfSpaceScales {
     double peak_pressure;   ///< p0 [Pa] at the centre; the mean under a conical tip: infinite there
     double unit_shift;  ///< U_max [m], mu (E*/G*) d of Coulomb's law on a body of revolution; see
                         ///< half_space_scales.cc for ellipses, lines and other laws
-    Vector2 half_widths{};  ///< of the contact along x and y [m]
+    Vector2 half_widths{};    ///< of the contact along x and y [m]
+    double friction_limit{};  ///< what friction carries in all [N], mu F_N of Coulomb's law
 };
 HalfSpaceScales half_space_scales(const Case& c);
 
@@ -171,6 +172,9 @@ double expected_friction(const Case& c);
 
 /// A smooth paraboloid or sphere: what formulas with one radius R are about.
 bool is_hertz_round(const Case& c);
+/// The same under Coulomb's law of friction: what Cattaneo and Mindlin's formulas, kappa and eta
+/// are about.
+bool is_coulomb_round(const Case& c);
 /// Whether the pressure at the centre is infinite.
 bool has_conical_tip(const Case& c);
 

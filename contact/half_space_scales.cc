@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "contact/base/error.h"
 #include "contact/base/root.h"
@@ -54,7 +55,7 @@ Spread spread(const Case::IndenterData& indenter) {
     return sum;
 }
 
-/// mu of Coulomb's law; of another 1, to which unit_bound() is the factor.
+/// mu of Coulomb's law; of another 1, to which mean_friction() are the factors.
 double friction_of(const Case& c) {
     return c.friction.law()->coulomb().value_or(1);
 }
@@ -201,17 +202,24 @@ std::vector<double> radial_pressures(const Case& c, const HalfSpaceScales& s) {
     const auto body = c.make_axisymmetric_indenter();
     for (int k = 0; k <= pieces; ++k)
         values.push_back(body->plane_profile(s.contact_radius * radial->radius(k)));
-    auto pressure = radial->pressure(values, s.contact_radius);
+    auto pressure =
+        radial->pressure(std::move(values), s.contact_radius, pi / 2 * body->profile_slope(0));
     for (double& p : pressure) p *= c.materials().effective_modulus();
     return pressure;
 }
 
-/// The centre's displacement under the traction tau(p) over that under p. On a circle, and an
-/// ellipse, both are integrals along the radius; of a line contact they are weighted with
+/// Of the traction tau(p) over p: the centre's displacement, and the force. On a circle, and an
+/// ellipse, the former is an integral along the radius; of a line contact it is weighted with
 /// -ln|x| + ln(L/a) + q, see line_contact_scales().
-double unit_bound(const Case& c, const HalfSpaceScales& s) {
+struct MeanFriction {
+    double of_shift, of_force;
+};
+MeanFriction mean_friction(const Case& c, const HalfSpaceScales& s) {
     const auto law = c.friction.law();
-    if (is_nominally_flat(c)) return law->ratio_at(s.peak_pressure);
+    if (is_nominally_flat(c)) {
+        const double ratio = law->ratio_at(s.peak_pressure);
+        return {ratio, ratio};
+    }
     const std::vector<double> pressure = radial_pressures(c, s),
                               bound = bounds_inside(*law, pressure);
     const int n = static_cast<int>(pressure.size()) - 1;
@@ -222,19 +230,22 @@ double unit_bound(const Case& c, const HalfSpaceScales& s) {
             : 0;
     // dr = a y/sqrt(1 - y^2) dy: midpoints in the angle asin y.
     const int points = 8 * n;
-    double sum = 0, of_pressure = 0;
+    double shift = 0, shift_of_pressure = 0, force = 0, force_of_pressure = 0;
     for (int i = 0; i < points; ++i) {
         const double angle = pi / 2 * (i + .5) / points, y = std::sin(angle) * n;
         const int k = std::min(static_cast<int>(y), n - 1);
         const auto at = [&](const std::vector<double>& values) {
             return values[k] + (y - k) * (values[k + 1] - values[k]);
         };
-        const double weight =
-            std::sin(angle) * (c.is_cylindrical() ? beyond - std::log(std::cos(angle)) : 1);
-        sum += weight * at(bound);
-        of_pressure += weight * at(pressure);
+        const double radius = std::cos(angle);  // over a; dr = sin(angle) d(angle)
+        const double weight = c.is_cylindrical() ? beyond - std::log(radius) : 1;
+        const double area = c.is_cylindrical() ? 1 : radius;
+        shift += std::sin(angle) * weight * at(bound);
+        shift_of_pressure += std::sin(angle) * weight * at(pressure);
+        force += std::sin(angle) * area * at(bound);
+        force_of_pressure += std::sin(angle) * area * at(pressure);
     }
-    return sum / of_pressure;
+    return {shift / shift_of_pressure, force / force_of_pressure};
 }
 
 }  // namespace
@@ -299,7 +310,11 @@ HalfSpaceScales scales_of(const Case& c) {
 
 HalfSpaceScales half_space_scales(const Case& c) {
     HalfSpaceScales scales = scales_of(c);
-    if (!c.friction.is_coulomb()) scales.unit_shift *= unit_bound(c, scales);
+    scales.friction_limit = friction_of(c) * scales.normal_force;
+    if (c.friction.is_coulomb()) return scales;
+    const MeanFriction mean = mean_friction(c, scales);
+    scales.unit_shift *= mean.of_shift;
+    scales.friction_limit *= mean.of_force;
     return scales;
 }
 

@@ -12,6 +12,12 @@ constexpr int pieces = 512;             // of a table
 constexpr int depths_per_octave = 512;  // of tables, between which bounds are linear in ln d
 constexpr std::size_t most_tables = 2048;
 
+/// g'(0), 0 unless the tip is conical.
+double tip_slope(const PlaneProfile& profile, double a) {
+    constexpr double near = 1e-9;
+    return std::isfinite(profile.centre_integral(a)) ? 0 : profile.value(near * a) / (near * a);
+}
+
 double depth_of(int depth_class) {
     return std::exp2(static_cast<double>(depth_class) / depths_per_octave);
 }
@@ -32,7 +38,7 @@ const LineBound::Table& LineBound::table(const PlaneProfile& profile, int depth_
     const double a = profile.half_width(depth_of(depth_class));
     std::vector<double> heights;
     for (int k = 0; k <= pieces; ++k) heights.push_back(profile.value(a * radial_->radius(k)));
-    std::vector<double> pressure = radial_->pressure(heights, a);
+    std::vector<double> pressure = radial_->pressure(std::move(heights), a, tip_slope(profile, a));
     for (double& p : pressure) p *= effective_modulus_;
     one = radial_->line(contact::bounds_inside(*law_, std::move(pressure)), 1);
     for (double& bound : one) bound /= effective_shear_modulus_;

@@ -52,9 +52,9 @@ std::string derived_values(const Case& c) {
     if (c.tractive_rolling && c.tractive_rolling->longitudinal_creepage) return text;
     const comparisons::Reference r = comparisons::reference(c);
     if (std::isfinite(r.tangential_ratio)) {
-        line("F_T", r.tangential_ratio * c.friction_coefficient() * hertz.normal_force, "N",
-             "tangential force");
-        line("f_T", r.tangential_ratio, "-", "F_T/(mu F_N)");
+        line("F_T", r.tangential_ratio * hertz.friction_limit, "N", "tangential force");
+        line("f_T", r.tangential_ratio, "-",
+             c.friction.is_coulomb() ? "F_T/(mu F_N)" : "over what friction carries");
     }
     if (!c.rolling) return text;
     line("W", r.amplitude_ratio * hertz.contact_radius * 1e3, "mm", "rolling amplitude");

@@ -22,7 +22,8 @@ double driving_ratio(const Case& c, const PlaneContact& contact) {
         return *creepage > 0 ? theory::carter_force_ratio(*creepage * c.indenter.radius /
                                                           (mu * contact.half_width()))
                              : 0;
-    return comparisons::tangential_ratio(c, contact.load() * c.indenter.length);
+    return comparisons::tangential_ratio(c,
+                                         {contact.load() * c.indenter.length, contact::undefined});
 }
 
 /// Tractions of Carter's contact, rolling towards +x; displacements are not known.

@@ -28,6 +28,9 @@ constexpr double growth = 3;                 // of elements outwards: both laws 
 constexpr int press_steps = 10;
 
 void require_finite_strains(const Case& c) {
+    if (!c.friction.is_coulomb())
+        throw contact::InputError(
+            "friction: deviations are those under Coulomb's law; give friction.coefficient alone");
     if (!contact::is_hertz_round(c))
         throw contact::InputError(
             "indenter.shape: at finite strains fem computes smooth paraboloids and spheres; take "

@@ -34,6 +34,9 @@ void check(const Case& c) {
             "[path]: layer and half-space are compared under constant loads, at rest or rolling "
             "back and forth; give load.normal_force in place of the path, or run it with the "
             "models bem and bem-layer");
+    if (!c.friction.is_coulomb())
+        throw contact::InputError(
+            "friction: deviations are those under Coulomb's law; give friction.coefficient alone");
     if (!contact::is_hertz_round(c))
         throw contact::InputError(
             "indenter.shape: deviations are those from Hertz' contact; take a paraboloid or a "
@@ -133,7 +136,7 @@ DeviationContact deviation_contact(const Case& c) {
         .effective_modulus = modulus};
     contact.hertz_diameter =
         2 * std::cbrt(3 * contact.normal_force * c.indenter.radius / (4 * modulus));
-    contact.tangential_ratio = tangential_ratio(c, contact.normal_force);
+    contact.tangential_ratio = tangential_ratio(c, {contact.normal_force, contact::undefined});
     if (!(contact.tangential_ratio < 1))
         throw contact::InputError(
             "load.tangential_force: reaches the friction limit mu F_N; reduce it");

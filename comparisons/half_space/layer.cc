@@ -36,6 +36,7 @@ PressedValues exact_values(const Case& c) {
     }
     const theory::LayerContact exact = solve(c);
     std::optional<double> shift = exact.unit_shift;
+    if (!c.friction.is_coulomb()) shift.reset();
     if (shift) *shift *= c.friction_coefficient();
     return {
         exact.contact_radius,  exact.indentation, exact.normal_force, exact.centre_pressure, shift,
@@ -63,7 +64,7 @@ ApparentModuli apparent_moduli(const Case& c, const PressedValues& layer) {
         from_indentation(layer.indentation),
         young(theory::hertz_modulus_from_contact_radius(force, radius, layer.contact_radius)),
         {}};
-    if (layer.unit_shift && c.friction_coefficient() > 0)
+    if (layer.unit_shift && c.friction.is_coulomb())
         result.from_unit_shift =
             from_indentation(*layer.unit_shift * pair.effective_shear_modulus() /
                              (c.friction_coefficient() * pair.effective_modulus()));

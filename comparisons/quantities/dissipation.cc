@@ -15,7 +15,7 @@ using contact::History;
 /// W0 [J] of the model's own scales; empty where there is no closed form of it.
 std::optional<double> unit_dissipation(const Case& c, const History& history) {
     const double f = comparisons::tangential_ratio(history);
-    if (!in_unit_range(f)) return {};
+    if (!in_unit_range(f) || !c.friction.is_coulomb()) return {};
     if (c.is_cylindrical()) {
         const double bound = c.friction_coefficient() * history.scales.normal_force;
         return theory::line_cycle_dissipation(f) * bound * bound * 2 /
@@ -43,7 +43,8 @@ QuantityValue last_of(const auto& per_period) {
 }
 
 constexpr const char* where_known =
-    "with rolling, where f_T > 0 and the body is a paraboloid, sphere or cylinder";
+    "with rolling under Coulomb's law, where f_T > 0 and the body is a paraboloid, sphere or "
+    "cylinder";
 constexpr const char* of_w0 = "Mindlin and Deresiewicz (1953)";
 
 }  // namespace

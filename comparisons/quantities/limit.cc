@@ -11,8 +11,9 @@ constinit const Quantity limit_tangential_ratio{
     .over = "mu F_N",
     .name = "shakedown limit of the load",
     .meaning =
-        "What the least pressures over the path carry, the integral of min p dA over F_N, from "
-        "the computed pressures; in uncoupled contact the exact limit of f_T at this amplitude.",
+        "What the least pressures over the path carry, the integral of min p dA over F_N, under "
+        "another law than Coulomb's of min tau over tau; in uncoupled contact the exact limit of "
+        "f_T at this amplitude.",
     .source = "Klarbring, Ciavarella and Barber (2007); Wetter (2016), 3.2.13",
     .of = [](const Subject& s) { return finite(s.history.limit_tangential_ratio); },
     .exact = [](const Reference& r) { return finite(r.limit_tangential_ratio); },
@@ -44,7 +45,7 @@ constinit const Quantity stick_ratio{
         if (!s.c.is_line_contact() || s.history.verdict.state != contact::State::shakedown ||
             s.history.shift_per_period.empty())
             return {};
-        return finite(stick_half_width(s.history, s.c.friction_coefficient()).value_or(NAN) /
+        return finite(stick_half_width(s.history, *s.c.friction.law()).value_or(NAN) /
                       s.history.scales.contact_radius);
     }};
 

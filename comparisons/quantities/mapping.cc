@@ -28,6 +28,7 @@ bool follows_period(const contact::Case& c) {
 }
 
 std::string why_no_kappa(const contact::Case& c, const Results& r) {
+    if (!c.friction.is_coulomb()) return "the map is that of Coulomb's law of friction";
     if (!contact::is_hertz_round(c))
         return "the map is that of a smooth paraboloid or sphere, (1 - u)^(3/2) being theirs";
     if (!constant_loads(c)) return "the loads oscillate";
@@ -72,12 +73,13 @@ constinit const Quantity kappa{
         "kappa of f_T = 1 - kappa w u_sd - (1 - u_sd)^(3/2), which maps the method of "
         "dimensionality reduction (kappa = 3/2) to the model.",
     .defined =
-        "where the settled shift of a paraboloid or sphere is, under constant loads, with "
+        "where the settled shift of a paraboloid or sphere is, under Coulomb's law and constant "
+        "loads, with "
         "0 <= w, f_T, u_sd <= 1 and w u_sd > 1e-5, by which an error of f_T is divided",
     .source = "Wetter (2016), 3.2.16",
     .of = [](const Subject& s) -> QuantityValue {
         const auto u = number_of(settled_shift_ratio.of(s));
-        if (!u || !contact::is_hertz_round(s.c) || !constant_loads(s.c)) return {};
+        if (!u || !contact::is_coulomb_round(s.c) || !constant_loads(s.c)) return {};
         return finite(mapping_parameter(comparisons::amplitude_ratio(s.history),
                                         comparisons::tangential_ratio(s.history), *u));
     },

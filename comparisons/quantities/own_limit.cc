@@ -5,6 +5,7 @@
 #include "comparisons/quantities/reference.h"
 #include "comparisons/quantities/resample.h"
 #include "comparisons/quantities/surface_fields.h"
+#include "theory/rolling/body_rolling.h"
 
 namespace tricontact::comparisons {
 
@@ -40,13 +41,10 @@ double lower(const Surface& s, const std::vector<double>& pressure, std::vector<
 
 constexpr double steps_per_radius = 64;  // linear between them: an error of f_T,lim of 1e-4
 
-/// Rolling distance at which the least pressures carry `f` of the whole; linear between steps of a
-/// quarter of a cell, of fine cells more.
-std::optional<double> distance_at(const Surface& surface, const contact::Vector2& direction,
-                                  double f, double radius) {
-    const std::vector<double>& pressure = surface.layout == Surface::Layout::line
-                                              ? surface.normal_line_load
-                                              : surface.normal_traction;
+/// Rolling distance at which the least pressures (or bounds) carry `f` of the whole; linear between
+/// steps of a quarter of a cell, of fine cells more.
+std::optional<double> distance_at(const Surface& surface, const std::vector<double>& pressure,
+                                  const contact::Vector2& direction, double f, double radius) {
     std::vector<double> least = pressure;
     for (double& p : least) p = std::max(0., p);
     const double whole = std::accumulate(least.begin(), least.end(), 0.);
@@ -76,9 +74,16 @@ std::optional<double> own_amplitude_limit(const contact::Case& c, const contact:
     const Surface& s = upright->surface;
     const double radius = history.scales.contact_radius;
     const bool is_line = s.layout == Surface::Layout::line;
-    const auto distance =
-        is_line ? distance_at(s, {1, 0}, f, radius)
-                : distance_at(is_grid(s) ? s : Resampling(s)(s), direction, f, radius);
+    const bool is_coulomb = c.friction.is_coulomb();
+    // What springs carry under another law is not theirs to tell, but the bed's closed form.
+    if (is_line && !is_coulomb)
+        return theory::has_body_theory(c) ? theory::amplitude_limit(c, f) : std::nullopt;
+    const Surface grid = is_line || is_grid(s) ? s : Resampling(s)(s);
+    const auto distance = distance_at(grid,
+                                      is_line      ? grid.normal_line_load
+                                      : is_coulomb ? grid.normal_traction
+                                                   : grid.friction_bound,
+                                      is_line ? contact::Vector2{1, 0} : direction, f, radius);
     if (!distance) return {};
     return *distance / radius;
 }

@@ -26,11 +26,11 @@ double tangential_ratio(const contact::History& history) {
     return history.friction_limit > 0 ? history.tangential_force / history.friction_limit : 0;
 }
 
-double tangential_ratio(const contact::Case& c, double normal_force) {
+double tangential_ratio(const contact::Case& c, const contact::FrictionLaw::Total& contact) {
     if (c.load.is_by_limit() || c.prescribed_path) return std::numeric_limits<double>::quiet_NaN();
     return c.load.tangential_ratio
                ? *c.load.tangential_ratio
-               : c.load.tangential_force.value_or(0) / (c.friction_coefficient() * normal_force);
+               : c.load.tangential_force.value_or(0) / c.friction.law()->limit(contact);
 }
 
 double amplitude_ratio(const contact::History& history) {
@@ -41,6 +41,7 @@ namespace {
 
 /// Closed forms of the line contact in place of the point contact's.
 void add_line_contact(const contact::Case& c, Reference& r) {
+    if (!c.friction.is_coulomb()) return;
     const double f = r.tangential_ratio, w = r.amplitude_ratio;
     const double lambda = contact::line_shift_factor(c);
     r.static_shift_ratio = theory::line_static_shift_ratio(f, lambda);
@@ -65,11 +66,12 @@ void add_point_contact(const contact::Case& c, Reference& r) {
 
 /// f_T of a load that is said by the limit; NaN where theory has none.
 double ratio_by_limit(const contact::Case& c, double amplitude_ratio) {
-    const std::optional<double> limit =
-        !in_unit_range(amplitude_ratio) ? std::nullopt
-        : c.is_cylindrical()            ? theory::line_shakedown_limit(amplitude_ratio)
-        : theory::has_body_theory(c)    ? theory::shakedown_limit(c, amplitude_ratio)
-                                        : std::nullopt;
+    const std::optional<double> limit = !in_unit_range(amplitude_ratio) ? std::nullopt
+                                        : c.is_cylindrical() && c.friction.is_coulomb()
+                                            ? theory::line_shakedown_limit(amplitude_ratio)
+                                        : theory::has_body_theory(c)
+                                            ? theory::shakedown_limit(c, amplitude_ratio)
+                                            : std::nullopt;
     return c.load.ratio_by_limit(limit.value_or(std::numeric_limits<double>::quiet_NaN()));
 }
 
@@ -80,12 +82,12 @@ Reference reference(const contact::Case& c) {
     r.hertz = contact::half_space_scales(c);
     r.is_nominal = contact::is_nominally_flat(c);
     r.static_shift_is_relaxed = static_shift_is_relaxed(c);
-    r.tangential_ratio = tangential_ratio(c, r.hertz.normal_force);
+    r.tangential_ratio = tangential_ratio(c, {r.hertz.normal_force, r.hertz.friction_limit});
     if (c.rolling)
         r.amplitude_ratio =
             contact::rolling_amplitude(*c.rolling, r.hertz.contact_radius) / r.hertz.contact_radius;
     if (c.load.is_by_limit()) r.tangential_ratio = ratio_by_limit(c, r.amplitude_ratio);
-    r.has_mapping = contact::is_hertz_round(c);
+    r.has_mapping = contact::is_coulomb_round(c);
     if (contact::pressure_falls(c) && !contact::has_conical_tip(c))
         r.peak_pressure = r.hertz.peak_pressure;
     if (!in_unit_range(r.tangential_ratio)) return r;
@@ -139,6 +141,7 @@ bool static_shift_is_relaxed(const Case& c) {
 
 std::string static_theory(const Case& c) {
     if (c.is_cylindrical()) return "Cattaneo";
+    if (!c.friction.is_coulomb()) return "springs under this law of friction";
     return contact::is_hertz_round(c) ? "Cattaneo and Mindlin" : "superposed normal contacts";
 }
 

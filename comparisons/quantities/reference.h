@@ -17,8 +17,9 @@ bool in_unit_range(double ratio);
 
 /// f_T = F_T/(mu F_N) of a history after loading; 0 without friction.
 double tangential_ratio(const contact::History& history);
-/// The same of a case's load, pressed by F_N [N]; NaN of a fraction of a limit.
-double tangential_ratio(const contact::Case& c, double normal_force);
+/// The same of a case's load, friction holding this contact; NaN of a fraction of a limit, and of a
+/// force under another law than Coulomb's whose `bound` in all is not known (NaN).
+double tangential_ratio(const contact::Case& c, const contact::FrictionLaw::Total& contact);
 /// Whether that is more than what rounding leaves of no force.
 inline bool is_loaded(double tangential_ratio) {
     return std::abs(tangential_ratio) >= 1e-9;

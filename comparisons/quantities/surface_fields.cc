@@ -22,10 +22,10 @@ struct PointLoad {
     double normal, tangential, bound;
 };
 
-PointLoad point_load(const Surface& s, double mu, std::size_t i) {
+PointLoad point_load(const Surface& s, const contact::FrictionLaw& friction, std::size_t i) {
     if (s.layout == Surface::Layout::line)
         return {s.normal_line_load[i], std::abs(s.tangential_line_load[i]),
-                mu * s.normal_line_load[i]};
+                friction.coulomb().value_or(0) * s.normal_line_load[i]};
     return {s.normal_traction[i],
             std::hypot(s.tangential_traction_x[i], s.tangential_traction_y[i]),
             s.friction_bound[i]};
@@ -33,8 +33,8 @@ PointLoad point_load(const Surface& s, double mu, std::size_t i) {
 
 /// One instant: at the bound means within a percent of it, because points approach shakedown from
 /// below and a grid never hits the border of the stick zone, where tau/(mu p) -> 1 steeply.
-Zone zone_at(const Surface& s, double mu, std::size_t i) {
-    const PointLoad load = point_load(s, mu, i);
+Zone zone_at(const Surface& s, const contact::FrictionLaw& friction, std::size_t i) {
+    const PointLoad load = point_load(s, friction, i);
     // Between resampled nodes a trace of pressure remains beside the contact.
     if (load.normal <= 0 || s.contact_state[i] == ContactState::open) return Zone::open;
     const bool at_bound = load.tangential >= 0.99 * load.bound && load.bound > 0;
@@ -79,15 +79,14 @@ const Snapshot* snapshot_at(const History& history, double phase) {
     return nullptr;
 }
 
-std::vector<Zone> zones(const History& history, double friction_coefficient) {
-    const double mu = friction_coefficient;
+std::vector<Zone> zones(const History& history, const contact::FrictionLaw& friction) {
     const Snapshot* last = last_upright(history);
     if (!last) return {};
     std::vector<Zone> result(last->surface.size());
-    for (std::size_t i = 0; i < result.size(); ++i) result[i] = zone_at(last->surface, mu, i);
+    for (std::size_t i = 0; i < result.size(); ++i) result[i] = zone_at(last->surface, friction, i);
     for (const Snapshot* snapshot : earlier_in_period(history, *last)) {
         for (std::size_t i = 0; i < result.size(); ++i) {
-            const Zone now = zone_at(snapshot->surface, mu, i);
+            const Zone now = zone_at(snapshot->surface, friction, i);
             if (result[i] == Zone::open || result[i] == Zone::zero) continue;
             if (now == Zone::open) result[i] = Zone::zero;
             if (now == Zone::slip) result[i] = Zone::slip;
@@ -96,11 +95,12 @@ std::vector<Zone> zones(const History& history, double friction_coefficient) {
     return result;
 }
 
-std::optional<double> stick_half_width(const History& history, double friction_coefficient) {
+std::optional<double> stick_half_width(const History& history,
+                                       const contact::FrictionLaw& friction) {
     const Snapshot* last = last_upright(history);
     if (!last) return {};
     const Surface& s = last->surface;
-    const std::vector<Zone> zone = zones(history, friction_coefficient);
+    const std::vector<Zone> zone = zones(history, friction);
     const auto earlier = earlier_in_period(history, *last);
     const auto lacking = [&](int i) {
         double least = s.friction_bound[i];
@@ -132,17 +132,18 @@ double drawn_pressure(const contact::Case& c, const contact::Scales& scales) {
     return scales.normal_force / (std::numbers::pi * a * a);
 }
 
-const char* drawn_pressure_symbol(const contact::Case& c) {
-    return contact::has_conical_tip(c) ? "p_m" : "p_0";
+std::string drawn_bound_symbol(const contact::Case& c) {
+    const std::string pressure = contact::has_conical_tip(c) ? "p_m" : "p_0";
+    return c.friction.is_coulomb() ? "μ " + pressure : "τ(" + pressure + ")";
 }
 
-CentreLine centre_line(const History& history, double friction_coefficient, Axis axis,
+CentreLine centre_line(const History& history, const contact::FrictionLaw& friction, Axis axis,
                        std::optional<double> pressure) {
     CentreLine line;
     const Snapshot* snapshot = last_upright(history);
     if (!snapshot) return line;
     const Surface& s = snapshot->surface;
-    const std::vector<Zone> zone = zones(history, friction_coefficient);
+    const std::vector<Zone> zone = zones(history, friction);
     // An axisymmetric line layout has only its own axis to read from.
     const Axis along = s.layout == Surface::Layout::line ? Axis::x : axis;
     const auto [below, above] = middle_rows(s, along);
@@ -157,7 +158,7 @@ CentreLine centre_line(const History& history, double friction_coefficient, Axis
         const auto mean = [&](const std::vector<double>& v) { return (v[lower] + v[upper]) / 2; };
         const double position = along == Axis::x ? s.x(k) - s.offset[0] : s.y(k) - s.offset[1];
         line.position.push_back(position / history.scales.contact_radius);
-        line.traction.push_back(mean(s.tangential_traction_x) / (friction_coefficient * p0));
+        line.traction.push_back(mean(s.tangential_traction_x) / friction.bound(p0));
         line.zone.push_back(zone[lower]);
     }
     return line;

@@ -23,14 +23,15 @@ const contact::Snapshot* last_upright(const contact::History& history);
 const contact::Snapshot* snapshot_at(const contact::History& history, double phase);
 
 /// Zone of each contact point, from all snapshots of the period that ends with `last_upright`.
-/// In line layout the springs decide, otherwise the tractions. Empty without snapshots.
-std::vector<Zone> zones(const contact::History& history, double friction_coefficient);
+/// In line layout the springs decide, under another law than Coulomb's by their own word, otherwise
+/// the tractions. Empty without snapshots.
+std::vector<Zone> zones(const contact::History& history, const contact::FrictionLaw& friction);
 
 /// Half width c_sd [m] of what sticks throughout the period that ends with `last_upright`, of a
 /// line contact (one row along x). Between the cells by what tau lacks to its least bound, which
 /// vanishes like (c_sd^2 - x^2)^(1/2). Zero where nothing sticks; empty without snapshots.
 std::optional<double> stick_half_width(const contact::History& history,
-                                       double friction_coefficient);
+                                       const contact::FrictionLaw& friction);
 
 /// Values along a line through the indenter's centre, upright, sorted by position.
 struct CentreLine {
@@ -43,14 +44,14 @@ enum class Axis { x, y };
 /// What tractions are drawn over [Pa]: the model's own p0; under a conical tip, where that is
 /// infinite or that of a cell, the mean pressure F_N/(pi a^2).
 double drawn_pressure(const contact::Case& c, const contact::Scales& scales);
-/// "p_0" or "p_m".
-const char* drawn_pressure_symbol(const contact::Case& c);
+/// What friction carries there: "μ p_0" or "μ p_m", "τ(p_0)" of another law than Coulomb's.
+std::string drawn_bound_symbol(const contact::Case& c);
 
 /// Centre line of the last upright state, normalised by the model's own a and this `pressure`, p0
 /// if it is left out. On an even grid the two middle rows are averaged. A line layout is
 /// axisymmetric: the same for both axes.
-CentreLine centre_line(const contact::History& history, double friction_coefficient, Axis axis,
-                       std::optional<double> pressure = {});
+CentreLine centre_line(const contact::History& history, const contact::FrictionLaw& friction,
+                       Axis axis, std::optional<double> pressure = {});
 
 /// A stretch of one zone along a centre line, ends half-way between points.
 struct Stretch {

@@ -51,7 +51,7 @@ std::string limit_sentence(const contact::Case& c, const Summaries& summaries, c
                        all                 ? ""
                        : c.layer.thickness ? " on a half-space"
                                            : " of uncoupled half-spaces",
-                       contact::is_hertz_round(c) ? "1 − 3/2 w + 1/2 w³ = " : "",
+                       contact::is_coulomb_round(c) ? "1 − 3/2 w + 1/2 w³ = " : "",
                        report::significant(*r.limit_tangential_ratio, 4)) +
            expectation(c, summaries, r);
 }

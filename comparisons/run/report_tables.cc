@@ -47,7 +47,7 @@ std::string results_note(const contact::Case& c, bool several_models,
 }
 
 std::string rolling_note(const contact::Case& c) {
-    const bool round = contact::is_hertz_round(c);
+    const bool round = contact::is_coulomb_round(c);
     std::string text;
     if (round)
         text +=
@@ -57,7 +57,7 @@ std::string rolling_note(const contact::Case& c) {
     text += "Ratcheting slope η: Δu/(w − w_lim) with the last period's Δu and ";
     text += round ? "1 − 3/2 w_lim + 1/2 w_lim^3 = f_T" : "the half-space's limit w_lim at f_T";
     text += "; only while ratcheting.";
-    if (c.is_cylindrical())
+    if (c.is_cylindrical() && c.friction.is_coulomb())
         text +=
             " W_0: frictional work of one cycle of a tangential force oscillating between ±f_T "
             "μF_N in line contact, μ^2 2 F_N^2/(πE*L) [f (2 − f) + 2 (1 − f) ln(1 − f)].";

@@ -132,7 +132,10 @@ void add_bodies(const Case& c, Settings& settings) {
     add_layer(c, settings);
     if (c.of<bem::Settings>().influence)
         settings.add("influence coefficients (bem)", "from a file");
-    settings.add("friction coefficient μ", c.friction_coefficient());
+    if (c.friction.is_coulomb())
+        settings.add("friction coefficient μ", c.friction_coefficient());
+    else
+        settings.add("friction, a point carries at most", c.friction.formula());
 }
 
 void add_oscillation(const std::string& what, double ratio, double phase, Settings& settings) {
@@ -199,6 +202,10 @@ std::string derived_note(const Case& c) {
             ? ", μ [d + (E*/G* − 1) a_x^2/R] of an ellipse, whose a is the geometric mean of its "
               "half axes"
             : "";
+    if (!c.friction.is_coulomb())
+        return body +
+               " The unit of shift U_max is the centre's displacement under full sliding, "
+               "F_lim what friction carries then.";
     return body + " The unit of shift is U_max = μ (E*/G*) d" + ellipse + ".";
 }
 
@@ -233,9 +240,11 @@ report::DocumentTable derived_table(const Case& c) {
         r.hertz.peak_pressure, "Pa");
     add(c.prescribed_path ? "largest normal force F_N" : "normal force F_N", r.hertz.normal_force,
         "N");
-    add("friction limit μF_N", c.friction_coefficient() * r.hertz.normal_force, "N");
+    const bool is_coulomb = c.friction.is_coulomb();
+    add(is_coulomb ? "friction limit μF_N" : "friction limit F_lim", r.hertz.friction_limit, "N");
     add("unit of shift U_max", r.hertz.unit_shift, "m");
-    if (std::isfinite(r.tangential_ratio)) add("f_T = F_T/(μF_N)", r.tangential_ratio);
+    if (std::isfinite(r.tangential_ratio))
+        add(is_coulomb ? "f_T = F_T/(μF_N)" : "f_T = F_T/F_lim", r.tangential_ratio);
     if (c.rolling) add("w = W/a", r.amplitude_ratio);
     if (r.limit_tangential_ratio) add("limit of shakedown f_T,lim", *r.limit_tangential_ratio);
     return table;

@@ -166,10 +166,10 @@ Figures surface_figures(const contact::Case& c, const Histories& histories) {
                  .map = map_of(s, values, scales.contact_radius, unit, label),
                  .equal_scales = true});
         };
-        const char* const p = drawn_pressure_symbol(c);
-        add("traction_surface_", "Traction over the contact, ", fmt::format("τ_x/(μ {})", p),
-            s.tangential_traction_x, c.friction_coefficient() * drawn_pressure(c, scales),
-            fmt::format("τ_x / (μ {})", p));
+        const std::string bound = drawn_bound_symbol(c);
+        add("traction_surface_", "Traction over the contact, ", fmt::format("τ_x/({})", bound),
+            s.tangential_traction_x, c.friction.law()->bound(drawn_pressure(c, scales)),
+            fmt::format("τ_x / ({})", bound));
         add("displacement_surface_", "Displacement of the surface, ", "u_x/U_max", s.displacement_x,
             scales.unit_shift, "u_x / U_max");
     }

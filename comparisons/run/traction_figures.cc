@@ -56,7 +56,7 @@ void add_models(const contact::Case& c, const Histories& histories, Axis axis,
                 report::Figure& figure) {
     for (const History& history : histories) {
         const CentreLine line =
-            centre_line(history, c.friction_coefficient(), axis, drawn_pressure(c, history.scales));
+            centre_line(history, *c.friction.law(), axis, drawn_pressure(c, history.scales));
         if (line.position.empty()) continue;
         auto& curve = figure.curves.emplace_back(curve_of(history));
         for (const std::size_t i : report::thinned(line.position.size(), most_points))
@@ -67,7 +67,7 @@ void add_models(const contact::Case& c, const Histories& histories, Axis axis,
 }
 
 void add_bounds(const contact::Case& c, const Reference& r, Axis axis, report::Figure& figure) {
-    if (!contact::is_hertz_round(c) && !c.is_cylindrical()) return;
+    if (!c.friction.is_coulomb() || (!contact::is_hertz_round(c) && !c.is_cylindrical())) return;
     add_theory_curve(figure, "bound μp, upright", [](double x) { return least_bound(x, 0, 0); });
     if (!c.rolling || !constant_loads(c)) return;
     const double angle =
@@ -79,7 +79,7 @@ void add_bounds(const contact::Case& c, const Reference& r, Axis axis, report::F
 /// The closed form for the state drawn, if there is one.
 void add_theory(const contact::Case& c, const Reference& r, report::Figure& figure) {
     const double f = r.tangential_ratio;
-    if (!in_unit_range(f) || f == 0 || !contact::is_hertz_round(c)) return;
+    if (!in_unit_range(f) || f == 0 || !contact::is_coulomb_round(c)) return;
     if (!c.rolling)
         add_theory_curve(figure, "Cattaneo–Mindlin",
                          [&](double x) { return theory::cattaneo_mindlin_traction(x, f); });
@@ -122,7 +122,7 @@ report::Figure traction_figure(const contact::Case& c, const Histories& historie
                               "pressure is infinite."
                             : "a and p_0 are each model's own."),
         .x = {.label = "position " + letter + "/a", .low = -half_width, .high = half_width},
-        .y = {fmt::format("traction τ_x / (μ {})", drawn_pressure_symbol(c))},
+        .y = {fmt::format("traction τ_x / ({})", drawn_bound_symbol(c))},
         .kinds = zone_kinds()};
     add_models(c, histories, axis, figure);
     add_bounds(c, r, axis, figure);

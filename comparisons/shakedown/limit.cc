@@ -48,6 +48,7 @@ std::optional<LayerLimits> line_layer_limits(const Case& c) {
 }
 
 std::optional<LayerLimits> layer_limits(const Case& c) {
+    if (!c.friction.is_coulomb()) return {};
     if (c.is_line_contact()) return line_layer_limits(c);
     if (!contact::pressure_falls(c)) return {};  // as elastic_layer.h wants it
     const auto exact = exact_layer_contact(c);
@@ -65,7 +66,7 @@ std::optional<double> layer_limit(const Case& c, LimitVariable variable) {
         const double w = contact::path_amplitude(c, radius) / radius;
         return in_unit_range(w) ? std::optional(layer->of_load(w)) : std::nullopt;
     }
-    const double f = tangential_ratio(c, layer->normal_force);
+    const double f = tangential_ratio(c, {layer->normal_force, contact::undefined});
     if (!in_unit_range(f)) return {};
     const bool own = c.rolling->amplitude_reference == Case::AmplitudeReference::model;
     return layer->of_amplitude(f) * radius /
@@ -91,7 +92,7 @@ std::optional<double> exact_limit(const Case& c, LimitVariable variable, const s
 }
 
 std::optional<double> thesis_limit(const Case& c, LimitVariable variable) {
-    if (!contact::is_hertz_round(c) || !constant_loads(c) || c.relaxation) return {};
+    if (!contact::is_coulomb_round(c) || !constant_loads(c) || c.relaxation) return {};
     constexpr double aligned = 1e-9;  // [rad]
     const double angle = c.rolling->angle;
     const bool along = std::abs(angle) < aligned;

@@ -82,7 +82,7 @@ class LimitSearch {
 
     Overlap overlap(const Case& c) {
         const auto [scales, limit] = contact::frictionless_limit(c, model_for(c));
-        return {limit, tangential_ratio(c, scales.normal_force)};
+        return {limit, tangential_ratio(c, {scales.normal_force, scales.sliding_force})};
     }
 
     /// By how much the points that are never left carry more than f_T.

@@ -69,8 +69,19 @@ std::vector<double> triangular_product(std::span<const double> weights,
 
 }  // namespace
 
-std::vector<double> RadialBound::pressure(std::span<const double> profile, double a) const {
-    return triangular_product(slope_weights_, profile, 1 / a);
+// g = s x has p = s/pi arcosh(a/r) = s/pi artanh y (Love 1939). Near the tip that is
+// -1/2 ln((1 - y)/2), whose mean over the last piece is that of a line which rises by 1 there.
+std::vector<double> RadialBound::pressure(std::vector<double> profile, double a,
+                                          double tip_slope) const {
+    if (tip_slope == 0) return triangular_product(slope_weights_, profile, 1 / a);
+    for (int k = 0; k <= n_; ++k) profile[k] -= tip_slope * a * radius(k);
+    std::vector<double> p = triangular_product(slope_weights_, profile, 1 / a);
+    const auto cone = [&](int k) {
+        return tip_slope / std::numbers::pi * std::atanh(static_cast<double>(k) / n_);
+    };
+    for (int k = 0; k < n_; ++k) p[k] += cone(k);
+    p[n_] += cone(n_ - 1) + tip_slope / std::numbers::pi;
+    return p;
 }
 
 std::vector<double> RadialBound::line(std::span<const double> bound, double a) const {

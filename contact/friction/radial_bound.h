@@ -21,9 +21,10 @@ class RadialBound {
     /// r_k/a.
     double radius(int k) const;
     /// p(r_k)/E* [-] of a half-space, 1/pi ∫_r^a g'(x)/sqrt(x^2 - r^2) dx, from the plane profile
-    /// g(r_k) [m] and a [m]; exact where g is a polynomial of first degree in x^2. The value at a
-    /// conical tip, where p is infinite, is such that its piece carries what it should.
-    std::vector<double> pressure(std::span<const double> profile, double a) const;
+    /// g(r_k) [m] and a [m]; exact where g is tip_slope x and a polynomial of first degree in
+    /// x^2, else of the order n^-3/2. `tip_slope`: g'(0) [-] of a conical tip, where p is infinite:
+    /// its value there is such that its piece carries what it should.
+    std::vector<double> pressure(std::vector<double> profile, double a, double tip_slope = 0) const;
     /// b(r_k) [N/m] of tau(r_k) [Pa], tau linear in y between them; the value at k = 0 is the limit
     /// from inside.
     std::vector<double> line(std::span<const double> bound, double a) const;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "contact/base/special_values.h"
 #include "contact/compliances/point_sums.h"
@@ -124,6 +125,8 @@ void StaggeredSolver::solve_uncoupled(const LoadStep& step, const StepStart& bef
 
 void StaggeredSolver::solve_coupled(const LoadStep& step, const StepStart& before) {
     recall_start(step.recurs ? step.phase : 0);
+    const bool jumps = friction_->bound(std::numeric_limits<double>::min()) > 0;
+    chatter_.begin(jumps ? points().size() : 0);
     focus(may_touch());
     do iterate(step, before);
     while (!look_at_all());
@@ -185,6 +188,8 @@ double StaggeredSolver::update_bounds() {
                                   std::span(now_.bound).subspan(begin, n));
                 Sums<2> sum;
                 for (std::size_t i = begin; i < end; ++i) {
+                    if (chatter_.is_watched() && chatter_.lets_go(i, now_.normal->pressure[i] > 0))
+                        now_.bound[i] = 0;
                     if (now_.bound[i] > 0) sum[0] += points().area[i];
                     sum[1] += points().area[i] * now_.bound[i];
                 }

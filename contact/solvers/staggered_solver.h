@@ -11,6 +11,7 @@
 #include "contact/compliances/focused_compliance.h"
 #include "contact/friction/friction_law.h"
 #include "contact/solvers/coupling.h"
+#include "contact/solvers/edge_chatter.h"
 #include "contact/solvers/load_step.h"
 #include "contact/solvers/normal_solver.h"
 #include "contact/solvers/tangential_solver.h"
@@ -144,6 +145,7 @@ class StaggeredSolver {
     // They keep factors of the compliance.
     std::optional<NormalSolver> normal_solver_;
     std::optional<TangentialSolver> tangential_solver_;
+    EdgeChatter chatter_;
     ContactSolution now_;
     std::map<Key, std::shared_ptr<const NormalSolution>> normal_cache_;  // of uncoupled contact
     std::map<long, PeriodStart>

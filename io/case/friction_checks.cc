@@ -35,6 +35,9 @@ void check_friction(const Case& c, const Document& document) {
     const std::string key = friction.shear_strength      ? "friction.shear_strength"
                             : friction.pressure_exponent ? "friction.pressure_exponent"
                                                          : "friction.strength_limit";
+    if (c.tractive_rolling)
+        refuse(document, key, "creepage and rolling on are those of Coulomb's law",
+               "give friction.coefficient alone, or roll to and fro by [rolling]");
     for (const std::string& model : c.models) {
         const ModelKind& kind = contact::model_kind(model);
         if (!kind.is_on_line() || (kind.is_independent() && !c.relaxation)) continue;

@@ -14,6 +14,7 @@
 #include "contact/bodies/shapes_of_revolution.h"
 #include "theory/arguments.h"
 #include "theory/cattaneo_mindlin.h"
+#include "theory/rolling/bed_under_law.h"
 #include "theory/rolling/oscillating_rolling.h"
 
 namespace tricontact::theory {
@@ -149,11 +150,13 @@ double rounded_punch_pressure(double flat_ratio, double rho) {
 }
 
 bool has_body_theory(const Case& c) {
-    return contact::is_smooth_ball(c.indenter);
+    return contact::is_smooth_ball(c.indenter) &&
+           (c.friction.is_coulomb() || (!is_ellipsoid(c) && contact::pressure_falls(c)));
 }
 
 double static_shift_ratio(const Case& c, double f) {
     check_unit_interval("rolling of a body", "f = F_T/(mu F_N)", f);
+    if (!c.friction.is_coulomb()) return BedUnderLaw(c).static_shift_ratio(f);
     if (contact::is_hertz_round(c) || is_ellipsoid(c)) return static_shift_ratio(f);
     const Pressed pressed(c);
     const double stick =
@@ -164,6 +167,7 @@ double static_shift_ratio(const Case& c, double f) {
 
 std::optional<double> shakedown_limit(const Case& c, double w) {
     check_unit_interval("rolling of a body", "w = W/a", w);
+    if (!c.friction.is_coulomb()) return BedUnderLaw(c).shakedown_limit(w);
     if (contact::is_hertz_round(c)) return shakedown_limit(w);
     if (is_ellipsoid(c)) return shakedown_limit(std::min(1., stretched_amplitude(c, w)));
     const Pressed pressed(c);
@@ -174,6 +178,7 @@ std::optional<double> shakedown_limit(const Case& c, double w) {
 
 std::optional<double> amplitude_limit(const Case& c, double f) {
     check_unit_interval("rolling of a body", "f = F_T/(mu F_N)", f);
+    if (!c.friction.is_coulomb()) return BedUnderLaw(c).amplitude_limit(f);
     if (contact::is_hertz_round(c)) return amplitude_limit(f);
     if (is_ellipsoid(c)) return amplitude_limit(f) / stretched_amplitude(c, 1);
     if (!shakedown_limit(c, 0)) return {};
@@ -185,6 +190,7 @@ std::optional<double> bed_settled_shift_ratio(const Case& c, double w, double f)
     check_unit_interval("rolling of a body", "w = W/a", w);
     check_unit_interval("rolling of a body", "f = F_T/(mu F_N)", f);
     if (is_ellipsoid(c)) return {};
+    if (!c.friction.is_coulomb()) return BedUnderLaw(c).settled_shift_ratio(w, f);
     if (contact::is_hertz_round(c)) return settled_shift_ratio(w, f);
     const Pressed pressed(c);
     const double limit = pressed.bed_limit(w);

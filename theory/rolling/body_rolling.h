@@ -23,10 +23,12 @@ double rounded_punch_pressure(double flat_ratio, double rho);
 
 // Friction and oscillating rolling of the case's body on a half-space under constant loads, normal
 // and tangential contact uncoupled; what oscillating_rolling.h says of paraboloid and sphere, for
-// all bodies whose pressure is known. Dimensionless: f = F_T/(mu F_N), w = W/a over the contact
+// all bodies whose pressure is known; under another law of friction see bed_under_law.h, f being
+// F_T/F_lim. Dimensionless: f = F_T/(mu F_N), w = W/a over the contact
 // radius of contact::half_space_scales, u = U/U_max, all in [0, 1], else std::domain_error.
 
-/// Whether what follows knows the case's body: a smooth one, not a cylinder, roller or rough.
+/// Whether what follows knows the case's body: a smooth one, not a cylinder, roller or rough;
+/// under another law than Coulomb's one of revolution whose pressure falls with r.
 bool has_body_theory(const contact::Case& c);
 
 /// Shift under F_T applied once, 1 - d((1-f) F_N)/d(F_N): the traction is mu p less that of the

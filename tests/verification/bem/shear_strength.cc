@@ -110,7 +110,7 @@ TEST(BemShearStrength, RolledContactCarriesTheLensOfItsExtremes) {
 
 TEST(BemShearStrength, SpringsRefuseWhatTheyCannotReduce) {
     try {
-        mdr::coefficient_on_line("mdr", ShearStrength(strength));
+        mdr::require_coulomb("mdr", ShearStrength(strength));
         FAIL();
     } catch (const contact::InputError& e) {
         EXPECT_NE(std::string(e.what()).find("take bem"), std::string::npos) << e.what();

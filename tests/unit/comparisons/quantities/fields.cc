@@ -7,6 +7,11 @@
 namespace tricontact::comparisons::fields_test {
 namespace {
 
+const auto coulomb_law = contact::Friction{.coefficient = 1}.law();
+const contact::FrictionLaw& coulomb = *coulomb_law;
+const auto half_law = contact::Friction{.coefficient = .5}.law();
+const contact::FrictionLaw& half = *half_law;
+
 using contact::ContactState;
 using synthetic::Options;
 
@@ -35,7 +40,7 @@ TEST(Zones, WhatAPointDoesDuringThePeriodDecides) {
     history.snapshots.push_back(row(1.75, {2, 2, 1, 1, 0}, {0, 0.5, 0.5, 0.5, 0}));
     history.snapshots.push_back(row(2, {1, 1, 1, 1, 0}, {0, 0.5, 0.5, 0.5, 0}));
     const std::vector<Zone> expected{Zone::zero, Zone::slip, Zone::stick, Zone::stick, Zone::open};
-    EXPECT_EQ(zones(history, 1), expected);
+    EXPECT_EQ(zones(history, coulomb), expected);
 }
 
 TEST(Zones, SpringsDecideInLineLayout) {
@@ -47,14 +52,14 @@ TEST(Zones, SpringsDecideInLineLayout) {
     history.snapshots.push_back(snapshot);
     // mu = 1/2: the second spring carries its bound.
     const std::vector<Zone> expected{Zone::open, Zone::slip, Zone::stick, Zone::stick, Zone::open};
-    EXPECT_EQ(zones(history, 0.5), expected);
+    EXPECT_EQ(zones(history, half), expected);
 }
 
 TEST(Zones, StickRadiusOfCattaneoAndMindlin) {
     const Options options{.f = 0.488, .rolling = false, .n_x = 201, .n_y = 201};  // c = 0.8 a
     contact::History history = synthetic::loaded_history("bem", options);
     synthetic::add_snapshots(history, options, false);
-    const auto parts = stretches(centre_line(history, 1, Axis::x));
+    const auto parts = stretches(centre_line(history, coulomb, Axis::x));
     ASSERT_EQ(parts.size(), 5u);  // open, slip, stick, slip, open
     EXPECT_EQ(parts[2].zone, Zone::stick);
     // Ends lie between two grid points, which are 0.016 a apart.
@@ -67,7 +72,7 @@ TEST(CentreLine, IsNormalisedByTheModelsOwnScales) {
     const Options options{.f = 0.488, .rolling = false, .n_x = 101, .n_y = 101};
     contact::History history = synthetic::loaded_history("bem", options);
     synthetic::add_snapshots(history, options, false);
-    const CentreLine line = centre_line(history, 1, Axis::y);
+    const CentreLine line = centre_line(history, coulomb, Axis::y);
     for (std::size_t i = 0; i < line.position.size(); ++i) {
         const double rho = std::abs(line.position[i]);
         // An odd grid has a row through the centre: exact but for rounding.
@@ -86,7 +91,7 @@ TEST(CentreLine, EvenGridsAverageTheMiddleRows) {
     snapshot.surface.n_x = snapshot.surface.n_y = 2;
     snapshot.surface.first = {-0.5, -0.5};
     history.snapshots.push_back(snapshot);
-    const CentreLine line = centre_line(history, 0.5, Axis::x);
+    const CentreLine line = centre_line(history, half, Axis::x);
     ASSERT_EQ(line.position.size(), 2u);
     EXPECT_DOUBLE_EQ(line.position[1], 0.25);
     EXPECT_DOUBLE_EQ(line.traction[0], (0.1 + 0.3) / 2 / (0.5 * 4));
@@ -96,8 +101,8 @@ TEST(CentreLine, EvenGridsAverageTheMiddleRows) {
 TEST(Snapshots, LastUprightAndByPhase) {
     contact::History history;
     EXPECT_EQ(last_upright(history), nullptr);
-    EXPECT_TRUE(zones(history, 1).empty());
-    EXPECT_TRUE(centre_line(history, 1, Axis::x).position.empty());
+    EXPECT_TRUE(zones(history, coulomb).empty());
+    EXPECT_TRUE(centre_line(history, coulomb, Axis::x).position.empty());
     for (const double phase : {0.0, 0.25, 1.0, 1.25})
         history.snapshots.push_back(row(phase, {1}, {0}));
     EXPECT_EQ(last_upright(history), &history.snapshots[2]);

@@ -12,6 +12,9 @@
 namespace tricontact::comparisons::resample_test {
 namespace {
 
+const auto coulomb_law = contact::Friction{.coefficient = 1}.law();
+const contact::FrictionLaw& coulomb = *coulomb_law;
+
 using contact::ContactState;
 using contact::Surface;
 using contact::Vector2;
@@ -158,9 +161,10 @@ class NodesLayout : public testing::Test {
 TEST_F(NodesLayout, RegularNodesAreReadLikeAGrid) {
     const contact::History grid = history(options_);
     const contact::History nodes = synthetic::with_surfaces(grid, synthetic::as_regular_nodes);
-    EXPECT_EQ(zones(nodes, 1), zones(grid, 1));
+    EXPECT_EQ(zones(nodes, coulomb), zones(grid, coulomb));
     for (const Axis axis : {Axis::x, Axis::y}) {
-        const CentreLine a = centre_line(grid, 1, axis), b = centre_line(nodes, 1, axis);
+        const CentreLine a = centre_line(grid, coulomb, axis),
+                         b = centre_line(nodes, coulomb, axis);
         EXPECT_EQ(a.position, b.position);
         EXPECT_EQ(a.traction, b.traction);
         EXPECT_EQ(a.zone, b.zone);
@@ -191,7 +195,7 @@ TEST_F(NodesLayout, IrregularNodesShowTheSameZones) {
     });
     const auto resampled = on_grids({h});
     for (const Axis axis : {Axis::x, Axis::y}) {
-        const auto parts = stretches(centre_line(resampled[0], 1, axis));
+        const auto parts = stretches(centre_line(resampled[0], coulomb, axis));
         ASSERT_EQ(parts.size(), 5u);  // open, slip, stick, slip, open
         EXPECT_EQ(parts[2].zone, Zone::stick);
         // Elements of 0.04 a: two nodes on either side.

@@ -13,6 +13,9 @@
 namespace tricontact::comparisons::line_fit_test {
 namespace {
 
+const auto coulomb_law = contact::Friction{.coefficient = 1}.law();
+const contact::FrictionLaw& coulomb = *coulomb_law;
+
 constexpr double lambda = 5.85;  // of the thesis' rig
 
 /// Points on the exact solution, those beyond the limit with a shift per period.
@@ -114,10 +117,10 @@ contact::History shaken_down(double h, double w, double c) {
 TEST(LineFit, StickWidthLiesBetweenTheCells) {
     for (const double h : {.04, .02})
         for (const double c : {.213, .3, .42, .555})
-            EXPECT_NEAR(stick_half_width(shaken_down(h, .26, c), 1).value(), c, .2 * h)
+            EXPECT_NEAR(stick_half_width(shaken_down(h, .26, c), coulomb).value(), c, .2 * h)
                 << h << ' ' << c;
-    EXPECT_EQ(stick_half_width(shaken_down(.02, .26, 1e-9), 1).value(), 0);
-    EXPECT_FALSE(stick_half_width({}, 1));
+    EXPECT_EQ(stick_half_width(shaken_down(.02, .26, 1e-9), coulomb).value(), 0);
+    EXPECT_FALSE(stick_half_width({}, coulomb));
 }
 
 }  // namespace
