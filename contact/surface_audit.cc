@@ -73,7 +73,7 @@ void audit_tangential(const TangentialFacts& facts, double tolerance, Audit& aud
         all.largest_slip = larger(all.largest_slip, norm(s));
         if (facts.contact_state[i] == ContactState::stick) {
             all.stick = larger(all.stick, norm(s));
-        } else {
+        } else if (facts.bound[i] > 0) {  // what carries nothing slips in any direction
             all.across = larger(all.across, std::abs(s[0] * t[1] - s[1] * t[0]) / norm(t));
             all.backward = larger(all.backward, -dot(s, t) / norm(t));
         }

@@ -163,7 +163,8 @@ std::string not_tested(const Case& c, const std::vector<Results>& results) {
                            : "small strains");
     }
     if (!c.relaxation) list.emplace_back("an elastic substrate");
-    list.emplace_back("Coulomb friction of one coefficient");
+    list.emplace_back(c.friction.is_coulomb() ? "Coulomb friction of one coefficient"
+                                              : "friction that depends on the pressure alone");
     if (!c.indenter.height_map && !c.indenter.file) list.emplace_back("a smooth surface");
     return fmt::format("{}", fmt::join(list, ", "));
 }

@@ -101,7 +101,7 @@ std::string own_load_sentence(const contact::Case& c, const Summaries& summaries
         c.load.limit_fraction
             ? report::as_given(*c.load.limit_fraction) + " of its own limit of shakedown"
             : report::as_given(*c.load.limit_excess) +
-                  " of the way from its own limit of shakedown to μF_N";
+                  " of the way from its own limit of shakedown to " + c.friction.limit_symbol();
     return fmt::format("Each model's F_T is {}, so the models are under different loads: f_T = {}.",
                        share, fmt::join(loads, ", "));
 }
@@ -125,9 +125,13 @@ std::string far_shift_sentence(const contact::Case& c, const Summaries&) {
 
 std::string direction_sentence(const contact::Case& c, const Summaries& summaries) {
     if (!c.rolling || !has_model(summaries, &ModelKind::is_independent)) return {};
-    return "MDR's springs lie on one line, so it cannot distinguish rolling along the load from "
-           "rolling across it: its result is the same for every angle. Transformed back to three "
-           "dimensions its traction may exceed μp: the bound holds spring by spring only.";
+    return std::string(
+               "MDR's springs lie on one line, so it cannot distinguish rolling along the load "
+               "from "
+               "rolling across it: its result is the same for every angle. Transformed back to "
+               "three "
+               "dimensions its traction may exceed ") +
+           c.friction.bound_symbol() + ": the bound holds spring by spring only.";
 }
 
 /// Whether a sentence of its own says that a model leaves it out.

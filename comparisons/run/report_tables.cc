@@ -19,7 +19,13 @@ constexpr int most_open_periods = 12;  // longer tables start folded
 std::string results_note(const contact::Case& c, bool several_models,
                          const std::optional<NumericalError>& error) {
     std::string text = "Ratios u are over each model's own U_max. ";
-    if (contact::is_hertz_round(c))
+    if (!c.friction.is_coulomb())
+        text +=
+            "The theory column is frictionless contact on the half-space (pressed) and, where the "
+            "body is one of revolution, what springs carry under this law of friction (static "
+            "shift, after rolling); the limit f_T,lim is what the least bounds over the path "
+            "carry, exact for uncoupled contact.";
+    else if (contact::is_hertz_round(c))
         text +=
             "The theory column is Hertz (pressed), Cattaneo and Mindlin (static shift) and, after "
             "rolling, the closed form of the method of dimensionality reduction (MDR); its limit "
@@ -138,6 +144,12 @@ class RowMaker {
         return row;
     }
 
+    /// What a ratio is over.
+    std::string over_text(const Quantity& q) const {
+        const std::string over = q.over;
+        return over == "mu F_N" && !case_.friction.is_coulomb() ? "F_lim" : over;
+    }
+
     /// Numbers of one model beside another in a fitting unit, with differences in percent; words
     /// and counts as they are.
     std::vector<Cell> row(const Quantity& q) const {
@@ -147,8 +159,8 @@ class RowMaker {
         for (const Results& r : results_)
             largest = std::max(largest, std::abs(r.number(q).value_or(0)));
         const std::string base = q.unit, symbol = q.symbol;
-        const report::Unit unit =
-            base.empty() ? report::Unit{.symbol = q.over} : report::fitting_unit(largest, base);
+        const report::Unit unit = base.empty() ? report::Unit{.symbol = over_text(q)}
+                                               : report::fitting_unit(largest, base);
         const bool is_size = &q == &quantities::contact_radius;
         std::vector<Cell> row{
             (is_size ? size_name(case_) : q.name) + (symbol.empty() ? "" : " ") + symbol,

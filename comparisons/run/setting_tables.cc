@@ -175,9 +175,11 @@ void add_load(const Case& c, Settings& settings) {
     settings.add("normal force F_N", load.normal_force, "N");
     settings.add("indentation d, prescribed", load.indentation, "m");
     settings.add("tangential force F_T", load.tangential_force, "N");
-    settings.add("tangential force over μF_N", load.tangential_ratio);
+    settings.add(std::string("tangential force over ") + c.friction.limit_symbol(),
+                 load.tangential_ratio);
     settings.add("tangential force over each model's limit of shakedown", load.limit_fraction);
-    settings.add("share of the way from each model's limit of shakedown to μF_N",
+    settings.add(std::string("share of the way from each model's limit of shakedown to ") +
+                     c.friction.limit_symbol(),
                  load.limit_excess);
     add_oscillation("normal load's", load.normal_amplitude_ratio, load.normal_phase, settings);
     add_oscillation("tangential load's", load.tangential_amplitude_ratio, load.tangential_phase,
@@ -240,11 +242,11 @@ report::DocumentTable derived_table(const Case& c) {
         r.hertz.peak_pressure, "Pa");
     add(c.prescribed_path ? "largest normal force F_N" : "normal force F_N", r.hertz.normal_force,
         "N");
-    const bool is_coulomb = c.friction.is_coulomb();
-    add(is_coulomb ? "friction limit μF_N" : "friction limit F_lim", r.hertz.friction_limit, "N");
+    const std::string limit = c.friction.limit_symbol();
+    add("friction limit " + limit, r.hertz.friction_limit, "N");
     add("unit of shift U_max", r.hertz.unit_shift, "m");
     if (std::isfinite(r.tangential_ratio))
-        add(is_coulomb ? "f_T = F_T/(μF_N)" : "f_T = F_T/F_lim", r.tangential_ratio);
+        add(c.friction.is_coulomb() ? "f_T = F_T/(μF_N)" : "f_T = F_T/F_lim", r.tangential_ratio);
     if (c.rolling) add("w = W/a", r.amplitude_ratio);
     if (r.limit_tangential_ratio) add("limit of shakedown f_T,lim", *r.limit_tangential_ratio);
     return table;

@@ -114,8 +114,9 @@ report::Figure traction_figure(const contact::Case& c, const Histories& historie
         .caption =
             "The last upright state. Strips: what each point does during the last period. Dark "
             "blue, stick: always in contact, below the friction bound; amber, slip: at the bound "
-            "μp at "
-            "some instant; light grey, zero or released: out of contact at some instant, after "
+            " +
+            std::string(c.friction.bound_symbol()) +
+            " at some instant; light grey, zero or released: out of contact at some instant, after "
             "shakedown no traction is left there (in coupled contact what the pressure drags). " +
             std::string(contact::has_conical_tip(c)
                             ? "a and the mean pressure p_m are each model's own: at the tip the "

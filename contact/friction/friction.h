@@ -25,6 +25,10 @@ struct Friction {
     std::shared_ptr<const FrictionLaw> law() const;
     /// With its numbers, for people: "0.35 MPa + 0.4 p".
     std::string formula() const;
+    /// What a point and all of them carry, for people: "μp" and "μF_N", "τ(p)" and "F_lim" of
+    /// another law than Coulomb's.
+    const char* bound_symbol() const { return is_coulomb() ? "μp" : "τ(p)"; }
+    const char* limit_symbol() const { return is_coulomb() ? "μF_N" : "F_lim"; }
 };
 
 }  // namespace tricontact::contact

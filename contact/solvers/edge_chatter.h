@@ -27,7 +27,7 @@ class EdgeChatter {
     }
 
   private:
-    static constexpr std::uint8_t unknown = 2, enough = 6;  // three times on and off
+    static constexpr std::uint8_t unknown = 2, enough = 3;  // on, off and on again
 
     std::vector<std::uint8_t> turns_, touched_;
 };

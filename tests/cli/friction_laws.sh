@@ -1,0 +1,55 @@
+#!/usr/bin/env bash
+# Other laws of friction than Coulomb's: closed forms, models beside each other, refusals, pages.
+# usage: friction_laws.sh PROGRAM SOURCE_DIR
+source "$(dirname -- "${BASH_SOURCE[0]}")/prepare.bash"
+lens=$source_dir/examples/cases/lens_on_silicone.toml
+
+# value MODEL KEY FILE: of a summary.
+value() {
+    "$python" -c "import json; print(json.load(open('$3'))['models']['$1']['$2'])"
+}
+# near VALUE EXPECTED TOLERANCE WHAT
+near() {
+    awk -v a="$1" -v b="$2" -v t="$3" 'BEGIN { exit !(a / b - 1 <= t && 1 - a / b <= t) }' ||
+        complain "$4: $1 instead of $2, allowed $3"
+}
+
+# 1. A shear strength: springs settle where the closed form does (five digits of it), and the limit
+# is the lens of both extreme contacts. Nothing on the page speaks of Coulomb's formulas.
+"$program" run "$lens" --quiet --no-studies --output lens || complain "the lens does not run"
+near "$(value mdr settled_shift_ratio lens/summary.json)" 0.30024 2e-4 "settled shift"
+near "$(value mdr static_shift_ratio lens/summary.json)" 0.23788 2e-4 "static shift"
+near "$(value mdr limit_tangential_ratio lens/summary.json)" 0.7470601 1e-5 "limit of mdr"
+# Cells of a/22.5 count whole or not.
+near "$(value bem limit_tangential_ratio lens/summary.json)" 0.7470601 0.01 "limit of bem"
+grep -q "350 kPa" lens/report.html || complain "the page does not say the law"
+for coulombs in "1 − 3/2 w" "μF_N" "μ <i>F" "μp" "Cattaneo" "Coulomb friction of one"; do
+    grep -qF -- "$coulombs" lens/report.html && complain "the page speaks of $coulombs"
+done
+[ "$(value mdr kappa lens/summary.json)" = None ] || complain "a kappa of another law"
+
+# 2. Two models of a layer. Nodes of elements are farther apart than cells; both of the first order
+# at the edge.
+sed -e 's/shear_strength.*/coefficient = 0.3\npressure_exponent = 0.6\nreference_pressure = "50 kPa"/' \
+    -e 's/^models.*/models = ["bem-layer", "fem"]/' \
+    -e 's/poisson = 0.5/poisson = 0.5\nthickness = "4 mm"/' "$lens" >power.toml
+"$program" run power.toml --set "fem.size=0.2 mm" --set rolling.steps=turning-points --quiet \
+    --no-studies --output power || complain "a power of the pressure does not run"
+near "$(value fem static_shift_m power/summary.json)" \
+    "$(value bem-layer static_shift_m power/summary.json)" 0.01 "static shift of fem"
+near "$(value fem settled_shift_m power/summary.json)" \
+    "$(value bem-layer settled_shift_m power/summary.json)" 0.02 "settled shift of fem"
+
+# 3. Numbers that do not go together, and what knows Coulomb's law alone.
+sed '/^shear_strength/d' "$lens" >none.toml
+refused "missing key friction.coefficient" check "$work/none.toml"
+refused "friction.pressure_exponent = 0.5: no part of the friction grows" check "$lens" \
+    --set friction.pressure_exponent=0.5 --set friction.reference_pressure=1MPa
+refused "is Coulomb's law" check "$lens" --set friction.coefficient=0.5 \
+    --set friction.pressure_exponent=1 --set friction.reference_pressure=1MPa
+refused "is not above friction.shear_strength" check "$lens" --set friction.coefficient=0.5 \
+    --set friction.strength_limit=0.3MPa
+refused "know Coulomb's law alone" check "$lens" --set 'models=["mdr-layer"]' --set substrate.thickness=4mm
+refused "no atlas is about laws of friction" predict "$lens"
+refused "deviations are those under Coulomb's law" deviation "$lens" --set substrate.thickness=4mm
+finish
