@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "benchmarks/comparison/comparison.h"
+#include "benchmarks/problems/problem.h"
 #include "tests/unit/benchmarks/foreign.h"
 
 namespace tricontact::benchmarks {
@@ -113,6 +114,54 @@ TEST(ForeignCodes, OneMeshIsNotResolved) {
     const Comparison c = compared(foreign::submission({"getfem_q2_0.25.csv"}));
     EXPECT_EQ(c.standing, Standing::not_resolved);
     EXPECT_NE(c.blame.find("one mesh"), std::string::npos);
+}
+
+// Pressed in the steps of the case, as the deck of the shifted layer says, nothing is left to be
+// explained by pressing in one step; CalculiX 2.20, C3D8, half models of n = 3 and 6.
+TEST(ForeignCodes, PressedInTheStepsOfTheCaseIsNotOneStep) {
+    // The reference's own numbers, which take seconds to compute: bem-layer on three grids.
+    Reference shifted;
+    shifted.c = required_problem("layer_shifted").make_case();
+    shifted.contact_radius = 4.3229e-3;
+    shifted.values = {{"normal_force", {.value = 16.6213}},
+                      {"tangential_force", {.value = 4.52147}}};
+    shifted.effects.tangential_compliance = {.value = -2.95e9};
+    shifted.effects.one_step = {{"tangential_force", {.value = -.0367 * 4.52147}}};
+    ASSERT_EQ(shifted.c.load.press_steps, 5);
+    Submission s{.problem = "layer_shifted"};
+    for (const auto& [n, size] : {std::pair{3, 1.44095846e-3}, std::pair{6, .720479231e-3}}) {
+        MeshField mesh{.file = "n" + std::to_string(n), .format = "numbers alone"};
+        mesh.totals = read_totals(
+            foreign::folder + "calculix_c3d8_shifted_n" + std::to_string(n) + ".dat", mesh.notes);
+        // Of the half; what the .dat has no unit for is in N.
+        for (const char* key : {"normal_force", "tangential_force"}) {
+            mesh.totals.at(key).value *= 2;
+            mesh.totals.at(key).unit = "N";
+        }
+        mesh.totals["size"] = {size, "m", "submission"};
+        s.meshes.push_back(mesh);
+    }
+    s.contact.kind = ContactMethod::Kind::penalty;
+    s.contact.stiffness = s.contact.stick_slope = 280e9;
+    s.contact.kinematics = ContactMethod::Kinematics::displaced;
+    const auto explains = [](const Comparison& compared, const std::string& id) {
+        return std::ranges::any_of(number(compared, "tangential_force").explained,
+                                   [&](const Explained& e) { return e.id == id; });
+    };
+    s.contact.press_steps = 5;
+    const Comparison as_the_case = compare(s, shifted);
+    EXPECT_FALSE(explains(as_the_case, "one_step"));
+    EXPECT_FALSE(foreign::has(as_the_case, "one_step"));
+    EXPECT_TRUE(explains(as_the_case, "stick_slope"));
+    const ComparedNumber& force = number(as_the_case, "tangential_force");
+    EXPECT_NEAR(force.finest, .0243, .0005);
+    EXPECT_LT(std::abs(force.left()), .03);
+    // What the same runs would be said to be, had they pressed at once: further from the reference.
+    s.contact.press_steps = 1;
+    const Comparison at_once = compare(s, shifted);
+    EXPECT_TRUE(explains(at_once, "one_step"));
+    EXPECT_TRUE(foreign::has(at_once, "one_step"));
+    EXPECT_GT(std::abs(number(at_once, "tangential_force").left()), std::abs(force.left()) + .02);
 }
 
 }  // namespace foreign_codes
