@@ -124,7 +124,8 @@ TEST(ForeignCodes, PressedInTheStepsOfTheCaseIsNotOneStep) {
     shifted.c = required_problem("layer_shifted").make_case();
     shifted.contact_radius = 4.3229e-3;
     shifted.values = {{"normal_force", {.value = 16.6213}},
-                      {"tangential_force", {.value = 4.52147}}};
+                      {"tangential_force", {.value = 4.52147}},
+                      {"peak_pressure", {.value = 448281}}};
     shifted.effects.tangential_compliance = {.value = -2.95e9};
     shifted.effects.one_step = {{"tangential_force", {.value = -.0367 * 4.52147}}};
     ASSERT_EQ(shifted.c.load.press_steps, 5);
