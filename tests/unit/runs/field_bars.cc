@@ -9,6 +9,7 @@
 #include <random>
 
 #include "app/models/make_model.h"
+#include "comparisons/differences/surface_difference.h"
 #include "contact/cells.h"
 #include "mdr/settings.h"
 #include "runs/further_runs.h"
@@ -107,6 +108,33 @@ TEST(FieldBars, CoverTheStiffnessOfHertz) {
         EXPECT_LE(std::abs(runs::frictionless_stiffness(c, *model) - exact),
                   *run.error.normal_stiffness);
         EXPECT_LT(*run.error.normal_stiffness, .2 * exact);
+    }
+}
+
+// A layer pressed with friction, beside cells a quarter as large.
+TEST(FieldBars, CoverTheLayersFieldsOnFinerCells) {
+    std::mt19937 random(46);
+    std::uniform_real_distribution<> cells(6, 9);
+    const auto of_layer = [](double per_radius) {
+        Case c = pressed(contact::models::bem_layer, 20, per_radius, .3);
+        c.layer.thickness = 8e-3;
+        c.load.press = Case::Press::friction;
+        c.load.press_steps = 4;
+        return c;
+    };
+    runs::RunOptions options;
+    options.makers = &app::model_makers();
+    const auto fine = options.runner().history_of(contact::models::bem_layer, of_layer(32));
+    for (int k = 0; k < 3; ++k) {
+        Case c = of_layer(cells(random));
+        const BarredRun run = run_of(c);
+        // Steps are those of the run: what the mesh leaves is covered with what the steps leave.
+        const auto d = comparisons::difference_of(run.history.snapshots.back().surface,
+                                                  fine.snapshots.back().surface);
+        EXPECT_LE(std::abs(d.pressure.value), bar(run, "normal_traction").largest);
+        EXPECT_LE(d.pressure.l2, bar(run, "normal_traction").l2);
+        EXPECT_LE(std::abs(d.traction.value), bar(run, "tangential_traction").largest);
+        EXPECT_LE(d.traction.l2, bar(run, "tangential_traction").l2);
     }
 }
 
