@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "benchmarks/comparison/explained.h"
+#include "benchmarks/comparison/explained_pressing.h"
 #include "benchmarks/reference/quantity_units.h"
 
 namespace tricontact::benchmarks {
@@ -188,6 +189,45 @@ void judge(ComparedNumber& n, const std::vector<double>& sizes, const MeshFamily
     name_the_blame(n, values.size(), family, reference_bar, explained_bar);
 }
 
+namespace {
+
+constexpr std::array explained_norms{"load_within", "pressure_l2", "pressure_l2_inside",
+                                     "pressure_max_inside"};
+
+/// A norm is of the difference that is left, not less what is explained: the same beside the
+/// reference with the effects, over the same family.
+void explain_norm(ComparedNumber& n, const Understanding& all,
+                  const std::vector<ExplainedField>& fields, const std::vector<double>& sizes,
+                  const MeshFamily& family, const Reference& reference) {
+    if (fields.empty() || std::ranges::find(explained_norms, n.key) == explained_norms.end())
+        return;
+    ComparedNumber left = n;
+    left.values.clear();
+    double finest = 0, of_fewer_rings = 0;
+    for (std::size_t k = 0; k < fields.size(); ++k) {
+        const auto value = [&](const ReferenceSamples& samples) -> std::optional<double> {
+            const auto norms = field_norms(all.meshes[k], samples, reference);
+            const auto found = std::ranges::find(norms, n.key, &FieldNorm::key);
+            return found == norms.end() ? std::nullopt : found->value;
+        };
+        left.values.push_back(value(fields[k].fine));
+        finest = left.values.back().value_or(0);
+        of_fewer_rings = value(fields[k].coarse).value_or(0);
+    }
+    if (!left.values.back()) return;
+    judge(left, sizes, family);
+    const double bar = std::hypot(finest - of_fewer_rings, fields.back().bar);
+    n.explained = {{fields.back().id, fields.back().title, n.difference - left.difference, bar}};
+    n.uncertainty = std::hypot(left.uncertainty, bar);
+    n.standing = standing_of(left.difference, n.uncertainty, n.tolerance);
+    n.blame.clear();
+    n.remedy.clear();
+    if (n.standing == Standing::not_resolved)
+        name_the_blame(n, n.values.size(), family, n.reference.bar(), bar);
+}
+
+}  // namespace
+
 std::vector<ComparedNumber> compared_numbers(const Submission& submission, const Understanding& all,
                                              const std::vector<ReferenceSamples>& samples,
                                              const MeshFamily& family, const Reference& reference) {
@@ -219,6 +259,7 @@ std::vector<ComparedNumber> compared_numbers(const Submission& submission, const
         numbers.push_back(std::move(n));
     }
     if (norms.empty()) return numbers;
+    const auto fields = explained_fields(submission, reference, all.meshes, samples);
     for (const FieldNorm& norm : norms.back()) {
         ComparedNumber n;
         n.key = norm.key;
@@ -233,6 +274,7 @@ std::vector<ComparedNumber> compared_numbers(const Submission& submission, const
         if (!n.values.back()) continue;
         n.tolerance = submission.tolerances.at(norm.key);
         judge(n, sizes, family);
+        explain_norm(n, all, fields, sizes, family, reference);
         numbers.push_back(std::move(n));
     }
     return numbers;

@@ -116,6 +116,28 @@ TEST(ForeignCodes, OneMeshIsNotResolved) {
     EXPECT_NE(c.blame.find("one mesh"), std::string::npos);
 }
 
+// The penalty flattens the pressure of FreeFem++ by the very field that rings with a Winkler layer
+// have; over the whole contact the mesh leaves more than that.
+TEST(ForeignCodes, FreefemsPressureFieldIsExplainedByThePenalty) {
+    Submission s =
+        foreign::submission({"freefem_p2_1.csv", "freefem_p2_0.5.csv", "freefem_p2_0.25.csv"});
+    s.contact.stiffness = 260e9;
+    s.contact.kinematics = ContactMethod::Kinematics::undeformed;
+    const Comparison c = compared(s);
+    const ComparedNumber& inside = number(c, "pressure_l2_inside");
+    ASSERT_EQ(inside.explained.size(), 1u);
+    EXPECT_EQ(inside.explained[0].id, "penalty");
+    EXPECT_NEAR(inside.difference, .0050, .0003);
+    EXPECT_LT(std::abs(inside.left()), .0005);
+    EXPECT_LT(inside.uncertainty, .003);
+    // A penalty of a tenth, which was not the code's, makes it worse.
+    s.contact.stiffness = 26e9;
+    const Comparison wrong = compared(s);
+    EXPECT_GT(number(wrong, "pressure_l2_inside").left(), .02);
+    s.contact.stiffness.reset();
+    EXPECT_TRUE(number(compared(s), "pressure_l2_inside").explained.empty());
+}
+
 // Pressed in the steps of the case, as the deck of the shifted layer says, nothing is left to be
 // explained by pressing in one step; CalculiX 2.20, C3D8, half models of n = 3 and 6.
 TEST(ForeignCodes, PressedInTheStepsOfTheCaseIsNotOneStep) {
