@@ -147,22 +147,6 @@ double stiffness_at_last(const std::array<contact::StepRecord, 3>& pressed) {
     return pressed[2].normal_force / pressed[2].indentation * slope;
 }
 
-double frictionless_stiffness(const Case& c, const contact::Model& model) {
-    // Nodes join the contact one by one: wider steps average over that, and the parabola is good to
-    // 1e-3 over this range.
-    constexpr std::array shares{0.6, 0.8, 1.0};
-    auto sibling = model.sibling(uncoupled);
-    if (!sibling) sibling = model.sibling(c.contact);  // without friction it is the same
-    std::array<contact::StepRecord, 3> pressed;
-    for (int k = 0; k < 3; ++k) {
-        contact::LoadStep step = contact::press_step(c);
-        step.normal.value *= shares[k];
-        step.friction = false;
-        pressed[k] = sibling->advance(step);
-    }
-    return stiffness_at_last(pressed);
-}
-
 using comparisons::SpeedLimit;
 using comparisons::TwinComparison;
 
@@ -196,6 +180,22 @@ SpeedLimit speed_limit(const Case& c, const TwinComparison& known,
 }
 
 }  // namespace
+
+double frictionless_stiffness(const Case& c, const contact::Model& model) {
+    // Nodes join the contact one by one: wider steps average over that, and the parabola is good to
+    // 1e-3 over this range.
+    constexpr std::array shares{0.6, 0.8, 1.0};
+    auto sibling = model.sibling(uncoupled);
+    if (!sibling) sibling = model.sibling(c.contact);  // without friction it is the same
+    std::array<contact::StepRecord, 3> pressed;
+    for (int k = 0; k < 3; ++k) {
+        contact::LoadStep step = contact::press_step(c);
+        step.normal.value *= shares[k];
+        step.friction = false;
+        pressed[k] = sibling->advance(step);
+    }
+    return stiffness_at_last(pressed);
+}
 
 void study_loading(const Case& c, const contact::Model& model, const History& history,
                    const Say& say, comparisons::LoadingStudy& study) {

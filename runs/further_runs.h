@@ -12,6 +12,10 @@
 // What runs beside the models of a case find.
 namespace tricontact::runs {
 
+/// dF_N/dd at the normal load of a case without friction [N/m], from presses at 0.6, 0.8 and 1
+/// times it on the elasticity that `model` already has, which has to have siblings.
+double frictionless_stiffness(const Case& c, const contact::Model& model);
+
 /// Loads a model whose normal and tangential contact are coupled a few times more, on the
 /// elasticity that `model` already has, and adds to `study`: what coupling and the way of pressing,
 /// one after another, change in the static shift and in that after rolling; and the stiffness

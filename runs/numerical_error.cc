@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "comparisons/resolution/fineness.h"
 #include "contact/base/stopped.h"
@@ -10,6 +11,8 @@
 #include "contact/models/model_kind.h"
 #include "contact/own_limit.h"
 #include "contact/run.h"
+#include "runs/field_bars.h"
+#include "runs/further_runs.h"
 
 namespace tricontact::runs {
 
@@ -19,6 +22,7 @@ using comparisons::NumericalError;
 using comparisons::ResolvedRun;
 using contact::CoarserModel;
 
+constexpr Case::Contact without_coupling{.coupling = false};
 constexpr int steps_for_one = 4;
 constexpr double wider = 1.5;
 
@@ -47,9 +51,11 @@ std::optional<Case> with_steps(Case c, double amplitude, const Changed& changed)
     return differs ? std::optional(c) : std::nullopt;
 }
 
-ResolvedRun resolved(const Case& c, contact::Model& model) {
+/// `last`: becomes its last surface.
+ResolvedRun resolved(const Case& c, contact::Model& model, std::optional<contact::Snapshot>& last) {
     const contact::History history = contact::run(c, model);
     contact::require_sound(history.audit, history.model);
+    last = last_snapshot(history);
     return {c, history};
 }
 
@@ -62,13 +68,14 @@ class OtherSteps {
         : c_(c), coarser_(coarser), amplitude_(amplitude), options_(options) {}
 
     template <class Changed>
-    std::optional<ResolvedRun> run(const std::string& name, const Changed& changed) const {
+    std::optional<ResolvedRun> run(const std::string& name, const Changed& changed,
+                                   std::optional<contact::Snapshot>& last) const {
         const auto other = with_steps(coarser_.c, amplitude_, changed);
         if (!other) return {};
         auto sibling = coarser_.model->sibling(coarser_.c.contact);
         if (!sibling)
             sibling = options_.makers->make_coarser(name, c_, 2, options_.threads, silent).model;
-        return resolved(*other, *sibling);
+        return resolved(*other, *sibling, last);
     }
 
   private:
@@ -95,31 +102,47 @@ std::optional<NumericalError> numerical_error(const Case& c, const contact::Hist
     say(fmt::format("{}: once more on coarser meshes and with other steps", name));
     const int n_threads = options.threads;
     CoarserModel coarser;
+    LastSurfaces last{.run = last_snapshot(history)};
     // The run itself is none the worse for what stops these.
     error.why_none = contact::why_it_stopped([&] {
         coarser = makers.make_coarser(name, loaded, 2, n_threads, silent);
-        error.coarser = resolved(coarser.c, *coarser.model);
+        error.coarser = resolved(coarser.c, *coarser.model, last.coarser);
         error.cell = comparisons::cell_size(coarser.c, contact::model_kind(name)) / 2;
     });
     if (!error.why_none.empty()) return error;
     error.why_no_steps = contact::why_it_stopped([&] {
         const OtherSteps steps(loaded, coarser, history.amplitude, options);
-        error.long_steps = steps.run(name, [](int n) { return std::max(1, n / 2); });
-        error.short_steps = steps.run(name, [](int n) { return n == 1 ? steps_for_one : n; });
+        error.long_steps = steps.run(
+            name, [](int n) { return std::max(1, n / 2); }, last.long_steps);
+        error.short_steps = steps.run(
+            name, [](int n) { return n == 1 ? steps_for_one : n; }, last.short_steps);
     });
     contact::why_it_stopped([&] {  // else two meshes have to do
         const CoarserModel coarsest = makers.make_coarser(name, loaded, 4, n_threads, silent);
-        error.coarsest = resolved(coarsest.c, *coarsest.model);
+        error.coarsest = resolved(coarsest.c, *coarsest.model, last.coarsest);
+        // Of the first order on the mesh of the run.
+        if (loaded.prescribed_path || !coarser.model->sibling(without_coupling) ||
+            !coarser.model->is_coupled())
+            return;
+        error.normal_stiffness = comparisons::safety_factor *
+                                 std::abs(frictionless_stiffness(coarser.c, *coarser.model) -
+                                          frictionless_stiffness(coarsest.c, *coarsest.model));
     });
+    error.fields = field_bars(last);
     if (!contact::model_kind(name).sees_sides) return error;
     const std::string why = contact::why_it_stopped([&] {
         if (const auto wide = makers.with_wider_block(coarser.c, wider, silent))
-            error.wide_block = resolved(*wide, *makers.make(name, *wide, n_threads, silent));
+            error.wide_block =
+                resolved(*wide, *makers.make(name, *wide, n_threads, silent), last.wide_block);
     });
     if (!why.empty()) {  // half widths without it would leave the sides out
         error.coarser.reset();
         error.why_none = "in a wider block, " + why;
+        error.fields.clear();
+        error.normal_stiffness.reset();
+        return error;
     }
+    error.fields = field_bars(last);
     return error;
 }
 

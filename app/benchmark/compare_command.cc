@@ -4,6 +4,8 @@
 
 #include "app/benchmark/benchmark_case.h"
 #include "app/commands/command.h"
+#include "benchmarks/comparison/closed_comparison.h"
+#include "benchmarks/problems/target_reference.h"
 #include "benchmarks/report/comparison_output.h"
 #include "benchmarks/submissions/read_field.h"
 #include "benchmarks/submissions/submission_file.h"
@@ -104,6 +106,20 @@ void write_comparison(const CompareOptions& options, const Comparison& compariso
     if (options.report) options.write_report(benchmarks::comparison_document(comparison), command);
 }
 
+/// A problem of the catalogue, by its name alone; null of a case file.
+const benchmarks::Problem* problem_of(const std::string& name) {
+    return name.ends_with(".toml") ? nullptr : benchmarks::find_problem(name);
+}
+
+/// With a closed form, or with the reference of a case and, of the catalogue, its targets.
+Comparison comparison_of(const CompareOptions& options, Submission submission,
+                         const benchmarks::Problem* problem, const contact::Case* c) {
+    if (!c) return benchmarks::compare_closed(std::move(submission));
+    auto reference = reference_of_case(*c, options.threads, options.sayer());
+    if (problem) benchmarks::add_targets(reference, *problem);
+    return benchmarks::compare(std::move(submission), std::move(reference));
+}
+
 /// Compares the results of a code with the reference. Exit code: 0 pass, 3 fail, 4 not resolved.
 int compare_submission(CompareOptions options) {
     Submission submission = submission_of(options);
@@ -111,11 +127,16 @@ int compare_submission(CompareOptions options) {
     const bool has_file = options.problem.empty();
     const std::string folder =
         has_file ? std::filesystem::path(options.inputs.front()).parent_path().string() : "";
-    const BenchmarkCase found = benchmark_case(submission.problem, folder);
+    const benchmarks::Problem* problem = problem_of(submission.problem);
+    benchmarks::check_stated_targets(submission, problem);
+    const bool is_closed = problem && benchmarks::has_closed_comparison(problem->name);
+    const auto found = is_closed ? BenchmarkCase{problem->name, problem->title, {}, {}}
+                                 : benchmark_case(submission.problem, folder);
+    if (is_closed) submission.problem = found.name;
     options.file = has_file ? options.inputs.front() : found.name + ".toml";
     options.choose_folder("_comparison");
-    auto reference = reference_of_case(found.c, options.threads, options.sayer());
-    Comparison comparison = benchmarks::compare(std::move(submission), std::move(reference));
+    Comparison comparison =
+        comparison_of(options, std::move(submission), problem, is_closed ? nullptr : &found.c);
     comparison.title = found.title;
     comparison.name = found.name;
     options.fill({benchmarks::comparison_file_names()},

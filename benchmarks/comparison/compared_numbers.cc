@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "benchmarks/comparison/explained.h"
+#include "benchmarks/comparison/explained_pressing.h"
 #include "benchmarks/reference/quantity_units.h"
 
 namespace tricontact::benchmarks {
@@ -23,17 +24,21 @@ const char* const smooth = "1 to 2: resultants of smooth elements";
 struct OrderOfKey {
     const char *key, *order;
 };
-constexpr std::array other_orders{
+const std::array other_orders{
     OrderOfKey{keys::contact_radius, "1 to 3/2: the edge's error on its own load"},
     OrderOfKey{keys::peak_pressure, "1 to 2: away from the contact's edge"},
     OrderOfKey{keys::contact_area, "1: counted in elements"},
     OrderOfKey{keys::stick_area, "1: counted in elements"},
     OrderOfKey{keys::dissipation, "1: of the steps"},
-    OrderOfKey{keys::shift_increment, "1: counted in elements"}};
+    OrderOfKey{keys::shift_increment, "1: counted in elements"},
+    OrderOfKey{keys::stick_ratio, "1: counted in elements"},
+    OrderOfKey{keys::pressure_at_axis, "1 to 2: away from the edge"},
+    OrderOfKey{keys::pressure_at_0_9, "1/2 or better: beside a singular edge"}};
 
 /// What a quantity's number of a field is, behind its title.
 std::string_view how_found(std::string_view key) {
     if (key == keys::contact_radius) return ", by the second moment of p";
+    if (key == keys::pressure_at_axis) return ", fitted inside .3 a";
     if (key == keys::peak_pressure) return ", fitted inside .3 a";
     return {};
 }
@@ -42,6 +47,20 @@ constexpr std::array decisive{keys::normal_force,    keys::indentation,     keys
                               keys::shift,           keys::static_shift,    keys::settled_shift,
                               keys::shift_increment, keys::shakedown_limit, keys::torque,
                               keys::creepage};
+
+/// Ratios that a problem is about.
+const std::array decisive_targets{keys::stick_ratio,
+                                  keys::creepage_ratio,
+                                  keys::shift_ratio,
+                                  keys::increment_ratio,
+                                  keys::stiffness_ratio,
+                                  keys::settled_shift_ratio,
+                                  keys::c11,
+                                  keys::c22,
+                                  keys::c23,
+                                  keys::c33,
+                                  keys::von_mises_ratio,
+                                  keys::von_mises_depth_ratio};
 
 std::string percent(double share) {
     return 100 * share < 100 ? fmt::format("{:.2g} %", 100 * share)
@@ -84,11 +103,14 @@ void name_the_blame(ComparedNumber& n, std::size_t n_meshes, const MeshFamily& f
     n.remedy = worst.remedy;
 }
 
-ComparedNumber named(const std::string& key, Geometry geometry) {
+ComparedNumber named(const std::string& key, const Reference& reference) {
     ComparedNumber n;
     n.key = key;
-    n.title = std::string(title_of_quantity(key)) + std::string(how_found(key));
-    n.unit = usual_unit(key, geometry).base;
+    const auto own = reference.titles.find(key);
+    n.title = own != reference.titles.end()
+                  ? own->second
+                  : std::string(title_of_quantity(key)) + std::string(how_found(key));
+    n.unit = usual_unit(key, reference.geometry).base;
     const auto other = std::ranges::find(
         other_orders, key, [](const OrderOfKey& one) { return std::string(one.key); });
     n.expected_order = other == other_orders.end() ? smooth : other->order;
@@ -105,6 +127,24 @@ std::optional<double> value_of(const std::string& key, const UnderstoodMesh& mes
     return {};
 }
 
+/// The same of a ratio: what the code states, else from the number that it is made of.
+std::optional<double> ratio_or_value(const std::string& key, const UnderstoodMesh& mesh,
+                                     const std::vector<FieldNumber>& of_field,
+                                     const Reference& reference) {
+    if (const auto value = value_of(key, mesh, of_field)) return value;
+    const auto ratio = reference.ratios.find(key);
+    if (ratio != reference.ratios.end()) {
+        const auto over = value_of(ratio->second.numerator, mesh, of_field);
+        return over ? std::optional(std::abs(*over) / ratio->second.denominator) : std::nullopt;
+    }
+    if (key != keys::stick_ratio) return {};
+    const auto stick = value_of(keys::stick_area, mesh, of_field),
+               contact = value_of(keys::contact_area, mesh, of_field);
+    if (!stick || !contact || !(*contact > 0) || !(*stick >= 0)) return {};
+    const double share = *stick / *contact;
+    return reference.geometry == Geometry::plane ? share : std::sqrt(share);
+}
+
 }  // namespace
 
 Standing standing_of(double difference, double uncertainty, double tolerance) {
@@ -115,7 +155,8 @@ Standing standing_of(double difference, double uncertainty, double tolerance) {
 
 bool is_decisive(const ComparedNumber& number, const Tolerances& tolerances) {
     return tolerances.of.contains(number.key) ||
-           std::ranges::find(decisive, number.key) != decisive.end();
+           std::ranges::find(decisive, number.key) != decisive.end() ||
+           std::ranges::find(decisive_targets, number.key) != decisive_targets.end();
 }
 
 void judge(ComparedNumber& n, const std::vector<double>& sizes, const MeshFamily& family) {
@@ -148,6 +189,45 @@ void judge(ComparedNumber& n, const std::vector<double>& sizes, const MeshFamily
     name_the_blame(n, values.size(), family, reference_bar, explained_bar);
 }
 
+namespace {
+
+constexpr std::array explained_norms{"load_within", "pressure_l2", "pressure_l2_inside",
+                                     "pressure_max_inside"};
+
+/// A norm is of the difference that is left, not less what is explained: the same beside the
+/// reference with the effects, over the same family.
+void explain_norm(ComparedNumber& n, const Understanding& all,
+                  const std::vector<ExplainedField>& fields, const std::vector<double>& sizes,
+                  const MeshFamily& family, const Reference& reference) {
+    if (fields.empty() || std::ranges::find(explained_norms, n.key) == explained_norms.end())
+        return;
+    ComparedNumber left = n;
+    left.values.clear();
+    double finest = 0, of_fewer_rings = 0;
+    for (std::size_t k = 0; k < fields.size(); ++k) {
+        const auto value = [&](const ReferenceSamples& samples) -> std::optional<double> {
+            const auto norms = field_norms(all.meshes[k], samples, reference);
+            const auto found = std::ranges::find(norms, n.key, &FieldNorm::key);
+            return found == norms.end() ? std::nullopt : found->value;
+        };
+        left.values.push_back(value(fields[k].fine));
+        finest = left.values.back().value_or(0);
+        of_fewer_rings = value(fields[k].coarse).value_or(0);
+    }
+    if (!left.values.back()) return;
+    judge(left, sizes, family);
+    const double bar = std::hypot(finest - of_fewer_rings, fields.back().bar);
+    n.explained = {{fields.back().id, fields.back().title, n.difference - left.difference, bar}};
+    n.uncertainty = std::hypot(left.uncertainty, bar);
+    n.standing = standing_of(left.difference, n.uncertainty, n.tolerance);
+    n.blame.clear();
+    n.remedy.clear();
+    if (n.standing == Standing::not_resolved)
+        name_the_blame(n, n.values.size(), family, n.reference.bar(), bar);
+}
+
+}  // namespace
+
 std::vector<ComparedNumber> compared_numbers(const Submission& submission, const Understanding& all,
                                              const std::vector<ReferenceSamples>& samples,
                                              const MeshFamily& family, const Reference& reference) {
@@ -168,10 +248,10 @@ std::vector<ComparedNumber> compared_numbers(const Submission& submission, const
         if (!value || value->value == 0 || !std::isfinite(value->value) ||
             reference.is_prescribed(key))
             continue;
-        ComparedNumber n = named(key, reference.geometry);
+        ComparedNumber n = named(key, reference);
         n.reference = *value;
         for (std::size_t k = 0; k < all.meshes.size(); ++k)
-            n.values.push_back(value_of(key, all.meshes[k], of_fields[k]));
+            n.values.push_back(ratio_or_value(key, all.meshes[k], of_fields[k], reference));
         if (!n.values.back()) continue;
         n.tolerance = submission.tolerances.at(key);
         n.explained = explained(key, submission, reference);
@@ -179,6 +259,7 @@ std::vector<ComparedNumber> compared_numbers(const Submission& submission, const
         numbers.push_back(std::move(n));
     }
     if (norms.empty()) return numbers;
+    const auto fields = explained_fields(submission, reference, all.meshes, samples);
     for (const FieldNorm& norm : norms.back()) {
         ComparedNumber n;
         n.key = norm.key;
@@ -193,6 +274,7 @@ std::vector<ComparedNumber> compared_numbers(const Submission& submission, const
         if (!n.values.back()) continue;
         n.tolerance = submission.tolerances.at(norm.key);
         judge(n, sizes, family);
+        explain_norm(n, all, fields, sizes, family, reference);
         numbers.push_back(std::move(n));
     }
     return numbers;

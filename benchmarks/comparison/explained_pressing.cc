@@ -47,14 +47,78 @@ std::optional<double> change(const std::string& key, const Reference& reference,
     return number_of(key, rings, *with, a) / number_of(key, rings, *without, a) - 1;
 }
 
+/// What a law changes of the pressures of rings.
+struct RingChange {
+    std::vector<double> radii, change;  ///< [m], [Pa]
+};
+
+std::optional<RingChange> ring_change(const Reference& reference, int n_rings,
+                                      const InterfaceLaw& law) {
+    const RingContact rings(reference.c, reference.contact_radius, n_rings);
+    const contact::NormalControl control = final_normal(reference.c);
+    const auto with = rings.solve(control, law), without = rings.solve(control, {});
+    if (!with || !without) return {};
+    RingChange found{.radii = rings.radii(), .change = with->pressure};
+    for (std::size_t i = 0; i < found.change.size(); ++i) found.change[i] -= without->pressure[i];
+    return found;
+}
+
+/// Mean over rings of equal widths from low to high [m].
+double mean_change(const RingChange& rings, double low, double high) {
+    const double width = rings.radii[1] - rings.radii[0];
+    double sum = 0;
+    for (std::size_t i = 0; i < rings.radii.size(); ++i) {
+        const double inner = std::max(low, rings.radii[i] - width / 2),
+                     outer = std::min(high, rings.radii[i] + width / 2);
+        if (outer > inner) sum += rings.change[i] * (outer * outer - inner * inner);
+    }
+    return high > low ? sum / (high * high - low * low) : 0;
+}
+
+ReferenceSamples with_change(const UnderstoodMesh& mesh, ReferenceSamples samples,
+                             const RingChange& rings) {
+    const auto& points = mesh.result.points;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        double low, high;
+        if (mesh.result.geometry == Geometry::spatial) {
+            const double r = std::hypot(points[i].x, points[i].y),
+                         half = std::sqrt(std::max(0., points[i].area)) / 2;
+            low = std::max(0., r - half);
+            high = r + half;
+        } else {
+            low = std::max(0., mesh.low[i]);
+            high = mesh.high[i];
+        }
+        samples.values[i].pressure += mean_change(rings, low, high);
+    }
+    return samples;
+}
+
+bool has_ring_effects(const Reference& reference) {
+    const contact::Case& c = reference.c;
+    return !reference.has_singular_edge && !c.tractive_rolling && !c.rolling && is_uncoupled(c) &&
+           has_exact_radial_contact(c) && !contact::has_conical_tip(c);
+}
+
+bool is_displaced(const ContactMethod& method) {
+    return method.kinematics == ContactMethod::Kinematics::displaced ||
+           method.kinematics == ContactMethod::Kinematics::finite;
+}
+
+/// Second order of the displaced surface, and the areal strain at the centre: codes differ in the
+/// area that a pressure acts on.
+double displaced_pressure_bar(const Reference& reference) {
+    const double slope = edge_slope(reference);
+    const RadialContact contact(reference.c, final_normal(reference.c));
+    const double r = .1 * contact.radius();
+    return std::max(second_order * slope * slope, std::abs(2 * contact.radial_displacement(r) / r));
+}
+
 }  // namespace
 
 std::vector<Explained> explained_pressing(const std::string& key, const Submission& submission,
                                           const Reference& reference) {
-    const contact::Case& c = reference.c;
-    if ((key != keys::peak_pressure && key != keys::contact_radius) || c.tractive_rolling ||
-        c.rolling || !is_uncoupled(c) || !has_exact_radial_contact(c) ||
-        contact::has_conical_tip(c))
+    if ((key != keys::peak_pressure && key != keys::contact_radius) || !has_ring_effects(reference))
         return {};
     std::vector<Explained> all;
     const auto add = [&](const char* id, const char* title, const InterfaceLaw& law, double bar) {
@@ -65,16 +129,40 @@ std::vector<Explained> explained_pressing(const std::string& key, const Submissi
     const ContactMethod& method = submission.contact;
     if (method.stiffness)
         add("penalty", "normal penalty", {.compliance = 1 / *method.stiffness}, 0);
-    if (method.kinematics == ContactMethod::Kinematics::displaced ||
-        method.kinematics == ContactMethod::Kinematics::finite) {
+    if (is_displaced(method)) {
         const double slope = edge_slope(reference);
-        double bar = second_order * slope * slope;
-        if (key == keys::peak_pressure) {
-            const RadialContact contact(c, final_normal(c));
-            const double r = .1 * contact.radius();
-            bar = std::max(bar, std::abs(2 * contact.radial_displacement(r) / r));
-        }
+        const double bar = key == keys::peak_pressure ? displaced_pressure_bar(reference)
+                                                      : second_order * slope * slope;
         add("displaced_surface", "contact on the displaced surface", {.is_displaced = true}, bar);
+    }
+    return all;
+}
+
+std::vector<ExplainedField> explained_fields(const Submission& submission,
+                                             const Reference& reference,
+                                             const std::vector<UnderstoodMesh>& meshes,
+                                             const std::vector<ReferenceSamples>& samples) {
+    const ContactMethod& method = submission.contact;
+    const bool displaced = is_displaced(method);
+    if ((!method.stiffness && !displaced) || samples.size() != meshes.size() || samples.empty() ||
+        !reference.fields || !has_ring_effects(reference))
+        return {};
+    const InterfaceLaw law{.compliance = method.stiffness ? 1 / *method.stiffness : 0,
+                           .is_displaced = displaced};
+    const auto fine = ring_change(reference, fine_rings, law),
+               coarse = ring_change(reference, fine_rings / 2, law);
+    if (!fine || !coarse) return {};
+    ExplainedField one;
+    one.id = !displaced ? "penalty" : method.stiffness ? "interface" : "displaced_surface";
+    one.title = !displaced         ? "normal penalty"
+                : method.stiffness ? "normal penalty and displaced surface"
+                                   : "contact on the displaced surface";
+    if (displaced) one.bar = displaced_pressure_bar(reference);
+    std::vector<ExplainedField> all;
+    for (std::size_t k = 0; k < meshes.size(); ++k) {
+        one.fine = with_change(meshes[k], samples[k], *fine);
+        one.coarse = with_change(meshes[k], samples[k], *coarse);
+        all.push_back(one);
     }
     return all;
 }

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "benchmarks/comparison/comparison.h"
+#include "benchmarks/comparison/field_norms.h"
 
 namespace tricontact::benchmarks {
 
@@ -14,5 +15,18 @@ namespace tricontact::benchmarks {
 /// pressure, the areal strain at the centre: codes differ in the area that a pressure acts on.
 std::vector<Explained> explained_pressing(const std::string& key, const Submission& submission,
                                           const Reference& reference);
+
+/// The same two effects together on the pressure as a field.
+struct ExplainedField {
+    std::string id, title;
+    /// The reference with them, at the points of a mesh: of rings, and of half as many.
+    ReferenceSamples fine, coarse;
+    double bar = 0;  ///< beyond the rings: second order of the displaced surface, over p0
+};
+/// Of the finest rings and half as many; empty where explained_pressing is. One per mesh.
+std::vector<ExplainedField> explained_fields(const Submission& submission,
+                                             const Reference& reference,
+                                             const std::vector<UnderstoodMesh>& meshes,
+                                             const std::vector<ReferenceSamples>& samples);
 
 }  // namespace tricontact::benchmarks

@@ -122,6 +122,10 @@ std::vector<FieldNorm> field_norms(const UnderstoodMesh& mesh, const ReferenceSa
     norms.push_back({"edge_band", "pressure, rms .9 a to 1.15 a over p0", edge_order,
                      at.root(band_low * a, band_high * a, band, difference),
                      at.root(band_low * a, band_high * a, band, bar).value_or(0)});
+    if (reference.has_singular_edge)
+        std::erase_if(norms, [](const FieldNorm& norm) {
+            return norm.key == "pressure_l2" || norm.key == "edge_band";
+        });
     add_friction_norms(norms, at, p0);
     const ReferenceValue* depth = reference.find(keys::indentation);
     if (depth && std::isfinite(points.front().gap)) {

@@ -37,6 +37,45 @@ double fitted_peak(const UnderstoodMesh& mesh, double radius,
     return (b0 * s2 - b1 * s1) / det;
 }
 
+/// The code's pressure over the reference's at the distance r, between the points beside it; NaN
+/// beyond them.
+template <class Ratio>
+double ratio_at(const UnderstoodMesh& mesh, double r, const Ratio& ratio) {
+    const auto& points = mesh.result.points;
+    double low = -1, high = std::numeric_limits<double>::infinity(), below = 0, above = 0;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const double at = distance(mesh, points[i]), q = ratio(i);
+        if (!std::isfinite(q)) continue;
+        if (at <= r && at > low) low = at, below = q;
+        if (at >= r && at < high) high = at, above = q;
+    }
+    if (low < 0 || !std::isfinite(high)) return std::numeric_limits<double>::quiet_NaN();
+    return high > low ? below + (above - below) * (r - low) / (high - low) : below;
+}
+
+/// Pressures at places of a contact whose largest is infinite.
+void add_pressures_at(std::vector<FieldNumber>& numbers, const UnderstoodMesh& mesh,
+                      const ReferenceSamples& samples, const Reference& reference) {
+    const auto& points = mesh.result.points;
+    if (const ReferenceValue* axis = reference.find(keys::pressure_at_axis)) {
+        const auto spike = axis_spike(mesh, reference);
+        const double radius = centre_share * reference.contact_radius;
+        const double code = fitted_peak(mesh, radius, spike,
+                                        [&](std::size_t i) { return points[i].values.pressure; });
+        const double own = fitted_peak(mesh, radius, spike,
+                                       [&](std::size_t i) { return samples.values[i].pressure; });
+        if (std::isfinite(code / own))
+            numbers.push_back({keys::pressure_at_axis, code / own * axis->value, axis->value});
+    }
+    if (const ReferenceValue* near_edge = reference.find(keys::pressure_at_0_9)) {
+        const double q = ratio_at(mesh, .9 * reference.contact_radius, [&](std::size_t i) {
+            return points[i].values.pressure / samples.values[i].pressure;
+        });
+        if (std::isfinite(q))
+            numbers.push_back({keys::pressure_at_0_9, q * near_edge->value, near_edge->value});
+    }
+}
+
 }  // namespace
 
 std::vector<std::size_t> axis_spike(const UnderstoodMesh& mesh, const Reference& reference) {
@@ -100,6 +139,7 @@ std::vector<FieldNumber> field_numbers(const UnderstoodMesh& mesh, const Referen
         if (std::isfinite(peak) && std::isfinite(of_reference))
             numbers.push_back({keys::peak_pressure, peak * p0->value / of_reference, p0->value});
     }
+    add_pressures_at(numbers, mesh, samples, reference);
     if (reference.has_friction() && std::isfinite(points.front().values.traction_x) &&
         reference.find(keys::tangential_force))
         numbers.push_back(

@@ -86,9 +86,11 @@ std::optional<double> misfit_to_given(const WeightedField& field, double resulta
     return least < given_tolerance ? std::optional(least + beside_given) : std::nullopt;
 }
 
-/// Misfit of a reading over all meshes, the finest counting most.
+/// Misfit of a reading over all meshes, the finest counting most; of an infinite peak by the
+/// resultant alone.
 Scored scored(const std::vector<WeightedField>& fields, LoadReading reading,
-              const std::vector<NamedFactor>& shares, double cover, double force, double peak) {
+              const std::vector<NamedFactor>& shares, double cover, double force, double peak,
+              bool has_peak) {
     double score = 0, weight = 0;
     for (std::size_t k = 0; k < fields.size(); ++k) {
         const Sums sums = sums_of(fields[k], reading.is_force);
@@ -98,8 +100,8 @@ Scored scored(const std::vector<WeightedField>& fields, LoadReading reading,
         if (reading.is_force) reading.peak_ratio *= reading.share / cover;
         reading.sign = sums.resultant < 0 ? -1 : 1;
         const double counts = static_cast<double>(k + 1);
-        double misfit = std::abs(std::log(reading.resultant_ratio)) +
-                        .5 * std::abs(std::log(reading.peak_ratio));
+        double misfit = std::abs(std::log(reading.resultant_ratio));
+        if (has_peak) misfit += .5 * std::abs(std::log(reading.peak_ratio));
         if (const auto given =
                 misfit_to_given(fields[k], sums.resultant * reading.unit * whole, shares))
             misfit = std::min(misfit, *given);
@@ -189,7 +191,7 @@ LoadReading load_reading(const std::vector<WeightedField>& fields, const Contact
                 reading.share = share.factor;
                 reading.share_name = share.name;
                 Scored s = scored(fields, reading, shares_of(reach, geometry), reach.parts(),
-                                  force->value, p0);
+                                  force->value, p0, !reference.has_singular_edge);
                 if (!said && is_force) s.score += against_heading;
                 all.push_back(s);
             }

@@ -21,11 +21,6 @@ std::string number_with_bar(double value, double bar, double size, std::string_v
     return unit.empty() ? number : number + ' ' + std::string(unit);
 }
 
-/// Results of a code can be held against a reference of the case: that of contact in its place.
-bool is_compared(const Problem& problem) {
-    return problem.has_case() && problem.group != "rolling";
-}
-
 }  // namespace
 
 std::vector<NumberRow> target_rows(const Problem& problem, bool is_solution) {
@@ -68,9 +63,8 @@ std::vector<std::string> commands_of(const Problem& problem) {
         if (problem.has_case())
             commands.emplace_back("tricontact benchmark compare try/submission.toml");
     }
-    if (is_compared(problem))
-        commands.push_back(fmt::format(
-            "tricontact benchmark compare --case {} coarse.csv medium.csv fine.csv", problem.name));
+    commands.push_back(fmt::format(
+        "tricontact benchmark compare --case {} coarse.csv medium.csv fine.csv", problem.name));
     return commands;
 }
 

@@ -35,7 +35,7 @@ struct QuantityRow {
 };
 
 /// In the order in which they are shown.
-constexpr std::array<QuantityRow, 18> quantities{
+const std::array<QuantityRow, 34> quantities{
     {{quantity_keys::normal_force, "normal force F_N", "N", "N/m"},
      {quantity_keys::indentation, "indentation d", "m", "m"},
      {quantity_keys::tangential_force, "tangential force F_T", "N", "N/m"},
@@ -53,7 +53,23 @@ constexpr std::array<QuantityRow, 18> quantities{
      {quantity_keys::shift_increment, "shift per period", "m", "m"},
      {quantity_keys::shakedown_limit, "limit of shakedown f_T,lim", "", ""},
      {quantity_keys::torque, "torque M", "N m", "N m"},
-     {quantity_keys::creepage, "longitudinal creepage", "", ""}}};
+     {quantity_keys::creepage, "longitudinal creepage", "", ""},
+     {quantity_keys::stick_ratio, "stick zone over contact c/a", "", ""},
+     {quantity_keys::creepage_ratio, "creepage ratio", "", ""},
+     {quantity_keys::shift_ratio, "shift ratio", "", ""},
+     {quantity_keys::settled_shift_ratio, "settled shift ratio", "", ""},
+     {quantity_keys::increment_ratio, "shift per cycle, ratio", "", ""},
+     {quantity_keys::stiffness_ratio, "stiffness ratio", "", ""},
+     {quantity_keys::von_mises_ratio, "largest von Mises stress over p0", "", ""},
+     {quantity_keys::von_mises_depth_ratio, "depth of the largest von Mises stress over a", "", ""},
+     {quantity_keys::c11, "Kalker's C11", "", ""},
+     {quantity_keys::c22, "Kalker's C22", "", ""},
+     {quantity_keys::c23, "Kalker's C23", "", ""},
+     {quantity_keys::c33, "Kalker's C33", "", ""},
+     {quantity_keys::force_ratio, "horizontal force over weight", "", ""},
+     {quantity_keys::displacement, "displacement of the interface", "m", "m"},
+     {quantity_keys::pressure_at_axis, "pressure on the axis", "Pa", "Pa"},
+     {quantity_keys::pressure_at_0_9, "pressure at r = 0.9 a", "Pa", "Pa"}}};
 
 const QuantityRow* find_quantity(std::string_view key) {
     const auto found = std::ranges::find(quantities, key, &QuantityRow::key);

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "comparisons/quantities/quantities.h"
 #include "contact/case.h"
 #include "contact/model_makers.h"
 
@@ -88,7 +89,31 @@ inline constexpr const char* static_shift = "static_shift";        ///< U before
 inline constexpr const char* settled_shift = "settled_shift";      ///< U_sd after shakedown [m]
 inline constexpr const char* shift_increment = "shift_increment";  ///< per period, ratcheting [m]
 inline constexpr const char* shakedown_limit = "shakedown_limit";  ///< f_T,lim [-]
+// Numbers of problems of the catalogue, whose targets say what they are over [-]:
+inline const char* const& stick_ratio = comparisons::quantities::stick_ratio.key;  ///< c/a
+inline const char* const& settled_shift_ratio =
+    comparisons::quantities::settled_shift_ratio.key;              ///< over all slipping
+inline constexpr const char* creepage_ratio = "creepage_ratio";    ///< over a/R or mu a/R
+inline constexpr const char* shift_ratio = "shift_ratio";          ///< over all slipping
+inline constexpr const char* increment_ratio = "increment_ratio";  ///< the same
+inline constexpr const char* stiffness_ratio = "stiffness_ratio";  ///< over 4 G a
+inline constexpr const char* von_mises_ratio = "von_mises_ratio";  ///< over p0
+inline constexpr const char* von_mises_depth_ratio = "von_mises_depth_ratio";  ///< over a
+inline constexpr const char* c11 = "c11";                                      ///< Kalker's
+inline constexpr const char* c22 = "c22";
+inline constexpr const char* c23 = "c23";
+inline constexpr const char* c33 = "c33";
+inline constexpr const char* force_ratio = "force_ratio";    ///< horizontal force over weight
+inline constexpr const char* displacement = "displacement";  ///< of an interface [m]
+inline constexpr const char* pressure_at_axis = "pressure_at_axis";  ///< [Pa]
+inline constexpr const char* pressure_at_0_9 = "pressure_at_0_9";    ///< at r = 0.9 a [Pa]
 }  // namespace quantity_keys
+
+/// A ratio that follows from another number: that number over `denominator` (SI).
+struct RatioOf {
+    std::string numerator;  ///< of quantity_keys
+    double denominator = 1;
+};
 
 /// The best that this project knows of the end of a case's path.
 struct Reference {
@@ -104,6 +129,9 @@ struct Reference {
     bool has_tractions = false;        ///< tangential ones, of friction
     std::vector<std::string> models;   ///< that stand behind it, the one of the fields first
     std::vector<std::string> remarks;  ///< sentences: what the reference leaves out
+    std::map<std::string, std::string> titles;  ///< of values that a problem names otherwise
+    std::map<std::string, RatioOf> ratios;      ///< values that follow from another number
+    bool has_singular_edge = false;  ///< p^2 has no integral: there is no L2 norm of the pressure
 
     const ReferenceValue* find(const std::string& key) const {
         const auto found = values.find(key);

@@ -172,7 +172,9 @@ void add_stated(MeshField& mesh, const Document& document) {
             "write for example " + std::string(key.key) + " = " + io::toml_string(key.example);
         if (!text) io::fail(entry->place, entry->subject(), "a number with a unit is due", example);
         const Total total = read_total(key, *text, entry->place);
-        if (!total.unit) io::fail(entry->place, entry->subject(), "the unit is missing", example);
+        const bool is_pure = key.dimensions.front() == Dimension::none;
+        if (!total.unit && !is_pure)
+            io::fail(entry->place, entry->subject(), "the unit is missing", example);
         const auto old = mesh.totals.find(std::string(key.key));
         if (old != mesh.totals.end())
             mesh.notes.push_back(std::string(key.key) + " of " + old->second.place +

@@ -11,10 +11,10 @@
 namespace tricontact::benchmarks {
 
 /// Norms of a comparison that a tolerance may be given for, beside quantity_keys.
-inline constexpr std::array<std::string_view, 10> norm_keys{
-    "load_within",     "pressure_l2",    "pressure_l2_inside",   "pressure_max_inside",
-    "edge_band",       "traction_l2",    "traction_load_within", "bound",
-    "complementarity", "displacement_l2"};
+inline constexpr std::array<std::string_view, 11> norm_keys{
+    "load_within",     "pressure_l2",     "pressure_l2_inside",   "pressure_max_inside",
+    "edge_band",       "traction_l2",     "traction_load_within", "bound",
+    "complementarity", "displacement_l2", "pressure_deviation"};
 
 /// Most meshes of a submission.
 inline constexpr int most_meshes = 8;

@@ -76,6 +76,16 @@ std::map<std::string, Total> totals_in_comments(std::string_view text, const std
     return totals;
 }
 
+/// Rows, if any, are more than lines with the mark of a comment.
+bool has_rows(std::string_view text) {
+    bool found = false;
+    for_lines(text, [&](std::string_view line, int) {
+        line = io::trimmed(line);
+        found = found || (!line.empty() && line.front() != '#');
+    });
+    return found;
+}
+
 }  // namespace
 
 MeshField parse_table(std::string_view text, const std::string& name) {
@@ -83,6 +93,10 @@ MeshField parse_table(std::string_view text, const std::string& name) {
     if (text.starts_with(mark)) text.remove_prefix(mark.size());
     MeshField field{.file = name, .format = "table of columns"};
     field.totals = totals_in_comments(text, name);
+    if (!field.totals.empty() && !has_rows(text)) {
+        field.format = "numbers alone";
+        return field;
+    }
     const io::CsvTable table(text, name,
                              {.kind = "table of a contact's field",
                               .header = "r [mm], p [MPa]",

@@ -222,8 +222,13 @@ json numerical_error_json(const NumericalError& error) {
         if (widths.contains(q->key) && error.is_exact(*q)) exact.push_back(q->key);
     }
     const auto other = error.other_state();
+    json fields = json::object();
+    for (const FieldBar& bar : error.fields)
+        fields[bar.field] = {{std::string("largest_") + bar.unit, bar.largest}, {"l2", bar.l2}};
+    if (error.normal_stiffness) widths[quantities::normal_stiffness.key] = *error.normal_stiffness;
     return {{"model", error.model},
             {"half_widths", widths},
+            {"fields", fields},
             {"exact", exact},
             {"other_state", other ? json(contact::name_of(*other)) : json()},
             {"why_none", error.why_none.empty() ? json() : json(error.why_none)},

@@ -20,6 +20,14 @@ struct ResolvedRun {
     double shift_at(double phase) const;
 };
 
+/// Half widths of a field of the last state.
+struct FieldBar {
+    const char* field;   ///< "normal_traction", "tangential_traction", "displacement"
+    const char* unit;    ///< "Pa", "m"
+    double largest = 0;  ///< at the worst point, in that unit
+    double l2 = 0;       ///< root of the integral of the error's square over that of the field's
+};
+
 /// What mesh and steps leave in the numbers of one model: the run itself beside the same on cells
 /// (elements, springs) of twice and four times the size, and, on those of twice the size, with
 /// other steps: of twice the length, a quarter of it where there was one only, from one row or
@@ -43,6 +51,9 @@ struct NumericalError {
     std::string why_none = {};      ///< there is no coarser mesh: why
     std::string why_no_steps = {};  ///< steps matter, yet no other ones converge: why
     std::vector<const Quantity*> prescribed = {};  ///< by the case
+    std::vector<FieldBar> fields = {};             ///< runs/field_bars.h
+    /// Of the stiffness without friction [N/m]; empty where it is not looked at.
+    std::optional<double> normal_stiffness = {};
 
     /// Half width in SI units; empty where the quantity is not told on each mesh. 0 if is_exact().
     std::optional<double> of(const Quantity& q) const;

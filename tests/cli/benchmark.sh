@@ -39,4 +39,37 @@ values = {t["value"] for t in page["targets"] if t["quantity"] == "peak_pressure
 assert any(abs(v - 2798.3e6) < 1e3 for v in values) and any(abs(v - 3176.3e6) < 1e3 for v in values), values
 assert page["case"].startswith("title"), page["case"]
 END
+
+# Problems with a closed form and ratios: what is exact passes, what is wrong fails, what cannot be judged is refused by name.
+verdict() {
+    local expected=$1 status=0
+    shift
+    "$program" benchmark compare "$@" --output out >said.txt 2>err.txt || status=$?
+    [ "$status" -eq "$expected" ] || complain "$*: exit code $status: $(cat err.txt)"
+}
+printf '%s\n' 'x [mm], p [MPa]' 0,.1 333,.1 666,.1 1000,.1 >uniform.csv
+sed 's/^333,.1/333,.11/' uniform.csv >node.csv
+verdict 0 --case patch_test uniform.csv
+verdict 3 --case patch-test uniform.csv node.csv
+grep -q 'no refinement removes' said.txt || complain "no diagnosis of the patch test"
+[ -s out/comparison.json ] && [ -s out/report.html ] && [ -s out/junit.xml ] || complain "files of the patch test"
+[ ! -e out/case.toml ] || complain "a closed form has a case"
+printf '# force_ratio = 0.412371\n' >wedge.csv
+verdict 0 --case wedge wedge.csv
+printf '# force_ratio = 0.4\n' >wedge.csv
+verdict 3 --case wedge wedge.csv
+for h in .4 .2 .1; do printf '# size = %s mm\n# stick_ratio = 0.746\n' "$h" >"c_$h.csv"; done
+verdict 0 --case spence c_.4.csv c_.2.csv c_.1.csv --tolerance .02
+refused 'judged by F/G' benchmark compare --case wedge "$PWD/uniform.csv" --output out
+printf '# normal_force = 100 N/mm\n' >force.csv
+refused 'judged by the pressures' benchmark compare --case patch_test "$PWD/force.csv" --output out
+refused 'is no target of layer_pressed' benchmark compare --case layer_pressed "$PWD/wedge.csv" --output out
+cat >submission.toml <<'END'
+case = "complete_punch"
+[tolerance]
+pressure_l2 = 0.1
+[[mesh]]
+normal_force = "20 N"
+END
+refused 'nothing of this name is compared' benchmark compare "$PWD/submission.toml" --output out
 finish

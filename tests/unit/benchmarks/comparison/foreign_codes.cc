@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "benchmarks/comparison/comparison.h"
+#include "benchmarks/problems/problem.h"
 #include "tests/unit/benchmarks/foreign.h"
 
 namespace tricontact::benchmarks {
@@ -113,6 +114,99 @@ TEST(ForeignCodes, OneMeshIsNotResolved) {
     const Comparison c = compared(foreign::submission({"getfem_q2_0.25.csv"}));
     EXPECT_EQ(c.standing, Standing::not_resolved);
     EXPECT_NE(c.blame.find("one mesh"), std::string::npos);
+}
+
+// The penalty flattens the pressure of FreeFem++ by the very field that rings with a Winkler layer
+// have; over the whole contact the mesh leaves more than that.
+TEST(ForeignCodes, FreefemsPressureFieldIsExplainedByThePenalty) {
+    Submission s =
+        foreign::submission({"freefem_p2_1.csv", "freefem_p2_0.5.csv", "freefem_p2_0.25.csv"});
+    s.contact.stiffness = 260e9;
+    s.contact.kinematics = ContactMethod::Kinematics::undeformed;
+    const Comparison c = compared(s);
+    const ComparedNumber& inside = number(c, "pressure_l2_inside");
+    ASSERT_EQ(inside.explained.size(), 1u);
+    EXPECT_EQ(inside.explained[0].id, "penalty");
+    EXPECT_NEAR(inside.difference, .0050, .0003);
+    EXPECT_LT(std::abs(inside.left()), .0005);
+    EXPECT_LT(inside.uncertainty, .003);
+    // A penalty of a tenth, which was not the code's, makes it worse.
+    s.contact.stiffness = 26e9;
+    const Comparison wrong = compared(s);
+    EXPECT_GT(number(wrong, "pressure_l2_inside").left(), .02);
+    s.contact.stiffness.reset();
+    EXPECT_TRUE(number(compared(s), "pressure_l2_inside").explained.empty());
+}
+
+// GetFEM with gap and normal on the displaced surface, the deck's script with X(1) + u(1) in place
+// of X(1) and the work of the pressure along the turned normal. Rings predict four fifths of what
+// its peak differs by, and the norms of the field come nearer, too.
+TEST(ForeignCodes, GetfemsPeakOnTheDisplacedSurfaceIsExplained) {
+    Submission s = foreign::submission(
+        {"getfem_q2_displaced_4.csv", "getfem_q2_displaced_8.csv", "getfem_q2_displaced_16.csv"});
+    s.contact.kinematics = ContactMethod::Kinematics::displaced;
+    const Comparison c = compared(s);
+    const ComparedNumber& peak = number(c, "peak_pressure");
+    EXPECT_NEAR(peak.difference, .0169, .0005);
+    EXPECT_NEAR(peak.explained_change(), .0136, .0003);
+    EXPECT_LT(std::abs(peak.left()), .22 * peak.difference);
+    EXPECT_LT(std::abs(peak.left()), peak.uncertainty);
+    for (const char* key : {"normal_force", "load_within", "pressure_l2_inside"}) {
+        const ComparedNumber& one = number(c, key);
+        EXPECT_LT(std::abs(one.left()), .3 * std::abs(one.difference)) << key;
+        EXPECT_LT(std::abs(one.left()), one.uncertainty) << key;
+    }
+    EXPECT_EQ(c.standing, Standing::pass);
+    EXPECT_EQ(c.unexplained_standing, Standing::fail);
+}
+
+// Pressed in the steps of the case, as the deck of the shifted layer says, nothing is left to be
+// explained by pressing in one step; CalculiX 2.20, C3D8, half models of n = 3 and 6.
+TEST(ForeignCodes, PressedInTheStepsOfTheCaseIsNotOneStep) {
+    // The reference's own numbers, which take seconds to compute: bem-layer on three grids.
+    Reference shifted;
+    shifted.c = required_problem("layer_shifted").make_case();
+    shifted.contact_radius = 4.3229e-3;
+    shifted.values = {{"normal_force", {.value = 16.6213}},
+                      {"tangential_force", {.value = 4.52147}},
+                      {"peak_pressure", {.value = 448281}}};
+    shifted.effects.tangential_compliance = {.value = -2.95e9};
+    shifted.effects.one_step = {{"tangential_force", {.value = -.0367 * 4.52147}}};
+    ASSERT_EQ(shifted.c.load.press_steps, 5);
+    Submission s{.problem = "layer_shifted"};
+    for (const auto& [n, size] : {std::pair{3, 1.44095846e-3}, std::pair{6, .720479231e-3}}) {
+        MeshField mesh{.file = "n" + std::to_string(n), .format = "numbers alone"};
+        mesh.totals = read_totals(
+            foreign::folder + "calculix_c3d8_shifted_n" + std::to_string(n) + ".dat", mesh.notes);
+        // Of the half; what the .dat has no unit for is in N.
+        for (const char* key : {"normal_force", "tangential_force"}) {
+            mesh.totals.at(key).value *= 2;
+            mesh.totals.at(key).unit = "N";
+        }
+        mesh.totals["size"] = {size, "m", "submission"};
+        s.meshes.push_back(mesh);
+    }
+    s.contact.kind = ContactMethod::Kind::penalty;
+    s.contact.stiffness = s.contact.stick_slope = 280e9;
+    s.contact.kinematics = ContactMethod::Kinematics::displaced;
+    const auto explains = [](const Comparison& compared, const std::string& id) {
+        return std::ranges::any_of(number(compared, "tangential_force").explained,
+                                   [&](const Explained& e) { return e.id == id; });
+    };
+    s.contact.press_steps = 5;
+    const Comparison as_the_case = compare(s, shifted);
+    EXPECT_FALSE(explains(as_the_case, "one_step"));
+    EXPECT_FALSE(foreign::has(as_the_case, "one_step"));
+    EXPECT_TRUE(explains(as_the_case, "stick_slope"));
+    const ComparedNumber& force = number(as_the_case, "tangential_force");
+    EXPECT_NEAR(force.finest, .0243, .0005);
+    EXPECT_LT(std::abs(force.left()), .03);
+    // What the same runs would be said to be, had they pressed at once: further from the reference.
+    s.contact.press_steps = 1;
+    const Comparison at_once = compare(s, shifted);
+    EXPECT_TRUE(explains(at_once, "one_step"));
+    EXPECT_TRUE(foreign::has(at_once, "one_step"));
+    EXPECT_GT(std::abs(number(at_once, "tangential_force").left()), std::abs(force.left()) + .02);
 }
 
 }  // namespace foreign_codes

@@ -1,0 +1,121 @@
+#include "benchmarks/reference/closed_reference.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace tricontact::benchmarks {
+
+namespace {
+
+namespace keys = quantity_keys;
+using std::numbers::pi;
+constexpr double unknown_displacement = std::numeric_limits<double>::quiet_NaN();
+
+/// Of a flat punch, frictionless: Johnson (1985), eq. 3.34 to 3.37.
+class PunchFields final : public ReferenceFields {
+  public:
+    PunchFields(double radius, double force, double depth)
+        : radius_(radius), force_(force), depth_(depth) {}
+
+    SurfaceValues at(double x, double y) const override {
+        const double r = std::hypot(x, y), s = r / radius_;
+        SurfaceValues v;
+        v.displacement_x = v.displacement_y = unknown_displacement;
+        v.displacement_z = s < 1 ? depth_ : depth_ * 2 / pi * std::asin(1 / s);
+        if (s < 1) v.pressure = force_ / (2 * pi * radius_ * radius_ * std::sqrt(1 - s * s));
+        return v;
+    }
+    SurfaceValues bar_at(double, double) const override { return {}; }
+    double load_within(double r) const override {
+        const double s = std::min(1., r / radius_);
+        return force_ * (1 - std::sqrt(1 - s * s));
+    }
+
+  private:
+    double radius_, force_, depth_;
+};
+
+/// One pressure all along a line of contact.
+class UniformFields final : public ReferenceFields {
+  public:
+    UniformFields(double pressure, double half_width)
+        : pressure_(pressure), half_width_(half_width) {}
+
+    SurfaceValues at(double, double) const override {
+        SurfaceValues v;
+        v.pressure = pressure_;
+        v.displacement_x = v.displacement_y = v.displacement_z = unknown_displacement;
+        return v;
+    }
+    SurfaceValues bar_at(double, double) const override { return {}; }
+    double load_within(double r) const override { return 2 * pressure_ * std::min(r, half_width_); }
+
+  private:
+    double pressure_, half_width_;
+};
+
+constexpr double punch_radius = 5e-3, punch_young = 5.2e6, punch_poisson = .3, punch_force = 20;
+constexpr double patch_young = 1e6, patch_strain = .1, patch_height = 1, patch_width = 1;
+
+}  // namespace
+
+Reference complete_punch_reference(bool by_force) {
+    const double modulus = punch_young / (1 - punch_poisson * punch_poisson);
+    const double depth = punch_force / (2 * punch_radius * modulus);
+    Reference reference;
+    reference.geometry = Geometry::axisymmetric;
+    reference.contact_radius = punch_radius;
+    // The face of a punch whose edge is no longer sharp from r = a on.
+    reference.c.indenter.shape = contact::Case::Shape::rounded_punch;
+    reference.c.indenter.flat_radius = punch_radius;
+    reference.c.indenter.radius = 1e6 * punch_radius;
+    reference.c.substrate.young = punch_young;
+    reference.c.substrate.poisson = punch_poisson;
+    const double mean = punch_force / (pi * punch_radius * punch_radius);
+    const char* source = "Boussinesq (1885), Johnson (1985), section 3.8";
+    for (const auto& [key, value] :
+         {std::pair{keys::normal_force, punch_force}, std::pair{keys::indentation, depth},
+          std::pair{keys::contact_radius, punch_radius},
+          std::pair{keys::pressure_at_axis, mean / 2},
+          std::pair{keys::pressure_at_0_9, mean / 2 / std::sqrt(.19)}})
+        reference.values[key] = {.value = value, .source = source};
+    reference.prescribed = {by_force ? keys::normal_force : keys::indentation,
+                            keys::contact_radius};
+    reference.fields = std::make_shared<PunchFields>(punch_radius, punch_force, depth);
+    reference.has_singular_edge = true;
+    reference.remarks = {
+        "the pressure is infinite at the edge and its square has no integral: the largest "
+        "pressure, the L2 norm over the contact and the first order of a penalty do not exist"};
+    return reference;
+}
+
+Reference patch_test_reference() {
+    const double pressure = patch_young * patch_strain;
+    Reference reference;
+    reference.geometry = Geometry::plane;
+    reference.contact_radius = patch_width / 2;
+    const char* source = "closed form E eps; Taylor and Papadopoulos (1991)";
+    reference.values[keys::peak_pressure] = {.value = pressure, .source = source};
+    reference.values[keys::normal_force] = {.value = pressure * patch_width, .source = source};
+    reference.values[keys::displacement] = {.value = -patch_strain * patch_height / 2,
+                                            .source = source};
+    reference.fields = std::make_shared<UniformFields>(pressure, patch_width / 2);
+    return reference;
+}
+
+double patch_test_penalty(double stiffness) {
+    return 1 / (1 + patch_young / (stiffness * patch_height)) - 1;
+}
+
+Reference wedge_reference() {
+    Reference reference;
+    reference.geometry = Geometry::plane;
+    reference.values[keys::force_ratio] = {
+        .value = (wedge_slope + wedge_friction) / (1 - wedge_friction * wedge_slope),
+        .source = "closed form (tan(alpha) + mu)/(1 - mu tan(alpha)), NAFEMS CGS-4"};
+    return reference;
+}
+
+}  // namespace tricontact::benchmarks

@@ -1,0 +1,25 @@
+#pragma once
+
+#include "benchmarks/reference/reference.h"
+
+namespace tricontact::benchmarks {
+
+/// A rigid flat punch of the radius 5 mm on a half-space, E = 5.2 MPa, nu = 0.3, under 20 N, which
+/// press it in by 0.35 mm. Boussinesq (1885); Johnson (1985), section 3.8. `by_force`: which of
+/// force and depth is prescribed. Its edge is singular.
+Reference complete_punch_reference(bool by_force);
+
+/// Two blocks of E = 1 MPa, nu = 0, 1000 mm x 500 mm each, one on the other, compressed by a strain
+/// of 0.1: a uniform pressure of 0.1 MPa, the interface moves by -50 mm, 100 N per mm of depth.
+/// Taylor and Papadopoulos (1991).
+Reference patch_test_reference();
+/// Of the same, what a penalty K [Pa/m] changes of the pressure: 1/(1 + E/(K H)) - 1, H the height
+/// of both.
+double patch_test_penalty(double stiffness);
+
+/// A block that slides up a slope of 0.1 with friction 0.3: F/G = (tan(alpha) + mu)/(1 - mu
+/// tan(alpha)). NAFEMS CGS-4. There are no fields.
+Reference wedge_reference();
+inline constexpr double wedge_slope = .1, wedge_friction = .3;
+
+}  // namespace tricontact::benchmarks
