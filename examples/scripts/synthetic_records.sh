@@ -34,7 +34,7 @@ for run in 1 2 3; do
             period = 4 * amplitude / speed
             printf "# SYNTHETIC, no measurement: %s by %s, seed %d: truth times %.5f,\n", \
                 case_file, model, seed, scale
-            printf "# drift %g nm/s, wobble %g, noise %g nm, steps of %g nm; scripts/synthetic_records.sh\n", \
+            printf "# drift %g nm/s, wobble %g, noise %g nm, steps of %g nm; examples/scripts/synthetic_records.sh\n", \
                 drift * 1e9, wobble, noise * 1e9, resolution * 1e9
             print "time [s],shift [um],drive [mm]"
             end = 2 * rest + phases[n] * period; k = 0
