@@ -113,7 +113,7 @@ task_paraview() {
         ls pictures/*.png"
 }
 task_notebook() {
-    fetch jupyter-notebook python3-matplotlib python3-xarray
+    fetch jupyter-notebook jupyter-nbconvert python3-matplotlib python3-xarray
     as_user "$(blocks how-to/python.md '## Labels, plots, notebooks' '## Studies')
         grep -c 'data:image/png' my_notebook.html"
 }
