@@ -3,6 +3,7 @@
 #include <pybind11/stl.h>
 
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "io/case/case_reader.h"
 #include "io/keys/toml_document.h"
@@ -24,16 +25,28 @@ std::vector<std::string> overrides_of(const py::dict& overrides) {
     return toml<std::vector<std::string>>("overrides", overrides);
 }
 
+/// The case as an object that remembers what it was made of, for commands that read more of it.
+template <class C>
+py::object with_origin(C&& c, const py::object& path, const py::object& values,
+                       const py::dict& overrides) {
+    py::object made = py::cast(std::forward<C>(c));
+    made.attr("_origin") =
+        py::module_::import("tricontact.inputs").attr("origin_of")(path, values, overrides);
+    return made;
+}
+
 /// What both kinds of case have, given their readers and writer.
 template <class C, class Read, class Parse, class Write>
 py::class_<C> add_kind(py::module_& module, const char* name, const char* text, Read read,
                        Parse parse, Write write) {
-    return py::class_<C>(module, name, text)
+    return py::class_<C>(module, name, text, py::dynamic_attr())
         .def_static(
             "from_file",
             [read](const py::object& path, const py::dict& overrides) {
                 const py::object file = py::module_::import("os").attr("fsdecode")(path);
-                return read(toml<std::string>("argument", file), overrides_of(overrides));
+                return with_origin(
+                    read(toml<std::string>("argument", file), overrides_of(overrides)), path,
+                    py::none(), overrides);
             },
             py::arg("path"), py::arg("overrides") = py::dict(),
             "Read a case file; overrides such as {\"rolling.periods\": 3} replace its keys.\n\n"
@@ -41,8 +54,9 @@ py::class_<C> add_kind(py::module_& module, const char* name, const char* text, 
         .def_static(
             "from_dict",
             [parse](const py::dict& values, const py::dict& overrides) {
-                return parse(toml<std::string>("document", values), dict_name,
-                             overrides_of(overrides));
+                return with_origin(parse(toml<std::string>("document", values), dict_name,
+                                         overrides_of(overrides)),
+                                   py::none(), values, overrides);
             },
             py::arg("values"), py::arg("overrides") = py::dict(),
             "Read a case from what a case file would hold, sections as dictionaries.\n\n"

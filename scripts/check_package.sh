@@ -5,6 +5,7 @@
 # module for Python. As root; the archives of packages that the machine has are used, others are fetched.
 # usage: check_package.sh PACKAGE.deb FOLDER [paraview]   FOLDER is kept: another call begins with its Debian
 set -euo pipefail
+source "$(dirname -- "${BASH_SOURCE[0]}")/bare_debian.bash"
 package=$(realpath "$1")
 folder=$(realpath -m "$2")
 beside=${3:-}
@@ -18,43 +19,19 @@ else
     echo "no lintian: its rules are not checked"
 fi
 
-# The mirror of this machine, and its key.
-sources=$(cat /etc/apt/sources.list /etc/apt/sources.list.d/* 2>/dev/null || true)
-mirror=$(grep -oE '[a-z]+://[^ ]+/debian/?( |$)' <<<"$sources" | grep -v security | head -n 1 | tr -d ' ')
-if [ ! -e "$base/etc/debian_version" ]; then
-    rm -rf "$base"
-    # The folder is thrown away: nothing is pressed to disk before the end, and what nobody looks at is not unpacked.
-    thrifty=(--dpkgopt=force-unsafe-io)
-    for kind in doc man locale; do
-        thrifty+=("--dpkgopt=path-exclude=/usr/share/$kind/*" "--dpkgopt=path-include=/usr/share/$kind/*tricontact*")
-    done
-    # Half the time of debootstrap.
-    mmdebstrap --mode=root --variant=minbase "${thrifty[@]}" bookworm "$base" "$mirror" >"$folder/bootstrap.log" 2>&1 || {
-        tail "$folder/bootstrap.log"
-        exit 1
-    }
-fi
-
-rm -rf "$root"
-cp -a "$base" "$root"
-ln -f /var/cache/apt/archives/*.deb "$root/var/cache/apt/archives/" 2>/dev/null ||
-    cp /var/cache/apt/archives/*.deb "$root/var/cache/apt/archives/" 2>/dev/null || true
+bare_debian "$base"
+bare_copy "$base" "$root"
 cp "$package" "$root/tmp/tricontact.deb"
 
-# In a space of mounts of its own: /proc goes away with it.
-inside() {
-    unshare --mount bash -c 'mount -t proc proc "$0/proc" && exec chroot "$0" env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin \
-        HOME=/root DEBIAN_FRONTEND=noninteractive LC_ALL=C "$@"' "$root" "$@"
-}
 install() {
-    inside apt-get -qq -o Dpkg::Use-Pty=0 install --no-install-recommends "$@" \
+    inside "$root" apt-get -qq -o Dpkg::Use-Pty=0 install --no-install-recommends "$@" \
         >>"$folder/install.log" 2>&1 || {
         tail -n 30 "$folder/install.log"
         exit 1
     }
 }
 : >"$folder/install.log"
-inside apt-get -qq update
+inside "$root" apt-get -qq update
 [ "$beside" != paraview ] || install paraview python3-paraview
 install /tmp/tricontact.deb
 
@@ -63,13 +40,13 @@ complain() {
     exit 1
 }
 cases=/usr/share/tricontact/examples/cases
-inside tricontact --version
-inside tricontact run "$cases/rig_sphere_parallel.toml" --models mdr,bem --set rolling.periods=2 --no-studies \
+inside "$root" tricontact --version
+inside "$root" tricontact run "$cases/rig_sphere_parallel.toml" --models mdr,bem --set rolling.periods=2 --no-studies \
     --no-report --quiet --output /tmp/out || complain "the case does not run"
 [ -s "$root/tmp/out/summary.json" ] || complain "there is no summary.json"
-inside tricontact mesh "$cases/rig_layer_parallel.toml" --set 'fem.size=2 mm' --output /tmp/mesh >/dev/null ||
+inside "$root" tricontact mesh "$cases/rig_layer_parallel.toml" --set 'fem.size=2 mm' --output /tmp/mesh >/dev/null ||
     complain "the finite elements are not found"
-inside python3 -c '
+inside "$root" python3 -c '
 import tricontact
 case = tricontact.Case.from_file("/usr/share/tricontact/examples/cases/rig_sphere_parallel.toml",
                                  {"rolling.periods": 2, "rolling.steps": "turning-points"})
@@ -81,16 +58,16 @@ done
 if [ "$beside" != paraview ]; then
     [ -z "$(find "$root/usr/lib" -name 'libvtk*')" ] || complain "the package asks for VTK"
     printf '<VTKFile type="UnstructuredGrid"></VTKFile>\n' >"$root/tmp/field.vtu"
-    if inside tricontact benchmark compare --case layer_pressed /tmp/field.vtu --output /tmp/compared >"$folder/vtk.log" 2>&1; then
+    if inside "$root" tricontact benchmark compare --case layer_pressed /tmp/field.vtu --output /tmp/compared >"$folder/vtk.log" 2>&1; then
         complain "a file of VTK is read without VTK"
     fi
     grep -q 'read by VTK, whose library .* cannot be loaded; apt-get install libvtk9.1' "$folder/vtk.log" ||
         complain "not said: $(cat "$folder/vtk.log")"
 fi
 if [ "$beside" = paraview ]; then
-    inside pvpython -c 'import paraview.simple' || complain "ParaView has lost its module for Python"
+    inside "$root" pvpython -c 'import paraview.simple' || complain "ParaView has lost its module for Python"
 fi
-inside apt-get -qq -o Dpkg::Use-Pty=0 purge tricontact >/dev/null
+inside "$root" apt-get -qq -o Dpkg::Use-Pty=0 purge tricontact >/dev/null
 found=$(find "$root/usr" -name '*tricontact*' -not -path '*/__pycache__*')
 [ -z "$found" ] || complain "left behind: $found"
 printf '%s%s: passed\n' "$(basename "$package")" "${beside:+ beside ParaView}"

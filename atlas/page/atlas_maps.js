@@ -1,7 +1,7 @@
 "use strict";
 // The atlases of the page at one place: the maps with their error bars, and what they state for a half-space and a layer
 // side by side. There is no formula of mechanics here: those of `atlas_theory` are the program's, translated when it is
-// built (cmake/page_formulas.cmake). It draws nothing and does not touch the page: tests/cli/predict_page.sh compares it
+// built (cmake/page_formulas.cmake). It draws nothing and does not touch the page: tests/cli/atlas/predict_page.sh compares it
 // with `tricontact predict`.
 
 const atlas_maps = (() => {

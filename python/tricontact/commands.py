@@ -18,6 +18,9 @@ from .inputs import Input, Overrides, StrPath, StudyInput, file_of, merged, stud
 from .outcome import Outcome, read_outcome
 from .progress import Progress, display
 
+# Commands that read more than the resolved case holds.
+_WHOLE = {"rig", "design", "identify", "experiment", "predict"}
+
 
 def _arguments(options: dict[str, Any]) -> list[str]:
     """As a shell would give them; what is None or False is not given."""
@@ -37,10 +40,11 @@ def _printed(
     further: Sequence[str] = (),
 ) -> str:
     """Calls the command; what it prints."""
-    sets = [part for one in _toml.overrides(overrides or {}) for part in ("--set", one)]
     shown = display(progress)
     try:
-        with file_of(given) as file:
+        with file_of(given, name in _WHOLE) as (file, first):
+            changed = {**first, **(overrides or {})}
+            sets = [part for one in _toml.overrides(changed) for part in ("--set", one)]
             arguments = [_toml.argument(one) for one in (file, *further, *sets, *_arguments(options))]
             return _core._run_command(name, arguments, shown.say, shown.progress)
     finally:

@@ -1,11 +1,12 @@
 """What functions take for a case: a file, a case, or a dictionary that holds what a file would."""
 
 import contextlib
+import copy
 import os
 import tempfile
 from collections.abc import Iterator
 from pathlib import Path
-from typing import Any, Optional, TypeVar, Union
+from typing import Any, NamedTuple, Optional, TypeVar, Union
 
 from . import _core, _toml
 from ._core import Case, InputError, WalkCase
@@ -48,21 +49,51 @@ def case_of(kind: type[Kind], given: Any, overrides: Overrides = None) -> Kind:
     raise TypeError(f"{given!r} is no case: give a file, a {kind.__name__} or a dictionary")
 
 
+class Origin(NamedTuple):
+    """What a case was made of. Commands for rigs read more of it than the resolved case holds: [rig],
+    [measurement], [record], [design], uncertain numbers."""
+
+    path: Optional[str]
+    """Of its file, absolute; None of a dictionary."""
+    content: Any
+    """The bytes of the file, or the dictionary."""
+    overrides: dict[str, Any]
+
+
+def origin_of(path: Optional[StrPath], values: Optional[dict[str, Any]], overrides: dict[str, Any]) -> Origin:
+    """Called by the module when it has read a case."""
+    if path is None:
+        return Origin(None, copy.deepcopy(values), dict(overrides))
+    file = Path(os.fsdecode(path)).absolute()
+    return Origin(str(file), file.read_bytes() if file.is_file() else b"", dict(overrides))
+
+
 @contextlib.contextmanager
-def file_of(given: Any) -> Iterator[str]:
-    """The file itself, or one that is gone afterwards, which errors do not name."""
-    if not isinstance(given, (Case, dict)):
-        yield os.fspath(given)
+def file_of(given: Any, whole: bool = False) -> Iterator[tuple[str, dict[str, Any]]]:
+    """The file itself, or one that is gone afterwards, which errors do not name; overrides for it.
+
+    whole: of a case what it was made of. Raises InputError if its file has changed since.
+    """
+    origin = getattr(given, "_origin", None) if whole and isinstance(given, Case) else None
+    if origin and origin.path is not None:
+        path = Path(origin.path)
+        if not path.is_file() or path.read_bytes() != origin.content:
+            raise InputError(f"{path}: has changed since the case was read from it; read the case again")
+        yield origin.path, origin.overrides
         return
+    if not isinstance(given, (Case, dict)):
+        yield os.fspath(given), {}
+        return
+    name = "<case>" if isinstance(given, Case) else "<dict>"
+    values, overrides = (origin.content, origin.overrides) if origin else (given, {})
     with tempfile.TemporaryDirectory(prefix="tricontact-") as folder:
-        text = given.to_toml() if isinstance(given, Case) else _toml.document(_with_case(given, folder))
+        text = values.to_toml() if isinstance(values, Case) else _toml.document(_with_case(values, folder))
         path = Path(folder) / "case.toml"
         path.write_text(text, encoding="utf-8")
         try:
-            yield str(path)
+            yield str(path), overrides
         except InputError as error:
-            name = "<case>" if isinstance(given, Case) else "<dict>"
-            raise InputError(str(error).replace(str(path), name)) from None
+            raise InputError(str(error).replace(str(path), name).replace(f"{folder}/", "")) from None
 
 
 def _with_case(given: dict[str, Any], folder: str) -> dict[str, Any]:

@@ -6,6 +6,7 @@ from typing import Any, NamedTuple
 from . import _core
 
 _SUFFIX = re.compile(r"_(um|mm|m|Pa|N|Nm|J|s|Hz|rad|K|W|kg)(\d?)((?:_per_(?:m|s|K|N|J|rad)\d?)*)$")
+_INVERSE = re.compile(r"_per_((?:m|s|K|N|J|rad)\d?)$")
 
 
 class Label(NamedTuple):
@@ -37,9 +38,12 @@ def label_of(name: str) -> Label:
     if declared:
         return Label(*declared)
     match = _SUFFIX.search(last)
-    if match:
+    if match and not last[: match.start()].endswith("_per"):
         text = last[: match.start()].replace("_", " ")
         return Label(_unit(*match.groups()), text)
+    inverse = _INVERSE.search(last)
+    if inverse:
+        return Label("1/" + inverse.group(1), last[: inverse.start()].replace("_", " "))
     return Label("1" if last.endswith("_ratio") else "", last.replace("_", " "))
 
 

@@ -114,9 +114,13 @@ def read_outcome(command: str, folder: Path, text: str, keep: bool) -> Outcome:
     for path in sorted(folder.glob("*.json")):
         numbers.update(json.loads(path.read_text(encoding="utf-8")))
     tables = {path.stem: read_table(path) for path in sorted(folder.glob("*.csv"))}
+    return Outcome(command, numbers, tables, text, page_of(folder), folder if keep else None)
+
+
+def page_of(folder: Path) -> str:
+    """The first page in a folder; empty if there is none."""
     pages = sorted(folder.glob("*.html"))
-    report = pages[0].read_text(encoding="utf-8") if pages else ""
-    return Outcome(command, numbers, tables, text, report, folder if keep else None)
+    return pages[0].read_text(encoding="utf-8") if pages else ""
 
 
 def _is_single(item: Any) -> bool:

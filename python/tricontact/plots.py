@@ -120,3 +120,17 @@ def surface(shown: "Surface", field: str = "normal_traction_Pa", ax: Any = None)
     ax.set_aspect("equal")
     ax.figure.colorbar(image, ax=ax, label=_axis_text(label.text, unit), shrink=0.8)
     return ax
+
+
+def grouped(shown: "Table", group: str, x: str, y: str, ax: Any = None) -> Any:
+    """Column y over column x, a line for each text in the column `group`."""
+    ax = axes(ax)
+    for name in dict.fromkeys(shown[group]):
+        rows = shown[group] == name
+        order = np.argsort(shown[x][rows], kind="stable")
+        ax.plot(shown[x][rows][order], shown[y][rows][order], ".-", label=name)
+    ax.set_xlabel(str(shown.label(x)))
+    ax.set_ylabel(str(shown.label(y)))
+    if ax.lines:
+        ax.legend(frameon=False)
+    return ax

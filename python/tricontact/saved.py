@@ -293,8 +293,10 @@ def _reduced(keep: Callable[[Any], Any]) -> Callable[[Any], Any]:
     return lambda self: (_same_object, (keep(self),))
 
 
-def _case_again(kind: Any, values: dict[str, Any]) -> Any:
-    return kind.from_dict(values)
+def _case_again(kind: Any, values: dict[str, Any], origin: Any) -> Any:
+    made = kind.from_dict(values)
+    made._origin = origin
+    return made
 
 
 def _attach() -> None:
@@ -313,7 +315,7 @@ def _attach() -> None:
         setattr(case, "__eq__", lambda self, other: NotImplemented if type(other) is not type(self)
                 else self.to_toml() == other.to_toml())
         setattr(case, "__hash__", lambda self: hash(self.to_toml()))
-        setattr(case, "__reduce__", lambda self: (_case_again, (type(self), self.to_dict())))
+        setattr(case, "__reduce__", lambda self: (_case_again, (type(self), self.to_dict(), getattr(self, "_origin", None))))
 
 
 _attach()

@@ -4,7 +4,7 @@ import base64
 import html
 import importlib
 import io
-from typing import TYPE_CHECKING, Any, Iterable, Sequence
+from typing import TYPE_CHECKING, Any, Callable, Iterable, Sequence
 
 import numpy as np
 
@@ -94,20 +94,21 @@ def result(shown: "Result") -> str:
         lines.append([label.text, *values, unit])
     states = ", ".join(f"{model}: {shown[model].state or 'pressed'}" for model in shown.models)
     headline = f"<p><b>{html.escape(states)}</b></p>"
-    return headline + _shift_figure(shown) + rows(["", *found, "unit"], lines, shown.case.title)
+    figure = picture(lambda ax: plots.result(shown, ax=ax))
+    return headline + figure + rows(["", *found, "unit"], lines, shown.case.title)
 
 
-def _shift_figure(shown: "Result") -> str:
-    """The shift of all models over the periods as a picture; empty where there is no matplotlib."""
+def picture(draw: Callable[[Any], object]) -> str:
+    """What draws onto axes, as a picture; empty where there is no matplotlib."""
     try:
         figures = importlib.import_module("matplotlib.figure")
     except ImportError:
         return ""
     figure = figures.Figure(figsize=(6, 4), layout="constrained")
-    plots.result(shown, ax=figure.subplots())
-    picture = io.BytesIO()
-    figure.savefig(picture, format="png", metadata={"Software": None})
-    return f'<img src="data:image/png;base64,{base64.b64encode(picture.getvalue()).decode()}"><br>'
+    draw(figure.subplots())
+    made = io.BytesIO()
+    figure.savefig(made, format="png", metadata={"Software": None})
+    return f'<img src="data:image/png;base64,{base64.b64encode(made.getvalue()).decode()}"><br>'
 
 
 def history(shown: "History") -> str:

@@ -31,7 +31,7 @@ def sweep(
     folder = study_folder(study, output)
     if jobs is not None and jobs < 1:
         raise ValueError("jobs: must be at least 1")
-    with file_of(study) as file:
+    with file_of(study) as (file, _):
         _sweep(_toml.argument(file), _toml.argument(folder), jobs or os.cpu_count() or 1, retry_failed,
                vtk, report)
     return read_table(Path(folder) / "results.csv")

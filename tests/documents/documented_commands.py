@@ -12,8 +12,8 @@ import sys
 import tempfile
 import time
 
-PROGRAMS = ("tricontact", "scripts/", "build/release/", ".ci/", "cmake", "ctest", "mpirun", "paraview", "sqlite3",
-            "gnuplot", "python3", "pvpython", "pvbatch")
+PROGRAMS = ("tricontact", "scripts/", "examples/scripts/", "build/release/", ".ci/", "cmake", "ctest", "mpirun", "paraview", "sqlite3",
+            "gnuplot", "python3", "pvpython", "pvbatch", "xvfb-run", "jupyter")
 LONGEST = 300  # [s] of a command; a loaded machine takes several times the usual
 
 
@@ -26,7 +26,7 @@ def spans(text):
                 # Blocks without a language say behind several blanks what a command does.
                 yield re.sub(r"(?<=\S)   .*", "", line) if fence[1] == "" else line
     for code in re.findall(r"`([^`]+)`", fences.sub("", text)):
-        if re.search(r"\s", code) or re.match(r"(scripts/\w+\.sh|\.ci/run)$", code):
+        if re.search(r"\s", code) or re.match(r"((examples/)?scripts/\w+\.sh|\.ci/run)$", code):
             yield code
 
 

@@ -6,7 +6,7 @@ source "$source_dir/tests/documents/document_blocks.bash"
 
 mkdir -p examples
 ln -s "$source_dir/examples/measurements" examples/measurements
-ln -s "$source_dir/scripts" scripts
+ln -s "$source_dir/examples/scripts" examples/scripts
 run_blocks how-to/own-rig.md
 [ "$blocks" -ge 7 ] || complain "only $blocks blocks"
 

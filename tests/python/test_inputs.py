@@ -1,6 +1,12 @@
 """Every command with a file, a case and a dictionary; keys as keywords; results kept and opened."""
 
+import inspect
+import json
+import os
 import pickle
+import re
+import tomllib
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -8,33 +14,108 @@ import pytest
 import tricontact
 
 SMALL = {"rolling.steps": "turning-points", "rolling.periods": 1, "mdr.springs": 300, "models": ["mdr"]}
-# Of each command a cheap call, from its input.
+ON = {"bem.cells_per_radius": 12, "tractive_rolling.distance": 1}
+BALL = "cases/rig_sphere_parallel.toml"
+RIG = "rigs/sphere_parallel.toml"
+# Of each function that takes a case: an example and a cheap call.
 CALLS = {
-    "run": lambda case: tricontact.run(case, overrides=SMALL, studies=False),
-    "limit": lambda case: tricontact.limit(case, overrides=SMALL, tolerance=0.1),
-    "predict": lambda case: tricontact.predict(case),
-    "deviation": lambda case: tricontact.deviation(case, no_runs=True),
-    "refine": lambda case: tricontact.refine(
+    "run": (BALL, lambda case: tricontact.run(case, overrides=SMALL, studies=False)),
+    "limit": (BALL, lambda case: tricontact.limit(case, overrides=SMALL, tolerance=0.1)),
+    "predict": (BALL, tricontact.predict),
+    "deviation": ("cases/rig_layer_parallel.toml", lambda case: tricontact.deviation(case, no_runs=True)),
+    "refine": (BALL, lambda case: tricontact.refine(
         case, model="bem", levels=3, overrides={"models": ["bem"], "rolling.periods": 1,
-                                                "rolling.steps": "turning-points", "bem.spacing": "1 mm"}),
+                                                "rolling.steps": "turning-points", "bem.spacing": "1 mm"})),
+    "rig": (RIG, tricontact.rig),
+    "design": ("rigs/design_resolution.toml", tricontact.design),
+    "identify": (RIG, tricontact.identify),
+    "experiment": ("records/synthetic_shakedown.toml", lambda case: tricontact.experiment(
+        case, overrides={"models": ["mdr"], "record.runs": [str(RECORDS / "run_1.csv"), str(RECORDS / "run_2.csv")]})),
+    "roll": ("cases/rolling_cylinder.toml", lambda case: tricontact.roll(case, overrides=ON, points=2)),
+    "walk": ("cases/walking_set_b.toml", lambda case: tricontact.walk(case, time__end=100)),
+    "benchmark.reference": (BALL, lambda case: tricontact.benchmark.reference(
+        case, overrides={"models": ["bem"], "load.tangential_ratio": 0}, contact__coupling=False).values),
+    "theory.layer_contact": ("cases/rig_layer_parallel.toml", lambda case: [
+        getattr(tricontact.theory.layer_contact(case), name) for name in ("contact_radius", "indentation")]),
 }
-LAYERED = {"deviation"}
+# These take the finished case alone.
+CASE_ALONE = {"theory.layer_contact"}
+RECORDS = Path(os.environ["TRICONTACT_COPY"]) / "share/tricontact/examples/records/synthetic"
 
 
-@pytest.fixture
-def file_of(examples):
-    def found(name):
-        return examples / "cases" / f"rig_{'layer' if name in LAYERED else 'sphere'}_parallel.toml"
-    return found
+def taking_a_case():
+    """Names of all public functions whose first parameter is called "case"."""
+    places = {"": tricontact, "benchmark.": tricontact.benchmark, "theory.": tricontact.theory,
+              "atlas.": tricontact.atlas}
+    for before, place in places.items():
+        for name in place.__all__:
+            thing = getattr(place, name)
+            if inspect.isclass(thing) or not callable(thing):
+                continue
+            parameters = re.findall(r"^\w+\((\w+)", thing.__doc__ or "")  # of the compiled ones
+            if inspect.isfunction(thing):
+                parameters = list(inspect.signature(thing).parameters)
+            if parameters and parameters[0] == "case":
+                yield before + name
+
+
+def test_every_function_that_takes_a_case_is_tried():
+    assert sorted(set(taking_a_case()) - {"atlas.predict"}) == sorted(CALLS)
+    assert tricontact.atlas.predict is tricontact.predict
 
 
 @pytest.mark.parametrize("name", CALLS)
-def test_a_file_a_case_and_a_dictionary_give_the_same(name, file_of):
-    file = file_of(name)
-    case = tricontact.Case.from_file(file)
-    expected = CALLS[name](file)
-    for given in (case, case.to_dict()):
-        assert CALLS[name](given) == expected
+def test_a_file_a_case_and_a_dictionary_give_the_same(name, examples, tmp_path, monkeypatch):
+    monkeypatch.setenv("TRICONTACT_CACHE", str(tmp_path))
+    place, call = CALLS[name]
+    file = examples / place
+    kind = tricontact.WalkCase if name == "walk" else tricontact.Case
+    case = kind.from_file(file)
+    if name in CASE_ALONE:
+        assert call(case) == call(pickle.loads(pickle.dumps(case)))
+        with pytest.raises(TypeError):
+            call(file)
+        return
+    expected = call(file)
+    assert call(case) == expected
+    # As a file holds it, and, where the resolved case is enough, with its defaults.
+    given = absolute(tomllib.loads(file.read_text()), file.parent)
+    assert same(call(given)) == same(expected)
+    if name not in ("rig", "design", "identify", "experiment"):
+        assert call(case.to_dict()) == expected
+
+
+def same(result):
+    """Without the command line, which names the file."""
+    if isinstance(result, tricontact.Outcome) and "command" in result:
+        return {key: value for key, value in result.items() if key != "command"}
+    return result
+
+
+def absolute(item, folder):
+    """Paths in a dictionary are absolute."""
+    if isinstance(item, dict):
+        return {key: absolute(one, folder) for key, one in item.items()}
+    if isinstance(item, list):
+        return [absolute(one, folder) for one in item]
+    return str(folder / item) if isinstance(item, str) and item.endswith(".csv") else item
+
+
+def test_a_case_brings_its_rig_along(examples, tmp_path):
+    file = tmp_path / "rig.toml"
+    file.write_text((examples / RIG).read_text().partition("\n[measurement]")[0])
+    case = tricontact.Case.from_file(file, {"rig.viscosity": "41 Pa s"})
+    expected = tricontact.rig(file, rig__viscosity="41 Pa s")
+    assert expected != tricontact.rig(file)
+    for given in (case, pickle.loads(pickle.dumps(case))):
+        assert tricontact.rig(given) == expected
+    assert tricontact.rig(case, rig__viscosity="40 Pa s") == tricontact.rig(file)
+    values = tomllib.loads(file.read_text())
+    assert tricontact.rig(tricontact.Case.from_dict(values, {"rig.viscosity": "41 Pa s"})) == expected
+    file.write_text(file.read_text() + "# later\n")
+    with pytest.raises(tricontact.InputError, match="rig.toml: has changed since the case was read"):
+        tricontact.rig(case)
+    assert tricontact.Case.from_file(file).to_toml() == tricontact.Case.from_dict(values).to_toml()
 
 
 def test_a_study_takes_a_case_and_a_dictionary_as_its_case(rig, tmp_path):
@@ -111,3 +192,67 @@ def test_what_is_no_folder_of_results_is_refused(rig, tmp_path):
     (tmp_path / "summary.json").write_text("{")
     with pytest.raises(tricontact.InputError, match="summary.json: is no JSON; the results are damaged"):
         tricontact.open(tmp_path)
+
+
+FOREIGN = {
+    "package.json": ('{"name": "left-pad", "version": "1.3.0"}', "holds no results of a command; give the folder"),
+    "summary.json": ('{"models": {"a": 1}}', "summary.json: was not written by tricontact run, it has no case; give"),
+    "limit.json": ("[1, 2]", "limit.json: was not written by tricontact limit"),
+    "results.csv": ("a,b\n1,2\n", "results.csv: is no table of a study; give"),
+    "table.csv": ("a,b\n1,2\n", "holds no results of a command"),
+}
+
+
+@pytest.mark.parametrize("name", FOREIGN)
+def test_folders_of_others_are_refused(name, tmp_path):
+    text, message = FOREIGN[name]
+    (tmp_path / name).write_text(text)
+    with pytest.raises(tricontact.InputError, match=message):
+        tricontact.open(tmp_path)
+    # Damaged ones, too.
+    (tmp_path / "results.csv").write_bytes(b"a,b\n\xff\n")
+    with pytest.raises(tricontact.InputError):
+        tricontact.open(tmp_path)
+
+
+def test_foreign_files_beside_results_are_left_alone(rig, tmp_path):
+    limit = tricontact.limit(rig, overrides=SMALL, tolerance=0.1, output=tmp_path / "limit")
+    (tmp_path / "limit" / "notes.json").write_text(json.dumps({"models": "mine"}))
+    assert dict(tricontact.open(tmp_path / "limit")) == dict(limit)
+
+
+def test_rolling_and_walking_iterate_print_pickle_and_compare(examples):
+    cylinder, machine = (examples / "cases" / f"{name}.toml" for name in ("rolling_cylinder", "walking_set_b"))
+    rolling = tricontact.roll(cylinder, overrides=ON, points=2)
+    walk = tricontact.walk(machine, time__end=100)
+    for one in (rolling, walk):
+        again = pickle.loads(pickle.dumps(one))
+        assert again == one and not one != again and one != 1
+        assert " at 0x" not in repr(one) and repr(again) == repr(one)
+        assert again._repr_html_() == one._repr_html_() and "<table>" in one._repr_html_()
+    assert list(rolling) == rolling.models == ["bem"] and "bem" in rolling and "mdr" not in rolling
+    assert len(rolling) == 1 and rolling["bem"] == rolling.histories["bem"]
+    with pytest.raises(KeyError, match="no model mdr; there are bem"):
+        rolling["mdr"]
+    # Given: F_T/(mu F_N) = 1/2.
+    assert rolling.steady["bem"]["force_ratio"] == pytest.approx(0.5, rel=1e-9)
+    assert "at force ratio 0.5" in repr(rolling)
+    assert tricontact.roll(cylinder, overrides=ON, points=3) != rolling
+    assert walk["regime"] == walk.summary["regime"] and "regime" in walk and len(walk) == len(list(walk))
+    assert repr(walk).startswith(f"<Walk: {walk['regime']}")
+    assert tricontact.walk(machine, time__end=101) != walk
+    with pytest.raises(KeyError, match="no number regimes; there are version"):
+        walk["regimes"]
+
+
+def test_rolling_and_walking_plot(examples):
+    pyplot = pytest.importorskip("matplotlib.pyplot")
+    rolling = tricontact.roll(examples / "cases" / "rolling_cylinder.toml", overrides=ON, points=2)
+    lines = rolling.plot().lines
+    assert [line.get_label() for line in lines] == list(dict.fromkeys(rolling.creep["model"]))
+    np.testing.assert_array_equal(np.sort(lines[0].get_ydata()),
+                                  np.sort(rolling.creep["force_ratio_x"][rolling.creep["model"] == "bem"]))
+    walk = tricontact.walk(examples / "cases" / "walking_set_b.toml", time__end=100)
+    np.testing.assert_array_equal(walk.plot("z").lines[0].get_ydata(), walk.motion["z"])
+    pyplot.close("all")
+    assert "data:image/png" in walk._repr_html_() and "data:image/png" in rolling._repr_html_()

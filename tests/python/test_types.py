@@ -11,7 +11,7 @@ import pytest
 import tricontact
 
 FOLDER = Path(tricontact.__file__).parent
-OPERATORS = {"__getitem__", "__len__"}
+OPERATORS = {"__getitem__", "__len__", "__iter__", "__contains__"}
 
 USE = """
 import numpy as np

@@ -57,12 +57,12 @@ TEST(CaseKeys, EveryKeyHasAMeaningAndAnExampleThatIsAccepted) {
     for (const Key& key : case_keys()) {
         EXPECT_FALSE(key.text.empty()) << key.path;
         if (key.path == "substrate.relaxation.dma") continue;   // a file: io_relaxation.cc
-        if (key.path == "substrate.relaxation.test") continue;  // a file: cli/tables.sh
-        if (key.path == "bem.influence") continue;              // a file: cli/influence.sh
+        if (key.path == "substrate.relaxation.test") continue;  // a file: cli/answers/tables.sh
+        if (key.path == "bem.influence") continue;              // a file: cli/runs/influence.sh
         if (key.path == "indenter.file" || key.path == "indenter.spacing" ||
             key.path == "indenter.unit" || key.path == "indenter.heights")
-            continue;                           // files: cli/bodies.sh, cli/height_maps.sh
-        if (key.path == "path.file") continue;  // a file: cli/path.sh
+            continue;  // files: cli/runs/bodies.sh, cli/input/height_maps.sh
+        if (key.path == "path.file") continue;  // a file: cli/runs/path.sh
         if (const std::string name = case_of(key.path); !name.empty()) {
             const std::string example = std::string(key.path) + '=' + std::string(key.example);
             EXPECT_NO_THROW(

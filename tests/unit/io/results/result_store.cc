@@ -214,7 +214,7 @@ TEST_F(Store, NoFlippedBitGivesAnotherResult) {
         std::ifstream in(path("whole"), std::ios::binary);
         whole.assign(std::istreambuf_iterator<char>(in), {});
     }
-    constexpr std::size_t n_flips = 60;  // more of them: tests/cli/corruption.sh
+    constexpr std::size_t n_flips = 60;  // more of them: tests/cli/results/corruption.sh
     int n_refused = 0;
     for (std::size_t i = 0; i < whole.size(); i += 1 + whole.size() / n_flips) {
         std::string damaged = whole;

@@ -1,0 +1,74 @@
+#!/usr/bin/env bash
+# --json: every command of the program gives its answer as JSON and nothing else on standard output, the numbers those
+# of its file, or refuses the option by name.
+# usage: json_answers.sh PROGRAM SOURCE_DIR
+source "$(dirname -- "${BASH_SOURCE[0]}")/../prepare.bash"
+examples=$source_dir/examples
+sphere=$examples/cases/rig_sphere_parallel.toml
+coarse=(--set mdr.springs=200 --set rolling.periods=1 --set rolling.steps=turning-points --set bem.cells_per_radius=4)
+
+# json FILE CODE COMMAND...: that exit code, JSON on standard output, which is FILE of its folder (-: none is written).
+declare -A tried
+json() {
+    local file=$1 due=$2 code
+    shift 2
+    "$program" "$@" --json >answer.json 2>said.txt
+    code=$?
+    [ "$code" -eq "$due" ] || complain "$*: exit code $code: $(tail -1 said.txt)"
+    "$python" -m json.tool answer.json >/dev/null 2>&1 || complain "$*: $(head -c 200 answer.json)"
+    if [ "$file" != - ]; then
+        "$python" - "$file" <<'PYTHON' || complain "$*: not the numbers of $file"
+import json, sys
+answer, kept = (json.load(open(name)) for name in ("answer.json", sys.argv[1]))
+answer["notes"] = kept.get("notes")  # what the text says beside it
+kept["notes"] = answer["notes"]
+sys.exit(answer != kept)
+PYTHON
+    fi
+    case $1 in benchmark) tried["$1 $2"]=1 ;; *) tried[$1]=1 ;; esac
+}
+json run/summary.json 0 run "$sphere" --models mdr "${coarse[@]}" --no-studies --no-report -q -o run
+json - 0 run "$examples/cases/walking_set_b.toml" --set time.end=20 --no-report --quiet --output walk
+json - 0 run "$examples/cases/rolling_sphere.toml" --models mdr --set mdr.springs=200 --points 0 --no-report --quiet --output roll
+json - 0 predict "$sphere"
+json limit/limit.json 0 limit "$sphere" -m mdr --set mdr.springs=200 --tolerance 0.1 -o limit
+json refine/refinement.json 0 refine "$sphere" --model mdr "${coarse[@]}" -o refine
+json rig/rig.json 0 rig "$examples/rigs/cylinder_parallel.toml" -o rig
+json deviation/deviation.json 0 deviation "$examples/cases/rig_layer_parallel.toml" --no-runs -o deviation
+json identify/identify.json 0 identify "$examples/measurements/rig_indentation.toml" -q -o identify
+json design/design.json 0 design "$examples/rigs/design_resolution.toml" -o design
+json experiment/experiment.json 0 experiment "$examples/records/synthetic_shakedown.toml" --set 'models=["mdr"]' -q -o experiment
+json verify/verification.json 0 verify --short -q -o verify
+json - 0 benchmark list
+json - 0 benchmark show wedge
+"$program" run "$sphere" --models mdr "${coarse[@]}" --no-studies --no-report -q --output other --set load.tangential_ratio=0.3
+json compare/compare.json 0 compare run other -o compare
+printf 'case = "%s"\nmodels = ["mdr"]\n[set]\nmdr.springs = 200\nrolling.steps = "turning-points"\n[vary]\nload.tangential_ratio = [0.1, 0.2]\n' \
+    "$sphere" >few.toml
+"$program" sweep few.toml -j 1 --no-report -q -o few || complain "no sweep"
+json few/fit.json 0 fit few.toml -o few -q
+"$program" rig "$examples/rigs/cylinder_parallel.toml" -o rig --export papers >/dev/null 2>&1 || complain "no export"
+json - 0 reproduce papers/archive.zip -q
+
+# The help of each says what it does.
+"$program" --help | sed -n '/^Compute:/,$s/^  \([a-z]\+\) .*/\1/p' >whole
+while read -r command; do
+    echo "$command"
+    "$program" "$command" --help | sed -n '/^Subcommands:/,$s/^  \([a-z]\+ [a-z]\+\) .*/\1/p'
+done <whole >all
+[ "$(wc -l <all)" -gt 28 ] || complain "only $(wc -l <all) commands"
+while read -r command; do
+    # shellcheck disable=SC2086
+    "$program" $command --help >help.txt
+    if grep -q -- ' --json' help.txt; then
+        # Compared with a reference in tests/cli/codes/benchmark.sh.
+        [ "$command" = "benchmark compare" ] || [ -n "${tried[$command]}" ] || complain "$command --json is not tried"
+    else
+        # shellcheck disable=SC2086
+        "$program" $command --json >out.txt 2>said.txt
+        [ $? -eq 2 ] && grep -q -- '--json\|is required' said.txt && [ ! -s out.txt ] ||
+            complain "$command neither has --json nor refuses it: $(cat said.txt)"
+    fi
+done <all
+
+finish

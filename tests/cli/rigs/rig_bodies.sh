@@ -1,0 +1,65 @@
+#!/usr/bin/env bash
+# Rig checks of bodies that are neither sphere nor cylinder: a power law of exponent 2 is the paraboloid, whose theories
+# are exact; a cone on a half-space has d = pi/2 a tan(angle) (Love 1939, Sneddon 1948).
+# usage: rig_bodies.sh PROGRAM SOURCE_DIR
+source "$(dirname -- "${BASH_SOURCE[0]}")/../prepare.bash"
+
+# rig NAME INDENTER...: a check of the body, in the folder NAME.
+rig() {
+    local name=$1
+    shift
+    {
+        printf 'models = ["bem-layer"]\n[indenter]\n'
+        printf '%s\n' "$@"
+        cat <<'END'
+[substrate]
+young = "3 MPa"
+poisson = 0.5
+thickness = "7 mm"
+[friction]
+coefficient = 0.6
+[load]
+normal_force = "8 N"
+tangential_ratio = 0.4
+[rolling]
+amplitude_ratio = 0.2
+speed = "1 mm/s"
+[rig]
+eigenfrequency = "22 Hz"
+density = "1100 kg/m^3"
+END
+    } >"$name.toml"
+    "$program" rig "$name.toml" --output "$name" >"$name.txt" 2>err || complain "$name: $(cat err)"
+}
+rig paraboloid 'shape = "paraboloid"' 'radius = "30 mm"'
+rig power_law 'shape = "power-law"' 'radius = "30 mm"' 'exponent = 2'
+rig cone 'shape = "cone"' 'angle = "8 deg"'
+rig ellipsoid 'shape = "ellipsoid"' 'radius = "40 mm"' 'radius_y = "20 mm"'
+"$python" - <<'END' || complain "the numbers of bodies"
+import json, math
+def numbers(name):
+    found = {}
+    for assumption in json.load(open(name + "/rig.json"))["assumptions"]:
+        for one in assumption["criteria"] + assumption["background"]:
+            found[one["name"]] = one["result"]
+    return found
+exact, body = numbers("paraboloid"), numbers("power_law")
+# Boundary elements on the default cells: to their own error bars of two standard errors, and 1e-4 for those of the theory.
+for name in ("indentation", "layer_indentation", "contact_radius", "layer_contact_radius", "coupling_effect"):
+    reach = 2 * body[name]["standard_error"] + 1e-4 * exact[name]["value"]
+    if name == "coupling_effect": reach = 1e-3
+    assert abs(body[name]["value"] - exact[name]["value"]) < reach, (name, body[name], exact[name])
+cone = numbers("cone")
+a, d = cone["contact_radius"], cone["indentation"]
+expected = math.pi / 2 * a["value"] * math.tan(math.radians(8))
+reach = 2 * (d["standard_error"] + a["standard_error"] * math.pi / 2 * math.tan(math.radians(8)))
+assert abs(d["value"] - expected) < reach, (d, expected, reach)
+assert "peak_pressure" not in cone and "peak_pressure" in body    # infinite under the tip
+effects = {(e["assumption"], e["measured"]): e["relative"] for e in json.load(open("ellipsoid/rig.json"))["effects"]}
+assert effects[("half_space", "indentation")] > .05, effects
+END
+# What is said of spheres alone is not said of others.
+for claim in "Hertz" "pivot" "adhesion"; do
+    ! grep -q "$claim" cone.txt || complain "'$claim' of a cone: $(grep "$claim" cone.txt)"
+done
+finish
