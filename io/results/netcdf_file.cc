@@ -2,7 +2,6 @@
 
 #include <filesystem>
 
-#include "io/keys/input_file.h"
 #include "io/keys/messages.h"
 
 namespace tricontact::io {
@@ -185,7 +184,6 @@ std::string NetcdfLayout::header(std::uint32_t n_records) const {
 
 NetcdfReader::NetcdfReader(const std::string& path) : path_(path) {
     constexpr std::size_t most_of_header = 1 << 20;
-    note_input_file(path);
     std::error_code error;
     if (!std::filesystem::is_regular_file(path, error)) refuse("is no file that can be read");
     file_.open(path, std::ios::binary);

@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "io/keys/input_file.h"
 #include "io/results/atomic_file.h"
 #include "io/results/netcdf_file.h"
 #include "io/results/state_series.h"
@@ -22,6 +23,7 @@ constexpr std::size_t most_points = 20'000'000;
 class SavedStates {
   public:
     explicit SavedStates(const std::string& path) : reader_(path) {
+        note_input_file(path);
         if (layout_text().empty()) reader_.refuse("is no surface of a contact");
         const std::size_t n = reader_.layout().length("num_nodes");
         if (n == 0 || n > most_points) reader_.refuse("has no sound number of points");
