@@ -154,6 +154,10 @@ std::vector<SeriesFile> read_state_series(const std::string& path) {
             files.push_back({states.time(i), one, static_cast<int>(i)});
         one = stem + "_" + std::to_string(number) + states_extension;
     }
+    std::vector<double> times;
+    for (const SeriesFile& file : files) times.push_back(file.time);
+    times = times_apart(times);
+    for (std::size_t i = 0; i < files.size(); ++i) files[i].time = times[i];
     return files;
 }
 

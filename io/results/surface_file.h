@@ -17,8 +17,8 @@ struct SeriesFile {
 /// The files that a collection of VtkSeries (`surface.pvd`) lists, in its order, beside it. Throws
 /// contact::InputError.
 std::vector<SeriesFile> read_series(const std::string& path);
-/// The states of a StateSeries (`surface.ex2` and what follows it) with their own times. Throws
-/// contact::InputError.
+/// The states of a StateSeries (`surface.ex2` and what follows it) with their own times, set
+/// apart (times_apart): of states at one time the last keeps it. Throws contact::InputError.
 std::vector<SeriesFile> read_state_series(const std::string& path);
 
 /// A surface as vtk_file(Instant, Surface, Provenance) has written it, fields in single precision:
