@@ -152,8 +152,7 @@ void add_surface(py::module_& module) {
             "offset", [](const Surface& s) { return py::make_tuple(s.offset[0], s.offset[1]); },
             "Position (x, y) of the indenter [m]");
     module.def("_saved_surfaces", saved_surfaces, py::arg("folder"));
-    module.def("_read_surface", io::read_surface_file, py::arg("path"),
-               py::arg("state"));
+    module.def("_read_surface", io::read_surface_file, py::arg("path"), py::arg("state"));
 }
 
 }  // namespace tricontact::python

@@ -54,8 +54,7 @@ RunStates::RunStates(const Case& c, const std::string& folder, const Say& say)
       provenance_{files::version, std::string("tricontact run ") + resolved_case_name},
       surfaces_(folder, "surface", provenance_,
                 has_time_ ? io::time_in_seconds : io::time_in_periods),
-      indenters_(folder, provenance_,
-                 has_time_ ? io::time_in_seconds : io::time_in_periods),
+      indenters_(folder, provenance_, has_time_ ? io::time_in_seconds : io::time_in_periods),
       volumes_(folder, "volume", provenance_,
                has_time_ ? io::time_in_seconds : io::time_in_periods) {}
 

@@ -34,7 +34,8 @@ void add_quads(ExodusMesh& mesh, int n_x, int n_y) {
     for (int j = 0; j + 1 < n_y; ++j)
         for (int i = 0; i + 1 < n_x; ++i) {
             const int corner = j * n_x + i + 1;
-            mesh.nodes.insert(mesh.nodes.end(), {corner, corner + 1, corner + n_x + 1, corner + n_x});
+            mesh.nodes.insert(mesh.nodes.end(),
+                              {corner, corner + 1, corner + n_x + 1, corner + n_x});
         }
 }
 
@@ -114,8 +115,12 @@ void ExodusFields::add_bytes(std::string_view name, std::span<const std::uint8_t
 
 ExodusMesh mesh_of(const Surface& s) {
     ExodusMesh mesh{.block = "surface", .element = {}, .points = {}, .nodes = {}};
-    mesh.grid = {static_cast<double>(s.n_x), static_cast<double>(s.n_y), s.first[0],
-                 s.first[1],                 s.spacing[0],               s.spacing[1]};
+    mesh.grid = {static_cast<double>(s.n_x),
+                 static_cast<double>(s.n_y),
+                 s.first[0],
+                 s.first[1],
+                 s.spacing[0],
+                 s.spacing[1]};
     if (s.layout == Surface::Layout::nodes) {
         mesh.layout = "nodes";
         mesh.element = "QUAD9";
@@ -186,8 +191,7 @@ ExodusFields fields_of(const Instant& instant, const Interior& interior) {
     fields.add_number(instant.name, instant.time);
     fields.add_number("strain_energy_J", interior.strain_energy);
     const auto add_force = [&](const std::string& name, const std::array<double, 3>& force) {
-        for (std::size_t d = 0; d < 3; ++d)
-            fields.add_number(name + "_" + "xyz"[d], force.at(d));
+        for (std::size_t d = 0; d < 3; ++d) fields.add_number(name + "_" + "xyz"[d], force.at(d));
     };
     add_force("applied_force_N", interior.applied);
     if (const auto& base = interior.base_reaction) add_force("base_reaction_N", *base);

@@ -105,8 +105,8 @@ class LayoutMaker {
             text_attribute("title", "Tricontact " + provenance_.program_version),
         };
         layout_.attributes.push_back(text_attribute("tricontact_layout", mesh_.layout));
-        layout_.attributes.push_back({"tricontact_grid", NetcdfType::real,
-                                      big_endian(std::span<const double>(mesh_.grid))});
+        layout_.attributes.push_back(
+            {"tricontact_grid", NetcdfType::real, big_endian(std::span<const double>(mesh_.grid))});
     }
     void add_mesh() {
         const auto n_elements =
@@ -125,7 +125,8 @@ class LayoutMaker {
         add("coordx", NetcdfType::real, {nodes_}, coordinates(mesh_, 0));
         add("coordy", NetcdfType::real, {nodes_}, coordinates(mesh_, 1));
         add("coordz", NetcdfType::real, {nodes_}, coordinates(mesh_, 2));
-        add("coor_names", NetcdfType::text, {axes, name_}, text_table({"x", "y", "z"}, name_length));
+        add("coor_names", NetcdfType::text, {axes, name_},
+            text_table({"x", "y", "z"}, name_length));
         add("connect1", NetcdfType::integer, {elements_, of_element},
             big_endian(std::span<const std::int32_t>(mesh_.nodes)),
             {text_attribute("elem_type", mesh_.element)});
@@ -180,9 +181,9 @@ std::string widened(std::string_view bytes) {
 
 void put(std::string& record, const NetcdfLayout& layout, const NetcdfVariable& variable,
          std::string_view bytes) {
-    std::ranges::copy(bytes.substr(0, variable.size),
-                      record.begin() +
-                          static_cast<std::ptrdiff_t>(variable.begin - layout.records_begin));
+    std::ranges::copy(
+        bytes.substr(0, variable.size),
+        record.begin() + static_cast<std::ptrdiff_t>(variable.begin - layout.records_begin));
 }
 
 void put_numbers(std::string& record, const NetcdfLayout& layout, const ExodusNames& names,

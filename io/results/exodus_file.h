@@ -17,8 +17,8 @@ namespace tricontact::io {
 
 /// Elements of one kind and their nodes, the same in all states of a file.
 struct ExodusMesh {
-    std::string block;    ///< "surface"
-    std::string element;  ///< "QUAD4", as Exodus II names it
+    std::string block;                          ///< "surface"
+    std::string element;                        ///< "QUAD4", as Exodus II names it
     std::vector<std::array<double, 3>> points;  ///< [m]
     int nodes_per_element = 0;
     std::vector<std::int32_t> nodes;  ///< of the elements one after another, from 1

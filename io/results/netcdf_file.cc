@@ -101,10 +101,13 @@ class HeaderParser {
 std::size_t size_of(NetcdfType type) {
     switch (type) {
         case NetcdfType::byte:
-        case NetcdfType::text: return 1;
+        case NetcdfType::text:
+            return 1;
         case NetcdfType::integer:
-        case NetcdfType::single: return 4;
-        case NetcdfType::real: return 8;
+        case NetcdfType::single:
+            return 4;
+        case NetcdfType::real:
+            return 8;
     }
     return 0;
 }
@@ -115,8 +118,7 @@ std::uint32_t NetcdfLayout::add_dimension(std::string name, std::size_t length) 
 }
 
 bool NetcdfLayout::is_of_records(const NetcdfVariable& variable) const {
-    return !variable.dimensions.empty() &&
-           dimensions.at(variable.dimensions.front()).length == 0;
+    return !variable.dimensions.empty() && dimensions.at(variable.dimensions.front()).length == 0;
 }
 
 const NetcdfVariable* NetcdfLayout::find(std::string_view name) const {
@@ -220,8 +222,7 @@ std::string NetcdfReader::bytes(std::string_view name, std::size_t record) {
     if (!variable) return {};
     const bool has_records = layout_.is_of_records(*variable);
     if (has_records && record >= n_records_) refuse("has fewer states");
-    return read(variable->begin + (has_records ? record * layout_.record_size : 0),
-                variable->size);
+    return read(variable->begin + (has_records ? record * layout_.record_size : 0), variable->size);
 }
 
 std::string NetcdfReader::record(std::size_t record) {

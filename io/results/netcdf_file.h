@@ -69,7 +69,8 @@ struct NetcdfVariable {
 
 /// What a file holds in netCDF's classic format with offsets of 64 bits ("The NetCDF Classic Format
 /// Specification"): a header, variables, then records one after another, whose number stands in the
-/// header. A record that is appended exists when its number is written: a file is whole at any time.
+/// header. A record that is appended exists when its number is written: a file is whole at any
+/// time.
 struct NetcdfLayout {
     std::vector<NetcdfDimension> dimensions;
     std::vector<NetcdfAttribute> attributes;

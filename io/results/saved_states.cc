@@ -84,9 +84,9 @@ Surface layout_of(SavedStates& states) {
     Surface s;
     const auto& grid = states.grid();
     const bool is_nodes = states.layout_text() == "nodes";
-    s.layout = is_nodes ? Surface::Layout::nodes
+    s.layout = is_nodes                         ? Surface::Layout::nodes
                : states.layout_text() == "line" ? Surface::Layout::line
-                                                 : Surface::Layout::grid;
+                                                : Surface::Layout::grid;
     const double n_x = grid[0], n_y = grid[1];
     if (!(n_x >= 0) || !(n_y >= 0) || !(n_x * n_y <= static_cast<double>(most_points)))
         states.reader().refuse("has no sound grid");
@@ -117,7 +117,8 @@ Surface read_state(const std::string& path, int state) {
     SavedStates states(path);
     const std::size_t n_records = states.reader().n_records();
     if (n_records == 0) states.reader().refuse("has no states");
-    const std::size_t record = state == last_state ? n_records - 1 : static_cast<std::size_t>(state);
+    const std::size_t record =
+        state == last_state ? n_records - 1 : static_cast<std::size_t>(state);
     Surface s = layout_of(states);
     const auto field = [&](const char* name) { return states.field(name, s.size(), record); };
     s.normal_traction = field("normal_traction_Pa");
@@ -145,7 +146,8 @@ Surface read_state(const std::string& path, int state) {
 
 std::vector<SeriesFile> read_state_series(const std::string& path) {
     std::vector<SeriesFile> files;
-    const std::string stem = path.substr(0, path.size() - std::string_view(states_extension).size());
+    const std::string stem =
+        path.substr(0, path.size() - std::string_view(states_extension).size());
     std::string one = path;
     std::error_code ignored;
     for (int number = 2; std::filesystem::exists(one, ignored); ++number) {

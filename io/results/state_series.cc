@@ -99,16 +99,15 @@ void StateSeries::begin_file(ExodusMesh mesh, double time, const ExodusFields& f
     std::error_code ignored;
     for (int number = n_files_ + 1; std::filesystem::exists(path(number), ignored); ++number)
         remove_file(path(number));
-    write_unsynced(path(n_files_),
-                   layout_.bytes(1) + exodus_record(layout_, names_, time, fields));
+    write_unsynced(path(n_files_), layout_.bytes(1) + exodus_record(layout_, names_, time, fields));
 }
 
 // Of rolling, some fields begin with its first period.
 void StateSeries::take_more_names(const ExodusFields& fields) {
     const ExodusNames old_names = names_;
     if (!names_.take(fields)) return;
-    const NetcdfLayout old_layout = std::exchange(
-        layout_, exodus_layout(mesh_, names_, provenance_));
+    const NetcdfLayout old_layout =
+        std::exchange(layout_, exodus_layout(mesh_, names_, provenance_));
     NetcdfReader old(path(n_files_));
     std::string bytes = layout_.bytes(static_cast<std::uint32_t>(times_.size()));
     for (std::size_t i = 0; i < times_.size(); ++i)

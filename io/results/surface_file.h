@@ -23,8 +23,8 @@ std::vector<SeriesFile> read_state_series(const std::string& path);
 
 /// A surface as vtk_file(Instant, Surface, Provenance) has written it, fields in single precision:
 /// `.vti`, `.vtp` of a line or `.vtu` of nodes; or a state of a StateSeries (`.ex2`), by its number
-/// from 0, `last_state`. What the file lacks is empty. Throws contact::InputError for a file that is
-/// none, is damaged, or was written by another program.
+/// from 0, `last_state`. What the file lacks is empty. Throws contact::InputError for a file that
+/// is none, is damaged, or was written by another program.
 contact::Surface read_surface_file(const std::string& path, int state = 0);
 inline constexpr int last_state = -1;
 /// Whether the file is a StateSeries of surfaces that this program wrote.

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-
 #include "io/keys/messages.h"
 #include "io/results/atomic_file.h"
 #include "io/results/state_fields.h"

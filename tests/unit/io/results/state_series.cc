@@ -44,8 +44,8 @@ Surface surface_of(Surface::Layout layout, int n_x, int n_y, int state = 0) {
     s.offset = {0.0011 * state, -0.0007};
     int field = 0;
     for (auto* values : {&s.normal_traction, &s.tangential_traction_x, &s.tangential_traction_y,
-                         &s.friction_bound, &s.displacement_x, &s.displacement_y,
-                         &s.displacement_z, &s.gap, &s.slip_x, &s.slip_y, &s.dissipation}) {
+                         &s.friction_bound, &s.displacement_x, &s.displacement_y, &s.displacement_z,
+                         &s.gap, &s.slip_x, &s.slip_y, &s.dissipation}) {
         ++field;
         for (std::size_t i = 0; i < s.size(); ++i)
             values->push_back(field + 100. * state + static_cast<double>(i) / 7);
@@ -81,8 +81,8 @@ class States : public VtkFiles {
         reader_->SetFileName(at(name).c_str());
         reader_->SetApplyDisplacements(moved);
         reader_->UpdateInformation();
-        for (const int kind : {vtkExodusIIReader::NODAL, vtkExodusIIReader::ELEM_BLOCK,
-                               vtkExodusIIReader::GLOBAL})
+        for (const int kind :
+             {vtkExodusIIReader::NODAL, vtkExodusIIReader::ELEM_BLOCK, vtkExodusIIReader::GLOBAL})
             for (int i = 0; i < reader_->GetNumberOfObjectArrays(kind); ++i)
                 reader_->SetObjectArrayStatus(kind, i, 1);
         reader_->UpdateTimeStep(time);
@@ -101,8 +101,8 @@ class States : public VtkFiles {
 void expect_same(vtkPointData* data, const Surface& s) {
     expect_scalar(data, "normal_traction_Pa", s.normal_traction);
     expect_scalar(data, "friction_bound_Pa", s.friction_bound);
-    expect_vector(data, "tangential_traction_Pa_", s.tangential_traction_x,
-                  s.tangential_traction_y, {}, 1);
+    expect_vector(data, "tangential_traction_Pa_", s.tangential_traction_x, s.tangential_traction_y,
+                  {}, 1);
     expect_vector(data, "elastic_displacement_m_", s.displacement_x, s.displacement_y,
                   s.displacement_z, -1);
     expect_gap(data, s);
@@ -116,8 +116,7 @@ void expect_same(vtkPointData* data, const Surface& s) {
 
 TEST_F(States, StatesOfAGridReadBackExactly) {
     StateSeries out = states("surface");
-    for (int k = 0; k < 3; ++k)
-        out.add(k / 3., surface_of(Surface::Layout::grid, 31, 20, k));
+    for (int k = 0; k < 3; ++k) out.add(k / 3., surface_of(Surface::Layout::grid, 31, 20, k));
     for (const int k : {2, 0, 1}) {
         const Surface s = surface_of(Surface::Layout::grid, 31, 20, k);
         vtkUnstructuredGrid* grid = read("surface.ex2", k / 3.);
