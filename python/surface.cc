@@ -105,13 +105,14 @@ py::array positions(const py::object& self, int axis) {
     return positions;
 }
 
-/// Of each model of a folder of results the times and files of its surfaces, the latter as bytes.
+/// Of each model of a folder of results the times, files and states in them of its
+/// surfaces, paths as bytes.
 py::dict saved_surfaces(const std::string& folder) {
     py::dict models;
     for (const comparisons::SavedRun& run : comparisons::read_results_folder(folder).runs) {
         py::list files;
         for (const io::SeriesFile& file : run.surfaces)
-            files.append(py::make_tuple(file.time, py::bytes(file.path)));
+            files.append(py::make_tuple(file.time, py::bytes(file.path), file.state));
         models[py::str(run.model)] = files;
     }
     return models;
@@ -151,7 +152,7 @@ void add_surface(py::module_& module) {
             "offset", [](const Surface& s) { return py::make_tuple(s.offset[0], s.offset[1]); },
             "Position (x, y) of the indenter [m]");
     module.def("_saved_surfaces", saved_surfaces, py::arg("folder"));
-    module.def("_read_surface", io::read_surface_file, py::arg("path"));
+    module.def("_read_surface", io::read_surface_file, py::arg("path"), py::arg("state"));
 }
 
 }  // namespace tricontact::python

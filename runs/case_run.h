@@ -42,8 +42,8 @@ contact::History studied_history(const std::string& name, const Case& c, const R
                                  comparisons::LoadingStudy* study);
 
 /// What run_model writes into the folder of the model, beside the files that the collections name.
-inline const std::vector<std::string> model_results{"history.csv", "surface.pvd", "indenter.pvd",
-                                                    "volume.pvd"};
+inline const std::vector<std::string> model_results{"history.csv", "surface.ex2", "indenter.ex2",
+                                                    "volume.ex2"};
 
 /// The same with progress, with history and ParaView files in a folder of its own. A finite element
 /// run that was killed goes on from its last finished step. `resolved` is the text of the case.

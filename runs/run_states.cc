@@ -54,7 +54,7 @@ RunStates::RunStates(const Case& c, const std::string& folder, const Say& say)
       provenance_{files::version, std::string("tricontact run ") + resolved_case_name},
       surfaces_(folder, "surface", provenance_,
                 has_time_ ? io::time_in_seconds : io::time_in_periods),
-      indenters_(folder, provenance_),
+      indenters_(folder, provenance_, has_time_ ? io::time_in_seconds : io::time_in_periods),
       volumes_(folder, "volume", provenance_,
                has_time_ ? io::time_in_seconds : io::time_in_periods) {}
 
@@ -122,13 +122,7 @@ const contact::Subsurface* RunStates::add_volume(const contact::StepRecord& reco
 }
 
 void RunStates::finish() const {
-    const bool shows_surface = output_.vtk != none;
-    if (subsurface_) volumes_.list_all();
-    if (shows_surface) {
-        surfaces_.list_all();
-        indenters_.list_all();
-    }
-    if (subsurface_ || shows_surface) io::sync_files(folder_);
+    if (subsurface_ || output_.vtk != none) io::sync_files(folder_);
 }
 
 }  // namespace tricontact::runs

@@ -6,7 +6,7 @@
 #include "contact/compliances/interior.h"
 #include "contact/run.h"
 #include "io/results/output.h"
-#include "io/results/vtk_files.h"
+#include "io/results/state_series.h"
 #include "io/results/vtk_indenter.h"
 #include "runs/options.h"
 
@@ -46,9 +46,9 @@ class RunStates {
     const Say& say_;
     bool has_time_;
     io::Provenance provenance_;
-    io::VtkSeries surfaces_;
+    io::StateSeries surfaces_;
     io::IndenterSeries indenters_;
-    io::VtkSeries volumes_;
+    io::StateSeries volumes_;
     std::optional<io::IndenterShape> indenter_;
     std::optional<contact::Surface> surface_;
     std::optional<contact::Subsurface> subsurface_;

@@ -9,6 +9,7 @@ import math
 import os
 import re
 import shutil
+import struct
 import sys
 from pathlib import Path
 
@@ -18,14 +19,13 @@ from vtkmodules.vtkIOImage import vtkPNGReader
 
 # What docs/ promise of each series; units stand behind the name where there are some.
 FIELDS = {
-    "surface": ["normal_traction", "tangential_traction", "displacement", "gap", "slip", "dissipation", "contact_state",
+    "surface": ["normal_traction", "tangential_traction", "elastic_displacement", "gap", "slip", "dissipation", "contact_state",
                 "friction_bound"],
-    "volume": ["displacement", "stress", "von_mises", "pressure"],
+    "volume": ["elastic_displacement", "stress", "von_mises", "pressure"],
     "indenter": [],
     "machine": ["displacement", "normal_force", "tangential_force", "spring_force", "contact_state", "part"],
 }
 FIELDS["steady"] = FIELDS["surface"]
-OF_A_PERIOD = {"slip_path_m", "friction_work_J_per_m2"}  # from the first step of rolling on
 failures = []
 
 
@@ -39,19 +39,61 @@ def arrays(source):
     return {part.GetArray(i).Name: part.GetArray(i).GetRange(-1) for part in data for i in range(len(part))}
 
 
+def states_in(path):
+    """How many states the file tells, by its bytes."""
+    with open(path, "rb") as file:
+        content = file.read(8) if path.endswith(".ex2") else file.read()
+    # netCDF's classic format: "CDF", version, number of records.
+    return struct.unpack(">I", content[4:8])[0] if path.endswith(".ex2") else len(re.findall(rb'timestep="', content))
+
+
+def series_in(folder, depth="*"):
+    """Paths of all series in folders of models, or in all folders ("**")."""
+    return sorted(path for ending in ("ex2", "pvd")
+                  for path in glob.glob(os.path.join(glob.escape(folder), depth, "*." + ending), recursive=True))
+
+
+def one_block(source):
+    """A surface as one grid; of the reader at its last time."""
+    block = MergeBlocks(Input=source, MergePoints=0)
+    block.UpdatePipeline(source.TimestepValues[-1])
+    return block
+
+
+def check_files(folder, series):
+    """At most 50 files for ParaView, times that begin with 0 and are those of one clock: most states of a model with
+    as many steps are at the times of another's."""
+    files = [path for path in Path(folder).rglob("*") if path.suffix in (".ex2", ".pvd") or path.suffix.startswith(".vt")]
+    print(f"{folder}: {len(files)} files for ParaView, {sum(path.stat().st_size for path in files) / 1e6:.0f} MB")
+    if len(files) > 50:
+        complain(f"{folder}: {len(files)} files for ParaView")
+    clocks = {}
+    for path in series:
+        if os.path.basename(path) == "surface.ex2":
+            clocks[path] = list(OpenDataFile(path).TimestepValues)
+            if clocks[path][0] != 0:
+                complain(f"{path}: begins at the time {clocks[path][0]}")
+    longest = max(clocks.values(), key=lambda times: times[-1], default=[])
+    for path, times in clocks.items():
+        rolling = [t for t in times if t >= longest[-1] / 100]
+        off = [t for t in rolling if min(abs(t - one) for one in longest) > 1e-9 * longest[-1]]
+        if off:
+            complain(f"{path}: {len(off)} of {len(rolling)} times are no model's else, {off[:3]}")
+    ResetSession()
+
+
 def check_series(path):
-    """All steps of the .pvd, in order of time, each with the fields of the first."""
+    """All steps of the series, in order of time, each with the fields of the first."""
     kind = os.path.splitext(os.path.basename(path))[0]
-    with open(path, encoding="utf-8") as file:
-        times = [float(t) for t in re.findall(r'timestep="([^"]+)"', file.read())]
     source = OpenDataFile(path)
     source.UpdatePipeline()
-    if list(source.TimestepValues) != sorted(set(times)) or not times:
-        complain(f"{path}: the steps {list(source.TimestepValues)} are not those of the file, {times}")
+    times = list(source.TimestepValues)
+    if times != sorted(set(times)) or len(times) != states_in(path):
+        complain(f"{path}: the {len(times)} steps {times[:3]} ... are not the {states_in(path)} of the file in order")
     first = None
     for time in source.TimestepValues:
         source.UpdatePipeline(time)
-        found = {name: span for name, span in arrays(source).items() if name not in OF_A_PERIOD}
+        found = arrays(source)
         first = first or set(found)
         missing = [name for name in FIELDS[kind] if not any(re.match(name + r"(_[A-Za-z].*)?$", a) for a in found)]
         if missing or set(found) != first:
@@ -96,7 +138,7 @@ def run_macro(folder, *arguments, imported=False):
 def areas(folder):
     """Models whose surface is one of the plane."""
     n = 0
-    for path in glob.glob(os.path.join(glob.escape(folder), "*", "surface.pvd")):
+    for path in glob.glob(os.path.join(glob.escape(folder), "*", "surface.ex2")):
         source = OpenDataFile(path)
         source.UpdatePipeline()
         bounds = source.GetDataInformation().GetBounds()
@@ -119,7 +161,7 @@ def check_moved(folder, series, work):
     os.chdir(lost)
     for imported in (False, True):
         if imported:
-            OpenDataFile(glob.glob(os.path.join(glob.escape(moved), "*", "*.pvd"))[0])
+            OpenDataFile(series_in(moved)[0])
         said = run_macro(moved, imported=imported)
         if os.path.realpath(said.strip().removeprefix("results of ")) != moved:
             complain(f"{moved}: the macro says '{said.strip()}'")
@@ -140,7 +182,7 @@ def check_macro(folder, work):
     if os.path.realpath(said.strip().removeprefix("results of ")) != folder:
         complain(f"{folder}: the macro says '{said.strip()}'")
     ResetSession()
-    series = glob.glob(os.path.join(glob.escape(folder), "*", "*.pvd"))
+    series = series_in(folder)
     n_areas = areas(folder)
     if os.path.exists(os.path.join(pictures, "models.png")) != (n_areas > 1):
         complain(f"{folder}: {n_areas} surfaces of the plane, and models.png or none")
@@ -160,7 +202,7 @@ def check_macro(folder, work):
 
 
 def last_state(folder, model):
-    source = OpenDataFile(os.path.join(folder, model, "surface.pvd"))
+    source = OpenDataFile(os.path.join(folder, model, "surface.ex2"))
     source.UpdatePipeline(source.TimestepValues[-1])
     return source
 
@@ -172,15 +214,16 @@ def check_overlay(folder):
     with open(os.path.join(folder, "summary.json"), encoding="utf-8") as file:
         summary = json.load(file)
     error = summary.get("numerical_error") or {}
-    if error.get("model") != "fem" or not os.path.exists(os.path.join(folder, "bem-layer", "surface.pvd")):
+    if error.get("model") != "fem" or not os.path.exists(os.path.join(folder, "bem-layer", "surface.ex2")):
         return
     bar, name = error["half_widths"]["peak_pressure_Pa"], "normal_traction_Pa"
-    fem, layer = last_state(folder, "fem"), last_state(folder, "bem-layer")
+    last = last_state(folder, "bem-layer")
+    fem, layer = one_block(last_state(folder, "fem")), one_block(last)
     sampled = ResampleWithDataset(SourceDataArrays=fem, DestinationMesh=layer)
-    sampled.UpdatePipeline(layer.TimestepValues[-1])
+    sampled.UpdatePipeline(last.TimestepValues[-1])
     of_fem, of_layer = servermanager.Fetch(sampled), servermanager.Fetch(layer)
     pressures = [vtk_to_numpy(data.GetPointData().GetArray(name)).astype(float) for data in (of_fem, of_layer)]
-    x, y = of_layer.GetFieldData().GetArray("indenter_position_m").GetTuple3(0)[:2]
+    x, y = (last.FieldData["indenter_position_m"].GetRange(d)[0] for d in (0, 1))
     inner = 0.5 * summary["models"]["bem-layer"]["contact_radius_m"]
     points = map(of_layer.GetPoint, range(of_layer.GetNumberOfPoints()))
     apart = [a - b for a, b, p in zip(*pressures, points) if math.hypot(p[0] - x, p[1] - y) < inner]
@@ -229,9 +272,10 @@ def main():
     work, folders = sys.argv[1], sys.argv[2:]
     os.chdir(work)
     for folder in folders:
-        series = sorted(glob.glob(os.path.join(glob.escape(folder), "**", "*.pvd"), recursive=True))
+        series = series_in(folder, "**")
         if not series:
-            complain(f"{folder}: no .pvd")
+            complain(f"{folder}: no series")
+        check_files(folder, series)
         n_steps = [check_series(path) for path in series]
         for path, n in zip(series, n_steps):
             print(f"{path}: {n} steps")

@@ -195,7 +195,7 @@ StudyPoint make_point(const Case& c, const std::string& model, int level, const 
 }
 
 std::string surface_file(const StudyPoint& point) {
-    return folder_of(point) + '/' + point.model + "/surface.pvd";
+    return folder_of(point) + '/' + point.model + "/surface.ex2";
 }
 
 std::optional<comparisons::Results> results_of(const std::optional<io::PointOutcome>& outcome) {

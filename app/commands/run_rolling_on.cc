@@ -14,6 +14,7 @@
 #include "contact/models/model_kind.h"
 #include "io/results/output.h"
 #include "io/results/progress.h"
+#include "io/results/state_series.h"
 #include "io/results/vtk_files.h"
 #include "report/format.h"
 #include "rolling/rolling_document.h"
@@ -31,7 +32,7 @@ io::OutputNames roll_outputs(const std::vector<std::string>& models) {
     io::OutputNames names{{resolved_case_name, "summary.json", "creep.csv", "report.html"},
                           {io::paraview_macro_name}};
     for (const std::string& model : models)
-        for (const char* name : {"/history.csv", "/surface.pvd", "/indenter.pvd", "/steady.pvd"})
+        for (const char* name : {"/history.csv", "/surface.ex2", "/indenter.ex2", "/steady.ex2"})
             names.results.push_back(model + name);
     return names;
 }
@@ -61,9 +62,9 @@ rolling::RollingRun roll_model(const std::string& model, const Case& c,
     const io::Provenance provenance{files::version, rolling_again};
     const double speed = c.tractive_rolling->speed;
     const char* time = speed > 0 ? io::time_in_seconds : io::time_in_half_lengths;
-    io::VtkSeries surfaces(folder, "surface", provenance, time);
-    io::VtkSeries steady(folder, "steady", provenance, time);
-    io::IndenterSeries indenters(folder, provenance);
+    io::StateSeries surfaces(folder, "surface", provenance, time);
+    io::StateSeries steady(folder, "steady", provenance, time);
+    io::IndenterSeries indenters(folder, provenance, time);
     std::optional<io::IndenterShape> indenter;
     bool size_is_said = false;
     io::ProgressBar bar = options.progress_bar(model);
@@ -95,11 +96,7 @@ rolling::RollingRun roll_model(const std::string& model, const Case& c,
         };
     rolling::RollingRun run = roll(model, c, runs);
     bar.finish("");
-    if (runs.show) {
-        surfaces.list_all();
-        indenters.list_all();
-        steady.finish();
-    }
+    if (runs.show) steady.finish();
     io::write_file(folder + "/history.csv", rolling::history_csv(run));
     return run;
 }
@@ -135,8 +132,8 @@ std::vector<std::pair<std::string, std::string>> files_of(const Case& c) {
         const std::string name = report::display_name(model);
         files.emplace_back(name + ", step by step", model + "/history.csv");
         if (c.of<io::Output>().vtk == io::Output::Vtk::none) continue;
-        files.emplace_back(name + ", for ParaView", model + "/surface.pvd");
-        files.emplace_back(name + " in steady rolling, for ParaView", model + "/steady.pvd");
+        files.emplace_back(name + ", for ParaView", model + "/surface.ex2");
+        files.emplace_back(name + " in steady rolling, for ParaView", model + "/steady.ex2");
     }
     files.emplace_back("the case, resolved", resolved_case_name);
     return files;

@@ -33,6 +33,7 @@ Positions positions_of(const RunSurface& s) {
 }  // namespace
 
 bool is_own_surface(const std::string& file) {
+    if (io::is_state_series(file)) return true;
     std::ifstream in(file, std::ios::binary);
     std::string header(header_bytes, '\0');
     in.read(header.data(), static_cast<std::streamsize>(header.size()));
@@ -43,7 +44,7 @@ bool is_own_surface(const std::string& file) {
 
 MeshField read_own_surface(const std::string& file) {
     io::note_input_file(file);
-    const RunSurface s = io::read_surface_file(file);
+    const RunSurface s = io::read_surface_file(file, io::last_state);
     MeshField field;
     field.file = file;
     field.format = "Tricontact";

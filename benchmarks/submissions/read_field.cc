@@ -131,7 +131,8 @@ std::map<std::string, Total> read_totals(const std::string& file, std::vector<st
 
 MeshField read_field(const FieldSource& source) {
     const std::string ending = ending_of(source.file);
-    const bool may_be_own = ending == ".vti" || ending == ".vtp" || ending == ".vtu";
+    const bool may_be_own =
+        ending == ".vti" || ending == ".vtp" || ending == ".vtu" || ending == ".ex2";
     if (may_be_own && is_own_surface(source.file)) {
         MeshField field = read_own_surface(source.file);
         if (!source.totals.empty()) add_totals(field, source.totals, {});

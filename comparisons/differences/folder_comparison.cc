@@ -163,8 +163,8 @@ void add_fields(const SavedRun& a, const SavedRun& b, RunPair& pair) {
     }
     for (const std::size_t k : report::thinned(common.size(), most_instants)) {
         const auto& [first, second] = common[k];
-        SurfaceDifference one =
-            difference_of(io::read_surface_file(first->path), io::read_surface_file(second->path));
+        SurfaceDifference one = difference_of(io::read_surface_file(first->path, first->state),
+                                              io::read_surface_file(second->path, second->state));
         pair.instants.push_back({first->time, one.pressure, one.traction});
         one.name_a = pair.model_a == pair.model_b ? "A" : pair.model_a;
         one.name_b = pair.model_a == pair.model_b ? "B" : pair.model_b;

@@ -4,8 +4,8 @@
     python3 examples/scripts/pyvista_surface.py results/rig_sphere_parallel/bem picture.png [--time 2.25] [--zones]
 
 The folder is that of one model, of `tricontact run`; PyVista comes by `pip install pyvista`. Times are those of
-surface.pvd: seconds where the case has a speed or times of its own, else periods of rolling, rows of a prescribed path, or
-the way rolled on over the contact's half length. Pressing comes before 0.
+surface.ex2: seconds where the case has a speed or times of its own, else periods of rolling, rows of a prescribed path, or
+the way rolled on over the contact's half length. Pressing comes in the first half of the first step.
 """
 
 import argparse
@@ -18,10 +18,10 @@ POSITION = "indenter_position_m"
 
 
 def surface_at(series, time):
-    """The last surface of surface.pvd that is not after the time, and when it is."""
+    """The last surface of surface.ex2 that is not after the time, and when it is."""
     import pyvista
 
-    reader = pyvista.get_reader(str(series))
+    reader = pyvista.ExodusIIReader(str(series)) if hasattr(pyvista, "ExodusIIReader") else pyvista.get_reader(str(series))
     rounding = 1e-9 * max(map(abs, reader.time_values))
     times = [value for value in reader.time_values if time is None or value <= time + rounding]
     if not times:
@@ -62,10 +62,10 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("model", type=pathlib.Path, help="folder of one model's results")
     parser.add_argument("picture", help="file to be written (PNG)")
-    parser.add_argument("--time", type=float, help="of surface.pvd; the last state until then (the last of all)")
+    parser.add_argument("--time", type=float, help="of surface.ex2; the last state until then (the last of all)")
     parser.add_argument("--zones", action="store_true", help="stick and slip instead of pressure")
     given = parser.parse_args()
-    surface, time = surface_at(given.model / "surface.pvd", given.time)
+    surface, time = surface_at(given.model / "surface.ex2", given.time)
     draw(surface, time, given.zones, given.picture)
 
 

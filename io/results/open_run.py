@@ -29,6 +29,8 @@ PLOTS = [  # of the first that a table has the columns of: table, across, upward
 TITLES = {"time_s": "time [s]", "phase": "periods of rolling, or rows of the path",
           "distance_m": "rolled way [m]", "time": "time"}
 STEADY = []  # the sources that are steady states
+READERS = []  # each source of one block, and the reader that it is of
+ENDINGS = (".ex2", ".pvd")  # of series
 
 
 def own_folder():
@@ -49,8 +51,9 @@ def own_folder():
 def opened_folder():
     """The folder of results of which a series is open, for a macro, whose copy lies with ParaView's settings."""
     for source in GetSources().values():
-        name = getattr(source, "FileName", None)
-        if isinstance(name, str) and name.endswith(".pvd"):
+        names = getattr(source, "FileName", None) or ""
+        name = names if isinstance(names, str) else names[0]
+        if name.endswith(ENDINGS):
             return os.path.dirname(os.path.dirname(os.path.abspath(name)))
     return ""
 
@@ -59,15 +62,16 @@ def all_series():
     """The series of the first folder that has some."""
     folders = [folder for folder in (own_folder(), opened_folder(), os.getcwd()) if folder]
     for folder in folders:
-        found = glob.glob(os.path.join(glob.escape(folder), "*", "*.pvd"))
+        found = [path for ending in ENDINGS for path in glob.glob(os.path.join(glob.escape(folder), "*", "*" + ending))]
         if found:
             print("results of", folder)
             return found
-    raise RuntimeError("no results (*/*.pvd) in " + " or ".join(folders) +
-                       ": open one of their .pvd first, or start paraview --script=FOLDER/open_run.py")
+    raise RuntimeError("no results (*/*.ex2) in " + " or ".join(folders) +
+                       ": open one of their .ex2 first, or start paraview --script=FOLDER/open_run.py")
 
 
 def fields_of(source):
+    source = next((reader for one, reader in READERS if one == source), source)
     data = source.GetDataInformation().DataInformation.GetFieldDataInformation()
     return [data.GetArrayInformation(i).GetName() for i in range(data.GetNumberOfArrays())]
 
@@ -87,7 +91,14 @@ def open_series(path):
     scene.UpdateAnimationUsingDataTimeSteps()
     scene.AnimationTime = max(scene.AnimationTime, source.TimestepValues[-1])
     source.UpdatePipeline(scene.AnimationTime)
-    return source
+    if not path.endswith(".ex2"):
+        return source
+    # Its reader gives blocks, of which there is one.
+    block = MergeBlocks(Input=source, MergePoints=0)
+    RenameSource(os.path.basename(folder) + " " + name + " block", block)
+    block.UpdatePipeline(scene.AnimationTime)
+    READERS.append((block, source))
+    return block
 
 
 def new_view(kind="RenderView"):

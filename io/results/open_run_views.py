@@ -1,10 +1,10 @@
 def surface_cells(source):
-    """Where the state of a surface is: in its cells, or the points of a line of springs."""
+    """Where the state of a surface is shown: in its cells, or at its points."""
     return "CELLS" if source.CellData["contact_state"] else "POINTS"
 
 
 def show_stick_slip(source, view):
-    """Each point of a surface in the colour of its state, as a disc over the outline; each cell of a single row."""
+    """Each point of a surface in the colour of its state, as a disc over the outline."""
     display = Show(source, view)
     display.Ambient, display.Diffuse = 1.0, 0.0  # the colours of the scale
     nodes = source.PointData["contact_state"] and is_area(source)
@@ -16,35 +16,29 @@ def show_stick_slip(source, view):
         display.ShaderPreset = "Plain circle"
         display.GaussianRadius = 0.5 * ((bounds[1] - bounds[0]) * (bounds[3] - bounds[2]) / n) ** 0.5
     else:
-        display.SetRepresentationType("Surface")
+        display.SetRepresentationType("Points")
     colour(display, view, "POINTS" if nodes else surface_cells(source), "contact_state", "contact")
     display.PointSize = 6
     say_time(source, view)
 
 
-def thinned(source):
-    """The points of a surface at which arrows are drawn, on a coarse grid where it is a grid."""
-    extent = source.GetDataInformation().GetExtent()
-    if source.GetDataInformation().GetDataSetTypeAsString() == "vtkImageData":
-        every = [max(1, (extent[2 * i + 1] - extent[2 * i]) // 24) for i in range(2)]
-        source = ExtractSubset(Input=source, VOI=extent, SampleRateI=every[0], SampleRateJ=every[1])
-    return CellCenters(Input=source) if len(source.CellData) > 1 else source
-
-
 def show_tractions(source, view, size, lift):
     display = Show(source, view)
-    display.SetRepresentationType("Surface")
+    display.SetRepresentationType("Surface" if is_area(source) else "Points")
     display.Ambient, display.Diffuse = 1.0, 0.0  # the colours of the scale
     colour(display, view, "CELLS" if source.CellData["normal_traction_Pa"] else "POINTS", "normal_traction_Pa",
            "normal traction [Pa]")
     display.PointSize = 6
     strongest = largest(source, "tangential_traction_Pa")
     if strongest > 0:
-        arrows = Glyph(Input=thinned(source), GlyphType="Arrow")
+        arrows = Glyph(Input=source, GlyphType="Arrow")
         arrows.OrientationArray = ["POINTS", "tangential_traction_Pa"]
         arrows.ScaleArray = ["POINTS", "tangential_traction_Pa"]
         arrows.ScaleFactor = 0.06 * size / strongest
-        arrows.GlyphMode = "All Points"
+        if is_area(source):
+            arrows.GlyphMode, arrows.MaximumNumberOfSamplePoints = "Uniform Spatial Distribution (Bounds Based)", 600
+        else:
+            arrows.GlyphMode = "All Points"
         RenameSource("tangential tractions", arrows)
         shown = Show(arrows, view)
         shown.ColorArrayName = ["POINTS", ""]
@@ -58,20 +52,16 @@ def show_tractions(source, view, size, lift):
 
 def warp_scale(source, size):
     """1 if the deformation can be seen as it is, else such that it is a tenth of the size."""
-    most = largest(source, "displacement_m")
+    most = largest(source, "elastic_displacement_m")
     return 1.0 if most > 0.02 * size or most == 0 else 0.1 * size / most
 
 
 def warped(source, scale):
     """Deformed as it is, or magnified along z alone, as the indenter is."""
-    if not source.PointData["displacement_m"]:
-        source = CellDatatoPointData(Input=source)
-        source.ProcessAllArrays, source.PassCellData = 1, 1
-        source.UpdatePipeline(GetAnimationScene().AnimationTime)
-    name = "displacement_m"
+    name = "elastic_displacement_m"
     if scale != 1:
         name = "normal_displacement_m"
-        source = Calculator(Input=source, Function="displacement_m_Z*kHat", ResultArrayName=name)
+        source = Calculator(Input=source, Function="elastic_displacement_m_Z*kHat", ResultArrayName=name)
     return WarpByVector(Input=source, Vectors=["POINTS", name], ScaleFactor=scale)
 
 
@@ -122,7 +112,7 @@ def show_section(folder, surface, volume, view, size, depth, lift, scale=None):
         colour(shown, view, "POINTS", "von_mises_Pa", "von Mises stress [Pa]")
     else:
         colour(display, view, "POINTS", "normal_traction_Pa", "normal traction [Pa]")
-    path = os.path.join(folder, "indenter.pvd")
+    path = os.path.join(folder, "indenter.ex2")
     if os.path.exists(path):
         indenter = open_series(path)
         body = back_half(Transform(Input=indenter, Transform="Transform"), indenter.GetDataInformation().GetBounds())
@@ -186,11 +176,11 @@ def touching(line, bounds):
 def show_model(folder, series, surfaces):
     """The views of a model, by name; adds its surface to the list."""
     views = {}
-    kinds = [kind for kind in ("surface", "steady") if os.path.join(folder, kind + ".pvd") in series]
-    volume = os.path.join(folder, "volume.pvd")
+    kinds = [kind for kind in ("surface", "steady") if os.path.join(folder, kind + ".ex2") in series]
+    volume = os.path.join(folder, "volume.ex2")
     for kind in kinds:
         prefix = "" if kind == "surface" else kind + "_"
-        source = open_series(os.path.join(folder, kind + ".pvd"))
+        source = open_series(os.path.join(folder, kind + ".ex2"))
         if kind == "steady":
             STEADY.append(source)
         else:

@@ -14,6 +14,8 @@
 
 #include "io/keys/input_file.h"
 #include "io/keys/messages.h"
+#include "io/results/saved_states.h"
+#include "io/results/state_series.h"
 
 namespace tricontact::io {
 
@@ -264,12 +266,13 @@ std::vector<SeriesFile> read_series(const std::string& path) {
         if (!time || name.empty() || name != name.filename())
             fail(path, "", "has a data set without a time or with a file elsewhere",
                  "compute the case anew with tricontact run");
-        files.push_back({*time, (folder / name).string()});
+        files.push_back({*time, (folder / name).string(), 0});
     }
     return files;
 }
 
-Surface read_surface_file(const std::string& path) {
+Surface read_surface_file(const std::string& path, int state) {
+    if (path.ends_with(states_extension)) return read_state(path, state);
     const SavedData data(path);
     Surface s = data.is_of("ImageData")          ? image(data)
                 : data.is_of("PolyData")         ? line(data)

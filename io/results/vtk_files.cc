@@ -2,10 +2,9 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "io/keys/messages.h"
 #include "io/results/atomic_file.h"
+#include "io/results/state_fields.h"
 #include "io/results/vtk_xml.h"
 
 namespace tricontact::io {
@@ -15,14 +14,6 @@ namespace {
 using contact::Interior;
 using contact::Surface;
 
-/// 0 where the surface touches: what solvers leave there is their residual.
-std::vector<double> told_gap(const Surface& s) {
-    std::vector<double> gap = s.gap;
-    for (std::size_t i = 0; i < std::min(gap.size(), s.contact_state.size()); ++i)
-        if (s.contact_state[i] != contact::ContactState::open) gap[i] = 0;
-    return gap;
-}
-
 ImageGrid image_of(const Surface& s) {
     return image_grid({s.n_x, s.n_y}, s.first, s.spacing);
 }
@@ -30,47 +21,6 @@ ImageGrid image_of(const Surface& s) {
 std::string extent_of(const Interior& interior) {
     const auto& [x, y, z] = interior.axes;
     return fmt::format("0 {} 0 {} 0 {}", x.size() - 1, y.size() - 1, z.size() - 1);
-}
-
-void add_fields(VtkXml& xml, const Surface& s) {
-    const std::size_t n = s.size();
-    xml.add_scalar("normal_traction_Pa", s.normal_traction, n);
-    xml.add_vector("tangential_traction_Pa", {s.tangential_traction_x, s.tangential_traction_y, {}},
-                   n);
-    xml.add_scalar("friction_bound_Pa", s.friction_bound, n);
-    // z is out of the substrate.
-    xml.add_vector("displacement_m", {s.displacement_x, s.displacement_y, s.displacement_z}, n, -1);
-    xml.add_scalar("gap_m", told_gap(s), n);
-    xml.add_vector("slip_m", {s.slip_x, s.slip_y, {}}, n);
-    xml.add_scalar("dissipation_J_per_m2", s.dissipation, n);
-    xml.add_scalar("slip_path_m", s.slip_path, n);
-    xml.add_scalar("friction_work_J_per_m2", s.friction_work, n);
-    static_assert(sizeof(contact::ContactState) == 1);
-    xml.add_bytes(
-        "contact_state",
-        {reinterpret_cast<const std::uint8_t*>(s.contact_state.data()), s.contact_state.size()}, n);
-}
-
-// The state that has the largest share of each element, by Simpson's weights of its nodes.
-std::vector<std::uint8_t> states_of_quads(const Surface& s) {
-    constexpr std::array weights{1, 1, 1, 1, 4, 4, 4, 4, 16};  // over 36; VTK's order of nodes
-    std::vector<std::uint8_t> states;
-    for (const auto& quad : s.quads) {
-        std::array<int, 3> shares{};
-        for (std::size_t i = 0; i < quad.size(); ++i)
-            shares.at(static_cast<std::size_t>(s.contact_state[quad[i]])) += weights[i];
-        states.push_back(
-            static_cast<std::uint8_t>(std::ranges::max_element(shares) - shares.begin()));
-    }
-    return states;
-}
-
-void add_consistent_tractions(VtkXml& xml, const Surface& s) {
-    xml.add_scalar("normal_traction_consistent_Pa", s.normal_traction_consistent, s.size());
-    if (!s.tangential_traction_x_consistent.empty())
-        xml.add_vector("tangential_traction_consistent_Pa",
-                       {s.tangential_traction_x_consistent, s.tangential_traction_y_consistent, {}},
-                       s.size());
 }
 
 /// VTK's numbers of cell types (vtkCellType.h).
@@ -114,7 +64,7 @@ void write_image(VtkXml& xml, const Surface& s) {
     const ImageGrid grid = image_of(s);
     xml.begin("Piece", {{"Extent", grid.extent}});
     xml.begin(grid.data);
-    add_fields(xml, s);
+    add_surface_fields(xml, s);
 }
 
 void write_line(VtkXml& xml, const Surface& s) {
@@ -135,9 +85,7 @@ void write_line(VtkXml& xml, const Surface& s) {
     xml.add_cells(points, std::array<std::int64_t, 1>{s.n_x});
     xml.end();
     xml.begin("PointData");
-    add_fields(xml, s);
-    xml.add_scalar("normal_line_load_N_per_m", s.normal_line_load, s.size());
-    xml.add_scalar("tangential_line_load_N_per_m", s.tangential_line_load, s.size());
+    add_surface_fields(xml, s);
 }
 
 void write_nodes(VtkXml& xml, const Surface& s) {
@@ -149,8 +97,7 @@ void write_nodes(VtkXml& xml, const Surface& s) {
     xml.add_points(positions);
     cells.write(xml);
     xml.begin("PointData");
-    add_fields(xml, s);
-    add_consistent_tractions(xml, s);
+    add_surface_fields(xml, s);
     xml.end();
     xml.begin("CellData");
     xml.add_bytes("contact_state", states_of_quads(s), s.quads.size());
@@ -159,19 +106,6 @@ void write_nodes(VtkXml& xml, const Surface& s) {
 void add_circumstances(VtkXml& xml, const Surface& surface) {
     xml.add_texts("contact_state_names", {"open", "stick", "slip"});
     xml.add_numbers("indenter_position_m", {surface.offset[0], surface.offset[1], 0.});
-}
-
-void add_point_fields(VtkXml& xml, const Interior& interior, std::size_t n) {
-    xml.add_vector("displacement_m", interior.displacement, n);
-    xml.add_tensor("stress_Pa", interior.stress, n);
-    std::vector<double> mises, pressure;
-    mises.reserve(n), pressure.reserve(n);
-    for (const auto& stress : interior.stress) {
-        mises.push_back(contact::von_mises(stress));
-        pressure.push_back(contact::mean_pressure(stress));
-    }
-    xml.add_scalar("von_mises_Pa", mises, n);
-    xml.add_scalar("pressure_Pa", pressure, n);
 }
 
 void write_grid(VtkXml& xml, const Interior& interior) {

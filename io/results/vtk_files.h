@@ -47,7 +47,8 @@ VtkFile vtk_file(const Instant& instant, const contact::Surface& surface,
 VtkFile vtk_file(const Instant& instant, const contact::Interior& interior,
                  const Provenance& provenance);
 
-/// States over time for ParaView: files `folder/name_000000.vti` (.vtp, .vtu; see vtk_file) and the
+/// States over time whose cells differ, as of a walking machine (else StateSeries): files
+/// `folder/name_000000.vti` (.vtp, .vtu; see vtk_file) and the
 /// collection `folder/name.pvd`, whose times grow (`times_apart`) and which lists, but for those of
 /// the last second, the files that are there. Vectors have three components, z out of the
 /// substrate. The same states give the same bytes.
@@ -104,7 +105,7 @@ class VtkSeries {
 /// earlier; the first ones as far apart as the following states are.
 std::vector<double> times_apart(const std::vector<double>& times);
 
-/// Python for ParaView (paraview.simple): opens surface.pvd and volume.pvd of every model folder
+/// Python for ParaView (paraview.simple): opens surface.ex2 and volume.ex2 of every model folder
 /// beside the script, each in views of its own, coloured by normal traction or von Mises' stress,
 /// warped by the displacement, and the models side by side with linked cameras. It holds no path:
 /// `paraview --script=open_run.py` finds the folder that it lies in; Macros > Import new macro

@@ -1,12 +1,8 @@
 #include "io/results/vtk_indenter.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-
-#include "io/results/vtk_xml.h"
 
 namespace tricontact::io {
 
@@ -51,21 +47,32 @@ IndenterShape::IndenterShape(const contact::Indenter& indenter, const Extent& ex
     }
 }
 
-VtkFile IndenterShape::file(const Place& place, const Provenance& provenance) const {
-    const double cos = std::cos(place.rotation), sin = std::sin(place.rotation);
-    Points places;
-    for (const auto& [x, y, height] : points_)
-        places.push_back({place.offset[0] + x * cos - y * sin, place.offset[1] + x * sin + y * cos,
-                          height - place.indentation});
+ExodusMesh IndenterShape::mesh() const {
+    ExodusMesh mesh{.block = "indenter", .element = "QUAD4", .points = points_, .nodes = {}};
+    mesh.nodes_per_element = 4;
     const int n_across = static_cast<int>(points_.size()) / n_along_;
-    const std::string extent = fmt::format("0 {} 0 {} 0 0", n_along_ - 1, n_across - 1);
-    VtkXml xml("StructuredGrid", {{"WholeExtent", extent}}, Compression::quick);
-    xml.begin("FieldData");
-    xml.add_provenance(provenance);
-    xml.end();
-    xml.begin("Piece", {{"Extent", extent}});
-    xml.add_points(places);
-    return xml.file();
+    for (int j = 0; j + 1 < n_across; ++j)
+        for (int i = 0; i + 1 < n_along_; ++i) {
+            const int corner = j * n_along_ + i + 1;
+            mesh.nodes.insert(mesh.nodes.end(),
+                              {corner, corner + 1, corner + n_along_ + 1, corner + n_along_});
+        }
+    return mesh;
+}
+
+ExodusFields IndenterShape::moved(const Place& place, const Instant& instant) const {
+    const double cos = std::cos(place.rotation), sin = std::sin(place.rotation);
+    std::array<std::vector<double>, 3> moved;
+    for (const auto& [x, y, height] : points_) {
+        moved[0].push_back(place.offset[0] + x * cos - y * sin - x);
+        moved[1].push_back(place.offset[1] + x * sin + y * cos - y);
+        moved[2].push_back(-place.indentation);
+    }
+    ExodusFields fields;
+    fields.add_number(instant.name, instant.time);
+    constexpr std::array names{"displacement_m_x", "displacement_m_y", "displacement_m_z"};
+    for (std::size_t d = 0; d < 3; ++d) fields.add_scalar(names.at(d), moved.at(d), points_.size());
+    return fields;
 }
 
 }  // namespace tricontact::io

@@ -1,12 +1,11 @@
 #pragma once
 
-#include <map>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "contact/bodies/indenter.h"
-#include "io/results/vtk_files.h"
+#include "io/results/state_series.h"
 
 namespace tricontact::io {
 
@@ -29,39 +28,32 @@ class IndenterShape {
         double rotation = 0;        ///< from x towards y [rad]
         auto operator<=>(const Place&) const = default;
     };
-    /// `.vts`, points in place, z out of the substrate: h(x, y) - d over the undeformed surface.
-    VtkFile file(const Place& place, const Provenance& provenance) const;
+    /// The shape about the origin, z out of the substrate.
+    ExodusMesh mesh() const;
+    /// How its points have moved, as displacement_m, which ParaView's readers apply: in place, its
+    /// height over the undeformed surface is h(x, y) - d.
+    ExodusFields moved(const Place& place, const Instant& instant) const;
 
   private:
     int n_along_;                                // points of a radius or of the strip's width
     std::vector<std::array<double, 3>> points_;  // x, y, h
 };
 
-/// The indenter over the states of a surface: rolling comes back to the same places, so that there
-/// is a file for each place and not for each state.
+/// The indenter over the states of a surface.
 class IndenterSeries {
   public:
-    IndenterSeries(std::string folder, Provenance provenance)
-        : series_(std::move(folder), "indenter", provenance), provenance_(std::move(provenance)) {}
+    IndenterSeries(std::string folder, Provenance provenance,
+                   const char* time_name = time_in_periods)
+        : series_(std::move(folder), "indenter", std::move(provenance)), time_name_(time_name) {}
 
-    void clear() {
-        series_.clear();
-        files_.clear();
-    }
+    void clear() { series_.clear(); }
     void add(double time, const IndenterShape& shape, const IndenterShape::Place& place) {
-        const auto [file, is_new] = files_.try_emplace(place, files_.size());
-        if (is_new)
-            series_.add(time, shape.file(place, provenance_));
-        else
-            series_.add_again(time, file->second);
+        series_.add(time, shape.mesh(), shape.moved(place, {time_name_, time}));
     }
-    void list_all() const { series_.list_all(); }
-    void finish() const { series_.finish(); }
 
   private:
-    VtkSeries series_;
-    Provenance provenance_;
-    std::map<IndenterShape::Place, std::size_t> files_;
+    StateSeries series_;
+    const char* time_name_;
 };
 
 }  // namespace tricontact::io

@@ -59,16 +59,18 @@ class SavedSurface:
 class SavedSnapshot:
     """The contact surface at a phase; one of a folder is read when it is asked for."""
 
-    def __init__(self, phase: float, surface: Any = None, path: Optional[bytes] = None) -> None:
+    def __init__(self, phase: float, surface: Any = None, path: Optional[bytes] = None,
+                 state: int = 0) -> None:
         self.phase = phase
         self._surface = surface
         self._path = path
+        self._state = state
 
     @property
     def surface(self) -> Any:
         """Its fields. Raises InputError for a damaged file."""
         if self._surface is None:
-            self._surface = _core._read_surface(self._path or b"")
+            self._surface = _core._read_surface(self._path or b"", self._state)
         return self._surface
 
     def __reduce__(self) -> Any:
@@ -183,7 +185,7 @@ def saved_run(folder: Path, summary: dict[str, Any]) -> SavedResult:
         path = folder / model / "history.csv"
         table = read_table(path) if path.is_file() else Table({})
         columns = {name: table[name] for name in table if name != "step"}
-        surfaces[model] = [SavedSnapshot(time, None, file) for time, file in files.get(model, [])]
+        surfaces[model] = [SavedSnapshot(time, None, file, state) for time, file, state in files.get(model, [])]
         histories[model] = SavedHistory(columns, _values_of(model, numbers), surfaces[model])
     return SavedResult(_core.Case.from_dict(summary["case"]), summary, histories, surfaces)
 

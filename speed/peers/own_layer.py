@@ -7,7 +7,7 @@ import sys
 
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader
+from vtkmodules.vtkIOExodus import vtkExodusIIReader
 
 import exact_layer
 import layer_grid as rig
@@ -15,14 +15,16 @@ import layer_grid as rig
 
 def fields(path):
     """Points [mm], pressure and tangential traction [MPa] of one surface file."""
-    reader = vtkXMLUnstructuredGridReader()
+    reader = vtkExodusIIReader()
     reader.SetFileName(path)
+    reader.UpdateInformation()
+    reader.SetAllArrayStatus(reader.NODAL, 1)
     reader.Update()
-    grid = reader.GetOutput()
+    grid = reader.GetOutput().GetBlock(0).GetBlock(0)
     data = grid.GetPointData()
     return (vtk_to_numpy(grid.GetPoints().GetData()) * 1e3,
             vtk_to_numpy(data.GetArray("normal_traction_Pa")) / 1e6,
-            vtk_to_numpy(data.GetArray("tangential_traction_Pa")) / 1e6)
+            vtk_to_numpy(data.GetArray("tangential_traction_Pa_")) / 1e6)
 
 
 def read(folder):
@@ -33,7 +35,7 @@ def read(folder):
     loaded = next(i for i, row in enumerate(rows) if float(row["tangential_force_x_N"]) > 1e-3)
     with open(f"{folder}/summary.json", encoding="utf-8") as file:
         model = json.load(file)["models"]["fem"]
-    points, p, t = fields(f"{folder}/fem/surface_000000.vtu")
+    points, p, t = fields(f"{folder}/fem/surface.ex2")
     before, row = rows[loaded - 1], rows[loaded]
     return {"d": float(before["indentation_m"]) * 1e3, "a": model["contact_radius_m"] * 1e3,
             "u_stat": (float(row["shift_x_m"]) - float(before["shift_x_m"])) * 1e3,

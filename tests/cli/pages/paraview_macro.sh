@@ -21,7 +21,7 @@ done
 
 cat >fields.py <<'PYTHON'
 import ast, glob, sys
-from vtkmodules.vtkIOXML import vtkXMLGenericDataObjectReader
+from vtkmodules.vtkIOExodus import vtkExodusIIReader
 
 def constants(path):
     """What a script assigns to names in capitals."""
@@ -32,30 +32,30 @@ def constants(path):
     return found
 
 def names(path):
-    reader = vtkXMLGenericDataObjectReader()
+    """As VTK's reader puts them together; it keeps the _ before x, y, z."""
+    reader = vtkExodusIIReader()
     reader.SetFileName(path)
-    reader.Update()
-    data = reader.GetOutput()
-    return {part.GetArrayName(i) for part in (data.GetCellData(), data.GetPointData(), data.GetFieldData())
-            for i in range(part.GetNumberOfArrays())}
+    reader.UpdateInformation()
+    return {reader.GetObjectArrayName(kind, i).removesuffix("_") for kind in
+            (reader.NODAL, reader.ELEM_BLOCK, reader.GLOBAL) for i in range(reader.GetNumberOfObjectArrays(kind))}
 
 macro, example = constants("run/open_run.py")["FIELDS"], constants("pyvista_surface.py")
 checked = 0
 for kind, fields in macro.items():
-    for path in glob.glob(f"r*/*/{kind}_*.vt?"):
-        missing = ({"displacement_m"} | set(fields)) - names(path)
+    for path in glob.glob(f"r*/*/{kind}.ex2"):
+        missing = ({"elastic_displacement_m"} | set(fields)) - names(path)
         if kind != "volume":
             missing |= set(example.values()) - names(path)
         checked += 1
         if missing:
             sys.exit(f"{path} lacks {missing}")
 for kind in macro:
-    if not glob.glob(f"r*/*/{kind}.pvd"):
-        sys.exit(f"no {kind}.pvd")
+    if not glob.glob(f"r*/*/{kind}.ex2"):
+        sys.exit(f"no {kind}.ex2")
 if checked < 5:
     sys.exit(f"only {checked} files to be checked")
 PYTHON
-if "$python" -c 'import vtkmodules.vtkIOXML' 2>/dev/null; then
+if "$python" -c 'import vtkmodules.vtkIOExodus' 2>/dev/null; then
     "$python" fields.py >told.txt 2>&1 || complain "$(tail -1 told.txt)"
 else
     echo "no python3 with VTK: fields not checked"

@@ -71,8 +71,7 @@ TOML
 for threads in 1 2 3; do
     "$program" run large.toml --output "large$threads" --threads "$threads" --quiet --no-report
 done
-cells=$(sed -n 's/.*<ImageData WholeExtent="0 \([0-9]*\) 0 \([0-9]*\) .*/\1*\2/p' \
-    large1/bem/surface_000000.vti)
+cells=$(($(stat -c %s large1/bem/surface.ex2) / 100))  # at least: a cell has fewer bytes in a file of one state
 [ $((cells)) -gt 100000 ] || complain "$cells cells: too few for threads to be used"
 same_results large1 large2
 same_results large1 large3

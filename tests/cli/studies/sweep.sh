@@ -47,8 +47,8 @@ grep -q '12 points computed, none failed' a/report.html || complain "the report'
 before=$(md5sum <a/results.csv)
 "$program" sweep a.toml --output a --vtk --quiet 2>log || complain "--vtk failed: $(cat log)"
 [ "$(md5sum <a/results.csv)" = "$before" ] || complain "--vtk changed results"
-[ "$(find a/points -name surface.pvd | wc -l)" -eq 12 ] || complain "not twelve series"
-link=$(grep -o 'href="points/[0-9a-f]*/bem/surface.pvd"' a/report.html | head -1)
+[ "$(find a/points -name surface.ex2 | wc -l)" -eq 12 ] || complain "not twelve series"
+link=$(grep -o 'href="points/[0-9a-f]*/bem/surface.ex2"' a/report.html | head -1)
 [ -n "$link" ] && [ -f "a/$(cut -d'"' -f2 <<<"$link")" ] || complain "the report's link: $link"
 folder=$(dirname "$(dirname "a/$(cut -d'"' -f2 <<<"$link")")")
 "$program" run "$folder/case.toml" --output rerun --quiet --no-report --no-studies

@@ -17,9 +17,7 @@
 #include <limits>
 
 #include "contact/base/error.h"
-#include "contact/bodies/indenter.h"
 #include "io/results/vtk_files.h"
-#include "io/results/vtk_indenter.h"
 #include "tests/unit/io/results/vtk_files.h"
 
 namespace tricontact::io::vtk_series_test {
@@ -214,27 +212,6 @@ TEST_F(Vtk, ARerunGivesTheSameFiles) {
         EXPECT_EQ(content("surface_00000" + number + ".vti"),
                   content("other_00000" + number + ".vti"));
     EXPECT_EQ(content("surface.pvd").find("surface_000002"), std::string::npos);
-}
-
-// A body that comes back to a place, in any period, is in the file of that place.
-TEST_F(Vtk, TheIndenterHasAFileForEachPlace) {
-    const IndenterShape shape(contact::Paraboloid(0.04), {.radius = 0.005});
-    IndenterSeries out(folder_.string(), provenance_);
-    for (int n = 0; n < 3; ++n) {
-        out.add(n, shape, {.offset = {0.001, 0}, .indentation = 1e-4});
-        out.add(n + 0.5, shape, {.offset = {-0.001, 0}, .indentation = 1e-4});
-    }
-    out.finish();
-    EXPECT_FALSE(fs::exists(at("indenter_000002.vts")));
-    EXPECT_NE(content("indenter_000000.vts"), content("indenter_000001.vts"));
-    const std::string text = content("indenter.pvd");
-    const std::vector<std::string> times{"0", "0.5", "1", "1.5", "2", "2.5"};
-    for (std::size_t i = 0; i < times.size(); ++i)
-        EXPECT_NE(
-            text.find("timestep=\"" + times[i] + "\" group=\"\" part=\"0\" file=\"indenter_00000" +
-                      std::to_string(i % 2) + ".vts\""),
-            std::string::npos)
-            << text;
 }
 
 // States of one time come before it as far apart as the following ones; later ones share the gap.

@@ -1,0 +1,208 @@
+// Surfaces and insides as meshes and fields of Exodus II.
+
+#include <fmt/format.h>
+
+#include <stdexcept>
+
+#include "io/results/exodus_file.h"
+#include "io/results/state_fields.h"
+
+namespace tricontact::io {
+
+namespace {
+
+using contact::Interior;
+using contact::Surface;
+
+void check_number(std::string_view name, std::size_t size, std::size_t n) {
+    if (size != n)
+        throw std::invalid_argument(fmt::format("{}: {} values are due, not {}", name, n, size));
+}
+
+/// A single row of cells, which has an extent across: its points twice, at both sides.
+bool is_row(const Surface& s) {
+    return s.layout == Surface::Layout::grid && s.n_y == 1 && s.spacing[1] > 0;
+}
+
+std::string name_in_file(std::string_view name) {
+    return name == "displacement_m" ? "elastic_displacement_m" : std::string(name);
+}
+
+void add_quads(ExodusMesh& mesh, int n_x, int n_y) {
+    mesh.element = "QUAD4";
+    mesh.nodes_per_element = 4;
+    for (int j = 0; j + 1 < n_y; ++j)
+        for (int i = 0; i + 1 < n_x; ++i) {
+            const int corner = j * n_x + i + 1;
+            mesh.nodes.insert(mesh.nodes.end(),
+                              {corner, corner + 1, corner + n_x + 1, corner + n_x});
+        }
+}
+
+void add_bars(ExodusMesh& mesh, int n) {
+    mesh.element = "BAR2";
+    mesh.nodes_per_element = 2;
+    for (int i = 1; i < n; ++i) mesh.nodes.insert(mesh.nodes.end(), {i, i + 1});
+}
+
+/// VTK's order of 27 nodes as Exodus II has it: edges up come before those above; the centre comes
+/// before the faces, which are below, above, then along x and y.
+constexpr std::array<int, 27> exodus_order{0,  1,  2,  3,  4,  5,  6,  7,  8,  9,  10, 11, 16, 17,
+                                           18, 19, 12, 13, 14, 15, 26, 24, 25, 20, 21, 22, 23};
+
+}  // namespace
+
+template <class Value>
+void ExodusFields::add_component(const std::string& name, std::size_t n, const Value& value) {
+    std::vector<float> values(n);
+    bool is_zero = true;
+    for (std::size_t i = 0; i < n; ++i) {
+        values[i] = static_cast<float>(value(i));
+        is_zero = is_zero && values[i] == 0;
+    }
+    const std::string once =
+        is_zero ? std::string(n, '\0') : big_endian(std::span<const float>(values));
+    std::string bytes;
+    for (int i = 0; i < copies_; ++i) bytes += once;
+    fields_.push_back({name, is_zero, is_of_elements_, std::move(bytes)});
+}
+
+void ExodusFields::add_scalar(std::string_view name, std::span<const double> values,
+                              std::size_t n) {
+    if (values.empty()) return;
+    check_number(name, values.size(), n);
+    add_component(std::string(name), n, [&](std::size_t i) { return values[i]; });
+}
+
+void ExodusFields::add_vector(std::string_view name,
+                              const std::array<std::span<const double>, 3>& components,
+                              std::size_t n, double z_sign) {
+    constexpr std::array ends{"_x", "_y", "_z"};
+    for (std::size_t d = 0; d < 3; ++d) {
+        const std::span<const double> values = components.at(d);
+        if (!values.empty()) check_number(name, values.size(), n);
+        add_component(name_in_file(name) + ends.at(d), n, [&](std::size_t i) {
+            return values.empty() ? 0. : (d == 2 ? z_sign : 1) * values[i];
+        });
+    }
+}
+
+void ExodusFields::add_vector(std::string_view name, std::span<const std::array<double, 3>> values,
+                              std::size_t n) {
+    constexpr std::array ends{"_x", "_y", "_z"};
+    check_number(name, values.size(), n);
+    for (std::size_t d = 0; d < 3; ++d)
+        add_component(name_in_file(name) + ends.at(d), n,
+                      [&](std::size_t i) { return values[i].at(d); });
+}
+
+void ExodusFields::add_tensor(std::string_view name, std::span<const std::array<double, 6>> values,
+                              std::size_t n) {
+    constexpr std::array ends{"_xx", "_yy", "_zz", "_xy", "_yz", "_zx"};
+    check_number(name, values.size(), n);
+    for (std::size_t d = 0; d < 6; ++d)
+        add_component(std::string(name) + ends.at(d), n,
+                      [&](std::size_t i) { return values[i].at(d); });
+}
+
+void ExodusFields::add_bytes(std::string_view name, std::span<const std::uint8_t> values,
+                             std::size_t n) {
+    check_number(name, values.size(), n);
+    std::string bytes;
+    for (int i = 0; i < copies_; ++i) bytes.append(values.begin(), values.end());
+    fields_.push_back({std::string(name), true, is_of_elements_, std::move(bytes)});
+}
+
+ExodusMesh mesh_of(const Surface& s) {
+    ExodusMesh mesh{.block = "surface", .element = {}, .points = {}, .nodes = {}};
+    mesh.grid = {static_cast<double>(s.n_x),
+                 static_cast<double>(s.n_y),
+                 s.first[0],
+                 s.first[1],
+                 s.spacing[0],
+                 s.spacing[1]};
+    if (s.layout == Surface::Layout::nodes) {
+        mesh.layout = "nodes";
+        mesh.element = "QUAD9";
+        mesh.nodes_per_element = 9;
+        for (std::size_t i = 0; i < s.size(); ++i)
+            mesh.points.push_back({s.node_x[i], s.node_y.at(i), 0.});
+        for (const auto& quad : s.quads)
+            for (const int node : quad) mesh.nodes.push_back(node + 1);
+        return mesh;
+    }
+    mesh.layout = s.layout == Surface::Layout::line ? "line" : "grid";
+    const double before = is_row(s) ? s.spacing[1] / 2 : 0;
+    for (int copy = 0; copy < (is_row(s) ? 2 : 1); ++copy)
+        for (int j = 0; j < s.n_y; ++j)
+            for (int i = 0; i < s.n_x; ++i)
+                mesh.points.push_back({s.x(i), s.y(j) + (2 * copy - 1) * before, 0.});
+    if (s.n_y > 1 || is_row(s))
+        add_quads(mesh, s.n_x, is_row(s) ? 2 : s.n_y);
+    else
+        add_bars(mesh, s.n_x);
+    return mesh;
+}
+
+ExodusMesh mesh_of(const Interior& interior) {
+    ExodusMesh mesh{.block = "inside", .element = "HEX8", .points = {}, .nodes = {}};
+    mesh.nodes_per_element = 8;
+    if (!interior.is_grid()) {
+        mesh.element = "HEX27";
+        mesh.nodes_per_element = 27;
+        mesh.points = interior.points;
+        for (const auto& hex : interior.hexes)
+            for (const int k : exodus_order)
+                mesh.nodes.push_back(hex.at(static_cast<std::size_t>(k)) + 1);
+        return mesh;
+    }
+    const auto& [x, y, z] = interior.axes;
+    for (const double c : z)
+        for (const double b : y)
+            for (const double a : x) mesh.points.push_back({a, b, c});
+    const auto n_x = static_cast<int>(x.size()), n_xy = n_x * static_cast<int>(y.size());
+    for (int k = 0; k + 1 < static_cast<int>(z.size()); ++k)
+        for (int j = 0; j + 1 < static_cast<int>(y.size()); ++j)
+            for (int i = 0; i + 1 < n_x; ++i) {
+                const int at = k * n_xy + j * n_x + i + 1;
+                for (const int corner : {at, at + n_xy})
+                    mesh.nodes.insert(mesh.nodes.end(),
+                                      {corner, corner + 1, corner + n_x + 1, corner + n_x});
+            }
+    return mesh;
+}
+
+ExodusFields fields_of(const Instant& instant, const Surface& s) {
+    ExodusFields fields(is_row(s) ? 2 : 1);
+    fields.add_number(instant.name, instant.time);
+    fields.add_number("indenter_position_m_x", s.offset[0]);
+    fields.add_number("indenter_position_m_y", s.offset[1]);
+    fields.add_number("indenter_position_m_z", 0);
+    add_surface_fields(fields, s);
+    if (s.layout == Surface::Layout::nodes) {
+        fields.begin_elements();
+        fields.add_bytes("contact_state", states_of_quads(s), s.quads.size());
+    }
+    return fields;
+}
+
+ExodusFields fields_of(const Instant& instant, const Interior& interior) {
+    ExodusFields fields;
+    fields.add_number(instant.name, instant.time);
+    fields.add_number("strain_energy_J", interior.strain_energy);
+    const auto add_force = [&](const std::string& name, const std::array<double, 3>& force) {
+        for (std::size_t d = 0; d < 3; ++d) fields.add_number(name + "_" + "xyz"[d], force.at(d));
+    };
+    add_force("applied_force_N", interior.applied);
+    if (const auto& base = interior.base_reaction) add_force("base_reaction_N", *base);
+    add_point_fields(fields, interior, interior.size());
+    if (!interior.is_grid()) {
+        fields.begin_elements();
+        fields.add_bytes("region", interior.region, interior.hexes.size());
+        fields.add_scalar("strain_energy_density_J_per_m3", interior.energy_density,
+                          interior.hexes.size());
+    }
+    return fields;
+}
+
+}  // namespace tricontact::io

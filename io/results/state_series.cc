@@ -1,0 +1,143 @@
+#include "io/results/state_series.h"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <filesystem>
+
+#include "io/results/atomic_file.h"
+
+namespace tricontact::io {
+
+namespace {
+
+/// A file that is there, written at places.
+class OpenFile {
+  public:
+    explicit OpenFile(const std::string& path)
+        : path_(path), descriptor_(::open(path.c_str(), O_WRONLY | O_CLOEXEC | O_NOFOLLOW)) {
+        if (descriptor_ < 0) refuse();
+    }
+    OpenFile(const OpenFile&) = delete;
+    OpenFile& operator=(const OpenFile&) = delete;
+    ~OpenFile() { ::close(descriptor_); }
+
+    void write(std::uint64_t at, std::string_view bytes) const {
+        while (!bytes.empty()) {
+            const auto n =
+                ::pwrite(descriptor_, bytes.data(), bytes.size(), static_cast<off_t>(at));
+            if (n < 0 && errno == EINTR) continue;
+            if (n < 0) refuse();
+            at += static_cast<std::uint64_t>(n);
+            bytes.remove_prefix(static_cast<std::size_t>(n));
+        }
+    }
+
+  private:
+    [[noreturn]] void refuse() const { refuse_output(path_, "cannot be written", errno); }
+
+    std::string path_;
+    int descriptor_;
+};
+
+}  // namespace
+
+std::vector<double> times_from_start(const std::vector<double>& times) {
+    const auto n = times.size();
+    const auto end_of = [&](std::size_t begin) {
+        std::size_t end = begin;
+        while (end < n && times[end] <= times[begin]) ++end;
+        return end;
+    };
+    std::vector<double> apart = times;
+    for (std::size_t begin = 0, end = 0; begin < n; begin = end) {
+        end = end_of(begin);
+        const auto n_here = static_cast<double>(end - begin);
+        if (begin == 0) {
+            // 1 where nothing says what a time is
+            const double step = end < n ? (times[end] - times[0]) / (2 * n_here) : 1;
+            for (std::size_t k = 0; k < end; ++k)
+                apart[k] = times[0] + static_cast<double>(k) * step;
+            continue;
+        }
+        const double before = apart[begin - 1], step = (times[begin] - before) / n_here;
+        for (std::size_t k = begin; k + 1 < end; ++k)
+            apart[k] = before + static_cast<double>(k + 1 - begin) * step;
+    }
+    return apart;
+}
+
+void StateSeries::clear() {
+    n_files_ = 0;
+    mesh_ = {};
+    names_ = {};
+    layout_ = {};
+    times_.clear();
+    shown_times_.clear();
+}
+
+std::string StateSeries::path(int number) const {
+    const std::string end = number > 1 ? "_" + std::to_string(number) : "";
+    return (std::filesystem::path(folder_) / (name_ + end + states_extension)).string();
+}
+
+void StateSeries::add(double time, ExodusMesh mesh, const ExodusFields& fields) {
+    if (n_files_ == 0 || mesh != mesh_) return begin_file(std::move(mesh), time, fields);
+    take_more_names(fields);
+    append(time, fields);
+}
+
+// The first state comes with the header, at once. What an earlier run left of further files goes.
+void StateSeries::begin_file(ExodusMesh mesh, double time, const ExodusFields& fields) {
+    mesh_ = std::move(mesh);
+    names_ = {};
+    names_.take(fields);
+    layout_ = exodus_layout(mesh_, names_, provenance_);
+    times_ = shown_times_ = {time};
+    ++n_files_;
+    std::error_code ignored;
+    for (int number = n_files_ + 1; std::filesystem::exists(path(number), ignored); ++number)
+        remove_file(path(number));
+    write_unsynced(path(n_files_), layout_.bytes(1) + exodus_record(layout_, names_, time, fields));
+}
+
+// Of rolling, some fields begin with its first period.
+void StateSeries::take_more_names(const ExodusFields& fields) {
+    const ExodusNames old_names = names_;
+    if (!names_.take(fields)) return;
+    const NetcdfLayout old_layout =
+        std::exchange(layout_, exodus_layout(mesh_, names_, provenance_));
+    NetcdfReader old(path(n_files_));
+    std::string bytes = layout_.bytes(static_cast<std::uint32_t>(times_.size()));
+    for (std::size_t i = 0; i < times_.size(); ++i)
+        bytes += exodus_record(layout_, names_, old_layout, old_names, old.record(i));
+    write_unsynced(path(n_files_), bytes);
+}
+
+// The number of records comes last. Times that move are never out of order, not even meanwhile.
+void StateSeries::append(double time, const ExodusFields& fields) {
+    times_.push_back(time);
+    const std::vector<double> shown = times_from_start(times_);
+    const std::size_t last = shown.size() - 1;
+    const OpenFile file(path(n_files_));
+    const auto place_of = [&](std::size_t record) {
+        return layout_.records_begin + record * layout_.record_size;
+    };
+    file.write(place_of(last), exodus_record(layout_, names_, shown[last], fields));
+    const auto move = [&](std::size_t i) {
+        if (shown[i] != shown_times_[i]) file.write(place_of(i), big_endian(shown[i]));
+    };
+    if (shown[last - 1] > shown_times_[last - 1])
+        for (std::size_t i = last; i-- > 0;) move(i);
+    else
+        for (std::size_t i = 0; i < last; ++i) move(i);
+    file.write(netcdf_number_of_records_at, big_endian(static_cast<std::uint32_t>(last + 1)));
+    shown_times_ = shown;
+}
+
+void StateSeries::finish() const {
+    sync_files(folder_);
+}
+
+}  // namespace tricontact::io
