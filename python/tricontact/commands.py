@@ -11,7 +11,7 @@ import json
 import os
 import tempfile
 from pathlib import Path
-from typing import Any, Literal, Optional, Sequence
+from typing import Any, Literal, Optional, Sequence, Union
 
 from . import _core, _toml
 from .inputs import Input, Overrides, StrPath, StudyInput, file_of, merged, study_folder
@@ -89,7 +89,7 @@ def refine(
     *,
     overrides: Overrides = None,
     levels: int = 3,
-    model: Literal["fem", "bem"] = "fem",
+    models: Union[str, Sequence[str]] = "fem",
     output: Optional[StrPath] = None,
     export: Optional[StrPath] = None,
     threads: Optional[int] = None,
@@ -99,9 +99,9 @@ def refine(
 ) -> Outcome:
     """A case on finer and finer meshes: extrapolated values and their errors.
 
-    jobs: levels side by side, but for the finest.
+    models: the one model that is refined. jobs: levels side by side, but for the finest.
     """
-    return _call("refine", case, merged(overrides, keys), output, progress, levels=levels, model=model,
+    return _call("refine", case, merged(overrides, keys), output, progress, levels=levels, models=models,
                  threads=threads, jobs=jobs, export=export)
 
 

@@ -38,7 +38,7 @@ exported design design "$examples/rigs/design_resolution.toml"
 exported identify identify "$examples/measurements/rig_indentation.toml"
 exported limit limit "$examples/cases/rig_sphere_parallel.toml" --models mdr --tolerance 0.05
 exported deviation deviation "$examples/cases/rig_layer_parallel.toml" --no-runs
-exported refine refine "$examples/cases/rig_sphere_parallel.toml" --model bem "${coarse[@]}"
+exported refine refine "$examples/cases/rig_sphere_parallel.toml" --models bem "${coarse[@]}"
 with_surfaces=("${coarse[@]/vtk=none/vtk=quarters}")
 for springs in 400 500; do
     "$program" run "$examples/cases/rig_sphere_parallel.toml" "${with_surfaces[@]/springs=500/springs=$springs}" \

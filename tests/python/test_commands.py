@@ -142,7 +142,7 @@ def test_progress_is_told_and_may_end_it(rig):
         raise Enough
 
     with pytest.raises(Enough):
-        tricontact.refine(rig, model="bem", progress=enough, overrides={"models": ["bem"]})
+        tricontact.refine(rig, models="bem", progress=enough, overrides={"models": ["bem"]})
 
 
 def test_ctrl_c_ends_a_command(rig):

@@ -15,8 +15,8 @@ CALLS = {
     "predict": lambda case: tricontact.predict(case),
     "deviation": lambda case: tricontact.deviation(case, no_runs=True),
     "refine": lambda case: tricontact.refine(
-        case, model="bem", levels=3, overrides={"models": ["bem"], "rolling.periods": 1,
-                                                "rolling.steps": "turning-points", "bem.spacing": "1 mm"}),
+        case, models=["bem"], levels=3, overrides={"models": ["bem"], "rolling.periods": 1,
+                                                   "rolling.steps": "turning-points", "bem.spacing": "1 mm"}),
 }
 LAYERED = {"deviation"}
 
