@@ -22,7 +22,7 @@ refused "--modles; did you mean --models?" run "$cases/rough_plane.toml" --modle
 refused "--model; did you mean --models?" run "$cases/rough_plane.toml" --model mdr
 for command in refine influence "contact export"; do
     # shellcheck disable=SC2086
-    refused "--model; did you mean --models?" $command "$cases/rough_plane.toml" --output x --model=bem
+    refused "did you mean --models?" $command "$cases/rough_plane.toml" --output x --model bem
 done
 refused "--models: bem,fem not in" refine "$cases/rough_plane.toml" --models bem,fem
 refused "--frobnicate; see tricontact run --help" run "$cases/rough_plane.toml" --frobnicate

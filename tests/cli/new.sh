@@ -55,6 +55,7 @@ refused 'indenter.radius' new --defaults --set 'indenter.radius=20'
 refused 'substrate.poisson = 0.7' new --defaults --set substrate.poisson=0.7
 refused '--set indenter.raduis=20 mm: answers none of the questions; did you mean indenter.radius=...?' \
     new --defaults --set 'indenter.raduis=20 mm'
+refused 'coupled, which mdr does not model' new --defaults --set substrate.poisson=0.4 --set models=mdr
 refused '--set title: is given twice' new --defaults --set title=a --set title=b
 refused 'indenter.radius: is needed; for example 40 mm' new --defaults --set indenter.radius=none
 
@@ -88,9 +89,12 @@ def talk(arguments, answers):
 text, code = talk(["-o", "asked.toml"], ["Mine\n", "30\n", "30 mm\n", "\n", "0.9\n", "0.4\n", "6 mm\n"] + ["\n"] * 5)
 assert code == 0, text
 assert text.count("error: ") == 2 and "error: substrate.poisson = 0.9" in text, text
-assert "[mdr,bem,bem-layer]: " in text and "written: asked.toml" in text, text
+assert "[bem,bem-layer]: " in text and "written: asked.toml" in text, text
 case = open("asked.toml").read()
 assert 'title = "Mine"' in case and 'radius = "30 mm"' in case and "poisson = 0.4" in case, case
+# Of coupled materials mdr is not among the usual models; named it is refused at once.
+text, code = talk(["--set", "substrate.poisson=0.5", "-o", "layer_again.toml"], ["\n"] * 3 + ["6 mm\n"] + ["\n"] * 5)
+assert code == 0 and "[mdr,bem,bem-layer]: " in text, text
 text, code = talk(["-o", "ended.toml"], ["\n", "\n", "\x04"])
 assert code == 2 and "error: new: the input ended before the last question" in text, text
 assert not os.path.exists("ended.toml")

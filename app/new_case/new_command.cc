@@ -5,8 +5,8 @@
 #include <nlohmann/json.hpp>
 
 #include "app/commands/command.h"
-#include "app/example_cases.h"
-#include "app/first_case.h"
+#include "app/new_case/example_cases.h"
+#include "app/new_case/first_case.h"
 #include "io/keys/messages.h"
 
 namespace tricontact::app {

@@ -1,4 +1,4 @@
-#include "app/first_case.h"
+#include "app/new_case/first_case.h"
 
 #include <fmt/format.h>
 
@@ -15,6 +15,7 @@ namespace tricontact::app {
 namespace {
 
 constexpr const char* none = "none";
+constexpr const char* answer_name = "answer";  // of the file, in messages
 constexpr const char *title_key = "title", *models_key = "models",
                      *thickness_key = "substrate.thickness",
                      *amplitude_key = "rolling.amplitude_ratio";
@@ -62,9 +63,17 @@ std::span<const Question> first_questions() {
 }
 
 std::string FirstCase::usual(const Question& question) const {
-    const bool layer = given(thickness_key) != none;
-    if (question.key == std::string(models_key) && layer) return "mdr,bem,bem-layer";
-    return question.usual;
+    if (question.key != std::string(models_key)) return question.usual;
+    const std::string elements = given(thickness_key) != none ? "bem,bem-layer" : "bem";
+    // Springs are left out where they would refuse the materials: coupled contact.
+    FirstCase all = *this;
+    all.answers_[models_key] = "mdr," + elements;
+    try {
+        io::parse_case(all.text(), answer_name);
+        return all.answers_[models_key];
+    } catch (const contact::InputError&) {
+        return elements;
+    }
 }
 
 std::string FirstCase::given(const std::string& key) const {
@@ -85,14 +94,13 @@ void FirstCase::answer(const Question& question, const std::string& answer) {
     const std::map<std::string, std::string> before = answers_;
     const std::string text(io::trimmed(answer));
     answers_[question.key] = text.empty() ? usual(question) : text;
-    const std::string name = "answer";
     try {
         if (text == none && !question.may_be_none)
             io::fail("", question.key, "is needed", fmt::format("for example {}", question.usual));
-        io::parse_case(this->text(), name);
+        io::parse_case(this->text(), answer_name);
     } catch (const contact::InputError& error) {
         answers_ = before;
-        throw contact::InputError(without_place(error.what(), name));
+        throw contact::InputError(without_place(error.what(), answer_name));
     }
 }
 

@@ -1,4 +1,4 @@
-#include "app/example_cases.h"
+#include "app/new_case/example_cases.h"
 
 #include <algorithm>
 #include <vector>
