@@ -100,7 +100,7 @@ report::DocumentTable limit_table(const LimitStudy& study) {
              "its error the distance to the last shakedown."},
         rows_of(study),
         {{"model", "model"},
-         {"limit", "limit:7", 1, "half_width"},
+         {"limit", bracket("limit"), 1, "half_width"},
          {"last_shakedown", bracket("last shakedown")},
          {"first_ratcheting", bracket("first ratcheting")},
          {"limit_by_pressures", bracket("by pressures")},
