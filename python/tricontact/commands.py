@@ -250,6 +250,35 @@ def build_atlas(
                  shard=shard, jobs=jobs, retry_failed=retry_failed)
 
 
+def new(
+    output: StrPath, *, example: Optional[str] = None, overrides: Overrides = None, **keys: Any
+) -> Path:
+    """Writes a first case, to begin with: one of the examples, or a sphere on a half-space or layer.
+
+    Returns its path; a file that is there is never written over. overrides: answers to what the
+    program's command asks on a terminal; for the rest the usual ones.
+    """
+    sets = [part for one in _toml.overrides(merged(overrides, keys) or {}) for part in ("--set", one)]
+    options = {"example": example, "defaults": example is None, "output": os.fspath(output)}
+    arguments = [_toml.argument(one) for one in (*sets, *_arguments(options))]
+    shown = display(None)
+    try:
+        _core._run_command("new", arguments, shown.say, shown.progress)
+    finally:
+        shown.close()
+    return Path(output)
+
+
+def examples() -> list[dict[str, str]]:
+    """The examples that new() writes: name, title and the command that reads each."""
+    shown = display(None)
+    try:
+        text = _core._run_command("new", ["--list", "--json"], shown.say, shown.progress)
+    finally:
+        shown.close()
+    return list(json.loads(text)["examples"])
+
+
 def reproduce(
     archive: StrPath,
     *,
