@@ -273,7 +273,8 @@ def examples() -> list[dict[str, str]]:
     """The examples that new() writes: name, title and the command that reads each."""
     shown = display(None)
     try:
-        text = _core._run_command("new", ["--list", "--json"], shown.say, shown.progress)
+        arguments = [_toml.argument(one) for one in ("--list", "--json")]
+        text = _core._run_command("new", arguments, shown.say, shown.progress)
     finally:
         shown.close()
     return list(json.loads(text)["examples"])
