@@ -6,6 +6,7 @@
 #include <array>
 
 #include "contact/base/error.h"
+#include "contact/models/model_kind.h"
 #include "io/case/case_reader.h"
 #include "io/keys/messages.h"
 #include "io/keys/number_text.h"
@@ -30,7 +31,7 @@ constexpr std::array<Question, 10> questions{
      {"load.normal_force", "Normal force", "20 N"},
      {"load.tangential_ratio", "Tangential force over friction times normal force, 0 to 1", "0.3"},
      {amplitude_key, "Amplitude of rolling over the contact radius; none: no rolling", "0.2", true},
-     {models_key, "Models, of mdr, bem, mdr-layer, bem-layer, fem", "mdr,bem"}}};
+     {models_key, "Models, of those that tricontact list names", ""}}};
 
 /// What follows the place that a message begins with: `name:line:column: `.
 std::string without_place(const std::string& message, const std::string& name) {
@@ -64,10 +65,12 @@ std::span<const Question> first_questions() {
 
 std::string FirstCase::usual(const Question& question) const {
     if (question.key != std::string(models_key)) return question.usual;
-    const std::string elements = given(thickness_key) != none ? "bem,bem-layer" : "bem";
+    using namespace contact::models;
+    const std::string elements =
+        std::string(bem) + (given(thickness_key) != none ? std::string(",") + bem_layer : "");
     // Springs are left out where they would refuse the materials: coupled contact.
     FirstCase all = *this;
-    all.answers_[models_key] = "mdr," + elements;
+    all.answers_[models_key] = std::string(mdr) + ',' + elements;
     try {
         io::parse_case(all.text(), answer_name);
         return all.answers_[models_key];
@@ -96,7 +99,7 @@ void FirstCase::answer(const Question& question, const std::string& answer) {
     answers_[question.key] = text.empty() ? usual(question) : text;
     try {
         if (text == none && !question.may_be_none)
-            io::fail("", question.key, "is needed", fmt::format("for example {}", question.usual));
+            io::fail("", question.key, "is needed", "for example " + usual(question));
         io::parse_case(this->text(), answer_name);
     } catch (const contact::InputError& error) {
         answers_ = before;

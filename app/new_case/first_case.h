@@ -10,7 +10,7 @@ namespace tricontact::app {
 struct Question {
     const char* key;    ///< of the case file
     const char* text;   ///< for people
-    const char* usual;  ///< the answer of those who press Enter
+    const char* usual;  ///< the answer of those who press Enter; empty: follows from others
     bool may_be_none = false;
 };
 std::span<const Question> first_questions();
