@@ -64,7 +64,7 @@ void run_walking(RunCommandOptions options) {
                    "animation/machine.pvd", io::paraview_macro_name}},
                  [&] {
                      options.write(resolved_case_name, resolved);
-                     io::ProgressBar bar = options.progress_bar("walk", "thousandth");
+                     io::ProgressBar bar = options.progress_bar("walk", "part");
                      walk = walking::walk(walk_case, report_recording,
                                           [&](int done, int total) { bar.update(done, total); });
                      bar.finish(std::string(word_of(walk.result.regime)));
