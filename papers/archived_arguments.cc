@@ -15,10 +15,10 @@ namespace tricontact::papers {
 
 namespace {
 
-constexpr std::array kept_options{"--set",           "--models",    "--model",     "--levels",
-                                  "--points",        "--samples",   "--vary",      "--tolerance",
-                                  "--shard",         "--elements",  "--no-runs",   "--confidence",
-                                  "--finite-strain", "--posterior", "--no-studies"};
+constexpr std::array kept_options{"--set",       "--models",    "--levels",     "--points",
+                                  "--samples",   "--vary",      "--tolerance",  "--shard",
+                                  "--elements",  "--no-runs",   "--confidence", "--finite-strain",
+                                  "--posterior", "--no-studies"};
 constexpr std::array own_options{"--output", "--export", "--quiet",        "--threads",
                                  "--jobs",   "--vtk",    "--retry-failed", "--no-report",
                                  "--help",   "--json"};
@@ -55,6 +55,12 @@ std::vector<std::string> archived_arguments(const CLI::App& parser) {
             arguments.push_back(value);
         }
     }
+    return arguments;
+}
+
+std::vector<std::string> arguments_now(std::vector<std::string> arguments) {
+    // To the parser all that begins with a dash is an option: it is no value.
+    std::ranges::replace(arguments, "--model", "--models");
     return arguments;
 }
 

@@ -20,6 +20,10 @@ ArchivedOption archived_option(const std::string& name);
 /// list names: whoever adds one decides.
 std::vector<std::string> archived_arguments(const CLI::App& parser);
 
+/// Arguments of an archive of an earlier version, whose options had other names, as this one has
+/// them.
+std::vector<std::string> arguments_now(std::vector<std::string> arguments);
+
 /// Throws contact::InputError naming `archive` unless the arguments are such as
 /// archived_arguments() gives, and their values lead to files of the archive, or to none.
 void check_archived_arguments(const CLI::App& parser, const std::string& archive,

@@ -5,12 +5,27 @@
 
 namespace tricontact::runs {
 
-std::string printed(const Answer& answer, bool as_json) {
-    if (!as_json) return answer.text;
-    if (answer.notes.empty()) return answer.json + (answer.json.ends_with('\n') ? "" : "\n");
-    auto data = nlohmann::ordered_json::parse(answer.json);
-    std::istringstream lines(answer.notes);
-    for (std::string line; std::getline(lines, line);) data["notes"].push_back(line);
+Answer& Answer::add(const std::string& text) {
+    text_ += text;
+    return *this;
+}
+
+Answer& Answer::note(const std::string& lines, const std::string& of) {
+    text_ += lines;
+    std::istringstream all(lines);
+    for (std::string line; std::getline(all, line);) {
+        line.erase(0, line.find_first_not_of(' '));
+        notes_.push_back(of + line);
+    }
+    return *this;
+}
+
+std::string Answer::printed(bool as_json) const {
+    if (!as_json) return text_;
+    const std::string json = json_();
+    if (notes_.empty()) return json + (json.ends_with('\n') ? "" : "\n");
+    auto data = nlohmann::ordered_json::parse(json);
+    data["notes"] = notes_;
     return data.dump(2) + '\n';
 }
 

@@ -57,7 +57,7 @@ struct CommandOptions {
 
     /// For the answer: standard output.
     std::ostream& out() const { return listener ? *listener->out : std::cout; }
-    void answer(const Answer& found) const { out() << printed(found, json); }
+    void answer(const Answer& found) const { out() << found.printed(json); }
     /// A line on standard error, unless quiet.
     void say(const std::string& line) const {
         if (!quiet) listener ? listener->say(line) : void(std::cerr << line << '\n');

@@ -49,7 +49,7 @@ Case case_of(const RefineOptions& options) {
     if (!std::ranges::count(all.models, options.model))
         options.refuse("models: " + options.model +
                        " is not among the models of the case; add it, or name another with "
-                       "--model");
+                       "--models");
     Overrides overrides = options.overrides;
     std::erase_if(overrides, [](const auto& text) { return text.starts_with("models="); });
     return io::read_case(options.file, overrides, {options.model});

@@ -117,6 +117,16 @@ void sweep(SweepOptions options) {
     const std::string table = options.output + '/' + table_name;
     options.say(fmt::format("{} points in {}", points.size(), table) +
                 (options.report ? "; " + options.where() : ""));
+    options.answer(runs::Answer([&] {
+        return json{{"version", files::version},
+                    {"study", study.name},
+                    {"folder", options.output},
+                    {"table", table},
+                    {"shard", is_part ? json(options.shard) : json()},
+                    {"points", points.size()},
+                    {"failed", n_failed}}
+            .dump(2);
+    }));
     if (n_failed > 0)
         throw std::runtime_error(
             fmt::format("{} of {} points failed: their errors stand in {}; --retry-failed computes "

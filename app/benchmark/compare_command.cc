@@ -141,8 +141,9 @@ int compare_submission(CompareOptions options) {
     comparison.name = found.name;
     options.fill({benchmarks::comparison_file_names()},
                  [&] { write_comparison(options, comparison); });
-    options.answer({benchmarks::comparison_json(files::version, comparison).dump(2),
-                    benchmarks::comparison_text(comparison) + options.where() + '\n'});
+    options.answer(
+        Answer([&] { return benchmarks::comparison_json(files::version, comparison).dump(2); },
+               benchmarks::comparison_text(comparison) + options.where() + '\n'));
     return comparison.standing == Standing::pass   ? 0
            : comparison.standing == Standing::fail ? exit_differs
                                                    : exit_not_resolved;

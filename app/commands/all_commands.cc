@@ -8,6 +8,7 @@ namespace tricontact::app {
 // The commands, each defined in a file of its own beside what it does, which throws
 // contact::InputError and contact::NotConverged; mesh and cache in fem_commands.cc. Called here
 // only: a header of theirs would be a second list of them.
+Command new_command();
 Command run_command();
 Command sweep_command();
 Command sweep_merge_command();
@@ -72,7 +73,8 @@ const char* title_of(Group group) {
 }
 
 std::vector<Command> all_commands() {
-    std::vector<Command> commands{run_command(),
+    std::vector<Command> commands{new_command(),
+                                  run_command(),
                                   sweep_command(),
                                   sweep_merge_command(),
                                   predict_command(),

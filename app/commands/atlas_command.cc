@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <nlohmann/json.hpp>
+#include <optional>
 
 #include "app/commands/command.h"
 #include "atlas/atlas_file.h"
@@ -9,6 +11,7 @@
 #include "io/keys/key_checks.h"
 #include "io/keys/messages.h"
 #include "report/csv.h"
+#include "report/json_number.h"
 #include "studies/atlas_points.h"
 #include "studies/shard.h"
 #include "walking/input/walk_keys.h"
@@ -54,6 +57,33 @@ std::vector<const Quantity*> mapped_quantities(const io::Study& study) {
     return list;
 }
 
+/// How far a map is from random points that were computed.
+struct QuantityCheck {
+    std::string quantity;
+    std::size_t n_points = 0;
+    double median_error = 0, error_95 = 0, largest_error = 0;  ///< relative
+    double covered = 0;                                        ///< share within the error bars
+    bool passed = false;
+};
+
+std::string text_of(const QuantityCheck& q) {
+    return fmt::format(
+        "{}: {} points, error median {:.3g} %, 95 % below {:.3g} %, largest {:.3g} %; {:.3g} % "
+        "within their bars\n",
+        q.quantity, q.n_points, 100 * q.median_error, 100 * q.error_95, 100 * q.largest_error,
+        100 * q.covered);
+}
+
+nlohmann::ordered_json json_of(const QuantityCheck& q) {
+    return {{"quantity", q.quantity},
+            {"points", q.n_points},
+            {"median_error", q.median_error},
+            {"error_95_percent", q.error_95},
+            {"largest_error", q.largest_error},
+            {"share_within_bars", q.covered},
+            {"passed", q.passed}};
+}
+
 /// A builder of one study's atlas in its folder.
 class AtlasBuild {
   public:
@@ -65,6 +95,7 @@ class AtlasBuild {
         studies::StudyPoints runs = studies::runs_of(plan_.design(most_points()));
         std::erase_if(runs, [&](const studies::StudyPoint& run) { return !shard.has(run.key); });
         compute(runs, store);
+        n_runs_ = runs.size();
         options_.say(fmt::format("{} runs in {}; tricontact sweep merge brings the parts together",
                                  runs.size(), options_.output));
     }
@@ -83,6 +114,10 @@ class AtlasBuild {
             return atlas;
         }
     }
+
+    /// Runs of a part.
+    std::size_t n_runs() const { return n_runs_; }
+    const std::vector<QuantityCheck>& checks() const { return checks_; }
 
     /// Compares the atlas with random points; whether its bars cover as many as they promise.
     bool check(const Atlas& atlas) {
@@ -181,7 +216,7 @@ class AtlasBuild {
     }
 
     bool check(const Atlas& atlas, const Map& map, const std::vector<Sample>& samples,
-               std::string& table) const {
+               std::string& table) {
         atlas::Reader reader(atlas);
         std::vector<double> errors;
         std::size_t n_covered = 0;
@@ -201,29 +236,51 @@ class AtlasBuild {
             table += report::csv_line(fields);
         }
         if (errors.empty()) return true;
-        return say_check(*map.quantity, std::move(errors), n_covered);
+        checks_.push_back(checked(*map.quantity, std::move(errors), n_covered));
+        return checks_.back().passed;
     }
 
-    bool say_check(const Quantity& q, std::vector<double> errors, std::size_t n_covered) const {
+    static QuantityCheck checked(const Quantity& q, std::vector<double> errors,
+                                 std::size_t n_covered) {
         std::ranges::sort(errors);
         const auto n = static_cast<double>(errors.size());
         const double covered = static_cast<double>(n_covered) / n;
-        options_.out() << fmt::format(
-            "{}: {} points, error median {:.3g} %, 95 % below {:.3g} %, largest {:.3g} %; {:.3g} % "
-            "within their bars\n",
-            q.key, errors.size(), 100 * errors[errors.size() / 2],
-            100 * errors[static_cast<std::size_t>(0.95 * (n - 1))], 100 * errors.back(),
-            100 * covered);
         // Two standard deviations of chance below what the bars promise.
         constexpr double promised = 0.95;
-        return covered >= promised - 2 * std::sqrt(promised * (1 - promised) / n);
+        return {.quantity = q.key,
+                .n_points = errors.size(),
+                .median_error = errors[errors.size() / 2],
+                .error_95 = errors[static_cast<std::size_t>(0.95 * (n - 1))],
+                .largest_error = errors.back(),
+                .covered = covered,
+                .passed = covered >= promised - 2 * std::sqrt(promised * (1 - promised) / n)};
     }
 
     const AtlasOptions& options_;
     const io::Study& study_;
     studies::AtlasStudy plan_;
     std::vector<const Quantity*> quantities_;
+    std::size_t n_runs_ = 0;
+    std::vector<QuantityCheck> checks_;
 };
+
+Answer answer_of(const AtlasOptions& options, const AtlasBuild& build,
+                 const std::optional<Atlas>& atlas) {
+    Answer answer([&] {
+        nlohmann::ordered_json json{{"version", files::version}, {"folder", options.output}};
+        if (!atlas) json["runs"] = build.n_runs();
+        if (!atlas) return json.dump(2);
+        json["atlas"] =
+            options.finished.empty() ? options.output + '/' + atlas_name : options.finished;
+        json["points"] = atlas->n_points;
+        json["failed"] = atlas->n_failed;
+        for (const Map& map : atlas->maps) json["quantities"].push_back(map.quantity->key);
+        json["checks"] = report::list_of(build.checks(), json_of);
+        return json.dump(2);
+    });
+    for (const QuantityCheck& one : build.checks()) answer.add(text_of(one));
+    return answer;
+}
 
 bool make_atlas(AtlasOptions options) {
     const studies::Shard shard = studies::shard_of(options.shard);
@@ -235,12 +292,13 @@ bool make_atlas(AtlasOptions options) {
     if (options.finished.empty() && !is_part)
         names.results.insert(names.results.end(), {atlas_name, "points.csv"});
     bool passed = true;
+    std::optional<Atlas> atlas;
     options.fill(names, [&] {
         if (is_part) return build.compute_part(shard);
-        const Atlas atlas =
-            options.finished.empty() ? build.build() : atlas::read_atlas(options.finished);
-        if (options.n_checks > 0) passed = build.check(atlas);
+        atlas = options.finished.empty() ? build.build() : atlas::read_atlas(options.finished);
+        if (options.n_checks > 0) passed = build.check(*atlas);
     });
+    options.answer(answer_of(options, build, atlas));
     build.say_left_out();
     runs::say_unread_parts(options, study, "atlas");
     if (!passed) throw std::runtime_error(options.file + ": error bars cover too few points");
@@ -263,6 +321,7 @@ Command atlas_command() {
         .option("--atlas", &AtlasOptions::finished, "Check this atlas, do not build one", "FILE")
         .output("Folder (results/<study>)")
         .flag("--retry-failed", &AtlasOptions::retry_failed, "Compute failed runs again")
+        .json("Counts and checks as JSON on standard output")
         .quiet();
 }
 

@@ -1,4 +1,5 @@
 #include <filesystem>
+#include <nlohmann/json.hpp>
 #include <optional>
 
 #include "app/commands/command.h"
@@ -15,6 +16,8 @@
 namespace tricontact::app {
 
 namespace {
+
+using Json = nlohmann::ordered_json;
 
 struct BoundaryElementOptions : CommandOptions {
     std::string model;  ///< bem or bem-layer; empty: the only one of these of the case
@@ -36,13 +39,13 @@ std::string only_model_of(const Case& c) {
         if (!contact::model_kind(model).is_on_cells()) continue;
         if (!found.empty())
             throw contact::InputError(
-                "the case names both bem and bem-layer; choose one by --model");
+                "the case names both bem and bem-layer; choose one by --modelss");
         found = model;
     }
     if (found.empty())
         throw contact::InputError(
             "models: no boundary elements, which this needs, are among them; choose bem or "
-            "bem-layer by --model");
+            "bem-layer by --models");
     return found;
 }
 
@@ -59,13 +62,20 @@ void write_influence(const BoundaryElementOptions& options) {
     io::check_output_file(options.output, bem::influence_file_title);
     const auto table = bem::case_influence(read.c, options.threads, read.body());
     io::write_file(options.output, bem::influence_text(table));
-    std::cout << fmt::format(
-        "model                {}\n"
-        "spacing              {:.6g} mm\n"
-        "positions            {} x {}\n"
-        "written              {}\n",
-        read.model, 1e3 * table.spacing, table.n_x, table.n_y, options.output);
-    std::cout << comparisons::left_out_lines(read.c, {read.model});
+    options.answer(
+        Answer(
+            [&] {
+                return Json{{"version", files::version},  {"model", read.model},
+                            {"spacing_m", table.spacing}, {"n_x", table.n_x},
+                            {"n_y", table.n_y},           {"file", options.output}}
+                    .dump(2);
+            },
+            fmt::format("model                {}\n"
+                        "spacing              {:.6g} mm\n"
+                        "positions            {} x {}\n"
+                        "written              {}\n",
+                        read.model, 1e3 * table.spacing, table.n_x, table.n_y, options.output))
+            .note(comparisons::left_out_lines(read.c, {read.model})));
 }
 
 /// The numerical coefficients for CONTACT; empty for its own half-spaces.
@@ -85,7 +95,9 @@ void export_to_contact_program(BoundaryElementOptions options) {
     const std::string influence_name = name + ".influence";
     options.choose_folder("_contact");
     std::optional<std::string> influence;
-    std::string input, found;
+    std::string input;
+    std::size_t n_cases = 0;
+    int n_x = 0, n_y = 0;
     const auto compute = [&] {
         contact_program::sequence_of(
             c, false);  // what cannot be said at all, before anything is computed
@@ -97,20 +109,37 @@ void export_to_contact_program(BoundaryElementOptions options) {
             contact_program::sequence_text(
                 c, grid, coupled, influence ? std::optional(influence_name) : std::nullopt),
             io::write_case(c));
-        found = fmt::format("cases of CONTACT     {}\ncells                {} x {}\n",
-                            contact_program::sequence_of(c, coupled).size(), grid.n_x, grid.n_y);
+        n_cases = contact_program::sequence_of(c, coupled).size();
+        n_x = grid.n_x;
+        n_y = grid.n_y;
     };
     options.fill({{influence_name, name + ".inp"}}, [&] {
         options.told_of_file(compute);
         if (influence) options.write(influence_name, *influence);
         options.write(name + ".inp", input);
     });
-    std::cout << fmt::format("model                {}\n{}written              {}/{}.inp{}\n",
-                             read.model, found, options.output, name,
-                             influence ? ", " + influence_name : "")
-              << comparisons::left_out_lines(c, {read.model});
+    std::vector<std::string> written{name + ".inp"};
+    if (influence) written.push_back(influence_name);
+    Answer answer(
+        [&] {
+            return Json{{"version", files::version},
+                        {"model", read.model},
+                        {"cases", n_cases},
+                        {"n_x", n_x},
+                        {"n_y", n_y},
+                        {"folder", options.output},
+                        {"files", written}}
+                .dump(2);
+        },
+        fmt::format("model                {}\n"
+                    "cases of CONTACT     {}\n"
+                    "cells                {} x {}\n"
+                    "written              {}/{}\n",
+                    read.model, n_cases, n_x, n_y, options.output, fmt::join(written, ", ")));
+    answer.note(comparisons::left_out_lines(c, {read.model}));
     for (const std::string& sentence : comparisons::input_sentences(c))
-        std::cout << sentence << '\n';
+        answer.note(sentence + '\n');
+    options.answer(answer);
 }
 
 }  // namespace
@@ -120,10 +149,11 @@ Command influence_command() {
                                             "Write the influence coefficients of a case to a file",
                                             write_influence)
         .on_case()
-        .required("--output", &CommandOptions::output, "The file", "FILE")
-        .word("--model", &BoundaryElementOptions::model, "Model (the one of the case)",
+        .required("-o,--output", &CommandOptions::output, "The file", "FILE")
+        .word("-m,--models", &BoundaryElementOptions::model, "Its model, one (that of the case)",
               {contact::models::bem, contact::models::bem_layer})
-        .threads();
+        .threads()
+        .json();
 }
 
 Command contact_command() {
@@ -144,9 +174,10 @@ Command contact_export_command() {
                                             export_to_contact_program)
         .on_case()
         .output("Folder (results/<case>_contact)")
-        .word("--model", &BoundaryElementOptions::model, "Model (the one of the case)",
+        .word("-m,--models", &BoundaryElementOptions::model, "Its model, one (that of the case)",
               {contact::models::bem, contact::models::bem_layer})
-        .threads();
+        .threads()
+        .json();
 }
 
 }  // namespace tricontact::app

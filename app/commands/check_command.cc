@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <nlohmann/json.hpp>
 
 #include "app/commands/command.h"
 #include "comparisons/quantities/left_out.h"
@@ -9,6 +10,7 @@
 #include "comparisons/run/input_reading.h"
 #include "comparisons/run/path_section.h"
 #include "io/case/case_keys.h"
+#include "report/derived_value.h"
 #include "rolling/creep_theory.h"
 #include "walking/input/walk_keys.h"
 #include "walking/input/walk_reader.h"
@@ -18,6 +20,8 @@ namespace tricontact::app {
 
 namespace {
 
+using Json = nlohmann::ordered_json;
+
 /// What files were taken for.
 std::string input_values(const Case& c) {
     std::string text;
@@ -26,66 +30,110 @@ std::string input_values(const Case& c) {
     return text.empty() ? text : "# What was read\n" + text + '\n';
 }
 
-std::string derived_values(const Case& c) {
+std::vector<report::DerivedValue> derived_values(const Case& c) {
     const contact::HalfSpaceScales hertz = half_space_scales(c);
     const contact::MaterialPair materials = c.materials();
-    std::string text = c.is_cylindrical()
-                           ? "# What follows from it (Hertz' line contact, a strip of its length)\n"
-                           : "# What follows from it on the half-space\n";
-    auto line = [&](const char* name, double value, const char* unit, const char* meaning) {
-        text += fmt::format("# {:<8} = {:>12.6g} {:<4} {}\n", name, value, unit, meaning);
-    };
-    line("a", hertz.contact_radius * 1e3, "mm",
-         c.is_cylindrical() ? "half width of the contact" : "contact radius");
-    line("d", hertz.indentation * 1e3, "mm", "indentation");
-    line("F_N", hertz.normal_force, "N", "normal force");
-    line(contact::has_conical_tip(c) ? "p_m" : "p0", hertz.peak_pressure * 1e-6, "MPa",
-         comparisons::pressure_name(c));
-    line("U_max", hertz.unit_shift * 1e3, "mm", "shift at the onset of sliding");
-    line("E*", materials.effective_modulus() * 1e-6, "MPa", "effective modulus");
-    line("G*", materials.effective_shear_modulus() * 1e-6, "MPa", "effective shear modulus");
-    line("beta", materials.dundurs_beta(), "-", "Dundurs' constant");
+    const std::string pressure = comparisons::pressure_name(c);
+    std::vector<report::DerivedValue> all{
+        {"a", hertz.contact_radius, "m",
+         c.is_cylindrical() ? "half width of the contact" : "contact radius"},
+        {"d", hertz.indentation, "m", "indentation"},
+        {"F_N", hertz.normal_force, "N", "normal force"},
+        {contact::has_conical_tip(c) ? "p_m" : "p0", hertz.peak_pressure, "Pa", pressure},
+        {"U_max", hertz.unit_shift, "m", "shift at the onset of sliding"},
+        {"E*", materials.effective_modulus(), "Pa", "effective modulus"},
+        {"G*", materials.effective_shear_modulus(), "Pa", "effective shear modulus"},
+        {"beta", materials.dundurs_beta(), "1", "Dundurs' constant"}};
     if (c.tractive_rolling)
-        line("xi_unit", rolling::creepage_unit(c), "-", "unit of creepage, mu a/R");
-    if (c.prescribed_path && c.prescribed_path->twists())
-        text += "# twist " + comparisons::centre_of_rotation_text(c) + "\n";
-    if (c.tractive_rolling && c.tractive_rolling->longitudinal_creepage) return text;
+        all.push_back({"xi_unit", rolling::creepage_unit(c), "1", "unit of creepage, mu a/R"});
+    if (c.tractive_rolling && c.tractive_rolling->longitudinal_creepage) return all;
     const comparisons::Reference r = comparisons::reference(c);
     if (std::isfinite(r.tangential_ratio)) {
-        line("F_T", r.tangential_ratio * hertz.friction_limit, "N", "tangential force");
-        line("f_T", r.tangential_ratio, "-",
-             c.friction.is_coulomb() ? "F_T/(mu F_N)" : "over what friction carries");
+        all.push_back({"F_T", r.tangential_ratio * hertz.friction_limit, "N", "tangential force"});
+        all.push_back({"f_T", r.tangential_ratio, "1",
+                       c.friction.is_coulomb() ? "F_T/(mu F_N)" : "over what friction carries"});
     }
-    if (!c.rolling) return text;
-    line("W", r.amplitude_ratio * hertz.contact_radius * 1e3, "mm", "rolling amplitude");
-    line("w", r.amplitude_ratio, "-", "W/a");
+    if (!c.rolling) return all;
+    all.push_back({"W", r.amplitude_ratio * hertz.contact_radius, "m", "rolling amplitude"});
+    all.push_back({"w", r.amplitude_ratio, "1", "W/a"});
     if (r.limit_tangential_ratio)
-        line("f_T,lim", *r.limit_tangential_ratio, "-", "shakedown limit of uncoupled contact");
-    return text;
+        all.push_back(
+            {"f_T,lim", *r.limit_tangential_ratio, "1", "shakedown limit of uncoupled contact"});
+    return all;
+}
+
+/// "twist by 1 deg about ..."; empty of other cases.
+std::string twist_of(const Case& c) {
+    if (!c.prescribed_path || !c.prescribed_path->twists()) return {};
+    return "twist " + comparisons::centre_of_rotation_text(c);
 }
 
 /// What models of the case compute without.
-std::string left_out_values(const Case& c) {
-    std::string text;
+std::vector<std::string> left_out_values(const Case& c) {
+    std::vector<std::string> lines;
     for (const std::string& model : c.models)
         for (const std::string& one : comparisons::left_out(c, model))
-            text += fmt::format("# {} leaves out {}\n", model, one);
-    return text;
+            lines.push_back(fmt::format("{} leaves out {}", model, one));
+    return lines;
+}
+
+Json checked(const char* kind, const std::string& title, const std::string& resolved,
+             const std::vector<report::DerivedValue>& values) {
+    return {{"version", files::version},
+            {"kind", kind},
+            {"title", title},
+            {"case", io::case_json(resolved)},
+            {"derived", report::derived_json(values)}};
 }
 
 /// The resolved case and what follows from it.
 struct Resolved {
-    std::string operator()(const Case& c) const {
-        return io::write_case(c) + '\n' + input_values(c) + derived_values(c) + left_out_values(c);
+    Answer operator()(const Case& c) const {
+        const std::string resolved = io::write_case(c);
+        const std::vector<report::DerivedValue> values = derived_values(c);
+        const char* const kind = c.tractive_rolling ? "rolling on" : "contact";
+        const std::vector<std::string> left_out = left_out_values(c);
+        const std::string twist = twist_of(c);
+        std::string text = resolved + '\n' + input_values(c) +
+                           (c.is_cylindrical() ? "# What follows from it (Hertz' line contact, a "
+                                                 "strip of its length)\n"
+                                               : "# What follows from it on the half-space\n") +
+                           report::derived_lines(values);
+        if (!twist.empty()) text += "# " + twist + '\n';
+        for (const std::string& line : left_out) text += "# " + line + '\n';
+        return Answer(
+            [=] {
+                Json json = checked(kind, c.title, resolved, values);
+                json["input"] = comparisons::input_sentences(c);
+                if (!twist.empty()) json["input"].push_back(twist);
+                json["left_out"] = left_out;
+                return json.dump(2);
+            },
+            text);
     }
-    std::string operator()(const walking::WalkCase& c) const {
-        return walking::write_walk_case(c) + '\n' + walking::walk_scales_text(c);
+    Answer operator()(const walking::WalkCase& c) const {
+        const std::string resolved = walking::write_walk_case(c);
+        const std::vector<report::DerivedValue> values = walking::walk_scales(c);
+        return Answer([=] { return checked("walking", c.title, resolved, values).dump(2); },
+                      resolved + "\n# What follows from it (Wetter (2016), chapter 4)\n" +
+                          report::derived_lines(values));
     }
 };
 
-struct ListOptions {
+struct ListOptions : CommandOptions {
     std::optional<std::string> folder;
 };
+
+/// The case files below a folder, sorted, with their titles.
+std::vector<std::pair<std::string, std::string>> titled_cases(const std::string& folder) {
+    std::vector<std::pair<std::string, std::string>> cases;
+    const auto title = [](const auto& c) { return c.title; };
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(folder))
+        if (entry.path().extension() == ".toml") cases.emplace_back(entry.path().string(), "");
+    std::ranges::sort(cases);
+    for (auto& [file, text] : cases) text = std::visit(title, walking::read_any_case(file));
+    return cases;
+}
 
 /// The models, and the case files below a folder; if none is given those below "examples/cases" or
 /// "cases" if there is one.
@@ -93,23 +141,28 @@ void list_models_and_cases(const ListOptions& options) {
     const auto& given = options.folder;
     const std::string folder = given.value_or(
         std::filesystem::is_directory("examples/cases") ? "examples/cases" : "cases");
-    std::cout << "models\n";
-    for (const auto& model : known_models())
-        std::cout << fmt::format("  {:<8} {}\n", model.name, model.text);
-    if (!std::filesystem::is_directory(folder)) {
-        if (!given) return;
+    const bool has_cases = std::filesystem::is_directory(folder);
+    if (!has_cases && given)
         throw contact::InputError(folder + ": is not a folder; name one that holds case files");
-    }
-    std::vector<std::string> files;
-    for (const auto& entry : std::filesystem::recursive_directory_iterator(folder))
-        if (entry.path().extension() == ".toml") files.push_back(entry.path().string());
-    std::sort(files.begin(), files.end());
-    std::cout << "cases\n";
-    for (const auto& file : files) {
-        const auto title = [](const auto& c) { return c.title; };
-        std::cout << fmt::format("  {}: {}\n", file,
-                                 std::visit(title, walking::read_any_case(file)));
-    }
+    const auto cases = has_cases ? titled_cases(folder) : decltype(titled_cases(folder)){};
+    std::size_t width = 0;
+    for (const auto& model : known_models())
+        width = std::max(width, std::string(model.name).size());
+    std::string text = "models\n";
+    for (const auto& model : known_models())
+        text += fmt::format("  {:<{}} {}\n", model.name, width, model.text);
+    if (has_cases) text += "cases\n";
+    for (const auto& [file, title] : cases) text += fmt::format("  {}: {}\n", file, title);
+    options.answer(Answer(
+        [&] {
+            Json json{{"models", Json::array()}, {"cases", Json::array()}};
+            for (const auto& model : known_models())
+                json["models"].push_back({{"name", model.name}, {"text", model.text}});
+            for (const auto& [file, title] : cases)
+                json["cases"].push_back({{"file", file}, {"title", title}});
+            return json.dump(2);
+        },
+        text));
 }
 
 struct KeysOptions {
@@ -131,18 +184,20 @@ void print_keys(const KeysOptions& options) {
 
 Command check_command() {
     const auto check = [](const CommandOptions& o) {
-        std::cout << std::visit(Resolved{}, walking::read_any_case(o.file, o.overrides));
+        o.answer(std::visit(Resolved{}, walking::read_any_case(o.file, o.overrides)));
     };
     return Declared<CommandOptions>(Group::trust, "check",
                                     "Validate a case; print it resolved, with scales", check)
-        .on_case();
+        .on_case()
+        .json();
 }
 
 Command list_command() {
     return Declared<ListOptions>(Group::tools, "list",
                                  "List the models and the case files of a folder",
                                  list_models_and_cases)
-        .option("folder", &ListOptions::folder, "Folder to look into (cases)");
+        .option("folder", &ListOptions::folder, "Folder to look into (cases)")
+        .json("As JSON");
 }
 
 Command keys_command() {

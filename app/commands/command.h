@@ -24,6 +24,7 @@ namespace tricontact::app {
 
 using contact::Case;
 using contact::Say;
+using runs::Answer;
 using runs::CommandOptions;
 using runs::resolved_case_name;
 
@@ -121,8 +122,11 @@ class Declared {
     Declared& on_case(std::vector<std::string> reads = {}) {
         options_->reads = std::move(reads);
         on_file("case", "Case file (TOML)", "CASE.toml");
-        option("--set", &CommandOptions::overrides,
-               "Override a key of the case: section.key=value (may be repeated)", "KEY=VALUE");
+        return settings("Override a key of the case: section.key=value (may be repeated)");
+    }
+    /// --set.
+    Declared& settings(const char* text) {
+        option("--set", &CommandOptions::overrides, text, "KEY=VALUE");
         list_.take_one_at_a_time();
         return *this;
     }

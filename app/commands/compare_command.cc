@@ -44,8 +44,9 @@ void compare_results(CompareOptions options) {
         }
         options.write_report(document, command);
     });
-    options.answer({comparisons::folder_json(files::version, comparison).dump(2),
-                    comparisons::folder_text(comparison)});
+    options.answer(
+        Answer([&] { return comparisons::folder_json(files::version, comparison).dump(2); },
+               comparisons::folder_text(comparison)));
     options.say(options.where());
 }
 

@@ -25,17 +25,15 @@ void design_rig(DesignOptions options) {
         options.write("design.json", experiments::design_json(study));
         options.write_report(experiments::design_document(study), "tricontact design " + name);
     });
-    std::string notes;
+    Answer answer([&] { return experiments::design_json(study); });
     for (const std::string& one : comparisons::left_out(input.rig.c, contact::models::bem_layer))
-        notes += "design leaves out " + one + '\n';
+        answer.note("design leaves out " + one + '\n');
     if (input.rig.c.load.hold > 0)
-        notes += "design leaves out load.hold: assumptions are checked without it\n";
-    std::string text = notes;
+        answer.note("design leaves out load.hold: assumptions are checked without it\n");
     for (const report::Verdict& verdict : experiments::design_verdicts(study))
-        text += verdict.sentence + '\n';
-    text += fmt::format("look closer: tricontact rig {}{}\n{}\n", options.file,
-                        experiments::best_overrides(study), options.where());
-    options.answer({experiments::design_json(study), text, notes});
+        answer.add(verdict.sentence + '\n');
+    options.answer(answer.add(fmt::format("look closer: tricontact rig {}{}\n{}\n", options.file,
+                                          experiments::best_overrides(study), options.where())));
 }
 
 }  // namespace

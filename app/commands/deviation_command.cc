@@ -72,10 +72,11 @@ void compare_with_half_space(DeviationOptions options) {
                      if (options.runs) add_runs(options, deviation);
                      write(options, c, deviation);
                  });
-    const std::string notes = comparisons::left_out_lines(c, {contact::models::bem_layer});
-    std::string text = report::table_text(deviation_table(deviation)) + notes;
-    for (const auto& verdict : deviation_verdicts(deviation)) text += verdict.sentence + '\n';
-    options.answer({deviation_json(files::version, io::write_case(c), deviation), text, notes});
+    Answer answer([&] { return deviation_json(files::version, io::write_case(c), deviation); },
+                  report::table_text(deviation_table(deviation)));
+    answer.note(comparisons::left_out_lines(c, {contact::models::bem_layer}));
+    for (const auto& verdict : deviation_verdicts(deviation)) answer.add(verdict.sentence + '\n');
+    options.answer(answer);
     options.say(options.where());
 }
 

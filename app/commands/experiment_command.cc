@@ -50,10 +50,11 @@ void evaluate_records(CommandOptions options) {
         options.write("experiment.json", experiments::experiment_json(files::version, evaluation));
         options.write_report(document, "tricontact experiment " + options.file);
     });
-    std::string text = document.answer->sentence + '\n', notes;
-    for (const auto& verdict : document.verdicts) text += verdict.sentence + '\n';
-    for (const std::string& line : left_out) notes += line + '\n';
-    options.answer({experiments::experiment_json(files::version, evaluation), text + notes, notes});
+    Answer answer([&] { return experiments::experiment_json(files::version, evaluation); },
+                  document.answer->sentence + '\n');
+    for (const auto& verdict : document.verdicts) answer.add(verdict.sentence + '\n');
+    for (const std::string& line : left_out) answer.note(line + '\n');
+    options.answer(answer);
     options.say(options.where());
 }
 

@@ -6,9 +6,10 @@ namespace tricontact::app {
 Command mesh_command() {
     return Declared<CommandOptions>(Group::exchange, "mesh",
                                     "Write the finite element mesh of a case; its quality",
-                                    [](const auto& o) { fem_entries().write_mesh(o); })
+                                    [](const auto& o) { o.answer(fem_entries().write_mesh(o)); })
         .on_case()
-        .output("Folder for the mesh (results/<case>)");
+        .output("Folder for the mesh (results/<case>)")
+        .json();
 }
 
 Command cache_condense_command() {
@@ -22,11 +23,12 @@ Command cache_condense_command() {
 }
 
 Command cache_command() {
-    return Declared<CacheOptions>(Group::tools, "cache",
-                                  "List or remove the condensed layers that are kept",
-                                  [](const auto& o) { fem_entries().list_or_clear_cache(o); })
+    return Declared<CacheOptions>(
+               Group::tools, "cache", "List or remove the condensed layers that are kept",
+               [](const auto& o) { o.answer(fem_entries().list_or_clear_cache(o)); })
         .option("--folder", &CacheOptions::folder, "Folder, as fem.cache (that of the user)", "DIR")
-        .flag("--clear", &CacheOptions::clear, "Remove them");
+        .flag("--clear", &CacheOptions::clear, "Remove them")
+        .json();
 }
 
 }  // namespace tricontact::app

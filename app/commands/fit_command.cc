@@ -178,7 +178,7 @@ void fit_study(FitOptions options) {
         if (!line_factor) comparisons::evaluate(fit);
         write(fit, line_factor, options);
     });
-    options.answer({comparisons::fit_json(fit), ""});
+    options.answer(Answer([&] { return comparisons::fit_json(fit); }));
     if (relaxes) options.say(fit.caveat);
     for (const std::string& line : left_out_of(points)) options.say(line);
     runs::say_unread_parts(options, study, "fit");

@@ -23,7 +23,6 @@ struct IdentifyOptions : CommandOptions {
 };
 
 void print(const IdentificationStudy& study, std::ostream& out) {
-    for (const std::string& line : experiments::left_out_lines(study.input)) out << line << '\n';
     for (const auto& table : study.input.tables)
         if (!table.reading.empty())
             out << std::filesystem::path(table.data_file).filename().string() << ": "
@@ -69,11 +68,11 @@ void identify_properties(IdentifyOptions options) {
         options.write("identify.json", experiments::identification_json(study).dump(2) + '\n');
         options.write_report(experiments::identification_document(study), study.command);
     });
+    Answer answer([&] { return experiments::identification_json(study).dump(2); });
+    for (const std::string& line : experiments::left_out_lines(input)) answer.note(line + '\n');
     std::ostringstream text;
     print(study, text);
-    std::string notes;
-    for (const std::string& line : experiments::left_out_lines(input)) notes += line + '\n';
-    options.answer({experiments::identification_json(study).dump(2), text.str(), notes});
+    options.answer(answer.add(text.str()));
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
 #include <filesystem>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,7 @@ namespace tricontact::app {
 namespace {
 
 namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
 using contact_program::Import;
 using contact_program::ImportedCase;
 
@@ -54,14 +56,22 @@ class CaseImport {
             }
             tell(one);
         }
-        if (n_written_ == 0) options_.refuse(left_out_.front().reason);
+        if (written_.empty()) options_.refuse(left_out_.front().reason);
         left_out_.insert(left_out_.end(), found_.left_out.begin(), found_.left_out.end());
         tell_left_out();
     }
 
-    std::string told() const {
-        return told_ + fmt::format("written              {} of {} in {}\n", n_written_,
-                                   found_.cases.size() + found_.left_out.size(), options_.output);
+    Answer answer() const {
+        return Answer(
+            [this] {
+                return Json{{"version", files::version},
+                            {"folder", options_.output},
+                            {"cases", written_},
+                            {"left_out", left_out_json_}}
+                    .dump(2);
+            },
+            told_ + fmt::format("written              {} of {} in {}\n", written_.size(),
+                                found_.cases.size() + found_.left_out.size(), options_.output));
     }
 
   private:
@@ -85,6 +95,8 @@ class CaseImport {
             reason.n += one.last - one.first + 1;
         }
         for (const Reason& one : reasons) {
+            left_out_json_.push_back(
+                {{"first", one.first}, {"last", one.last}, {"cases", one.n}, {"reason", one.text}});
             const std::size_t within = one.last - one.first + 1;
             told_ +=
                 fmt::format("{:<21}{}left out: {}\n", cases(one.first, one.last),
@@ -125,7 +137,10 @@ class CaseImport {
     }
 
     void tell(const ImportedCase& one) {
-        ++n_written_;
+        written_.push_back({{"first", one.first},
+                            {"last", one.last},
+                            {"file", options_.output + '/' + name(one) + ".toml"},
+                            {"remarks", one.remarks}});
         told_ += fmt::format("{:<21}{}/{}.toml, for tricontact run\n", cases(one.first, one.last),
                              options_.output, name(one));
         for (const std::string& remark : one.remarks)
@@ -136,7 +151,7 @@ class CaseImport {
     const Import& found_;
     std::string stem_;
     std::size_t last_ = 0;  // case of the file
-    std::size_t n_written_ = 0;
+    Json written_ = Json::array(), left_out_json_ = Json::array();
     std::vector<contact_program::LeftOutCases> left_out_;
     std::string told_;
 };
@@ -150,10 +165,18 @@ bool import_written(const CommandOptions& options, const std::string& input) {
         options.write(name, *text);
         io::read_case(options.output + "/" + name);
     });
-    std::cout << fmt::format(
-        "all cases            the case that they were written of\n"
-        "written              {}/{}\n",
-        options.output, name);
+    options.answer(Answer(
+        [&] {
+            const Json one{{"file", options.output + '/' + name}, {"remarks", Json::array()}};
+            return Json{{"version", files::version},
+                        {"folder", options.output},
+                        {"cases", Json::array({one})},
+                        {"left_out", Json::array()}}
+                .dump(2);
+        },
+        fmt::format("all cases            the case that they were written of\n"
+                    "written              {}/{}\n",
+                    options.output, name)));
     return true;
 }
 
@@ -175,7 +198,7 @@ void import_from_contact_program(CommandOptions options) {
         contact_program::import_cases(input, options.file, bem::is_coupled, pressed_depth);
     CaseImport work(options, found);
     options.fill(work.names(), [&] { work.write(); });
-    std::cout << work.told();
+    options.answer(work.answer());
 }
 
 }  // namespace
@@ -185,7 +208,8 @@ Command contact_import_command() {
                                     "Write the cases of an input file of CONTACT",
                                     import_from_contact_program)
         .on_file("input", "Input file of CONTACT, module 3", "FILE.inp")
-        .output("Folder (results/<file>_cases)");
+        .output("Folder (results/<file>_cases)")
+        .json();
 }
 
 }  // namespace tricontact::app

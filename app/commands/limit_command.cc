@@ -99,12 +99,13 @@ void find_limits(const Case& c, const LimitOptions& options) {
                       {"a row per model", "limit.csv"},
                       {"the case, resolved", resolved_case_name}};
     options.write_report(document, command);
-    std::string notes = comparisons::left_out_lines(c, c.models);
+    Answer answer([&] { return comparisons::limit_json(files::version, study).dump(2); },
+                  comparisons::limit_text(study));
+    answer.note(comparisons::left_out_lines(c, c.models));
     for (const auto& results : borders)
         if (const auto warning = comparisons::border_warning(results); !warning.empty())
-            notes += "warning: " + warning + '\n';
-    options.answer({comparisons::limit_json(files::version, study).dump(2),
-                    comparisons::limit_text(study) + notes, notes});
+            answer.note("warning: " + warning + '\n');
+    options.answer(answer);
     options.say(options.where());
 }
 

@@ -161,7 +161,7 @@ void predict_case(PredictOptions& options) {
     std::string text;
     for (const Prediction& p : predictions) text += text_of(p);
     for (const experiments::SampledPrediction& p : samples) text += text_of(p);
-    options.answer({json, text});
+    options.answer(Answer([&] { return json; }, text));
     if (options.output.empty()) return;
     write_files(options, c, json);
     if (options.json) return;

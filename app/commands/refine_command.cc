@@ -211,10 +211,11 @@ void refine_case(studies::RefineOptions options) {
 
     std::string text = refinement_text(result);
     for (const std::string& sentence : refinement_sentences(result)) text += sentence + '\n';
-    std::string notes = comparisons::left_out_lines(plan.levels.back().c(), {options.model});
+    Answer answer([&] { return refinement_json(files::version, result); }, text);
+    answer.note(comparisons::left_out_lines(plan.levels.back().c(), {options.model}));
     if (const auto warning = comparisons::border_warning(refined.values.back()); !warning.empty())
-        notes += "warning: " + warning + '\n';
-    options.answer({refinement_json(files::version, result), text + notes, notes});
+        answer.note("warning: " + warning + '\n');
+    options.answer(answer);
     options.say(options.where());
 }
 
@@ -238,7 +239,7 @@ Command refine_command() {
                                             refine_case)
         .on_case()
         .number("--levels", &studies::RefineOptions::levels, "Number of levels (3)", 3, 8)
-        .word("--model", &studies::RefineOptions::model, "Model to be refined (fem)",
+        .word("-m,--models", &studies::RefineOptions::model, "Model to be refined, one (fem)",
               refinable_models())
         .output("Folder (results/<case>_refined)")
         .exports()

@@ -153,7 +153,8 @@ comparisons::Reproduction compared(const ReproduceOptions& options, const papers
 }
 
 int reproduce(const ReproduceOptions& options) {
-    const papers::Archive archive = papers::read_archive(options.file);
+    papers::Archive archive = papers::read_archive(options.file);
+    for (papers::Call& call : archive.calls) call.arguments = papers::arguments_now(call.arguments);
     check_calls(options, archive);
     std::optional<papers::TemporaryFolder> temporary;
     const std::string folder = options.output.empty() ? temporary.emplace().path() : options.output;
@@ -163,9 +164,9 @@ int reproduce(const ReproduceOptions& options) {
         io::write_file(folder + '/' + text_name,
                        comparisons::reproduction_json(result).dump(2) + '\n');
     });
-    const std::string versions = version_lines(archive);
-    options.answer({comparisons::reproduction_json(result).dump(2),
-                    versions + comparisons::reproduction_text(result), versions});
+    options.answer(Answer([&] { return comparisons::reproduction_json(result).dump(2); })
+                       .note(version_lines(archive))
+                       .add(comparisons::reproduction_text(result)));
     return result.reproduces() ? 0 : exit_differs;
 }
 

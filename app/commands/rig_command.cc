@@ -120,10 +120,10 @@ void check_assumptions(RigOptions options) {
     });
     std::ostringstream text;
     print(report, text);
-    std::string notes;
+    Answer answer([&] { return experiments::rig_json(report); }, text.str());
     if (const std::string warning = border_warning(given); !warning.empty())
-        notes = "warning: " + warning + '\n';
-    options.answer({experiments::rig_json(report), text.str() + notes, notes});
+        answer.note("warning: " + warning + '\n');
+    options.answer(answer);
 }
 
 }  // namespace

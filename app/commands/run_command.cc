@@ -110,21 +110,18 @@ void run_contact(const Case& c, RunCommandOptions options) {
     std::optional<runs::CaseRun> run;
     options.fill(run_outputs(c.models), [&] { run.emplace(compute(c, options)); });
     if (options.quiet && !options.json) return;
-    std::string text, notes;
-    for (const std::string& sentence : comparisons::input_sentences(c)) notes += sentence + '\n';
-    text = notes;
+    Answer answer([&] { return runs::summary_of(*run); });
+    for (const std::string& sentence : comparisons::input_sentences(c))
+        answer.note(sentence + '\n');
     for (const contact::History& history : run->histories) {
         const comparisons::Results results(c, history);
-        text += line_of(results);
-        std::string remarks;
+        answer.add(line_of(results));
         for (const std::string& one : comparisons::left_out(c, history.model))
-            remarks += "  leaves out " + one + '\n';
+            answer.note("  leaves out " + one + '\n', history.model + ' ');
         if (const auto warning = comparisons::border_warning(results); !warning.empty())
-            remarks += "warning: " + warning + '\n';
-        text += remarks;
-        if (!remarks.empty()) notes += history.model + ":\n" + remarks;
+            answer.note("warning: " + warning + '\n', history.model + ": ");
     }
-    options.answer({runs::summary_of(*run), text + options.where() + '\n', notes});
+    options.answer(answer.add(options.where() + '\n'));
 }
 
 /// Throws contact::InputError if the call has one of these options, which the kind of case that the

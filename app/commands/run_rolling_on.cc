@@ -157,8 +157,9 @@ void roll_models(const Case& c, const RunCommandOptions& options) {
         report.runs.push_back(std::move(run));
     }
     write(report, resolved, options);
-    const std::string notes = comparisons::left_out_lines(c, c.models);
-    options.answer({roll_summary(report, resolved), rolling::steady_text(report) + notes, notes});
+    options.answer(
+        Answer([&] { return roll_summary(report, resolved); }, rolling::steady_text(report))
+            .note(comparisons::left_out_lines(c, c.models)));
 }
 
 }  // namespace

@@ -64,7 +64,10 @@ void run_walking(RunCommandOptions options) {
                    "animation/machine.pvd", io::paraview_macro_name}},
                  [&] {
                      options.write(resolved_case_name, resolved);
-                     walk = walking::walk(walk_case, report_recording);
+                     io::ProgressBar bar = options.progress_bar("walk", "part");
+                     walk = walking::walk(walk_case, report_recording,
+                                          [&](int done, int total) { bar.update(done, total); });
+                     bar.finish(std::string(word_of(walk.result.regime)));
                      options.write("summary.json",
                                    walking::walk_summary(walk_case, resolved, walk));
                      options.write("windows.csv", walking::windows_csv(walk_case, walk));
@@ -73,8 +76,8 @@ void run_walking(RunCommandOptions options) {
                      if (options.report) write_page(options, walk_case, walk);
                  });
     if (!options.quiet || options.json)
-        options.answer({walking::walk_summary(walk_case, resolved, walk),
-                        walking::walk_text(walk_case, walk)});
+        options.answer(Answer([&] { return walking::walk_summary(walk_case, resolved, walk); },
+                              walking::walk_text(walk_case, walk)));
     options.say(options.where());
 }
 

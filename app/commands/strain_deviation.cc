@@ -74,13 +74,15 @@ void compare_with_finite_strains(CommandOptions options, double elements) {
             deviation = computed(options, contact, points);
             write(options, deviation, elements);
         });
-    std::string notes = comparisons::left_out_lines(c, {contact::models::fem});
+    Answer answer(
+        [&] { return strain_json(files::version, io::write_case(deviation.contact.c), deviation); },
+        report::table_text(strain_table(deviation)));
+    answer.note(comparisons::left_out_lines(c, {contact::models::fem}));
     if (c.of<fem::Settings>().mesh)
-        notes += "fem leaves out fem.mesh: at each force and thickness it has a mesh of its own\n";
-    std::string text = report::table_text(strain_table(deviation)) + notes;
-    for (const auto& verdict : strain_verdicts(deviation)) text += verdict.sentence + '\n';
-    options.answer(
-        {strain_json(files::version, io::write_case(deviation.contact.c), deviation), text, notes});
+        answer.note(
+            "fem leaves out fem.mesh: at each force and thickness it has a mesh of its own\n");
+    for (const auto& verdict : strain_verdicts(deviation)) answer.add(verdict.sentence + '\n');
+    options.answer(answer);
     options.say(options.where());
 }
 

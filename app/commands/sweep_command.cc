@@ -1,4 +1,5 @@
 #include <filesystem>
+#include <nlohmann/json.hpp>
 
 #include "app/commands/command.h"
 #include "studies/study_kind.h"
@@ -12,17 +13,31 @@ struct MergeOptions : CommandOptions {
     std::vector<std::string> inputs;  ///< folders of sweeps
 };
 
-void merge(const std::string& from, io::ResultStore& store, const std::string& output) {
-    const io::ResultStore shard(from + '/' + io::result_store_name, io::ResultStore::Mode::read);
-    const auto merged = store.merge(shard);
-    std::cout << fmt::format("{}: {} points, {} failures\n", from, merged.points, merged.failures);
+/// What came from one of them.
+struct Merged {
+    std::string from;
+    io::ResultStore::Merged counts;
+};
+
+std::string text_of(const Merged& one, const std::string& output) {
+    const auto& [from, merged] = one;
+    std::string text =
+        fmt::format("{}: {} points, {} failures\n", from, merged.points, merged.failures);
     if (merged.different > 0)
-        std::cout << fmt::format(
-            "{}: {} points have other results than in {}, which keeps its own\n", from,
-            merged.different, output + '/' + io::result_store_name);
+        text += fmt::format("{}: {} points have other results than in {}, which keeps its own\n",
+                            from, merged.different, output + '/' + io::result_store_name);
     if (merged.damaged > 0)
-        std::cout << fmt::format("{}: {} damaged rows left out: their sweep computes them again\n",
-                                 from, merged.damaged);
+        text += fmt::format("{}: {} damaged rows left out: their sweep computes them again\n", from,
+                            merged.damaged);
+    return text;
+}
+
+nlohmann::ordered_json json_of(const Merged& one) {
+    return {{"from", one.from},
+            {"points", one.counts.points},
+            {"failures", one.counts.failures},
+            {"different", one.counts.different},
+            {"damaged", one.counts.damaged}};
 }
 
 /// Brings the stores of sweeps together; prints what came from where.
@@ -37,10 +52,20 @@ void merge_sweeps(const MergeOptions& options) {
         const io::ResultStore readable(from + '/' + io::result_store_name,
                                        io::ResultStore::Mode::read);
     }
+    std::vector<Merged> merged;
     options.fill({{}, io::result_store_files()}, [&] {
         io::ResultStore store = studies::open_results(options.output);
-        for (const std::string& from : options.inputs) merge(from, store, options.output);
+        for (const std::string& from : options.inputs)
+            merged.push_back({from, store.merge(io::ResultStore(from + '/' + io::result_store_name,
+                                                                io::ResultStore::Mode::read))});
     });
+    Answer answer([&] {
+        nlohmann::ordered_json json{{"folder", options.output}, {"merged", {}}};
+        for (const Merged& one : merged) json["merged"].push_back(json_of(one));
+        return json.dump(2);
+    });
+    for (const Merged& one : merged) answer.add(text_of(one, options.output));
+    options.answer(answer);
 }
 
 }  // namespace
@@ -58,6 +83,7 @@ Command sweep_command() {
         .flag("--retry-failed", &studies::SweepOptions::retry_failed, "Compute failed points again")
         .flag("--vtk", &studies::SweepOptions::vtk, "Files for ParaView of each point (output.vtk)")
         .no_report()
+        .json("Counts of points and failures as JSON on standard output")
         .quiet();
 }
 
@@ -65,7 +91,8 @@ Command sweep_merge_command() {
     return Declared<MergeOptions>(Group::compute, "sweep merge",
                                   "Bring the results of sweeps into one folder", merge_sweeps)
         .required("output", &CommandOptions::output, "Folder of the whole", "OUT")
-        .required("inputs", &MergeOptions::inputs, "Folders of sweeps", "IN");
+        .required("inputs", &MergeOptions::inputs, "Folders of sweeps", "IN")
+        .json();
 }
 
 }  // namespace tricontact::app

@@ -22,7 +22,8 @@ bool verify_models(const VerifyOptions& options) {
     const auto print = [&] {
         result = verification::verify(options.brief, {*options.makers, roll_on, options.sayer()});
         const std::string text = comparisons::verification_markdown(result);
-        options.answer({comparisons::verification_json(files::version, result).dump(2), text});
+        options.answer(Answer(
+            [&] { return comparisons::verification_json(files::version, result).dump(2); }, text));
         return text;
     };
     if (options.output.empty())

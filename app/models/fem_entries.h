@@ -18,7 +18,7 @@ struct CondenseOptions : CommandOptions {
     bool distributed = false;  ///< by MPI, also when mpirun did not start this process
 };
 
-struct CacheOptions {
+struct CacheOptions : CommandOptions {
     std::string folder;  ///< as fem.cache; empty: that of the user
     bool clear = false;
 };
@@ -29,14 +29,14 @@ struct FemEntries {
     std::unique_ptr<contact::Model> (*make_model)(const Case& c, const Say& say);
     meshes::LayerMeshSpec (*mesh_spec)(const Case& c, const Say& say);
     /// Writes the mesh of the case's finite element layer (.msh, .vtu, and .geo if it is ours) and
-    /// prints its quality to standard output. Throws InputError, NotConverged.
-    void (*write_mesh)(CommandOptions options);
+    /// gives its quality. Throws InputError, NotConverged.
+    runs::Answer (*write_mesh)(CommandOptions options);
     /// Condenses the case's finite element layer into the cache, from which other commands take it;
     /// by all processes that mpirun started, together. Throws InputError, NotConverged.
     void (*condense)(const CondenseOptions& options);
-    /// Prints the condensed layers that are kept and the room that they take to standard output, or
-    /// removes them. Throws InputError.
-    void (*list_or_clear_cache)(const CacheOptions& options);
+    /// The condensed layers that are kept and the room that they take; or removes them. Throws
+    /// InputError.
+    runs::Answer (*list_or_clear_cache)(const CacheOptions& options);
     /// Whether this is a further process of those that condense together: the first one prints
     /// errors.
     bool (*is_further_process)();

@@ -1,9 +1,11 @@
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 
+#include <array>
 #include <chrono>
 #include <exception>
 #include <filesystem>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <stdexcept>
 
@@ -21,6 +23,9 @@
 namespace tricontact::app {
 
 namespace {
+
+using Json = nlohmann::ordered_json;
+using runs::Answer;
 
 /// Enumerators as the indices that a mesh view holds.
 template <class T, class Get>
@@ -51,20 +56,39 @@ void write_view(const meshes::HexMesh& mesh, const std::string& path,
     io::write_mesh_vtu(path, view, {files::version, command_line});
 }
 
-void print_quality(const meshes::HexMesh& mesh) {
+/// What `mesh` wrote of it, and its quality.
+Answer mesh_answer(const meshes::HexMesh& mesh, const std::string& folder,
+                   const std::vector<std::string>& written) {
     const meshes::MeshQuality q = meshes::quality(mesh);
-    std::cout << fmt::format(
-        "hexahedra            {}\n"
-        "nodes                {}\n"
-        "contact faces        {}\n"
-        "element at contact   {:.6g} mm\n"
-        "block                {:.6g} x {:.6g} x {:.6g} mm{}\n"
-        "least Jacobian       {:.4g} (1: a box)\n"
-        "aspect ratio         {:.4g} at worst\n",
-        q.n_hexes, q.n_nodes, q.n_contact_faces, 1e3 * q.contact_size, 1e3 * (q.high[0] - q.low[0]),
-        1e3 * (q.high[1] - q.low[1]), 1e3 * (q.high[2] - q.low[2]),
-        mesh.has_symmetry() ? " (half, plane of symmetry y = 0)" : "", q.least_jacobian,
-        q.largest_aspect_ratio);
+    const bool half = mesh.has_symmetry();
+    std::array<double, 3> block{};
+    for (std::size_t i = 0; i < 3; ++i) block[i] = q.high[i] - q.low[i];
+    return Answer(
+        [=] {
+            return Json{{"version", files::version},
+                        {"hexahedra", q.n_hexes},
+                        {"nodes", q.n_nodes},
+                        {"contact_faces", q.n_contact_faces},
+                        {"element_at_contact_m", q.contact_size},
+                        {"block_m", block},
+                        {"half", half},
+                        {"least_jacobian", q.least_jacobian},
+                        {"largest_aspect_ratio", q.largest_aspect_ratio},
+                        {"folder", folder},
+                        {"files", written}}
+                .dump(2);
+        },
+        fmt::format("hexahedra            {}\n"
+                    "nodes                {}\n"
+                    "contact faces        {}\n"
+                    "element at contact   {:.6g} mm\n"
+                    "block                {:.6g} x {:.6g} x {:.6g} mm{}\n"
+                    "least Jacobian       {:.4g} (1: a box)\n"
+                    "aspect ratio         {:.4g} at worst\n"
+                    "written              {}/{}\n",
+                    q.n_hexes, q.n_nodes, q.n_contact_faces, 1e3 * q.contact_size, 1e3 * block[0],
+                    1e3 * block[1], 1e3 * block[2], half ? " (half, plane of symmetry y = 0)" : "",
+                    q.least_jacobian, q.largest_aspect_ratio, folder, fmt::join(written, ", ")));
 }
 
 void say_plainly(const std::string& line) {
@@ -149,7 +173,7 @@ std::string summary_of(const std::vector<fem::KeptLayer>& layers) {
                        fem::size_text(fem::bytes_of(layers)));
 }
 
-void clear(const std::string& folder, const std::vector<fem::KeptLayer>& layers) {
+Answer clear(const std::string& folder, const std::vector<fem::KeptLayer>& layers) {
     for (const fem::KeptLayer& layer : layers) {
         std::error_code error;
         fs::remove(layer.path, error);
@@ -157,10 +181,16 @@ void clear(const std::string& folder, const std::vector<fem::KeptLayer>& layers)
             throw contact::InputError(fmt::format(
                 "{}: cannot be removed ({}); check the permissions", layer.path, error.message()));
     }
-    std::cout << fmt::format("{}: removed {}\n", folder, summary_of(layers));
+    return Answer(
+        [=] {
+            return Json{
+                {"folder", folder}, {"removed", layers.size()}, {"bytes", fem::bytes_of(layers)}}
+                .dump(2);
+        },
+        fmt::format("{}: removed {}\n", folder, summary_of(layers)));
 }
 
-void write_mesh_of(CommandOptions options) {
+Answer write_mesh_of(CommandOptions options) {
     const Case c = io::read_case(options.file, options.overrides);
     options.choose_folder();
     std::string geometry;  // of a mesh of our own
@@ -178,9 +208,9 @@ void write_mesh_of(CommandOptions options) {
         write_view(mesh, options.output + "/mesh.vtu",
                    "tricontact mesh " + std::filesystem::path(options.file).filename().string());
     });
-    print_quality(mesh);
-    std::cout << "written              " << options.output << "/mesh.msh, mesh.vtu"
-              << (geometry.empty() ? "" : ", mesh.geo") << '\n';
+    std::vector<std::string> written{"mesh.msh", "mesh.vtu"};
+    if (!geometry.empty()) written.emplace_back("mesh.geo");
+    return mesh_answer(mesh, options.output, written);
 }
 
 void condense_layer(const CondenseOptions& options) {
@@ -201,7 +231,12 @@ void condense_layer(const CondenseOptions& options) {
     if (failure) std::rethrow_exception(failure);
 }
 
-void list_or_clear_cache(const CacheOptions& options) {
+/// "2026-01-31 08:15" of a layer's last use.
+std::string last_use(const fem::KeptLayer& layer) {
+    return fmt::format("{:%Y-%m-%d %H:%M}", fmt::localtime(layer.used.tv_sec));
+}
+
+Answer list_or_clear_cache(const CacheOptions& options) {
     const std::string folder = fem::LayerCache(options.folder).folder();
     if (folder.empty())
         throw contact::InputError(
@@ -210,12 +245,28 @@ void list_or_clear_cache(const CacheOptions& options) {
     files::remove_left_partial_files(folder);
     const std::vector<fem::KeptLayer> layers = fem::kept_layers(folder);
     if (options.clear) return clear(folder, layers);
-    std::cout << fmt::format("{}: {}, at most {} (TRICONTACT_CACHE_LIMIT)\n", folder,
-                             summary_of(layers), fem::size_text(fem::cache_limit()));
+    const auto name_of = [](const fem::KeptLayer& layer) {
+        return fs::path(layer.path).stem().string();
+    };
+    std::string text = fmt::format("{}: {}, at most {} (TRICONTACT_CACHE_LIMIT)\n", folder,
+                                   summary_of(layers), fem::size_text(fem::cache_limit()));
     for (const fem::KeptLayer& layer : layers)
-        std::cout << fmt::format("{:>8}  {:%Y-%m-%d %H:%M}  {}\n", fem::size_text(layer.bytes),
-                                 fmt::localtime(layer.used.tv_sec),
-                                 fs::path(layer.path).stem().string());
+        text += fmt::format("{:>8}  {}  {}\n", fem::size_text(layer.bytes), last_use(layer),
+                            name_of(layer));
+    return Answer(
+        [=] {
+            Json list = Json::array();
+            for (const fem::KeptLayer& layer : layers)
+                list.push_back({{"key", name_of(layer)},
+                                {"bytes", layer.bytes},
+                                {"last_use", last_use(layer)}});
+            return Json{{"folder", folder},
+                        {"bytes", fem::bytes_of(layers)},
+                        {"limit_bytes", fem::cache_limit()},
+                        {"layers", list}}
+                .dump(2);
+        },
+        text);
 }
 
 }  // namespace

@@ -39,7 +39,7 @@ std::optional<Diagnosis> penalty(const Evidence& e) {
     const double k = *e.c.submission.contact.stiffness;
     return Diagnosis{
         "penalty",
-        fmt::format("The normal penalty yields by p0/K = {:.3g} um and changes {} by {}: "
+        fmt::format("The normal penalty yields by p0/K = {:.3g} µm and changes {} by {}: "
                     "dF = -(1/2K) d/dd of the integral of p^2",
                     1e6 * e.peak_pressure() / k, n->title, signed_percent(x->change)),
         fmt::format("a stiffness of {:.3g} MPa/mm changes it by 0.1 %, an augmented Lagrangian by "
@@ -55,7 +55,7 @@ std::optional<Diagnosis> elastic_slip(const Evidence& e) {
     const double mu = e.c.reference.c.friction_coefficient();
     return Diagnosis{
         "tangential_springs",
-        fmt::format("Points that stick slip elastically by up to mu p0/K_T = {:.3g} um, which "
+        fmt::format("Points that stick slip elastically by up to mu p0/K_T = {:.3g} µm, which "
                     "changes {} by {}",
                     1e6 * mu * e.peak_pressure() / k, n->title, signed_percent(x->change)),
         fmt::format("a stick slope of {:.3g} MPa/mm changes it by 0.1 %",
@@ -89,7 +89,7 @@ std::optional<Diagnosis> faceted_indenter(const Evidence& e) {
     return Diagnosis{
         "indenter_facets",
         fmt::format("The meshed indenter's faces stand back from its surface by up to h^2/(8 R) = "
-                    "{:.3g} um, {:.2g} % of the depth",
+                    "{:.3g} µm, {:.2g} % of the depth",
                     1e6 * chord, 100 * chord / d->value),
         "an analytic surface, or faces half as long: the distance falls to a quarter"};
 }

@@ -10,14 +10,15 @@ namespace tricontact::benchmarks {
 namespace {
 
 /// The first of each base is the usual one.
-constexpr std::array<QuantityUnit, 18> units{{{"", 1, ""},
+constexpr std::array<QuantityUnit, 19> units{{{"", 1, ""},
                                               {"N", 1, "N"},
                                               {"kN", 1e3, "N"},
                                               {"N/m", 1, "N/m"},
                                               {"N/mm", 1e3, "N/m"},
                                               {"mm", 1e-3, "m"},
                                               {"m", 1, "m"},
-                                              {"um", 1e-6, "m"},
+                                              {"µm", 1e-6, "m"},
+                                              {"um", 1e-6, "m"},  // as files write it
                                               {"MPa", 1e6, "Pa"},
                                               {"Pa", 1, "Pa"},
                                               {"mm2", 1e-6, "m2"},
@@ -83,6 +84,7 @@ std::span<const QuantityUnit> quantity_units() {
 }
 
 const QuantityUnit* find_unit(std::string_view word) {
+    if (word == "um") word = "µm";  // both are read, one is shown
     const auto found = std::ranges::find(units, word, &QuantityUnit::word);
     return found == units.end() ? nullptr : &*found;
 }

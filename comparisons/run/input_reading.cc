@@ -50,8 +50,7 @@ std::string place_text(const Extreme& extreme) {
 
 /// Terminals may have no other letters.
 std::string in_plain_letters(std::string text) {
-    for (const auto& [letter, plain] :
-         {std::pair<std::string, std::string>{"µ", "u"}, {"−", "-"}, {"×", "x"}})
+    for (const auto& [letter, plain] : {std::pair<std::string, std::string>{"−", "-"}, {"×", "x"}})
         for (auto at = text.find(letter); at != text.npos; at = text.find(letter))
             text.replace(at, letter.size(), plain);
     return text;

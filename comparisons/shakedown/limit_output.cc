@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -56,6 +57,14 @@ json rows_of(const LimitStudy& study) {
     });
 }
 
+/// Significant digits of a ratio below 1 that show the width of the narrowest bracket.
+int bracket_digits(const LimitStudy& study) {
+    double narrowest = 0.1;
+    for (const ModelLimit& m : study.models)
+        if (m.bracket.half_width() > 0) narrowest = std::min(narrowest, m.bracket.half_width());
+    return std::clamp(static_cast<int>(std::ceil(-std::log10(narrowest))) + 1, 3, 8);
+}
+
 }  // namespace
 
 json limit_json(const std::string& version, const LimitStudy& study) {
@@ -76,6 +85,9 @@ std::string limit_csv(const LimitStudy& study) {
 }
 
 report::DocumentTable limit_table(const LimitStudy& study) {
+    const auto bracket = [digits = bracket_digits(study)](const char* name) {
+        return fmt::format("{}:{}", name, digits);
+    };
     report::DocumentTable table = report::table_of(
         {.id = "limits",
          .title = fmt::format("Limits in {}", study.varied().symbol),
@@ -88,11 +100,11 @@ report::DocumentTable limit_table(const LimitStudy& study) {
              "its error the distance to the last shakedown."},
         rows_of(study),
         {{"model", "model"},
-         {"limit", "limit:7", 1, "half_width"},
-         {"last_shakedown", "last shakedown:8"},
-         {"first_ratcheting", "first ratcheting:8"},
-         {"limit_by_pressures", "by pressures:8"},
-         {"exact_uncoupled_limit", "exact, uncoupled:8"},
+         {"limit", bracket("limit"), 1, "half_width"},
+         {"last_shakedown", bracket("last shakedown")},
+         {"first_ratcheting", bracket("first ratcheting")},
+         {"limit_by_pressures", bracket("by pressures")},
+         {"exact_uncoupled_limit", bracket("exact, uncoupled")},
          {"final_shift_ratio_at_limit", "u at the limit:4", 1, "final_shift_ratio_error"}});
     if (!study.thesis) return table;
     table.rows.push_back({"thesis", *study.thesis});

@@ -11,7 +11,7 @@ import json
 import os
 import tempfile
 from pathlib import Path
-from typing import Any, Literal, Optional, Sequence
+from typing import Any, Literal, Optional, Sequence, Union
 
 from . import _core, _toml
 from .inputs import Input, Overrides, StrPath, StudyInput, file_of, merged, study_folder
@@ -93,7 +93,7 @@ def refine(
     *,
     overrides: Overrides = None,
     levels: int = 3,
-    model: Literal["fem", "bem"] = "fem",
+    models: Union[str, Sequence[str]] = "fem",
     output: Optional[StrPath] = None,
     export: Optional[StrPath] = None,
     threads: Optional[int] = None,
@@ -103,9 +103,9 @@ def refine(
 ) -> Outcome:
     """A case on finer and finer meshes: extrapolated values and their errors.
 
-    jobs: levels side by side, but for the finest.
+    models: the one model that is refined. jobs: levels side by side, but for the finest.
     """
-    return _call("refine", case, merged(overrides, keys), output, progress, levels=levels, model=model,
+    return _call("refine", case, merged(overrides, keys), output, progress, levels=levels, models=models,
                  threads=threads, jobs=jobs, export=export)
 
 
@@ -252,6 +252,36 @@ def build_atlas(
     other = os.fspath(atlas) if atlas is not None else None
     return _call("atlas", study, None, folder, progress, check=check, seed=seed, atlas=other,
                  shard=shard, jobs=jobs, retry_failed=retry_failed)
+
+
+def new(
+    output: StrPath, *, example: Optional[str] = None, overrides: Overrides = None, **keys: Any
+) -> Path:
+    """Writes a first case, to begin with: one of the examples, or a sphere on a half-space or layer.
+
+    Returns its path; a file that is there is never written over. overrides: answers to what the
+    program's command asks on a terminal; for the rest the usual ones.
+    """
+    sets = [part for one in _toml.overrides(merged(overrides, keys) or {}) for part in ("--set", one)]
+    options = {"example": example, "defaults": example is None, "output": os.fspath(output)}
+    arguments = [_toml.argument(one) for one in (*sets, *_arguments(options))]
+    shown = display(None)
+    try:
+        _core._run_command("new", arguments, shown.say, shown.progress)
+    finally:
+        shown.close()
+    return Path(output)
+
+
+def examples() -> list[dict[str, str]]:
+    """The examples that new() writes: name, title and the command that reads each."""
+    shown = display(None)
+    try:
+        arguments = [_toml.argument(one) for one in ("--list", "--json")]
+        text = _core._run_command("new", arguments, shown.say, shown.progress)
+    finally:
+        shown.close()
+    return list(json.loads(text)["examples"])
 
 
 def reproduce(

@@ -28,9 +28,11 @@ FUNCTIONS = {
     "benchmark deck": benchmark.deck,
     "benchmark compare": benchmark.compare,
     "compare": commands.compare,
+    "new": commands.new,
 }
-# In Python a parameter of another name, what progress decides, or what the result always has.
-OTHERWISE = {"--set": "overrides", "--quiet": None, "--json": None}
+# In Python a parameter of another name, what progress decides, what the result always has, or a function of its own
+# (tricontact.examples).
+OTHERWISE = {"--set": "overrides", "--quiet": None, "--json": None, "--list": None, "--defaults": None}
 
 
 @pytest.mark.parametrize("name", FUNCTIONS)
@@ -142,7 +144,7 @@ def test_progress_is_told_and_may_end_it(rig):
         raise Enough
 
     with pytest.raises(Enough):
-        tricontact.refine(rig, model="bem", progress=enough, overrides={"models": ["bem"]})
+        tricontact.refine(rig, models="bem", progress=enough, overrides={"models": ["bem"]})
 
 
 def test_ctrl_c_ends_a_command(rig):
@@ -174,6 +176,20 @@ rolling.amplitude_ratio = [0.1, 0.2, 0.3]
     points = fit.table("points")
     assert points.n_rows == len(table["rolling.amplitude_ratio"])
     assert table.units["settled_shift_m"] == "m"
+
+
+def test_a_first_case(tmp_path, examples):
+    case = tricontact.Case.from_file(
+        tricontact.new(tmp_path / "layer.toml", substrate__thickness="8 mm", overrides={"models": ["bem"]})
+    )
+    assert case.to_dict()["substrate"]["thickness"] == "0.008 m" and case.to_dict()["models"] == ["bem"]
+    with pytest.raises(tricontact.InputError, match="exists already"):
+        tricontact.new(tmp_path / "layer.toml")
+    with pytest.raises(tricontact.InputError, match="substrate.poisson = 0.7"):
+        tricontact.new(tmp_path / "wrong.toml", overrides={"substrate.poisson": 0.7})
+    names = [one["name"] for one in tricontact.examples()]
+    written = tricontact.new(tmp_path / "sphere.toml", example=names[names.index("rig_sphere_parallel")])
+    assert written.read_text() == (examples / "cases" / "rig_sphere_parallel.toml").read_text()
 
 
 def test_two_folders_of_results_are_compared(rig, program, tmp_path):

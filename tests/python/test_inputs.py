@@ -24,7 +24,7 @@ CALLS = {
     "predict": (BALL, tricontact.predict),
     "deviation": ("cases/rig_layer_parallel.toml", lambda case: tricontact.deviation(case, no_runs=True)),
     "refine": (BALL, lambda case: tricontact.refine(
-        case, model="bem", levels=3, overrides={"models": ["bem"], "rolling.periods": 1,
+        case, models=["bem"], levels=3, overrides={"models": ["bem"], "rolling.periods": 1,
                                                 "rolling.steps": "turning-points", "bem.spacing": "1 mm"})),
     "rig": (RIG, tricontact.rig),
     "design": ("rigs/design_resolution.toml", tricontact.design),

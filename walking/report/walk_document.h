@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "report/derived_value.h"
 #include "report/document.h"
 #include "walking/machine/energy.h"
 #include "walking/machine/walk_case.h"
@@ -94,8 +95,8 @@ nlohmann::ordered_json walk_json(const WalkCase& walk_case, const Walk& walk);
 /// What a run came to, as lines for people.
 std::string walk_text(const WalkCase& walk_case, const Walk& walk);
 
-/// What follows from a case of the walking machine, as comments of a TOML file.
-std::string walk_scales_text(const WalkCase& c);
+/// What follows from a case of the walking machine (Wetter (2016), chapter 4).
+std::vector<report::DerivedValue> walk_scales(const WalkCase& c);
 
 /// The text of a walking machine's summary.json. `resolved` is the case as text.
 std::string walk_summary(const WalkCase& walk_case, const std::string& resolved, const Walk& walk);

@@ -237,30 +237,28 @@ std::string walk_text(const WalkCase& walk_case, const Walk& walk) {
     return text;
 }
 
-std::string walk_scales_text(const WalkCase& c) {
-    std::string text = "# What follows from it (Wetter (2016), chapter 4)\n";
-    auto line = [&](const char* name, double value, const char* unit, const char* meaning) {
-        text += fmt::format("# {:<8} = {:>12.6g} {:<4} {}\n", name, value, unit, meaning);
-    };
+std::vector<report::DerivedValue> walk_scales(const WalkCase& c) {
+    std::vector<report::DerivedValue> values;
     if (c.dimensional) {
         const Kappas& k = c.machine.kappas;
-        line("k_x", c.dimensional->tangential_stiffness, "N/m", "of a contact spot");
-        line("k_z", c.dimensional->normal_stiffness, "N/m", "of a contact spot");
-        line("tau", characteristic_time(*c.dimensional), "s", "sqrt(m/k_x), the unit of time");
-        line("kappa1", k.kappa1, "-", "k_s/k_x");
-        line("kappa2", k.kappa2, "-", "k_z/k_x");
-        line("kappa3", k.kappa3, "-", "a/b");
-        line("kappa4", k.kappa4, "-", "m g/(k_x b)");
-        line("kappa5", k.kappa5, "-", "mu");
-        line("kappa6", k.kappa6, "-", "(v_0/b) sqrt(m/k_x)");
-        line("kappa7", k.kappa7, "-", "Theta/(m b^2)");
-        line("kappa8", k.kappa8, "-", "h/a");
+        values = {
+            {"k_x", c.dimensional->tangential_stiffness, "N/m", "of a contact spot"},
+            {"k_z", c.dimensional->normal_stiffness, "N/m", "of a contact spot"},
+            {"tau", characteristic_time(*c.dimensional), "s", "sqrt(m/k_x), the unit of time"},
+            {"kappa1", k.kappa1, "1", "k_s/k_x"},
+            {"kappa2", k.kappa2, "1", "k_z/k_x"},
+            {"kappa3", k.kappa3, "1", "a/b"},
+            {"kappa4", k.kappa4, "1", "m g/(k_x b)"},
+            {"kappa5", k.kappa5, "1", "mu"},
+            {"kappa6", k.kappa6, "1", "(v_0/b) sqrt(m/k_x)"},
+            {"kappa7", k.kappa7, "1", "Theta/(m b^2)"},
+            {"kappa8", k.kappa8, "1", "h/a"}};
     }
-    line("z_stat", static_displacement(c.machine), "-", "static displacement over b");
-    line("mu_c", critical_friction(c.machine), "-", "tilts above, sliding steadily");
-    line("dt_max", stable_step(c.machine), "-", "stable limit of time.step");
-    line("end", c.time.end, "-", "of the run, in units of sqrt(m/k_x)");
-    return text;
+    values.push_back({"z_stat", static_displacement(c.machine), "1", "static displacement over b"});
+    values.push_back({"mu_c", critical_friction(c.machine), "1", "tilts above, sliding steadily"});
+    values.push_back({"dt_max", stable_step(c.machine), "1", "stable limit of time.step"});
+    values.push_back({"end", c.time.end, "1", "of the run, in units of sqrt(m/k_x)"});
+    return values;
 }
 
 std::string walk_summary(const WalkCase& walk_case, const std::string& resolved, const Walk& walk) {

@@ -49,10 +49,15 @@ WalkSteps steps_of(const WalkCase& walk_case, const Recording& recording) {
 
 /// Runs on for so many steps, or until the machine tilts; returns the time of that.
 std::optional<double> follow(VelocityVerlet& run, std::int64_t n_steps, std::int64_t every,
-                             WalkRecorder& recorder, SnapshotRecorder& snapshots) {
+                             WalkRecorder& recorder, SnapshotRecorder& snapshots,
+                             const WalkWatch& watch = {}) {
+    constexpr int parts = 1000;
     const double limit = tilting_limit(run.machine());
+    const std::int64_t told_every = std::max(n_steps / parts, std::int64_t{1});
     for (std::int64_t i = 0; i <= n_steps; ++i) {
         if (i % every == 0) snapshots.add(run);
+        if (watch && i > 0 && i % told_every == 0)
+            watch(static_cast<int>(parts * i / n_steps), parts);
         if (i == n_steps) break;
         run.advance();
         recorder.add(run.motion(), run.spot_steps());
@@ -215,7 +220,7 @@ std::string_view word_of(Regime regime) {
     return words[static_cast<int>(regime)];
 }
 
-Walk walk(const WalkCase& walk_case, const Recording& recording) {
+Walk walk(const WalkCase& walk_case, const Recording& recording, const WalkWatch& watch) {
     const double began = processor_time(), step = walk_case.time.step;
     const WalkSteps steps = steps_of(walk_case, recording);
     const Machine& machine = walk_case.machine;
@@ -226,7 +231,7 @@ Walk walk(const WalkCase& walk_case, const Recording& recording) {
     const double first = recording.start > 0 ? std::round(recording.start / interval) + 1 : 0;
     SnapshotRecorder snapshots(machine, static_cast<std::size_t>(first),
                                static_cast<std::size_t>(kept));
-    const auto tilting_time = follow(run, steps.run, steps.snapshot, recorder, snapshots);
+    const auto tilting_time = follow(run, steps.run, steps.snapshot, recorder, snapshots, watch);
 
     Walk walk;
     walk.windows = recorder.windows();

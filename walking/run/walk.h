@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string_view>
@@ -131,9 +132,12 @@ struct Recording {
     double interval = 0.01;  ///< between snapshots; at least a step
 };
 
+/// Hears how many thousandths of a run's steps are done.
+using WalkWatch = std::function<void(int done, int total)>;
+
 /// Runs a case by velocity Verlet and judges it. A machine that tilts is stopped there.
 /// Throws std::invalid_argument if step or end are not positive.
-Walk walk(const WalkCase& walk_case, const Recording& recording = {});
+Walk walk(const WalkCase& walk_case, const Recording& recording = {}, const WalkWatch& watch = {});
 
 /// Runs cases of one step and one end side by side in a batch, each as walk() does: it does not
 /// depend on the others. Returns are recorded only where the extremes of the motion repeat, so that

@@ -31,16 +31,16 @@ commands = {
     "check": call("check", "case.toml", answer="output"),
     "mesh": call("mesh", "case.toml", "--output", "out", answer="out/*.msh", over=elements),
     "cache condense": call("cache", "condense", "case.toml", answer="kept layers", over=elements),
-    "refine bem": call("refine", "case.toml", "--model", "bem", "--output", "out",
+    "refine bem": call("refine", "case.toml", "--models", "bem", "--output", "out",
                        answer="out/refinement.json", telling="out/report.html"),
-    "refine fem": call("refine", "case.toml", "--model", "fem", "--output", "out",
+    "refine fem": call("refine", "case.toml", "--models", "fem", "--output", "out",
                        answer="out/refinement.json", telling="out/report.html",
                        over=elements),
-    "influence": call("influence", "case.toml", "--model", "bem-layer", "--output", "out.txt", answer="out.txt",
+    "influence": call("influence", "case.toml", "--models", "bem-layer", "--output", "out.txt", answer="out.txt",
                       over=layer),
-    "contact export bem": call("contact", "export", "case.toml", "--model", "bem", "--output", "out",
+    "contact export bem": call("contact", "export", "case.toml", "--models", "bem", "--output", "out",
                                answer="out/*.inp"),
-    "contact export bem-layer": call("contact", "export", "case.toml", "--model", "bem-layer", "--output", "out",
+    "contact export bem-layer": call("contact", "export", "case.toml", "--models", "bem-layer", "--output", "out",
                                      answer="out/*.inp out/*.influence", over=layer),
     "limit": call("limit", "case.toml", "--models", "bem", "--tolerance", "1e-2", "--output", "out",
                   answer="out/limit.json", telling="out/report.html"),
@@ -123,4 +123,4 @@ unaffected = [
 open_cells = set()
 commands_with_no_report = ["run", "sweep"]
 # They take no case, or those of the catalogue: files of others, archives, folders of results.
-commands_without_a_case = ["verify", "keys", "list", "manual", "reproduce", "benchmark", "compare"]
+commands_without_a_case = ["verify", "keys", "list", "manual", "reproduce", "benchmark", "compare", "new"]

@@ -25,14 +25,14 @@ kept["notes"] = answer["notes"]
 sys.exit(answer != kept)
 PYTHON
     fi
-    case $1 in benchmark) tried["$1 $2"]=1 ;; *) tried[$1]=1 ;; esac
+    case "$1 $2" in benchmark* | contact* | "sweep merge") tried["$1 $2"]=1 ;; *) tried[$1]=1 ;; esac
 }
 json run/summary.json 0 run "$sphere" --models mdr "${coarse[@]}" --no-studies --no-report -q -o run
 json - 0 run "$examples/cases/walking_set_b.toml" --set time.end=20 --no-report --quiet --output walk
 json - 0 run "$examples/cases/rolling_sphere.toml" --models mdr --set mdr.springs=200 --points 0 --no-report --quiet --output roll
 json - 0 predict "$sphere"
 json limit/limit.json 0 limit "$sphere" -m mdr --set mdr.springs=200 --tolerance 0.1 -o limit
-json refine/refinement.json 0 refine "$sphere" --model mdr "${coarse[@]}" -o refine
+json refine/refinement.json 0 refine "$sphere" --models mdr "${coarse[@]}" -o refine
 json rig/rig.json 0 rig "$examples/rigs/cylinder_parallel.toml" -o rig
 json deviation/deviation.json 0 deviation "$examples/cases/rig_layer_parallel.toml" --no-runs -o deviation
 json identify/identify.json 0 identify "$examples/measurements/rig_indentation.toml" -q -o identify
@@ -41,14 +41,37 @@ json experiment/experiment.json 0 experiment "$examples/records/synthetic_shaked
 json verify/verification.json 0 verify --short -q -o verify
 json - 0 benchmark list
 json - 0 benchmark show wedge
+json - 0 check "$sphere"
+json - 0 check "$examples/cases/walking_set_b.toml"
+json - 0 list "$examples/cases"
+json - 0 new --list
+json - 0 new --example rig_sphere_parallel -o new.toml
+json - 0 influence "$examples/cases/rig_layer_parallel.toml" --models bem-layer --set bem.cells_per_radius=4 -o influence.txt
+json - 0 contact export "$sphere" --models bem --set rolling.periods=1 --set bem.cells_per_radius=4 -o exported
+json - 0 contact import exported/rig_sphere_parallel.inp -o imported
 "$program" run "$sphere" --models mdr "${coarse[@]}" --no-studies --no-report -q --output other --set load.tangential_ratio=0.3
 json compare/compare.json 0 compare run other -o compare
 printf 'case = "%s"\nmodels = ["mdr"]\n[set]\nmdr.springs = 200\nrolling.steps = "turning-points"\n[vary]\nload.tangential_ratio = [0.1, 0.2]\n' \
     "$sphere" >few.toml
-"$program" sweep few.toml -j 1 --no-report -q -o few || complain "no sweep"
+json - 0 sweep few.toml -j 1 --no-report -q -o few
+"$python" -c 'import json; d = json.load(open("answer.json")); assert (d["points"], d["failed"]) == (2, 0), d' ||
+    complain "sweep counts $(cat answer.json)"
+json - 0 sweep merge merged few
+"$python" -c 'import json; d = json.load(open("answer.json"))["merged"][0]; assert (d["points"], d["failures"]) == (2, 0), d' ||
+    complain "sweep merge counts $(cat answer.json)"
+sed 's/tangential_ratio = .*/tangential_ratio = {from = 0.1, to = 0.2}/' few.toml >map.toml
+printf '[atlas]\npoints = 20\nerror = 0.5\nquantities = ["final_shift_ratio"]\n' >>map.toml
+json - 0 atlas map.toml -j 1 --check 5 -q -o map
+"$python" -c 'import json; d = json.load(open("answer.json")); assert d["checks"][0]["points"] == 5 and d["checks"][0]["passed"], d' ||
+    complain "atlas --check $(cat answer.json)"
 json few/fit.json 0 fit few.toml -o few -q
 "$program" rig "$examples/rigs/cylinder_parallel.toml" -o rig --export papers >/dev/null 2>&1 || complain "no export"
 json - 0 reproduce papers/archive.zip -q
+
+if "$program" list | grep -q '^  fem '; then
+    json - 0 mesh "$examples/cases/rig_layer_parallel.toml" --set fem.size="2 mm" -o mesh
+    json - 0 cache --folder nothing_kept
+fi
 
 # The help of each says what it does.
 "$program" --help | sed -n '/^Compute:/,$s/^  \([a-z]\+\) .*/\1/p' >whole

@@ -62,7 +62,7 @@ is_offered contact tricontact con
 is_offered merge tricontact sweep me
 is_offered export tricontact contact ""
 is_offered show tricontact benchmark sh
-is_offered --model tricontact contact export case.toml --mo
+is_offered --models tricontact contact export case.toml --mo
 is_offered --distributed tricontact cache condense case.toml --di
 is_offered --tolerance tricontact limit --to
 is_offered amplitude tricontact limit case.toml --vary a

@@ -48,7 +48,7 @@ has_fem=$("$program" list | grep -c '^  fem ')
 "$program" sweep study.toml --output done --quiet --no-report || complain "sweep"
 commands=(
     "summary.json run ball.toml" "limit.csv limit ball.toml" "creep.csv run rolls.toml"
-    "motion.csv run slider.toml" "ball.inp contact export ball.toml" "refinement.csv refine ball.toml --model bem"
+    "motion.csv run slider.toml" "ball.inp contact export ball.toml" "refinement.csv refine ball.toml --models bem"
     "deviation.json deviation ball.toml --no-runs" "experiment.json experiment $experiment"
     "rig.json rig rig.toml" "identify.json identify rig.toml"
     "results.csv sweep study.toml" "results.sqlite sweep study.toml" "results.sqlite-journal sweep study.toml"
@@ -173,7 +173,7 @@ for arguments in --help --version "run --help" list keys "keys walking" "check b
 done
 
 # 6. A rerun that fails leaves no results of the run before.
-for command in run limit "refine --model bem"; do
+for command in run limit "refine --models bem"; do
     read -r name options <<<"$command"
     # shellcheck disable=SC2086
     "$program" "$name" ball.toml $options --output "rerun_$name" --quiet >/dev/null || complain "$command"

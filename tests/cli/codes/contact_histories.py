@@ -79,7 +79,7 @@ def difference(program, seed, folder):
 
     text, friction = case(random.Random(seed))
     (folder / "drawn.toml").write_text(text)
-    run("contact", "export", "drawn.toml", "--model", "bem", "--output", "out")
+    run("contact", "export", "drawn.toml", "--models", "bem", "--output", "out")
     numbers = (folder / "out" / "drawn.inp").read_text().split("% Case of Tricontact")
     if len(numbers) != 2:
         raise ValueError("the case does not stand in the file")

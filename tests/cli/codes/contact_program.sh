@@ -72,7 +72,7 @@ awk -v a="$(shift_of run_still/bem)" -v b="$(shift_of run_map/bem)" \
 # the file's origin there, about the moving lowest point here.
 cases=$source_dir/examples/cases
 coarse=(--set bem.cells_per_radius=6 --set output.vtk=none)
-"$program" contact export "$cases/path_twist.toml" --model bem "${coarse[@]}" --output path >told.txt ||
+"$program" contact export "$cases/path_twist.toml" --models bem "${coarse[@]}" --output path >told.txt ||
     complain "export of a path: $(cat told.txt)"
 grep -q "CPHI, SPINXO, SPINYO$" path/path_twist.inp || complain "the twist's centre is not written"
 sed '/^% Case of Tricontact/,$d' path/path_twist.inp >path/plain.inp
@@ -89,14 +89,14 @@ for name in normal_force_N tangential_force_x_N tangential_force_y_N dissipation
         complain "$name differs: $(paste <(column "$name" run_path/bem/history.csv) <(column "$name" run_path_back/bem/history.csv) | head -5)"
 done
 # What rolls on comes back as its steps from rest and its steady state.
-"$program" contact export "$cases/rolling_spin.toml" --model bem --set bem.cells_per_radius=6 --output roll >told.txt ||
+"$program" contact export "$cases/rolling_spin.toml" --models bem --set bem.cells_per_radius=6 --output roll >told.txt ||
     complain "export of rolling on: $(cat told.txt)"
 sed '/^% Case of Tricontact/,$d' roll/rolling_spin.inp >roll/plain.inp
 "$program" contact import roll/plain.inp --output roll_back >told.txt || complain "import of rolling on: $(cat told.txt)"
 [ "$(grep -c "for tricontact run$" told.txt)" -eq 2 ] || complain "rolling on became: $(cat told.txt)"
 
 # 2. The layer: coefficients beside the input, its own at zero positive, as many lines as it says.
-"$program" contact export ball.toml --model bem-layer --output layer >/dev/null || complain "export of the layer"
+"$program" contact export ball.toml --models bem-layer --output layer >/dev/null || complain "export of the layer"
 grep -q "^ 'ball.influence' " layer/ball.inp || complain "the file of coefficients is not named"
 grep -q '^ 0029020' layer/ball.inp || complain "C = 9 is missing"
 awk 'NR == 4 { mx = $1; my = $2 } NR > 4 && !/%/ { lines++; if (NF != 11) bad = 1; if ($1 == 0 && $3 > top) { top = $3; at = lines } }
@@ -109,7 +109,7 @@ grep -q '^ 999 999 50 50 ' layer/ball.inp ||
     complain "A is not 0"
 # A file's coefficients of a layer couple under bem too, those of an uncoupled half-space do not.
 for model in bem-layer bem; do
-    "$program" influence ball.toml --model "$model" --output "$model.txt" >/dev/null ||
+    "$program" influence ball.toml --models "$model" --output "$model.txt" >/dev/null ||
         complain "influence of $model"
     "$program" contact export ball.toml --set "bem.influence=$model.txt" --output "by_$model" >/dev/null ||
         complain "export with coefficients of $model"

@@ -84,7 +84,7 @@ run plain
 depth=$(column indentation_m out_plain/bem/history.csv | tail -1)
 awk -v d="$depth" 'BEGIN { e = 1e9 / (1 - 0.09); hertz = (9 * 100 ^ 2 / (16 * e * e * 8e-3)) ^ (1 / 3)
     exit !((d / hertz - 1) ^ 2 < 0.01 ^ 2) }' || complain "d = $depth is not Hertz'"
-grep -q '25 x 25 nodes (x by y), 100.0 um apart, 2.400 mm x 2.400 mm; heights differ by 180.0 um' plain.out ||
+grep -q '25 x 25 nodes (x by y), 100.0 µm apart, 2.400 mm x 2.400 mm; heights differ by 180.0 µm' plain.out ||
     complain "the map is not said: $(cat plain.out)"
 grep -q 'the lowest node of the file presses first, at x = 0 m, y = 0 m from the middle node' plain.out ||
     complain "the side is not said: $(cat plain.out)"
@@ -130,10 +130,10 @@ for name in plain corners; do
     "$program" limit rolled_$name.toml --tolerance 0.05 --output limit_$name >limit_$name.out 2>&1 ||
         complain "$(cat limit_$name.out)"
     # Levels from twice the cells on: the finest has those of the runs above.
-    "$program" refine $name.toml --model bem --set "bem.spacing=0.1 mm" --output refine_$name >refine_$name.out 2>&1 ||
+    "$program" refine $name.toml --models bem --set "bem.spacing=0.1 mm" --output refine_$name >refine_$name.out 2>&1 ||
         complain "$(cat refine_$name.out)"
-    grep -q '25 x 25 nodes (x by y), 100.0 um apart' sweep_$name.out || complain "sweep: $(cat sweep_$name.out)"
-    grep -q '25 x 25 nodes (x by y), 100.0 um apart' refine_$name.out || complain "refine: $(cat refine_$name.out)"
+    grep -q '25 x 25 nodes (x by y), 100.0 µm apart' sweep_$name.out || complain "sweep: $(cat sweep_$name.out)"
+    grep -q '25 x 25 nodes (x by y), 100.0 µm apart' refine_$name.out || complain "refine: $(cat refine_$name.out)"
 done
 said='warning: .*cells at the border of the height map carry [0-9.]* % of F_N'
 for command in sweep limit refine; do

@@ -43,7 +43,9 @@ paste -d, <(column load.limit_fraction study/results.csv) <(column tangential_ra
 [ -s found ] && complain "loads: $(cat found)"
 grep -qs 'limit_fraction' study/points/*/case.toml || complain "the resolved case has no fraction"
 grep -qs 'thickness_ratio' study/points/*/case.toml && complain "the resolved case has no thickness"
-diameter=$("$program" check "$layer" | awk '/^# a / { print 2*$4 }')
+derived() { "$python" -c 'import json, sys; print(json.load(open(sys.argv[1]))["derived"][sys.argv[2]]["value"])' "$@"; }
+"$program" check "$layer" --json >check.json
+diameter=$(awk -v a="$(derived check.json a)" 'BEGIN { print 2000*a }')
 thickness=$(grep -hs '^thickness' study/points/*/case.toml | sed 's/.*"\(.*\) m"/\1/' | sort -gu | tr '\n' ' ')
 read -r thin thick <<<"$thickness"
 near "$(awk -v b="$thin" -v d="$diameter" 'BEGIN { print 1000*b/d }')" 0.5 1e-4 || complain "thickness $thin of $diameter mm"
@@ -69,13 +71,13 @@ near "$(value final_shift_ratio a/summary.json)" "$(value final_shift_ratio c/su
 grep -q 'of its own limit of shakedown' d/report.html || complain "the loads of the models"
 
 # 3. What derives from the case: the closed form's load, 1 - 3/2 w + 1/2 w^3 at w = 0.24.
-"$program" check "$rig" --set load.limit_fraction=0.5 >out || complain "check"
-near "$(awk '/^# f_T / { print $4 }' out)" 0.323456 1e-5 || complain "check: $(cat out)"
+"$program" check "$rig" --set load.limit_fraction=0.5 --json >out || complain "check"
+near "$(derived out f_T)" 0.323456 1e-5 || complain "check: $(cat out)"
 "$program" check "$source_dir/examples/cases/body_profile.toml" --set load.limit_fraction=0.5 >out || complain "check of a profile"
 grep -qi 'nan' out && complain "no number: $(cat out)"
 "$program" limit "$rig" --set load.limit_fraction=0.5 --models mdr --tolerance 0.01 --quiet --output limit >out ||
     complain "limit"
-"$program" refine "$rig" --set load.limit_fraction=0.5 --model bem "${coarse[@]}" --quiet --output refine >out ||
+"$program" refine "$rig" --set load.limit_fraction=0.5 --models bem "${coarse[@]}" --quiet --output refine >out ||
     complain "refine"
 
 # 4. Refused.

@@ -76,7 +76,7 @@ tell "results.sqlite"
 
 # 2. Levels of a refinement, which the next call takes over.
 refine() {
-    "$program" refine "$source_dir/examples/cases/rig_sphere_parallel.toml" --model bem --output "$1" \
+    "$program" refine "$source_dir/examples/cases/rig_sphere_parallel.toml" --models bem --output "$1" \
         --set "bem.spacing=1 mm" --set rolling.periods=1 --set rolling.steps=turning-points
 }
 refine levels >/dev/null 2>&1 || complain "the plain refinement"

@@ -31,7 +31,7 @@ deviation=(deviation static.toml --set load.press=frictionless --set bem.cells_p
     --output deviation --jobs 2)
 limit=(limit "$sphere" --set rolling.amplitude_ratio=0.51 --set mdr.springs=2000
     --set "bem.spacing=0.8 mm" --tolerance 0.01 --output limit --threads 1)
-refine=(refine "$sphere" --model bem --output refine --set "bem.spacing=0.8 mm" --set rolling.periods=2
+refine=(refine "$sphere" --models bem --output refine --set "bem.spacing=0.8 mm" --set rolling.periods=2
     --threads 1)
 run=(run "$sphere" --models mdr,bem --set "bem.spacing=0.8 mm" --set output.vtk=quarters --set rolling.periods=2
     --output run --threads 1 --no-report)

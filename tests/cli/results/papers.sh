@@ -38,7 +38,11 @@ exported design design "$examples/rigs/design_resolution.toml"
 exported identify identify "$examples/measurements/rig_indentation.toml"
 exported limit limit "$examples/cases/rig_sphere_parallel.toml" --models mdr --tolerance 0.05
 exported deviation deviation "$examples/cases/rig_layer_parallel.toml" --no-runs
-exported refine refine "$examples/cases/rig_sphere_parallel.toml" --model bem "${coarse[@]}"
+exported refine refine "$examples/cases/rig_sphere_parallel.toml" --models bem "${coarse[@]}"
+# An earlier version called it --model.
+"$python" "$papers" change refine/archive.zip model.zip archive.json '"--models"' '"--model"' || complain "no archive of --model"
+said=$("$program" reproduce model.zip --quiet 2>&1) || complain "--model: exit code of reproduce"
+[[ $said == "same bytes: "* ]] || complain "an archive with --model: $said"
 with_surfaces=("${coarse[@]/vtk=none/vtk=quarters}")
 for springs in 400 500; do
     "$program" run "$examples/cases/rig_sphere_parallel.toml" "${with_surfaces[@]/springs=500/springs=$springs}" \

@@ -31,7 +31,7 @@ truncate -s -1 one/contact/model.cc
 digest one moved.cc
 ! cmp -s moved.cc another.cc || complain "the same digest of another name"
 
-"$program" refine "$source_dir/examples/cases/rig_sphere_parallel.toml" --model bem --output refined --quiet \
+"$program" refine "$source_dir/examples/cases/rig_sphere_parallel.toml" --models bem --output refined --quiet \
     --set "bem.spacing=1 mm" --set rolling.periods=1 --set rolling.steps=turning-points >/dev/null ||
     complain "the refinement"
 # What another program, or this one with other numerics, left is not taken: one whose digest was changed.
@@ -48,7 +48,7 @@ if [ -e "$unit" ]; then
     [ "$holder" = "$program" ] && cp changed other/tricontact || cp changed other/libtricontact.so
     chmod +x other/*
     for one in "$program" ./other/tricontact; do
-        "$one" refine "$source_dir/examples/cases/rig_sphere_parallel.toml" --model bem --output refined \
+        "$one" refine "$source_dir/examples/cases/rig_sphere_parallel.toml" --models bem --output refined \
             --set "bem.spacing=1 mm" --set rolling.periods=1 --set rolling.steps=turning-points >/dev/null 2>log ||
             complain "the next refinement: $(cat log)"
         grep -c 'taken from' log >>taken

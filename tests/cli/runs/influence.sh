@@ -39,7 +39,7 @@ TOML
 
 # 1. Round trip: a run with the file is the run without, and so is the file that it would write.
 for model in bem bem-layer; do
-    "$program" influence case.toml --model "$model" --output "$model.txt" >"$model.told"
+    "$program" influence case.toml --models "$model" --output "$model.txt" >"$model.told"
     grep -q "^written  *$model.txt$" "$model.told" || complain "$model: says $(cat "$model.told")"
     "$program" run case.toml --models "$model" --output "own_$model" --quiet --no-report \
         --no-studies
@@ -47,7 +47,7 @@ for model in bem bem-layer; do
         --no-studies --set "bem.influence=$model.txt"
     diff -r "own_$model/$model" "file_$model/$model" >differences ||
         complain "$model: $(head -3 differences)"
-    "$program" influence case.toml --model "$model" --output again.txt --threads 2 \
+    "$program" influence case.toml --models "$model" --output again.txt --threads 2 \
         --set "bem.influence=$model.txt" >/dev/null
     cmp "$model.txt" again.txt || complain "$model: the file does not write itself"
     # The resolved case names the file in full and runs anywhere.
@@ -92,11 +92,11 @@ refused "do not describe periodic contacts" "${layer[@]}" --set bem.influence=be
     --set "bem.period=40 mm"
 
 # 3. The command itself.
-refused "choose one by --model" influence case.toml --output out
-refused "choose bem or bem-layer by --model" influence case.toml --output out \
+refused "choose one by --models" influence case.toml --output out
+refused "choose bem or bem-layer by --models" influence case.toml --output out \
     --set 'models=["mdr"]' --set substrate.poisson=0.5
 sed '/^base/d; /^\[ground\]/,+2d; /^young = "206/d; /^poisson = 0.3/d' case.toml >rigid.toml
-refused "has no influence coefficients of single cells" influence rigid.toml --model bem-layer \
+refused "has no influence coefficients of single cells" influence rigid.toml --models bem-layer \
     --output out --set "bem.period=40 mm"
 
 finish

@@ -32,6 +32,9 @@ brackets mdr 0.3013255 load/limit.csv
 brackets bem 0.3013255 load/limit.csv
 says "limit of shakedown in f_T at w = 0.51" out
 says '"exact_uncoupled_limit": 0.301325' load/limit.json
+# As many digits as the bracket tells (half width 0.0039): 0.2969, not 0.296875; limit.json has all.
+awk '$1 == "mdr" && $5 ~ /^0\.[0-9][0-9][0-9][0-9]$/ && $6 ~ /^0\.[0-9][0-9][0-9][0-9]$/ { found = 1 } END { exit !found }' <(sed 's/MDR/mdr/' out) ||
+    complain "digits of the bracket: $(cat out)"
 says "first ratcheting" load/report.html
 [ -s load/case.toml ] || complain "no resolved case"
 [ -s err ] && complain "--quiet is not silent: $(cat err)"

@@ -31,7 +31,7 @@ END
 # contact (1 % at this size).
 cp from_file.toml pulled.toml
 printf 'normal_force [N], tangential_force_x [N]\n20, 0\n20, 4\n' >loads.csv
-"$program" refine pulled.toml --model bem --quiet --output refined >out 2>&1 || complain "refine: $(cat out)"
+"$program" refine pulled.toml --models bem --quiet --output refined >out 2>&1 || complain "refine: $(cat out)"
 "$python" - <<'END' || complain "refine does not follow the end of a path: $(cat out)"
 import json, re
 mu = float(re.search(r"coefficient = ([0-9.]+)", open("pulled.toml").read())[1])

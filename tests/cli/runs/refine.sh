@@ -24,7 +24,7 @@ says() {
 }
 
 bem() {
-    expect 0 "$source_dir/examples/cases/rig_sphere_parallel.toml" --model bem --quiet --output "$1" \
+    expect 0 "$source_dir/examples/cases/rig_sphere_parallel.toml" --models bem --quiet --output "$1" \
         --set "bem.spacing=1 mm" --set rolling.periods=1 --set rolling.steps=turning-points
 }
 
@@ -49,7 +49,7 @@ grep -Eq '^static shift u_stat +U_max +0\.4' out || complain "u_stat is no ratio
 grep -q "no-studies" bem/report.html && complain "a refinement asks for comparison runs"
 grep -q "What the mesh leaves in it is told by\|the error of the finest mesh" bem/report.html || complain "no error on the page"
 # Levels side by side are the same to the last digit, histories too; only times of computing differ.
-expect 0 "$source_dir/examples/cases/rig_sphere_parallel.toml" --model bem --quiet --output side_by_side --jobs 2 \
+expect 0 "$source_dir/examples/cases/rig_sphere_parallel.toml" --models bem --quiet --output side_by_side --jobs 2 \
     --set "bem.spacing=1 mm" --set rolling.periods=1 --set rolling.steps=turning-points
 diff -r --exclude=results.sqlite --exclude=refinement.json --exclude=report.html bem side_by_side ||
     complain "--jobs changes results"
@@ -57,7 +57,7 @@ diff <(sed '/"cpu_s"/,/\]/d' bem/refinement.json) <(sed '/"cpu_s"/,/\]/d' side_b
     complain "--jobs changes refinement.json"
 says "--jobs" <("$program" refine --help)
 # What stops a level is said of it, and nothing of it is kept.
-expect 1 "$source_dir/examples/cases/rig_sphere_parallel.toml" --model bem --quiet --output stopped \
+expect 1 "$source_dir/examples/cases/rig_sphere_parallel.toml" --models bem --quiet --output stopped \
     --set "bem.spacing=1 mm" --set rolling.periods=1 --set bem.tolerance=1.1e-14
 says "level_0 (bem.spacing = 1 mm): " err
 [ -e stopped/refinement.json ] && complain "a refinement without its levels"
@@ -81,7 +81,7 @@ press = "frictionless"
 [bem]
 cells_per_radius = 5
 END
-expect 0 cone.toml --model bem-layer --quiet --output layer
+expect 0 cone.toml --models bem-layer --quiet --output layer
 says "bem.spacing was refined" out
 says "p_0 of a mesh has no limit" out
 grep -q '^peak pressure' out && complain "an infinite pressure is refined: $(grep p_0 out)"
@@ -104,11 +104,11 @@ tangential_ratio = 0.3
 springs = 300
 elements_per_radius = 20
 END
-expect 0 springs.toml --model mdr --quiet --output springs
+expect 0 springs.toml --models mdr --quiet --output springs
 says "mdr.springs was refined on 3 levels, springs from" out
 says "mdr leaves out substrate.thickness" out
 says '"key": "mdr.springs"' springs/refinement.json
-expect 0 springs.toml --model mdr-layer --quiet --output elements
+expect 0 springs.toml --models mdr-layer --quiet --output elements
 says "mdr.elements_per_radius was refined on 3 levels" out
 grep -q "^elements_per_radius = 40$" elements/case.toml || complain "elements of the finest level: $(cat elements/case.toml)"
 "$python" - springs elements <<'END' || complain "springs beside theory"
@@ -142,7 +142,7 @@ tangential_ratio = 0.3
 [bem]
 cells_per_radius = 10
 END
-expect 0 line.toml --model bem --quiet --output line
+expect 0 line.toml --models bem --quiet --output line
 says "Theory (half-space) lies within the estimated error of" out
 
 # 2. Bad input.
@@ -152,9 +152,9 @@ for levels in 2 9 many; do
     expect 2 "$case_file" --levels "$levels" --output none
     says "--levels" err
 done
-expect 2 "$case_file" --model atlas --output none
-says "--model" err
-expect 2 "$case_file" --model mdr-layer --output none
+expect 2 "$case_file" --models atlas --output none
+says "--models" err
+expect 2 "$case_file" --models mdr-layer --output none
 says "models: mdr-layer is not among the models of the case" err
 [ -e none ] && complain "a folder in spite of bad input"
 

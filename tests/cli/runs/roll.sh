@@ -87,7 +87,7 @@ awk '$1 == "mdr" || $1 == "bem" || $1 == "vermeulen_johnson" { n++; if (($3 / 1e
     complain "nu = -0.3: $(cat auxetic.txt)"
 
 refused "a case that rolls on has no --no-studies; leave it out" run "$sphere" --no-studies
-refused "tricontact run computes such a case" refine "$sphere" --model bem
+refused "tricontact run computes such a case" refine "$sphere" --models bem
 refused "a case without [tractive_rolling] has no --points; leave it out" run --points 3 "$source_dir/examples/cases/rig_sphere_parallel.toml"
 refused "mdr is a line of springs" run "$source_dir/examples/cases/rolling_spin.toml" --models mdr
 

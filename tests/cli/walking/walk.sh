@@ -96,9 +96,16 @@ grep -q '^loaded  *t = 68000' loading.txt || complain "loading: $(cat loading.tx
 grep -q 'Does not slide yet' loading/report.html || complain "loading: the report does not say so"
 grep -q 'Slides steadily' loading/report.html && complain "loading: slides steadily"
 
+# Progress as of other runs, on standard error; --quiet has none.
+"$program" run "$cases/walking_set_b.toml" --set time.end=50 --no-report --output told >/dev/null 2>said.txt
+[ "$(grep -c '^walk: [0-9]*0 %, part ' said.txt)" -eq 10 ] || complain "progress: $(cat said.txt)"
+"$program" run "$cases/walking_set_b.toml" --set time.end=50 --no-report --output told --quiet >/dev/null 2>said.txt
+[ -s said.txt ] && complain "--quiet: $(cat said.txt)"
+
 # 5. Dimensions: tau = sqrt(m/k_x) of check, time in s.
 walk rig walking_rig_set_5 --set "time.duration=0.1 s" --no-report
-tau=$("$program" check "$cases/walking_rig_set_5.toml" | awk '$2 == "tau" { print $4 }')
+tau=$("$program" check "$cases/walking_rig_set_5.toml" --json |
+    "$python" -c 'import json, sys; print(json.load(sys.stdin)["derived"]["tau"]["value"])')
 near rig characteristic_time_s "$tau" 1e-9
 head -n 1 rig/motion.csv | grep -q time_s,spring_force_N || complain "rig: no SI units in motion.csv"
 awk -F, -v tau="$tau" 'END { exit !($10/tau - $1 < 1e-3 && $1 - $10/tau < 1e-3) }' rig/motion.csv ||

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "benchmarks/problems/problem.h"
+#include "benchmarks/reference/quantity_units.h"
 #include "contact/base/error.h"
 
 namespace tricontact::problem_reader_test {
@@ -40,6 +41,18 @@ TEST(ProblemReader, TurnsUnitsIntoSI) {
     EXPECT_FALSE(problem.targets[1].is_solution);
     EXPECT_TRUE(problem.case_text.empty());
     EXPECT_FALSE(problem.twin);
+}
+
+// Both spellings are read; texts for people have the micro sign.
+TEST(ProblemReader, ReadsMicrometresEitherWay) {
+    for (const std::string unit : {"um", "µm"}) {
+        const auto problem = benchmarks::parse_problem(
+            head + "[target.indentation]\nvalue = 3\nunit = \"" + unit + "\"\nsource = \"s\"\n",
+            "p");
+        EXPECT_DOUBLE_EQ(problem.targets.at(0).value, 3e-6);
+        ASSERT_TRUE(benchmarks::find_unit(unit));
+        EXPECT_EQ(benchmarks::find_unit(unit)->word, "µm");
+    }
 }
 
 TEST(ProblemReader, RefusesWhatItDoesNotKnow) {

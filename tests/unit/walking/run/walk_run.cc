@@ -29,6 +29,19 @@ TEST(WalkRun, SetASlidesSteadily) {
     EXPECT_FALSE(result.period.has_value());
 }
 
+// Its progress rises to the whole, and changes nothing.
+TEST(WalkRun, TellsHowFarItIs) {
+    std::vector<int> told;
+    const Walk watched = walk(case_of(set_a(), 200), {}, [&](int done, int total) {
+        EXPECT_EQ(total, 1000);
+        told.push_back(done);
+    });
+    ASSERT_GE(told.size(), 500u);
+    EXPECT_TRUE(std::ranges::is_sorted(told));
+    EXPECT_EQ(told.back(), 1000);
+    EXPECT_EQ(watched.result.mu_e, walk(case_of(set_a(), 200)).result.mu_e);
+}
+
 // While both spots stay on the ground z is a free oscillator: what is left of a start is not chaos.
 TEST(WalkRun, SlidesSteadilyWithAFreeVibration) {
     WalkCase walk_case = case_of(set_a(), 2000);

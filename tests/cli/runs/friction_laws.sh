@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Other laws of friction than Coulomb's: closed forms, models beside each other, refusals, pages.
 # usage: friction_laws.sh PROGRAM SOURCE_DIR
-source "$(dirname -- "${BASH_SOURCE[0]}")/prepare.bash"
+source "$(dirname -- "${BASH_SOURCE[0]}")/../prepare.bash"
 lens=$source_dir/examples/cases/lens_on_silicone.toml
 
 # value MODEL KEY FILE: of a summary.
