@@ -65,7 +65,7 @@ def check_files(folder, series):
     as many steps are at the times of another's."""
     files = [path for path in Path(folder).rglob("*") if path.suffix in (".ex2", ".pvd") or path.suffix.startswith(".vt")]
     print(f"{folder}: {len(files)} files for ParaView, {sum(path.stat().st_size for path in files) / 1e6:.0f} MB")
-    if len(files) > 50:
+    if len(files) > 50 and any(path.suffix == ".ex2" for path in files):  # a walking machine has a file for each state
         complain(f"{folder}: {len(files)} files for ParaView")
     clocks = {}
     for path in series:

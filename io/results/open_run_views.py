@@ -4,10 +4,12 @@ def surface_cells(source):
 
 
 def show_stick_slip(source, view):
-    """Each point of a surface in the colour of its state, as a disc over the outline."""
+    """Each point of a surface in the colour of its state, as a disc over the outline; of a single row as a strip."""
     display = Show(source, view)
     display.Ambient, display.Diffuse = 1.0, 0.0  # the colours of the scale
-    nodes = source.PointData["contact_state"] and is_area(source)
+    data = source.GetDataInformation()
+    is_row = data.GetNumberOfPoints() == 2 * (data.GetNumberOfCells() + 1)  # of cells, which are a strip
+    nodes = source.PointData["contact_state"] and is_area(source) and not is_row
     if nodes:
         outline = Show(Outline(Input=source), view)
         outline.AmbientColor = outline.DiffuseColor = [0.0, 0.0, 0.0]
@@ -16,7 +18,7 @@ def show_stick_slip(source, view):
         display.ShaderPreset = "Plain circle"
         display.GaussianRadius = 0.5 * ((bounds[1] - bounds[0]) * (bounds[3] - bounds[2]) / n) ** 0.5
     else:
-        display.SetRepresentationType("Points")
+        display.SetRepresentationType("Surface" if is_row else "Points")
     colour(display, view, "POINTS" if nodes else surface_cells(source), "contact_state", "contact")
     display.PointSize = 6
     say_time(source, view)

@@ -211,9 +211,11 @@ TEST_F(States, AnotherMeshBeginsAnotherFile) {
     StateSeries out = states("surface"), earlier = states("again"), again = states("again");
     for (const int n : {5, 6, 6}) out.add(n, surface_of(Surface::Layout::grid, n, 4));
     // The next run of a folder has one mesh.
+    std::ofstream(at("again.pvd")) << "of an earlier version";
     for (const int n : {5, 6}) earlier.add(n, surface_of(Surface::Layout::grid, n, 4));
     again.add(0, surface_of(Surface::Layout::grid, 5, 4));
     EXPECT_EQ(read_state_series(at("again.ex2")).size(), 1u);
+    EXPECT_FALSE(std::filesystem::exists(at("again.pvd")));
     const auto saved = read_state_series(at("surface.ex2"));
     ASSERT_EQ(saved.size(), 3u);
     EXPECT_EQ(read_surface_file(saved[0].path, saved[0].state).n_x, 5);
