@@ -112,9 +112,10 @@ report::Figure traction_figure(const contact::Case& c, const Histories& historie
         .id = "traction_" + letter,
         .title = "Traction on the centre line along " + letter,
         .caption =
-            "The last upright state. Strips: what each point does during the last period. Dark "
-            "blue, stick: always in contact, below the friction bound; amber, slip: at the bound "
-            " +
+            std::string("The last upright state. Strips: what each point does during the last "
+                        "period. Dark "
+                        "blue, stick: always in contact, below the friction bound; amber, slip: at "
+                        "the bound ") +
             std::string(c.friction.bound_symbol()) +
             " at some instant; light grey, zero or released: out of contact at some instant, after "
             "shakedown no traction is left there (in coupled contact what the pressure drags). " +
