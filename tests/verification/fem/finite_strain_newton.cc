@@ -39,13 +39,13 @@ struct Layer {
           compliance(problem, condense(*problem)),
           body(compliance.corrected().discretisation, {0, 0}),
           correction({compliance.corrected().discretisation, body, compliance.corrected().factor,
-                      compliance, *indenter, radius, law, tolerance}) {}
+                      compliance, *indenter, radius, *law, tolerance}) {}
 
     std::shared_ptr<const LayerProblem> problem;
     CondensedCompliance compliance;
     std::unique_ptr<contact::Indenter> indenter = std::make_unique<contact::Paraboloid>(radius);
     StrainedBody body;
-    contact::Coulomb law{friction};
+    std::shared_ptr<const contact::FrictionLaw> law = contact::Friction{friction}.law();
     DeferredCorrection correction;
 };
 

@@ -113,7 +113,7 @@ TEST(PlannedComparison, SeesWhatAPowerLawAllows) {
     const std::vector<CaseQuantity> quantities{
         {.name = "friction.coefficient",
          .standard_error = 0.005,
-         .of_case = [](contact::Case& any) -> double& { return any.friction.coefficient; }},
+         .of_case = [](contact::Case& any) -> double& { return *any.friction.coefficient; }},
         {.name = "substrate.young",
          .standard_error = 4e4,
          .of_case = [](contact::Case& any) -> double& { return any.substrate.young; }}};

@@ -235,7 +235,7 @@ TEST(Experiment, NormalisedErrorsAreThoseOfTheFormulas) {
     auto e = tests::evaluated(SyntheticRecord(), random);
     normalise(e, c,
               {{"friction.coefficient", 0.02,
-                [](contact::Case& k) -> double& { return k.friction.coefficient; }},
+                [](contact::Case& k) -> double& { return *k.friction.coefficient; }},
                {"load.normal_force", 0.1,
                 [](contact::Case& k) -> double& { return *k.load.normal_force; }}});
     // f_T = F_T/(mu F_N); U_max = mu (E*/G*) d with d ~ F_N^(2/3), a ~ F_N^(1/3).

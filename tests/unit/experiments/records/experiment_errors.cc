@@ -28,7 +28,7 @@ TEST(Experiment, RatiosOfTheCaseStandForTheForceAndTheLengthThatTheRigSets) {
     auto e = tests::evaluated(SyntheticRecord(), random);
     normalise(e, c,
               {{"friction.coefficient", 0.02,
-                [](contact::Case& k) -> double& { return k.friction.coefficient; }},
+                [](contact::Case& k) -> double& { return *k.friction.coefficient; }},
                {"load.normal_force", 0.1,
                 [](contact::Case& k) -> double& { return *k.load.normal_force; }}});
     const auto& r = *e.normalised;

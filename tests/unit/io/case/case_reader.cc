@@ -132,6 +132,20 @@ cache = "none"
     EXPECT_FALSE(c.of<fem::Settings>().mesh);
 }
 
+TEST(CaseReader, AnyLawOfFrictionIsReadAndWritten) {
+    for (const std::vector<std::string>& law :
+         {std::vector<std::string>{"friction.shear_strength=0.35 MPa"},
+          {"friction.pressure_exponent=0.8", "friction.reference_pressure=1 MPa"},
+          {"friction.shear_strength=1 kPa", "friction.strength_limit=2 MPa"}}) {
+        const Case c = parsed(law), back = parse_case(write_case(c), "written.toml");
+        EXPECT_FALSE(c.friction.is_coulomb());
+        EXPECT_EQ(back.friction.formula(), c.friction.formula());
+        for (const double p : {1e3, 1e6, 1e7})
+            EXPECT_EQ(back.friction.law()->bound(p), c.friction.law()->bound(p));
+        EXPECT_THROW(c.friction_coefficient(), contact::InputError);
+    }
+}
+
 TEST(CaseReader, FileNamesAreMeantFromTheCaseFileAndThoseOfOverridesFromTheWorkingDirectory) {
     const std::string text = loaded_sphere + R"([fem]
 mesh = "../meshes/layer.msh"
