@@ -39,7 +39,7 @@ struct Number {
 const std::array<Number, 5> numbers{
     {{"substrate.young", .03, [](Case& c) -> double& { return c.substrate.young; }},
      {"substrate.thickness", .02, [](Case& c) -> double& { return *c.layer.thickness; }},
-     {"friction.coefficient", .02, [](Case& c) -> double& { return c.friction.coefficient; }},
+     {"friction.coefficient", .02, [](Case& c) -> double& { return *c.friction.coefficient; }},
      {"load.normal_force", .005, [](Case& c) -> double& { return *c.load.normal_force; }},
      {"indenter.radius", .01, [](Case& c) -> double& { return c.indenter.radius; }}}};
 constexpr int n_repeats = 3;
