@@ -88,7 +88,13 @@ nlohmann::ordered_json json_of(const QuantityCheck& q) {
 class AtlasBuild {
   public:
     AtlasBuild(const AtlasOptions& options, const io::Study& study)
-        : options_(options), study_(study), plan_(study), quantities_(mapped_quantities(study)) {}
+        : options_(options), study_(study), plan_(study), quantities_(mapped_quantities(study)) {
+        for (const studies::StudyPoint& run : studies::runs_of(plan_.design(1)))
+            if (!run.contact().friction.is_coulomb())
+                throw contact::InputError(
+                    study.name +
+                    ": friction: maps are those of Coulomb's law; give friction.coefficient alone");
+    }
 
     void compute_part(const studies::Shard& shard) {
         io::ResultStore store = studies::open_results(options_.output);

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "contact/base/special_values.h"
 #include "contact/compliances/point_sums.h"
@@ -125,7 +124,8 @@ void StaggeredSolver::solve_uncoupled(const LoadStep& step, const StepStart& bef
 
 void StaggeredSolver::solve_coupled(const LoadStep& step, const StepStart& before) {
     recall_start(step.recurs ? step.phase : 0);
-    const bool jumps = friction_->bound(std::numeric_limits<double>::min()) > 0;
+    // Whether a point carries something as soon as it touches, whatever small pressures are.
+    const bool jumps = friction_->bound(1e-300) > .5 * friction_->bound(1e-200);
     chatter_.begin(jumps ? points().size() : 0);
     focus(may_touch());
     do iterate(step, before);

@@ -4,7 +4,6 @@ import csv
 import json
 import math
 import os
-import re
 import subprocess
 import tempfile
 from pathlib import Path
@@ -62,10 +61,10 @@ class Program:
         return self.call("run", file, ["output.vtk=none", *settings], "--models", "bem", "--points", "0", "--no-report")
 
     def check(self, file, *settings):
-        """The numbers behind the resolved case: symbol -> value."""
+        """The numbers behind the resolved case: symbol -> value in SI units."""
         sets = [part for one in settings for part in ("--set", one)]
-        text = subprocess.run([self.path, "check", file, *sets], check=True, capture_output=True, text=True).stdout
-        return {found[1]: float(found[2]) for found in re.finditer(r"^# (\S+) += +(\S+)", text, re.M)}
+        text = subprocess.run([self.path, "check", file, "--json", *sets], check=True, capture_output=True, text=True).stdout
+        return {symbol: one["value"] for symbol, one in json.loads(text)["derived"].items()}
 
     def tests(self, binary, names):
         """The rows that tests print, texts of their cells."""

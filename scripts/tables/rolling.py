@@ -20,7 +20,7 @@ def rolling_spin(program):
 
 @table("docs/explanation/rolling.md", "| v | v tau/a | W/F_N of `bem` | Hunter |", cheap=True)
 def rolling_resistance(program):
-    half_width = program.check(CASES / "rolling_relaxing.toml")["a"]  # [mm]
+    half_width = program.check(CASES / "rolling_relaxing.toml")["a"] * 1e3  # [mm]
     rows = []
     for speed in (5, 20, 80):
         found = program.roll(CASES / "rolling_relaxing.toml", f'tractive_rolling.speed="{speed} mm/s"',

@@ -34,7 +34,8 @@ def commands_of(text):
     for span in spans(text):
         command = " ".join(re.sub(r"(^|\s)#.*", "", span.strip()).split())
         for part in command.split(" && "):
-            if re.sub(r"^([A-Z_]+=\S+ )+", "", part).startswith(PROGRAMS):
+            bare = re.sub(r"^([A-Z_]+=\S+ )+", "", part)
+            if bare.startswith(PROGRAMS) and not bare.startswith("tricontact."):  # Python's module
                 yield part
 
 

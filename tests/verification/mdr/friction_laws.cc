@@ -98,8 +98,8 @@ TEST(MdrFrictionLaws, ShearStrengthShakesDownWhereTheClosedFormSays) {
         // Both to five digits; the run ends where the rest is estimated below its accuracy.
         EXPECT_NEAR(u, settled, 2e-5) << w << ' ' << f;
         EXPECT_NEAR(h.limit_tangential_ratio, limit, 6e-6);
-        EXPECT_NEAR(h.limit_tangential_ratio,
-                    2 / pi * (std::acos(w) - w * std::sqrt(1 - w * w)), 2 * tolerance);
+        EXPECT_NEAR(h.limit_tangential_ratio, 2 / pi * (std::acos(w) - w * std::sqrt(1 - w * w)),
+                    2 * tolerance);
     }
 }
 
