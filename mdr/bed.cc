@@ -86,9 +86,9 @@ void Bed::check_carried(const TangentialControl& control) const {
     const double limit = friction_limit();
     if (!(std::abs(control.value) < limit))
         throw InputError(fmt::format(
-            "mdr: the tangential force {:.6g} N reaches the friction limit {:.6g} N: the "
+            "mdr: the tangential force {:.6g} N reaches the friction limit {}{:.6g} N: the "
             "indenter slides; lower tangential_force or tangential_ratio",
-            control.value, limit));
+            control.value, law_->coulomb() ? "mu F_N = " : "", limit));
 }
 
 void Bed::audit_forces(const contact::LoadStep& step, const SlipSums& sums, double peak_bound,
