@@ -137,9 +137,15 @@ void SpringBed::update_other_bounds() {
     line_bound_->sample(normal_.spring_position(contact.first) - normal_.position(),
                         normal_.spacing(), part(bounds_, contact));
     largest_bound_ = line_bound_->largest();
-    contact::CompensatedSum sum;
-    for (const double bound : part(std::as_const(bounds_), contact)) sum.add(bound);
-    total_bound_ = effective_shear_modulus_ * normal_.spacing() * sum.value();
+    const double* const bound = part(std::as_const(bounds_), contact).data();
+    contact::CompensatedSum all;
+    contact::for_each_block(0, contact.size(), [&](int begin, int end) {
+        double sum = 0;
+#pragma omp simd reduction(+ : sum)
+        for (int i = begin; i < end; ++i) sum += bound[i];
+        all.add(sum);
+    });
+    total_bound_ = effective_shear_modulus_ * normal_.spacing() * all.value();
 }
 
 /// Depth and position change linearly: the gap over a spring does, too, and closes when the share
