@@ -212,14 +212,14 @@ void put_field(std::string& record, const NetcdfLayout& layout, const ExodusName
 
 bool ExodusNames::take(const ExodusFields& state) {
     bool is_new = false;
-    for (const auto& [name, is_byte, is_of_elements, bytes] : state.fields()) {
+    for (const auto& field : state.fields()) {
         const auto found = std::ranges::find_if(fields, [&](const Field& one) {
-            return one.name == name && one.is_of_elements == is_of_elements;
+            return one.name == field.name && one.is_of_elements == field.is_of_elements;
         });
         if (found == fields.end()) {
-            fields.push_back({name, is_byte, is_of_elements});
+            fields.push_back({field.name, field.is_byte, field.is_of_elements});
             is_new = true;
-        } else if (found->is_byte && !is_byte) {
+        } else if (found->is_byte && !field.is_byte) {
             found->is_byte = false;
             is_new = true;
         }
