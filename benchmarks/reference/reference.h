@@ -7,7 +7,6 @@
 #include <string>
 #include <vector>
 
-#include "comparisons/quantities/quantities.h"
 #include "contact/case.h"
 #include "contact/model_makers.h"
 
@@ -90,14 +89,13 @@ inline constexpr const char* settled_shift = "settled_shift";      ///< U_sd aft
 inline constexpr const char* shift_increment = "shift_increment";  ///< per period, ratcheting [m]
 inline constexpr const char* shakedown_limit = "shakedown_limit";  ///< f_T,lim [-]
 // Numbers of problems of the catalogue, whose targets say what they are over [-]:
-inline const char* const& stick_ratio = comparisons::quantities::stick_ratio.key;  ///< c/a
-inline const char* const& settled_shift_ratio =
-    comparisons::quantities::settled_shift_ratio.key;              ///< over all slipping
-inline constexpr const char* creepage_ratio = "creepage_ratio";    ///< over a/R or mu a/R
-inline constexpr const char* shift_ratio = "shift_ratio";          ///< over all slipping
-inline constexpr const char* increment_ratio = "increment_ratio";  ///< the same
-inline constexpr const char* stiffness_ratio = "stiffness_ratio";  ///< over 4 G a
-inline constexpr const char* von_mises_ratio = "von_mises_ratio";  ///< over p0
+inline constexpr const char* stick_ratio = "stick_ratio";                  ///< c/a
+inline constexpr const char* settled_shift_ratio = "settled_shift_ratio";  ///< over all slipping
+inline constexpr const char* creepage_ratio = "creepage_ratio";            ///< over a/R or mu a/R
+inline constexpr const char* shift_ratio = "shift_ratio";                  ///< over all slipping
+inline constexpr const char* increment_ratio = "increment_ratio";          ///< the same
+inline constexpr const char* stiffness_ratio = "stiffness_ratio";          ///< over 4 G a
+inline constexpr const char* von_mises_ratio = "von_mises_ratio";          ///< over p0
 inline constexpr const char* von_mises_depth_ratio = "von_mises_depth_ratio";  ///< over a
 inline constexpr const char* c11 = "c11";                                      ///< Kalker's
 inline constexpr const char* c22 = "c22";
