@@ -4,7 +4,6 @@
 
 #include <cmath>
 #include <numbers>
-#include <utility>
 
 #include "contact/base/error.h"
 #include "contact/base/root.h"
@@ -198,14 +197,10 @@ std::vector<double> radial_pressures(const Case& c, const HalfSpaceScales& s) {
         for (int k = 0; k <= pieces; ++k) values.push_back(s.peak_pressure * k / pieces);
         return values;
     }
-    const auto radial = RadialBound::of(pieces);
     const auto body = c.make_axisymmetric_indenter();
-    for (int k = 0; k <= pieces; ++k)
-        values.push_back(body->plane_profile(s.contact_radius * radial->radius(k)));
-    auto pressure =
-        radial->pressure(std::move(values), s.contact_radius, pi / 2 * body->profile_slope(0));
-    for (double& p : pressure) p *= c.materials().effective_modulus();
-    return pressure;
+    return RadialBound::of(pieces)->pressure_under(
+        [&](double x) { return body->plane_profile(x); }, s.contact_radius,
+        pi / 2 * body->profile_slope(0), c.materials().effective_modulus());
 }
 
 /// Of the traction tau(p) over p: the centre's displacement, and the force. On a circle, and an

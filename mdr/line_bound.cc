@@ -36,10 +36,8 @@ const LineBound::Table& LineBound::table(const PlaneProfile& profile, int depth_
     Table& one = tables_[depth_class];
     if (!one.empty()) return one;
     const double a = profile.half_width(depth_of(depth_class));
-    std::vector<double> heights;
-    for (int k = 0; k <= pieces; ++k) heights.push_back(profile.value(a * radial_->radius(k)));
-    std::vector<double> pressure = radial_->pressure(std::move(heights), a, tip_slope(profile, a));
-    for (double& p : pressure) p *= effective_modulus_;
+    std::vector<double> pressure = radial_->pressure_under(
+        [&](double x) { return profile.value(x); }, a, tip_slope(profile, a), effective_modulus_);
     one = radial_->line(contact::bounds_inside(*law_, std::move(pressure)), 1);
     for (double& bound : one) bound /= effective_shear_modulus_;
     return one;

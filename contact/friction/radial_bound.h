@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "contact/friction/friction_law.h"
@@ -25,6 +26,16 @@ class RadialBound {
     /// x^2, else of the order n^-3/2. `tip_slope`: g'(0) [-] of a conical tip, where p is infinite:
     /// its value there is such that its piece carries what it should.
     std::vector<double> pressure(std::vector<double> profile, double a, double tip_slope = 0) const;
+    /// The same [Pa] of a body's plane profile g and an E* [Pa].
+    template <class Profile>
+    std::vector<double> pressure_under(const Profile& g, double a, double tip_slope,
+                                       double effective_modulus) const {
+        std::vector<double> heights;
+        for (int k = 0; k <= n_; ++k) heights.push_back(g(a * radius(k)));
+        std::vector<double> p = pressure(std::move(heights), a, tip_slope);
+        for (double& one : p) one *= effective_modulus;
+        return p;
+    }
     /// b(r_k) [N/m] of tau(r_k) [Pa], tau linear in y between them; the value at k = 0 is the limit
     /// from inside.
     std::vector<double> line(std::span<const double> bound, double a) const;

@@ -27,12 +27,9 @@ BedUnderLaw::BedUnderLaw(const contact::Case& c) {
     const auto radial = contact::RadialBound::of(table_pieces);
     const auto body = c.make_axisymmetric_indenter();
     const double a = contact::half_space_scales(c).contact_radius;
-    std::vector<double> heights;
-    for (int k = 0; k <= table_pieces; ++k)
-        heights.push_back(body->plane_profile(a * radial->radius(k)));
-    std::vector<double> pressure =
-        radial->pressure(std::move(heights), a, std::numbers::pi / 2 * body->profile_slope(0));
-    for (double& p : pressure) p *= c.materials().effective_modulus();
+    std::vector<double> pressure = radial->pressure_under(
+        [&](double x) { return body->plane_profile(x); }, a,
+        std::numbers::pi / 2 * body->profile_slope(0), c.materials().effective_modulus());
     bound_ = radial->line(contact::bounds_inside(*c.friction.law(), std::move(pressure)), a);
     const double centre = bound_.back();
     for (double& b : bound_) b /= centre;
