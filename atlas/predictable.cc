@@ -24,6 +24,7 @@ std::string what_is_not_mapped(const Case& c) {
     if (c.law != Case::Law::linear) return "finite strains";
     if (!comparisons::constant_loads(c)) return "oscillating loads";
     if (!c.friction.is_coulomb()) return "laws of friction other than Coulomb's";
+    if (c.interface.is_elastic()) return "interfaces with springs";
     if (c.friction_coefficient() <= 0) return "contacts without friction";
     return "";
 }

@@ -268,37 +268,44 @@ bool is_coupled(const contact::MaterialPair& materials) {
 }
 
 std::unique_ptr<GridCompliance> half_space_compliance(const contact::MaterialPair& materials,
-                                                      contact::ContactPoints grid, int n_threads) {
+                                                      contact::ContactPoints grid, int n_threads,
+                                                      const contact::Interface& interface) {
     const RectangleInfluence cell(materials, grid.spacing[0], grid.spacing[1]);
-    return std::make_unique<GridCompliance>([cell](double x, double y) { return cell.at(x, y); },
-                                            std::move(grid), is_coupled(materials), n_threads);
+    return std::make_unique<GridCompliance>(
+        on_interface([cell](double x, double y) { return cell.at(x, y); }, interface),
+        std::move(grid), is_coupled(materials), n_threads);
 }
 
 std::unique_ptr<GridCompliance> layer_compliance(const theory::LayerStack& layers,
                                                  const std::optional<contact::Material>& indenter,
-                                                 contact::ContactPoints grid, int n_threads) {
+                                                 contact::ContactPoints grid, int n_threads,
+                                                 const contact::Interface& interface) {
     const auto cell = std::make_shared<const LayerInfluence>(
         layers, indenter, grid.spacing[0], grid.spacing[1],
         std::hypot(positions(grid.n_x) * grid.spacing[0],
                    positions(all_rows(grid, grid.n_y)) * grid.spacing[1]));
-    return std::make_unique<GridCompliance>([cell](double x, double y) { return cell->at(x, y); },
-                                            std::move(grid), true, n_threads);
+    return std::make_unique<GridCompliance>(
+        on_interface([cell](double x, double y) { return cell->at(x, y); }, interface),
+        std::move(grid), true, n_threads);
 }
 
 std::unique_ptr<GridCompliance> plane_layer_compliance(
     const theory::LayerStack& layers, const std::optional<contact::Material>& indenter,
-    contact::ContactPoints grid, int n_threads) {
+    contact::ContactPoints grid, int n_threads, const contact::Interface& interface) {
     const auto strip = std::make_shared<const PlaneLayerInfluence>(
         layers, indenter, grid.spacing[0], grid.spacing[1], positions(grid.n_x) * grid.spacing[0]);
     // Beside the only row there is nothing.
     return std::make_unique<GridCompliance>(
-        [strip](double x, double y) { return y == 0 ? strip->at(x) : InfluenceCoefficients{}; },
+        on_interface(
+            [strip](double x, double y) { return y == 0 ? strip->at(x) : InfluenceCoefficients{}; },
+            interface),
         std::move(grid), true, n_threads);
 }
 
 std::unique_ptr<GridCompliance> tabulated_compliance(InfluenceTable table, const std::string& name,
                                                      bool coupled, contact::ContactPoints grid,
-                                                     int n_threads) {
+                                                     int n_threads,
+                                                     const contact::Interface& interface) {
     const double h = grid.spacing[0];
     check_spacing(table, name, h);
     const int n_x = grid.n_x, n_y = all_rows(grid, grid.n_y);
@@ -310,10 +317,12 @@ std::unique_ptr<GridCompliance> tabulated_compliance(InfluenceTable table, const
     const auto shared = std::make_shared<const InfluenceTable>(std::move(table));
     return std::make_unique<GridCompliance>(
         // Farther than the cells lie apart are positions of the padding alone, which nothing reads.
-        [shared, h](double x, double y) {
-            return shared->at(std::min(static_cast<int>(std::lround(x / h)), shared->n_x - 1),
-                              std::min(static_cast<int>(std::lround(y / h)), shared->n_y - 1));
-        },
+        on_interface(
+            [shared, h](double x, double y) {
+                return shared->at(std::min(static_cast<int>(std::lround(x / h)), shared->n_x - 1),
+                                  std::min(static_cast<int>(std::lround(y / h)), shared->n_y - 1));
+            },
+            interface),
         std::move(grid), coupled, n_threads);
 }
 

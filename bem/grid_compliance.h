@@ -97,23 +97,27 @@ class GridCompliance final : public ConvolvedCompliance {
 /// Dundurs' beta is above what changes shifts by 1e-3.
 bool is_coupled(const contact::MaterialPair& materials);
 
-/// Two elastic half-spaces, or one and a rigid body; coupled if `is_coupled`.
+/// Two elastic half-spaces, or one and a rigid body, and what is between them; coupled if
+/// `is_coupled`.
 std::unique_ptr<GridCompliance> half_space_compliance(const contact::MaterialPair& materials,
-                                                      contact::ContactPoints grid, int n_threads);
+                                                      contact::ContactPoints grid, int n_threads,
+                                                      const contact::Interface& interface = {});
 /// Layers under an elastic half-space, or (`indenter` empty) a rigid body. Throws
 /// contact::InputError.
 std::unique_ptr<GridCompliance> layer_compliance(const theory::LayerStack& layers,
                                                  const std::optional<contact::Material>& indenter,
-                                                 contact::ContactPoints grid, int n_threads);
+                                                 contact::ContactPoints grid, int n_threads,
+                                                 const contact::Interface& interface = {});
 /// The same in plane strain (see PlaneLayerInfluence): `grid` is one row of strips along x, their
 /// spacing along y is their length. Throws contact::InputError.
 std::unique_ptr<GridCompliance> plane_layer_compliance(
     const theory::LayerStack& layers, const std::optional<contact::Material>& indenter,
-    contact::ContactPoints grid, int n_threads);
+    contact::ContactPoints grid, int n_threads, const contact::Interface& interface = {});
 /// Whatever bodies have these coefficients. `name`: of their file, for messages. Throws
 /// contact::InputError if their spacing is another one or positions are missing.
 std::unique_ptr<GridCompliance> tabulated_compliance(InfluenceTable table, const std::string& name,
                                                      bool coupled, contact::ContactPoints grid,
-                                                     int n_threads);
+                                                     int n_threads,
+                                                     const contact::Interface& interface = {});
 
 }  // namespace tricontact::bem

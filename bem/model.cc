@@ -87,15 +87,15 @@ std::unique_ptr<GridCompliance> grid_compliance(const contact::Case& c, Body bod
         return tabulated_compliance(
             *table, *c.of<Settings>().influence,
             body == Body::layer || is_coupled(c.materials()) || couples(*table), std::move(grid),
-            n_threads);
+            n_threads, c.interface);
     const InteriorView view = view_of(c, body, grid.spacing[0], n_threads);
     const auto& indenter = c.indenter.material;
     auto compliance =
-        view.body.plane_strain
-            ? plane_layer_compliance(*view.body.layers, indenter, std::move(grid), n_threads)
+        view.body.plane_strain ? plane_layer_compliance(*view.body.layers, indenter,
+                                                        std::move(grid), n_threads, c.interface)
         : body == Body::layer
-            ? layer_compliance(*view.body.layers, indenter, std::move(grid), n_threads)
-            : half_space_compliance(c.materials(), std::move(grid), n_threads);
+            ? layer_compliance(*view.body.layers, indenter, std::move(grid), n_threads, c.interface)
+            : half_space_compliance(c.materials(), std::move(grid), n_threads, c.interface);
     compliance->set_view(view);
     return compliance;
 }
@@ -170,7 +170,8 @@ MakeCompliance periodic_cells(const contact::Case& c, const contact::ContactPoin
     const double h = whole.spacing[0], period = *c.period;
     require_memory(whole, influence_bytes(whole));
     const auto table = std::make_shared<const InfluenceTable>(
-        PeriodicCompliance(theory::layers_of(contact::models::bem_layer, c), whole, n_threads)
+        PeriodicCompliance(theory::layers_of(contact::models::bem_layer, c), whole, n_threads,
+                           c.interface)
             .influence());
     return [=](contact::ContactPoints grid) {
         if (std::max(grid.n_x, grid.n_y) >= n)
@@ -195,9 +196,10 @@ std::unique_ptr<contact::Compliance> nominally_flat(const contact::Case& c, doub
     auto grid = period_grid(*c.period, spacing, false);
     require_memory(grid, predicted_bytes(c, body, Surroundings::periodic, grid));
     if (body == Body::half_space)
-        return std::make_unique<PeriodicCompliance>(c.materials(), std::move(grid), n_threads);
+        return std::make_unique<PeriodicCompliance>(c.materials(), std::move(grid), n_threads,
+                                                    c.interface);
     return std::make_unique<PeriodicCompliance>(theory::layers_of(contact::models::bem_layer, c),
-                                                std::move(grid), n_threads);
+                                                std::move(grid), n_threads, c.interface);
 }
 
 /// The compliance of another material on the same grid.
@@ -257,9 +259,12 @@ InfluenceTable case_influence(const contact::Case& c, int n_threads, Body body) 
         throw contact::InputError(
             "bem.cell_ratio: files of influence coefficients hold those of square cells; omit it");
     const double spacing = contact::cell_side(c);
-    const MakeCompliance cells = single_cells(c, n_threads, body);
-    return (contact::is_nominally_flat(c) ? under_map(c, spacing, cells, 0)
-                                          : fitting(c, spacing, cells, 0))
+    // The file is that of the bodies: who reads it adds the springs of an interface.
+    contact::Case bodies = c;
+    bodies.interface = {};
+    const MakeCompliance cells = single_cells(bodies, n_threads, body);
+    return (contact::is_nominally_flat(c) ? under_map(bodies, spacing, cells, 0)
+                                          : fitting(bodies, spacing, cells, 0))
         ->influence();
 }
 

@@ -204,23 +204,31 @@ InfluenceCoefficients PeriodicInfluence::at(int m_x, int m_y) const {
 }
 
 PeriodicCompliance::PeriodicCompliance(const theory::LayerStack& stack, contact::ContactPoints grid,
-                                       int n_threads)
+                                       int n_threads, const contact::Interface& interface)
     : PeriodicCompliance{PeriodicInfluence(stack, grid.spacing[0], grid.n_x, n_threads),
-                         std::move(grid), true, n_threads} {}
+                         std::move(grid), true, n_threads, interface} {}
 
 PeriodicCompliance::PeriodicCompliance(const contact::MaterialPair& half_spaces,
-                                       contact::ContactPoints grid, int n_threads)
+                                       contact::ContactPoints grid, int n_threads,
+                                       const contact::Interface& interface)
     : PeriodicCompliance{PeriodicInfluence(half_spaces, grid.spacing[0], grid.n_x, n_threads),
-                         std::move(grid), bem::is_coupled(half_spaces), n_threads} {}
+                         std::move(grid), bem::is_coupled(half_spaces), n_threads, interface} {}
 
 PeriodicCompliance::PeriodicCompliance(const PeriodicInfluence& influence,
-                                       contact::ContactPoints grid, bool coupled, int n_threads)
+                                       contact::ContactPoints grid, bool coupled, int n_threads,
+                                       const contact::Interface& interface)
     : ConvolvedCompliance(std::move(grid), coupled, n_threads) {
     grid_.periodic = true;
     GridConvolution convolution(grid_.n_x, grid_.n_y, grid_.n_x, grid_.n_y, n_threads_);
+    const InfluenceCoefficients springs{.xx = interface.tangential_compliance(),
+                                        .xy = 0,
+                                        .yy = interface.tangential_compliance(),
+                                        .xz = 0,
+                                        .yz = 0,
+                                        .zz = interface.normal_compliance()};
     const auto symbol = [&](double InfluenceCoefficients::*which) {
         return convolution.symbol_of_coefficients(
-            [&](int m_x, int m_y) { return influence.at(m_x, m_y).*which; });
+            [&](int m_x, int m_y) { return influence.at(m_x, m_y).*which + springs.*which; });
     };
     using K = InfluenceCoefficients;
     TangentialSymbols symbols{.tangential = {symbol(&K::xx), symbol(&K::xy), symbol(&K::yy)},

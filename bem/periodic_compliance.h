@@ -48,10 +48,11 @@ class PeriodicInfluence {
 class PeriodicCompliance final : public ConvolvedCompliance {
   public:
     /// `grid` is square and covers one period. Throws contact::InputError as PeriodicInfluence.
-    PeriodicCompliance(const theory::LayerStack& stack, contact::ContactPoints grid, int n_threads);
+    PeriodicCompliance(const theory::LayerStack& stack, contact::ContactPoints grid, int n_threads,
+                       const contact::Interface& interface = {});
 
     PeriodicCompliance(const contact::MaterialPair& half_spaces, contact::ContactPoints grid,
-                       int n_threads);
+                       int n_threads, const contact::Interface& interface = {});
 
     double local_tangential() const override { return local_tangential_; }
 
@@ -61,7 +62,7 @@ class PeriodicCompliance final : public ConvolvedCompliance {
 
   private:
     PeriodicCompliance(const PeriodicInfluence& influence, contact::ContactPoints grid,
-                       bool coupled, int n_threads);
+                       bool coupled, int n_threads, const contact::Interface& interface);
 
     double local_tangential_ = 0;
 };

@@ -8,6 +8,18 @@
 
 namespace tricontact::bem {
 
+CellInfluence on_interface(CellInfluence bodies, const contact::Interface& interface) {
+    if (!interface.is_elastic()) return bodies;
+    return [bodies = std::move(bodies), interface](double x, double y) {
+        InfluenceCoefficients k = bodies(x, y);
+        if (x != 0 || y != 0) return k;
+        k.xx += interface.tangential_compliance();
+        k.yy += interface.tangential_compliance();
+        k.zz += interface.normal_compliance();
+        return k;
+    };
+}
+
 Quadrants::Quadrants(CellInfluence influence, int columns, int rows, contact::Vector2 spacing,
                      int n_threads)
     : influence_(std::move(influence)),

@@ -7,11 +7,15 @@
 #include "bem/grid_convolution.h"
 #include "bem/influence.h"
 #include "contact/base/vector2.h"
+#include "contact/interface.h"
 
 namespace tricontact::bem {
 
 /// The coefficients of one cell at a relative position [m].
 using CellInfluence = std::function<InfluenceCoefficients(double x, double y)>;
+
+/// The same with the springs of an interface, which a cell presses on its own.
+CellInfluence on_interface(CellInfluence bodies, const contact::Interface& interface);
 
 /// Influence coefficients of cells at all relative positions of i, j >= 0 cells.
 class Quadrants {

@@ -68,9 +68,9 @@ CellInfluence layer_influence(const contact::Case& c, const contact::ContactPoin
 
 CellInfluence influence_of(const contact::Case& elastic, Body body,
                            const contact::ContactPoints& grid) {
-    if (body == Body::layer) return layer_influence(elastic, grid);
+    if (body == Body::layer) return on_interface(layer_influence(elastic, grid), elastic.interface);
     const RectangleInfluence cell(elastic.materials(), grid.spacing[0], grid.spacing[1]);
-    return [cell](double x, double y) { return cell.at(x, y); };
+    return on_interface([cell](double x, double y) { return cell.at(x, y); }, elastic.interface);
 }
 
 }  // namespace

@@ -27,6 +27,13 @@ double Case::friction_coefficient() const {
         friction.formula() + "; give friction.coefficient alone");
 }
 
+void Case::require_rigid_interface(const std::string& what) const {
+    if (interface.is_elastic())
+        throw InputError("interface: " + what +
+                         " presume surfaces that touch without springs between them; leave out "
+                         "[interface]");
+}
+
 double Case::Layer::total_thickness() const {
     double sum = *thickness;
     for (const Lower& one : lower) sum += one.thickness;
@@ -40,7 +47,7 @@ bool is_hertz_round(const Case& c) {
 }
 
 bool is_coulomb_round(const Case& c) {
-    return is_hertz_round(c) && c.friction.is_coulomb();
+    return is_hertz_round(c) && c.friction.is_coulomb() && !c.interface.is_elastic();
 }
 
 bool has_conical_tip(const Case& c) {

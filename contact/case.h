@@ -9,6 +9,7 @@
 #include "contact/bodies/indenter.h"
 #include "contact/bodies/indenter_data.h"
 #include "contact/friction/friction.h"
+#include "contact/interface.h"
 #include "contact/prescribed_path.h"
 #include "contact/solvers/contact_options.h"
 #include "contact/substrates/material.h"
@@ -117,6 +118,7 @@ struct Case {
     std::optional<double> period;          ///< of indenters and tractions along x and y [m]
     Layer layer;
     Friction friction;
+    Interface interface;
     Contact contact;
     Load load;
     std::optional<Rolling> rolling;                   ///< empty: static loading only
@@ -143,6 +145,9 @@ struct Case {
     bool is_cylindrical() const { return is_line_contact() || indenter.shape == Shape::roller; }
     /// mu [-], for what presumes Coulomb's law. Throws InputError if friction follows another.
     double friction_coefficient() const;
+    /// For what presumes a rigid interface, `what` its name: "maps", "deviations". Throws
+    /// InputError if that of the case is elastic.
+    void require_rigid_interface(const std::string& what) const;
     MaterialPair materials() const { return {indenter.material, substrate}; }
     /// With its roughness.
     std::unique_ptr<Indenter> make_indenter() const;
@@ -151,8 +156,8 @@ struct Case {
 };
 
 /// What ratios refer to: the case's body pressed without friction on the half-space. Hertz'
-/// solution for paraboloid and sphere, see half_space_scales.h for cylinder and roller,
-/// half_space_scales.h for nominally flat bodies. SI units.
+/// solution for paraboloid and sphere, its interface rigid, see half_space_scales.h for cylinder
+/// and roller, half_space_scales.h for nominally flat bodies. SI units.
 struct HalfSpaceScales {
     double contact_radius;  ///< a [m]; half width of a line contact, of an ellipse the geometric
                             ///< mean of both half axes
@@ -172,8 +177,8 @@ double expected_friction(const Case& c);
 
 /// A smooth paraboloid or sphere: what formulas with one radius R are about.
 bool is_hertz_round(const Case& c);
-/// The same under Coulomb's law of friction: what Cattaneo and Mindlin's formulas, kappa and eta
-/// are about.
+/// The same under Coulomb's law of friction on a rigid interface: what Cattaneo and Mindlin's
+/// formulas, kappa and eta are about.
 bool is_coulomb_round(const Case& c);
 /// Whether the pressure at the centre is infinite.
 bool has_conical_tip(const Case& c);

@@ -35,13 +35,14 @@ double indenter_share(const Case& c) {
 }
 
 /// Of a half-space [-]: (1 - nu)/G, nu/G and (1 - 2 nu)/G are sums of 1/G and 1/(3 K + G), to
-/// which an elastic indenter adds what it has. Layers, and what else a mesh holds: too many.
+/// which an elastic indenter or interface adds what it has. Layers, and what else a mesh holds: too
+/// many.
 std::vector<double> known_poles(const Case& c, bool is_half_space) {
     if (!is_half_space) return {};
     std::vector<double> poles{0};
     const double nu = c.substrate.poisson;
     if (bulk_stays(c)) poles.push_back(2 * (1 + nu) / (1 - 2 * nu));  // 3 K/G
-    if (c.indenter.material) poles.push_back(infinity);
+    if (c.indenter.material || c.interface.is_elastic()) poles.push_back(infinity);
     return poles;
 }
 
@@ -150,6 +151,7 @@ Unrelaxed what_stays(const Case& c) {
     if (!c.relaxation) return Unrelaxed::nothing;
     if (bulk_stays(c)) return Unrelaxed::bulk;
     if (below_stays(c)) return Unrelaxed::below;
+    if (c.interface.is_elastic()) return Unrelaxed::interface;
     return indenter_share(c) > largest_elastic_share ? Unrelaxed::indenter : Unrelaxed::nothing;
 }
 
@@ -172,6 +174,11 @@ std::optional<Relaxation> common_relaxation(const std::string& model, const Case
             "substrate.relaxation: {} has one relaxation function, which an elastic bulk below "
             "Poisson's ratio 1/2 does not leave; take another model, or bulk = \"proportional\" if "
             "the bulk relaxes alike",
+            model));
+    if (stays == Unrelaxed::interface)
+        throw InputError(fmt::format(
+            "substrate.relaxation: {} has one relaxation function, which the springs of "
+            "an [interface] do not share; take another model",
             model));
     const double share = indenter_share(c);
     throw InputError(fmt::format(

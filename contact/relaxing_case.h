@@ -61,8 +61,9 @@ class RelaxingSubstrate final : public Substrate {
 
 /// What stays elastic in a case whose substrate relaxes, the top layer: its finite bulk modulus
 /// below nu = 1/2; layers or a half-space below whose plane-strain compliance (1 - nu^2)/E is more
-/// than 1e-3 of its own; an indenter with more than 1e-3 of the compliance.
-enum class Unrelaxed { nothing, bulk, below, indenter };
+/// than 1e-3 of its own; an indenter with more than 1e-3 of the compliance; the springs of an
+/// elastic interface.
+enum class Unrelaxed { nothing, bulk, below, indenter, interface };
 Unrelaxed what_stays(const Case& c);
 
 /// The relaxation multiplies all the stiffness, or nothing relaxes.

@@ -79,6 +79,7 @@ struct SequenceWriter {
     std::string text_ = {};
 
     std::string write() {
+        case_.require_rigid_interface("inputs of CONTACT");
         const auto steps = sequence_of(case_, is_coupled_);
         text_ = fmt::format(
             "% {}\n% Body 1 is the indenter, body 2 the substrate; mm, N, N/mm^2. {} cases.\n",

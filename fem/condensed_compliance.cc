@@ -26,26 +26,49 @@ using contact::TangentialField;
 namespace {
 
 /// E*/G* of the layer under the rigid indenter; in a plane the two are one.
-double local_ratio(const LayerProblem& problem) {
+double elastic_ratio(const LayerProblem& problem) {
     if (problem.line_length > 0) return 1;
     const contact::MaterialPair pair({}, problem.materials.front());
     return pair.effective_modulus() / pair.effective_shear_modulus();
 }
 
-contact::ContactPoints points_of(const CondensedLayer& layer, const LayerProblem& problem) {
+/// Mean displacement into the layer of a node under unit traction on its own area [m/Pa].
+double local_normal(const CondensedLayer& layer) {
+    const std::size_t n = layer.points.size();
+    double sum = 0;
+    for (std::size_t i = 2 * n; i < 3 * n; ++i)
+        sum += layer.compliance[i * 3 * n + i] * layer.points.area[i - 2 * n];
+    return modelled_part(layer.points) * sum / static_cast<double>(n);
+}
+
+contact::ContactPoints points_of(const CondensedLayer& layer, const LayerProblem& problem,
+                                 const contact::Interface& interface) {
     contact::ContactPoints points = layer.points;
     points.line_length = problem.line_length;
-    points.local_ratio = local_ratio(problem);
+    points.local_ratio = elastic_ratio(problem);
+    if (interface.is_elastic()) {
+        const double down = local_normal(layer);
+        points.local_ratio = (points.local_ratio * down + interface.tangential_compliance()) /
+                             (down + interface.normal_compliance());
+    }
     return points;
 }
 
-/// From z out of the substrate to z into it, and from forces on the modelled part to all.
-std::vector<double> seen_from_the_indenter(CondensedLayer& layer) {
+/// From z out of the substrate to z into it, and from forces on the modelled part to all; with the
+/// springs of the interface. What a plane of symmetry holds stays where it is.
+std::vector<double> seen_from_the_indenter(CondensedLayer& layer,
+                                           const contact::Interface& interface) {
     const double part = modelled_part(layer.points);
     const std::size_t n = layer.missing_reaction[0].size();
     for (std::size_t c = 0; c < n; ++c)
         for (std::size_t r = 0; r < n; ++r)
             layer.compliance[c * n + r] *= (c < n / 3 * 2) == (r < n / 3 * 2) ? part : -part;
+    for (std::size_t i = 0; interface.is_elastic() && i < n; ++i) {
+        double& own = layer.compliance[i * n + i];
+        const double springs =
+            i < n / 3 * 2 ? interface.tangential_compliance() : interface.normal_compliance();
+        if (own > 0) own += springs / layer.points.area[i % (n / 3)];
+    }
     return std::move(layer.compliance);
 }
 
@@ -57,8 +80,14 @@ struct CondensedCompliance::SurfaceMass {
 };
 
 CondensedCompliance::CondensedCompliance(std::shared_ptr<const LayerProblem> problem,
-                                         CondensedLayer layer)
-    : DenseCompliance(points_of(layer, *problem), seen_from_the_indenter(layer)),
+                                         CondensedLayer layer, const contact::Interface& interface)
+    : CondensedCompliance(problem, points_of(layer, *problem, interface), std::move(layer),
+                          interface) {}
+
+CondensedCompliance::CondensedCompliance(std::shared_ptr<const LayerProblem> problem,
+                                         contact::ContactPoints points, CondensedLayer&& layer,
+                                         const contact::Interface& interface)
+    : DenseCompliance(std::move(points), seen_from_the_indenter(layer, interface)),
       problem_(std::move(problem)),
       mass_(std::move(layer.contact_mass)),
       missing_reaction_(std::move(layer.missing_reaction)) {}

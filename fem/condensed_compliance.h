@@ -14,7 +14,9 @@ namespace tricontact::fem {
 class CondensedCompliance final : public DenseCompliance {
   public:
     /// `layer` is the condensation of `problem`, which is kept for interior().
-    CondensedCompliance(std::shared_ptr<const LayerProblem> problem, CondensedLayer layer);
+    /// `interface`: springs of each point, with its area.
+    CondensedCompliance(std::shared_ptr<const LayerProblem> problem, CondensedLayer layer,
+                        const contact::Interface& interface = {});
     ~CondensedCompliance() override;
 
     std::vector<double> consistent_traction(std::span<const double> t,
@@ -30,6 +32,9 @@ class CondensedCompliance final : public DenseCompliance {
     const CorrectedBody& corrected() const;
 
   private:
+    CondensedCompliance(std::shared_ptr<const LayerProblem> problem, contact::ContactPoints points,
+                        CondensedLayer&& layer, const contact::Interface& interface);
+
     struct SurfaceMass;  // factors of the contact patch's mass
 
     std::shared_ptr<const LayerProblem> problem_;

@@ -88,7 +88,7 @@ double creepage_unit(const Case& c) {
 }
 
 std::vector<CreepTheory> creep_theories(const Case& c) {
-    if (c.relaxation || !free_creepages(c).empty()) return {};
+    if (c.relaxation || c.interface.is_elastic() || !free_creepages(c).empty()) return {};
     if (c.is_line_contact()) return {carter(creepage_unit(c))};
     const bool ellipse = c.indenter.shape == Case::Shape::ellipsoid;
     if (!contact::is_hertz_round(c) && !ellipse) return {};
@@ -115,7 +115,7 @@ std::vector<CreepTheory> creep_theories(const Case& c) {
 }
 
 bool has_thesis_creep_ratio(const Case& c) {
-    return contact::is_hertz_round(c) && straight(c) && !c.relaxation &&
+    return contact::is_coulomb_round(c) && straight(c) && !c.relaxation &&
            !comparisons::couples(c, contact::models::bem);
 }
 
@@ -127,7 +127,7 @@ double thesis_creep_ratio(const Case& c) {
 std::vector<ClosedForm> free_creepages(const Case& c) {
     const double beta = c.materials().dundurs_beta();
     if (!c.is_line_contact() || !rolls_freely(c) ||
-        !comparisons::couples(c, contact::models::bem) || c.relaxation)
+        !comparisons::couples(c, contact::models::bem) || c.relaxation || c.interface.is_elastic())
         return {};
     const double slope = contact::half_space_scales(c).contact_radius / c.indenter.radius;
     return {{"Bentall and Johnson, all sticks", "bentall_johnson_rough",
@@ -137,7 +137,7 @@ std::vector<ClosedForm> free_creepages(const Case& c) {
 }
 
 std::vector<ClosedForm> resistance_theories(const Case& c) {
-    if (!c.relaxation || !is_parabolic(c.indenter.shape)) return {};
+    if (!c.relaxation || c.interface.is_elastic() || !is_parabolic(c.indenter.shape)) return {};
     std::vector<ClosedForm> theories;
     if (contact::relaxes_as_one(c))
         theories.push_back({"slow rolling", "slow",

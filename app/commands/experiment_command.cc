@@ -33,6 +33,9 @@ void evaluate_records(CommandOptions options) {
     options.choose_folder();
     const experiments::ExperimentInput input =
         experiments::read_experiment(options.file, options.overrides);
+    if (input.case_file)
+        io::read_case(*input.case_file, options.overrides)
+            .require_rigid_interface("predictions of records");
     experiments::ExperimentEvaluation evaluation =
         experiments::evaluate_experiment(input.experiment);
     report::Document document;

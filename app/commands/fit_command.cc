@@ -39,6 +39,7 @@ void require_constant_rolling(const FitOptions& options, const Case& c) {
         options.refuse(
             "kappa and eta are those of Coulomb's law of friction; give friction.coefficient "
             "alone");
+    c.require_rigid_interface("kappa and eta");
     if (!contact::is_hertz_round(c) && !c.is_line_contact())
         options.refuse(
             "kappa and eta are those of a paraboloid or sphere, the line contact's figures "

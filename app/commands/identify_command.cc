@@ -55,6 +55,7 @@ void print(const IdentificationStudy& study, std::ostream& out) {
 void identify_properties(IdentifyOptions options) {
     const IdentificationInput input =
         experiments::read_identification(options.file, options.overrides);
+    input.rig.require_rigid_interface("identified properties");
     experiments::check_lengths_scale(input);
     options.choose_folder();
     IdentificationStudy study;

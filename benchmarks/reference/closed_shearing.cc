@@ -42,6 +42,7 @@ std::map<std::string, double> closed_scalars(const Case& c) {
 void take_closed_shearing(Reference& reference) {
     const Case& c = reference.c;
     if (c.layer.thickness || c.rolling || c.prescribed_path || !is_uncoupled(c)) return;
+    if (c.interface.is_elastic()) return;
     const auto closed = closed_scalars(c);
     if (closed.empty()) return;
     if (c.is_line_contact() || c.materials().nu_over_g() == 0) {

@@ -16,7 +16,7 @@ using std::numbers::pi;
 
 /// A round body pressed and then twisted about its axis, nothing else.
 bool is_twisted_once(const Case& c) {
-    if (!c.prescribed_path || c.layer.thickness || !contact::is_hertz_round(c)) return false;
+    if (!c.prescribed_path || c.layer.thickness || !contact::is_coulomb_round(c)) return false;
     const contact::PrescribedPath& path = *c.prescribed_path;
     if (path.rows.size() != 2 || path.starts_unloaded() || path.loads_across()) return false;
     const auto &first = path.rows.front(), &last = path.rows.back();

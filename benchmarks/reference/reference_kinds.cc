@@ -101,11 +101,12 @@ bool is_frictionless(const Case& c) {
 
 bool has_exact_radial_contact(const Case& c) {
     if (c.is_cylindrical() || c.indenter.shape == Case::Shape::ellipsoid) return false;
+    if (c.interface.is_elastic()) return false;
     return !c.layer.thickness || comparisons::why_no_exact_theory(c).empty();
 }
 
 bool has_exact_line_contact(const Case& c) {
-    return c.is_line_contact() &&
+    return c.is_line_contact() && !c.interface.is_elastic() &&
            (!c.layer.thickness || comparisons::why_no_exact_theory(c).empty());
 }
 

@@ -31,6 +31,7 @@ void require_finite_strains(const Case& c) {
     if (!c.friction.is_coulomb())
         throw contact::InputError(
             "friction: deviations are those under Coulomb's law; give friction.coefficient alone");
+    c.require_rigid_interface("finite strains");
     if (!contact::is_hertz_round(c))
         throw contact::InputError(
             "indenter.shape: at finite strains fem computes smooth paraboloids and spheres; take "

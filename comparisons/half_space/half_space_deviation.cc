@@ -37,6 +37,7 @@ void check(const Case& c) {
     if (!c.friction.is_coulomb())
         throw contact::InputError(
             "friction: deviations are those under Coulomb's law; give friction.coefficient alone");
+    c.require_rigid_interface("deviations from Hertz' contact");
     if (!contact::is_hertz_round(c))
         throw contact::InputError(
             "indenter.shape: deviations are those from Hertz' contact; take a paraboloid or a "

@@ -111,6 +111,8 @@ std::string why_no_exact_theory(const Case& c) {
     if (!c.layer.lower.empty()) return "the exact theory covers one layer, the case has more";
     if (c.layer.base == Case::Base::half_space)
         return "the exact theory covers a rigid ground, that of the case is elastic";
+    if (c.interface.is_elastic())
+        return "the exact theory takes the interface as rigid, that of the case has springs";
     if (c.period) return "the exact theory covers one indenter, the case has one in each period";
     if (c.of<bem::Settings>().influence)
         return "the influence coefficients of the case come from a file";

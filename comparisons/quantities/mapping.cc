@@ -29,6 +29,7 @@ bool follows_period(const contact::Case& c) {
 
 std::string why_no_kappa(const contact::Case& c, const Results& r) {
     if (!c.friction.is_coulomb()) return "the map is that of Coulomb's law of friction";
+    if (c.interface.is_elastic()) return "the map is that of a rigid interface";
     if (!contact::is_hertz_round(c))
         return "the map is that of a smooth paraboloid or sphere, (1 - u)^(3/2) being theirs";
     if (!constant_loads(c)) return "the loads oscillate";

@@ -66,12 +66,12 @@ void add_point_contact(const contact::Case& c, Reference& r) {
 
 /// f_T of a load that is said by the limit; NaN where theory has none.
 double ratio_by_limit(const contact::Case& c, double amplitude_ratio) {
-    const std::optional<double> limit = !in_unit_range(amplitude_ratio) ? std::nullopt
-                                        : c.is_cylindrical() && c.friction.is_coulomb()
-                                            ? theory::line_shakedown_limit(amplitude_ratio)
-                                        : theory::has_body_theory(c)
-                                            ? theory::shakedown_limit(c, amplitude_ratio)
-                                            : std::nullopt;
+    const std::optional<double> limit =
+        !in_unit_range(amplitude_ratio) ? std::nullopt
+        : c.is_cylindrical() && c.friction.is_coulomb() && !c.interface.is_elastic()
+            ? theory::line_shakedown_limit(amplitude_ratio)
+        : theory::has_body_theory(c) ? theory::shakedown_limit(c, amplitude_ratio)
+                                     : std::nullopt;
     return c.load.ratio_by_limit(limit.value_or(std::numeric_limits<double>::quiet_NaN()));
 }
 
@@ -90,7 +90,7 @@ Reference reference(const contact::Case& c) {
     r.has_mapping = contact::is_coulomb_round(c);
     if (contact::pressure_falls(c) && !contact::has_conical_tip(c))
         r.peak_pressure = r.hertz.peak_pressure;
-    if (!in_unit_range(r.tangential_ratio)) return r;
+    if (!in_unit_range(r.tangential_ratio) || c.interface.is_elastic()) return r;
     if (c.is_cylindrical())
         add_line_contact(c, r);
     else

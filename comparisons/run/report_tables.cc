@@ -19,7 +19,11 @@ constexpr int most_open_periods = 12;  // longer tables start folded
 std::string results_note(const contact::Case& c, bool several_models,
                          const std::optional<NumericalError>& error) {
     std::string text = "Ratios u are over each model's own U_max. ";
-    if (!c.friction.is_coulomb())
+    if (c.interface.is_elastic())
+        text +=
+            "The theory column is frictionless contact on the half-space without the springs of "
+            "the interface (pressed); under friction no closed form has them.";
+    else if (!c.friction.is_coulomb())
         text +=
             "The theory column is frictionless contact on the half-space (pressed) and, where the "
             "body is one of revolution, what springs carry under this law of friction (static "
@@ -63,7 +67,7 @@ std::string rolling_note(const contact::Case& c) {
     text += "Ratcheting slope η: Δu/(w − w_lim) with the last period's Δu and ";
     text += round ? "1 − 3/2 w_lim + 1/2 w_lim^3 = f_T" : "the half-space's limit w_lim at f_T";
     text += "; only while ratcheting.";
-    if (c.is_cylindrical() && c.friction.is_coulomb())
+    if (c.is_cylindrical() && c.friction.is_coulomb() && !c.interface.is_elastic())
         text +=
             " W_0: frictional work of one cycle of a tangential force oscillating between ±f_T "
             "μF_N in line contact, μ^2 2 F_N^2/(πE*L) [f (2 − f) + 2 (1 − f) ln(1 − f)].";

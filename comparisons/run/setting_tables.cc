@@ -136,6 +136,8 @@ void add_bodies(const Case& c, Settings& settings) {
         settings.add("friction coefficient μ", c.friction_coefficient());
     else
         settings.add("friction, a point carries at most", c.friction.formula());
+    settings.add("interface, normal stiffness k_n", c.interface.normal_stiffness, "Pa/m");
+    settings.add("interface, tangential stiffness k_t", c.interface.tangential_stiffness, "Pa/m");
 }
 
 void add_oscillation(const std::string& what, double ratio, double phase, Settings& settings) {

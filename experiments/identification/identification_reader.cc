@@ -36,8 +36,8 @@ bool is_section_of_models(std::string_view section) {
 /// Keys of a case that describe a rig; loads along the surface and rolling are not in what was
 /// measured.
 bool describes_rig(std::string_view path) {
-    constexpr std::array<std::string_view, 6> sections{"indenter", "substrate", "lower_layer",
-                                                       "ground",   "friction",  "contact"};
+    constexpr std::array<std::string_view, 7> sections{
+        "indenter", "substrate", "lower_layer", "ground", "friction", "interface", "contact"};
     constexpr std::array<std::string_view, 4> others{"title", "load.normal_force", "load.press",
                                                      "load.press_steps"};
     const auto top = path.substr(0, path.find('.'));

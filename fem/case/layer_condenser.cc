@@ -39,7 +39,8 @@ std::unique_ptr<CondensedCompliance> LayerCondenser::make(meshes::HexMesh mesh) 
     const std::string key = LayerCache::key(*problem);
     const auto compliance_of = [&](CondensedLayer layer) {
         return std::make_unique<CondensedCompliance>(
-            problem, case_.is_line_contact() ? contact_line(layer) : std::move(layer));
+            problem, case_.is_line_contact() ? contact_line(layer) : std::move(layer),
+            case_.interface);
     };
     LayerCache::Claim claim = cache_.claim(
         key, [&] { say("another process condenses this layer, which is waited for"); });

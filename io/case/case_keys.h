@@ -38,7 +38,7 @@ enum KeyGroup {
 std::vector<CaseKey> indenter_keys();    // and [indenter.roughness]
 std::vector<CaseKey> substrate_keys();   // and [lower_layer], [ground]
 std::vector<CaseKey> relaxation_keys();  // [substrate.relaxation]
-std::vector<CaseKey> contact_keys();     // and [friction]
+std::vector<CaseKey> contact_keys();     // [friction], [interface], [contact]
 std::vector<CaseKey> load_keys();
 std::vector<CaseKey> rolling_keys();
 std::vector<CaseKey> tractive_keys();

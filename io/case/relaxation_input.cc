@@ -179,6 +179,9 @@ void refuse_for_mdr(const std::string& model, contact::Unrelaxed stays, bool gro
                 "1e-3 of the compliance or more is then the indenter's, which does not relax" + but,
                 "leave the model out, or omit young and poisson of the indenter to take it as "
                 "rigid");
+        case contact::Unrelaxed::interface:
+            refuse(document, "interface", "the springs of the interface do not relax" + but,
+                   "leave the model out");
     }
 }
 

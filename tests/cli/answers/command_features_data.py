@@ -98,6 +98,8 @@ features = [
             "friction|Coulomb", {}, {"friction.pressure_exponent": "0.7", "friction.reference_pressure": '"0.1 MPa"'}),
     feature("friction up to a limit", "friction.strength_limit", "friction|Coulomb", {},
             {"friction.strength_limit": '"0.1 MPa"'}),
+    feature("springs of the interface", "interface.normal_stiffness interface.tangential_stiffness", "interface", {},
+            {"interface.normal_stiffness": '"20 MPa/mm"', "interface.tangential_stiffness": '"10 MPa/mm"'}),
     feature("layer", "substrate.thickness substrate.thickness_ratio", "substrate.thickness|layer",
             {"substrate.thickness": '"8 mm"'}, {"substrate.thickness": '"7 mm"'}),
     feature("base that glides", "substrate.base", "substrate.base|base|substrate.thickness: ", layer,

@@ -1,0 +1,113 @@
+#!/usr/bin/env bash
+# Springs between the surfaces: models beside each other, what a penalty is, refusals, pages.
+# usage: elastic_interface.sh PROGRAM SOURCE_DIR
+source "$(dirname -- "${BASH_SOURCE[0]}")/../prepare.bash"
+foreign=$source_dir/tests/benchmarks/foreign
+
+# value MODEL KEY FILE: of a summary.
+value() {
+    "$python" -c "import json; print(json.load(open('$3'))['models']['$1']['$2'])"
+}
+# near VALUE EXPECTED TOLERANCE WHAT
+near() {
+    awk -v a="$1" -v b="$2" -v t="$3" 'BEGIN { exit !(a / b - 1 <= t && 1 - a / b <= t) }' ||
+        complain "$4: $1 instead of $2, allowed $3"
+}
+
+cat >springs.toml <<'TOML'
+title = "springs"
+models = ["bem-layer", "fem"]
+[indenter]
+radius = "40 mm"
+[substrate]
+young = "5.2 MPa"
+poisson = 0.5
+thickness = "4 mm"
+[friction]
+coefficient = 0.4
+[interface]
+normal_stiffness = "5 MPa/mm"
+tangential_stiffness = "3 MPa/mm"
+[load]
+normal_force = "20 N"
+tangential_ratio = 0.3
+[rolling]
+amplitude_ratio = 0.15
+periods = 6
+steps = "turning-points"
+[fem]
+size = "0.5 mm"
+TOML
+
+# 1. Two models of a layer: both have 1e-3 of their own meshes.
+"$program" run springs.toml --quiet --no-studies --output run || complain "the case does not run"
+for key in indentation_m contact_radius_m static_shift_m settled_shift_m limit_tangential_ratio; do
+    near "$(value fem $key run/summary.json)" "$(value bem-layer $key run/summary.json)" 2e-3 "$key of fem"
+done
+# The springs matter: without them the same shift is less.
+"$program" run springs.toml --models bem-layer --set "interface.normal_stiffness=5000 MPa/mm" \
+    --set "interface.tangential_stiffness=5000 MPa/mm" --quiet --no-studies --output stiff
+awk -v a="$(value bem-layer static_shift_m run/summary.json)" \
+    -v b="$(value bem-layer static_shift_m stiff/summary.json)" 'BEGIN { exit !(a > 1.05 * b) }' ||
+    complain "springs of 3 MPa/mm change no shift"
+grep -q "tangential stiffness" run/report.html || complain "the page does not say the springs"
+for rigid in "Cattaneo" "1 − 3/2 w" "a rigid interface,"; do
+    grep -qF -- "$rigid" run/report.html && complain "the page speaks of $rigid"
+done
+[ "$(value bem-layer kappa run/summary.json)" = None ] || complain "a kappa of an elastic interface"
+
+# 2. A penalty is the problem's own: FreeFem++ with 260 MPa/mm is -0.40 % off a rigid interface and
+# within 0.1 % of these springs. 26 and 2600 MPa/mm: its -4.03 and -0.031 % of the exact 16.48962 N.
+cat >pressed.toml <<'TOML'
+title = "a rigid paraboloid pressed on a bonded layer, frictionless"
+models = ["bem-layer"]
+[indenter]
+radius = "40 mm"
+[substrate]
+young = "5.2 MPa"
+poisson = 0.3
+thickness = "8 mm"
+[friction]
+coefficient = 0.57
+[contact]
+coupling = false
+[interface]
+normal_stiffness = "260 MPa/mm"
+[load]
+indentation = "0.35 mm"
+tangential_ratio = 0.0
+[bem]
+cells_per_radius = 40
+TOML
+"$program" benchmark compare --case pressed.toml "$foreign"/freefem_p2_{1,0.5,0.25}.csv --tolerance 0.01 \
+    --output compared --quiet >compared.txt || complain "the comparison fails"
+"$python" - <<'PYTHON' || complain "a penalty is not the problem's own"
+import json
+force = json.load(open("compared/comparison.json"))["quantities"]["normal_force"]
+assert force["verdict"] == "pass" and abs(force["difference"]) < 1e-3, force
+PYTHON
+for pair in 26:-0.0403 2600:-0.00031; do
+    "$program" run pressed.toml --set "interface.normal_stiffness=${pair%:*} MPa/mm" --quiet --no-studies \
+        --output "k${pair%:*}"
+    near "$(value bem-layer normal_force_N "k${pair%:*}/summary.json")" \
+        "$(awk -v x="${pair#*:}" 'BEGIN { print 16.48962 * (1 + x) }')" 1e-3 "penalty of ${pair%:*} MPa/mm"
+done
+
+# 3. Refused by name, before anything is computed.
+refuses() { # WORDS COMMAND...
+    local words=$1
+    shift
+    "$program" "$@" >said.txt 2>&1
+    [ $? = 2 ] || complain "$*: not refused"
+    grep -q "interface" said.txt && grep -q -- "$words" said.txt || complain "$*: $(cat said.txt)"
+}
+refuses "springs of mdr;" run springs.toml --models mdr --output no
+refuses "springs of mdr-layer;" run springs.toml --models mdr-layer --output no
+refuses "finite strains" run springs.toml --models fem --set substrate.material=neo-hookean --output no
+refuses "deviations" deviation springs.toml --output no
+refuses "rigs" rig springs.toml --output no
+refuses "CONTACT" contact export springs.toml --models bem-layer --output no
+refuses "no atlas" predict springs.toml
+refuses "greater than 0" check springs.toml --set "interface.normal_stiffness=0 Pa/m"
+[ -e no ] && complain "a refused command has written"
+finish
