@@ -185,6 +185,7 @@ double path_direction(const Case& c) {
 }
 
 bool is_mirror_symmetric(const Case& c) {
+    if (c.friction.map && c.friction.map->varies_along_y()) return false;
     if (c.prescribed_path) return c.prescribed_path->is_along_x();
     return !c.rolling || std::abs(std::sin(c.rolling->angle)) < 1e-12;
 }

@@ -117,7 +117,7 @@ void SurfaceModel::update_slip(const StepStart& before) {
 double SurfaceModel::limit_tangential_ratio() const {
     const auto& area = points().area;
     std::vector<double> bound(least_pressure_.size());
-    friction_->bounds({least_pressure_}, bound);
+    friction_->bounds({least_pressure_, points().x, points().y}, bound);
     const auto least = blocks(bound.size()).sum_points<Sums<2>>([&](Sums<2>& sum, std::size_t i) {
         sum[0] += area[i] * least_pressure_[i];
         sum[1] += area[i] * bound[i];

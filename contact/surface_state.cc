@@ -35,8 +35,10 @@ Scales SurfaceModel::scales() const {
     const double sliding_force =
         all.sum<double>([&](std::size_t, std::size_t begin, std::size_t end) {
             const std::size_t n = end - begin;
-            friction_->bounds({std::span(now().normal->pressure).subspan(begin, n)},
-                              std::span(sliding.x).subspan(begin, n));
+            friction_->bounds(
+                {std::span(now().normal->pressure).subspan(begin, n),
+                 std::span(points.x).subspan(begin, n), std::span(points.y).subspan(begin, n)},
+                std::span(sliding.x).subspan(begin, n));
             double sum = 0;
             for (std::size_t i = begin; i < end; ++i) sum += points.area[i] * sliding.x[i];
             return sum;

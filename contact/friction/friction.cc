@@ -50,6 +50,23 @@ class PressureLaw final : public FrictionLaw {
     double factor_;  // mu p_r^(1-n)
 };
 
+/// The bound of another law times what a map has where the point lies.
+class MappedLaw final : public FrictionLaw {
+  public:
+    MappedLaw(std::shared_ptr<const FrictionLaw> law, std::shared_ptr<const FrictionMap> map)
+        : law_(std::move(law)), map_(std::move(map)) {}
+
+    void bounds(const Points& points, std::span<double> bound) const override {
+        law_->bounds(points, bound);
+        for (std::size_t i = 0; i < points.x.size(); ++i)
+            if (bound[i] > 0) bound[i] *= map_->at(points.x[i], points.y[i]);
+    }
+
+  private:
+    std::shared_ptr<const FrictionLaw> law_;
+    std::shared_ptr<const FrictionMap> map_;
+};
+
 std::string pressure_text(double pressure) {
     return pressure >= 1e6   ? fmt::format("{:.4g} MPa", pressure / 1e6)
            : pressure >= 1e3 ? fmt::format("{:.4g} kPa", pressure / 1e3)
@@ -59,6 +76,11 @@ std::string pressure_text(double pressure) {
 }  // namespace
 
 std::shared_ptr<const FrictionLaw> Friction::law() const {
+    if (map) {
+        Friction all_over = *this;
+        all_over.map = nullptr;
+        return std::make_shared<MappedLaw>(all_over.law(), map);
+    }
     if (is_coulomb()) return std::make_shared<Coulomb>(coefficient.value_or(0));
     return std::make_shared<PressureLaw>(*this);
 }
@@ -74,6 +96,7 @@ std::string Friction::formula() const {
                                   pressure_text(*reference_pressure), *pressure_exponent);
     }
     if (strength_limit) text += fmt::format(", at most {}", pressure_text(*strength_limit));
+    if (map) text = fmt::format("({}) times a map", text);
     return text;
 }
 

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "contact/friction/friction_law.h"
+#include "contact/friction/friction_map.h"
 
 namespace tricontact::contact {
 
@@ -18,9 +19,11 @@ struct Friction {
     std::optional<double> pressure_exponent;   ///< n [-], else 1
     std::optional<double> reference_pressure;  ///< p_r [Pa], which n = 1 has no use for
     std::optional<double> strength_limit;      ///< tau_cap [Pa], else none
+    std::optional<std::string> map_file;       ///< of `map`
+    std::shared_ptr<const FrictionMap> map;    ///< of the bound over the substrate; null: the same
 
     bool is_coulomb() const {
-        return !shear_strength && pressure_exponent.value_or(1) == 1 && !strength_limit;
+        return !shear_strength && pressure_exponent.value_or(1) == 1 && !strength_limit && !map;
     }
     std::shared_ptr<const FrictionLaw> law() const;
     /// With its numbers, for people: "0.35 MPa + 0.4 p".

@@ -13,6 +13,8 @@ class FrictionLaw {
     /// What a point's bound may depend on, a value per point.
     struct Points {
         std::span<const double> pressure;  ///< on the true area [Pa]
+        std::span<const double> x = {},
+                                y = {};  ///< on the substrate [m]; empty: it is the same all over
     };
     /// The contact as a whole.
     struct Total {

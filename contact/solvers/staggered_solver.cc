@@ -184,7 +184,9 @@ double StaggeredSolver::update_bounds() {
         blocks()
             .sum<Sums<2>>([&](std::size_t, std::size_t begin, std::size_t end) {
                 const std::size_t n = end - begin;
-                friction_->bounds({std::span(now_.normal->pressure).subspan(begin, n)},
+                friction_->bounds({std::span(now_.normal->pressure).subspan(begin, n),
+                                   std::span(points().x).subspan(begin, n),
+                                   std::span(points().y).subspan(begin, n)},
                                   std::span(now_.bound).subspan(begin, n));
                 Sums<2> sum;
                 for (std::size_t i = begin; i < end; ++i) {

@@ -6,6 +6,7 @@
 #include "io/case/case_input.h"
 #include "io/case/case_keys.h"
 #include "io/tables/body_tables.h"
+#include "io/tables/friction_map_table.h"
 
 namespace tricontact::io {
 
@@ -264,6 +265,10 @@ std::vector<CaseKey> contact_keys() {
                           R"("2 MPa")", "tau_cap, above which no point carries",
                           {.needs = "friction.coefficient"}),
              at<&Case::friction, &Friction::strength_limit>},
+            {text_key("friction.map", R"("friction.csv")",
+                      "table of x and a factor of what the other keys say (stripes), or of x, y "
+                      "and this factor; where they lie on the substrate"),
+             at<&Case::friction, &Friction::map_file>},
             {quantity_key("interface.normal_stiffness", Dimension::pressure_per_length,
                           above_zero(1e20), R"("260 MPa/mm")",
                           "k_n of springs between the surfaces, which p compresses by p/k_n: "
@@ -293,6 +298,13 @@ void check_indenter_keys(const Case& c, const Document& document) {
             refuse(document, entry.path,
                    "does not apply to the shape \"" + std::string(word_of(c.indenter.shape)) + '"',
                    "omit it, or give another indenter.shape");
+}
+
+void resolve_friction_map(Case& c, const Document& document) {
+    if (!c.friction.map_file) return;
+    const std::string key = "friction.map";
+    check_file_there(document, key, *c.friction.map_file, "name a table");
+    told_at(document, key, [&] { c.friction.map = read_friction_map(*c.friction.map_file); });
 }
 
 void resolve_indenter_file(Case& c, const Document& document) {

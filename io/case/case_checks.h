@@ -127,6 +127,9 @@ void check_indenter_keys(const contact::Case& c, const Document& document);
 /// Reads what `indenter.file` holds of a profile. Throws contact::InputError at the key.
 void resolve_indenter_file(contact::Case& c, const Document& document);
 
+/// Reads the table of friction.map.
+void resolve_friction_map(contact::Case& c, const Document& document);
+
 /// Turns whichever of the four ways a case took (`relaxation_input`) into the branches of
 /// `relaxation`, and into the moduli and times that say the same. Without relaxation it does
 /// nothing. Throws contact::InputError; contact::NotConverged if no series fits a DMA table.

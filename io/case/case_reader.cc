@@ -59,6 +59,7 @@ void make_paths_absolute(Case& c, const Document& document) {
     if (!cache.empty() && cache != "none")
         cache = absolute_path(cache, *document.find("fem.cache"), document);
     make_absolute(c.indenter.file, "indenter.file");
+    make_absolute(c.friction.map_file, "friction.map");
     if (c.kept.find<PathInput>()) make_absolute(c.of<PathInput>().file, "path.file");
     make_absolute(c.of<RelaxationInput>().dma, "substrate.relaxation.dma");
     make_absolute(c.of<RelaxationInput>().test, "substrate.relaxation.test");
@@ -81,6 +82,7 @@ Case resolve(const Document& document) {
     resolve_lower_layers(c, document);
     resolve_relaxation(c, document);
     resolve_indenter_file(c, document);
+    resolve_friction_map(c, document);
     resolve_thickness(c, document);
     c.kept.reset<LayersInput>();
     check_case(c, document);

@@ -24,6 +24,21 @@ void check_law(const Friction& friction, const Document& document) {
                "leave it out with friction.coefficient, or enlarge it");
 }
 
+/// What knows where a point lies on the substrate.
+void check_map(const Case& c, const Document& document) {
+    const std::string key = "friction.map";
+    if (c.tractive_rolling)
+        refuse(document, key, "rolling on meets no steady state where friction varies",
+               "leave it out, or roll to and fro by [rolling]");
+    if (c.law != Case::Law::linear)
+        refuse(document, key, "at finite strains friction is the same all over",
+               "leave it out, or set substrate.material to \"linear\"");
+    for (const std::string& model : c.models)
+        if (contact::model_kind(model).is_on_line())
+            refuse(document, key, "the springs of " + model + " stand for all directions",
+                   "leave out " + model + ", or leave out friction.map");
+}
+
 }  // namespace
 
 void check_friction(const Case& c, const Document& document) {
@@ -31,10 +46,12 @@ void check_friction(const Case& c, const Document& document) {
     if (!friction.coefficient && !friction.shear_strength)
         refuse_missing(*find_key("friction.coefficient"), document, case_key_list());
     check_law(friction, document);
+    if (friction.map) check_map(c, document);
     if (friction.is_coulomb()) return;
     const std::string key = friction.shear_strength      ? "friction.shear_strength"
                             : friction.pressure_exponent ? "friction.pressure_exponent"
-                                                         : "friction.strength_limit";
+                            : friction.strength_limit    ? "friction.strength_limit"
+                                                         : "friction.map";
     if (c.tractive_rolling)
         refuse(document, key, "creepage and rolling on are those of Coulomb's law",
                "give friction.coefficient alone, or roll to and fro by [rolling]");
