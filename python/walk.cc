@@ -19,13 +19,17 @@ namespace py = pybind11;
 namespace {
 
 /// Summary, motion and windows as the program's files have them; numbers are made of them in
-/// Python.
-py::tuple walk(const walking::WalkCase& c) {
+/// Python. `on_part` hears how many thousandths of the steps are done; what it raises ends the run.
+py::tuple walk(const walking::WalkCase& c, const py::object& on_part) {
     std::string summary, motion, windows;
     {
         const py::gil_scoped_release free_the_lock;
         const contact::Interruption by_signals{SignalCheck()};
-        const walking::Walk walk = walking::walk(c, walking::report_recording);
+        const walking::Walk walk =
+            walking::walk(c, walking::report_recording, [&](int done, int total) {
+                const py::gil_scoped_acquire lock;
+                on_part("walk", done, total);
+            });
         summary = walking::walk_summary(c, walking::write_walk_case(c), walk);
         motion = walking::motion_csv(c, walk);
         windows = walking::windows_csv(c, walk);
@@ -52,7 +56,7 @@ void sweep(const std::string& study, const std::string& folder, int jobs, bool r
 }  // namespace
 
 void add_walk(py::module_& module) {
-    module.def("_walk", walk, py::arg("case"));
+    module.def("_walk", walk, py::arg("case"), py::arg("on_part"));
     module.def("_sweep", sweep, py::arg("study"), py::arg("folder"), py::arg("jobs"),
                py::arg("retry_failed"), py::arg("vtk"), py::arg("report"));
     module.def(

@@ -95,6 +95,9 @@ def check_series(path):
         missing = [name for name in FIELDS[kind] if not any(re.match(name + r"(_[A-Za-z].*)?$", a) for a in found)]
         if missing or set(found) != first:
             complain(f"{path} at {time}: fields {sorted(found)}, without {missing}")
+        bounds = source.GetDataInformation().GetBounds()
+        if kind == "volume" and not bounds[2] < 0 < bounds[3] and bounds[3] > bounds[2]:
+            complain(f"{path} at {time}: y from {bounds[2]} to {bounds[3]} is one half")
         if not 0 <= found.get("contact_state", (0, 0))[0] <= found.get("contact_state", (0, 0))[1] <= 2:
             complain(f"{path} at {time}: contact_state {found['contact_state']}")
     Delete(source)
