@@ -24,6 +24,18 @@ def show_stick_slip(source, view):
     say_time(source, view)
 
 
+def evenly_placed(source):
+    """The fields of a surface at points of equal distances, 24 along its longer side."""
+    bounds = source.GetDataInformation().GetBounds()
+    sides = [bounds[1] - bounds[0], bounds[3] - bounds[2]]
+    places = Plane(Origin=[bounds[0], bounds[2], 0.0], Point1=[bounds[1], bounds[2], 0.0], Point2=[bounds[0], bounds[3], 0.0],
+                   XResolution=max(1, round(24 * sides[0] / max(sides))), YResolution=max(1, round(24 * sides[1] / max(sides))))
+    RenameSource("places of arrows", places)
+    placed = ResampleWithDataset(SourceDataArrays=source, DestinationMesh=places)
+    RenameSource("fields there", placed)
+    return placed
+
+
 def show_tractions(source, view, size, lift):
     display = Show(source, view)
     display.SetRepresentationType("Surface" if is_area(source) else "Points")
@@ -33,14 +45,11 @@ def show_tractions(source, view, size, lift):
     display.PointSize = 6
     strongest = largest(source, "tangential_traction_Pa")
     if strongest > 0:
-        arrows = Glyph(Input=source, GlyphType="Arrow")
+        arrows = Glyph(Input=evenly_placed(source) if is_area(source) else source, GlyphType="Arrow")
         arrows.OrientationArray = ["POINTS", "tangential_traction_Pa"]
         arrows.ScaleArray = ["POINTS", "tangential_traction_Pa"]
         arrows.ScaleFactor = 0.06 * size / strongest
-        if is_area(source):
-            arrows.GlyphMode, arrows.MaximumNumberOfSamplePoints = "Uniform Spatial Distribution (Bounds Based)", 600
-        else:
-            arrows.GlyphMode = "All Points"
+        arrows.GlyphMode = "All Points"
         RenameSource("tangential tractions", arrows)
         shown = Show(arrows, view)
         shown.ColorArrayName = ["POINTS", ""]
