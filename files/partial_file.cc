@@ -67,41 +67,27 @@ bool remove_left(const std::string& path) {
 }
 
 // Whether the file that just got its temporary name is locked and still there: in between somebody
-// may have taken it for one that was left. Where there are no locks, it is. One that has further
-// names is somebody's copy.
-bool keep(int descriptor, struct stat& status) {
+// may have taken it for one that was left. Where there are no locks, it is.
+bool keep(int descriptor) {
     if (::flock(descriptor, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) return false;
+    struct stat status {};
     return ::fstat(descriptor, &status) == 0 && status.st_nlink == 1;
-}
-
-// Gives the file at the target the other name, unless that is taken, and opens it; -1 where that
-// cannot be.
-int take_over(const std::string& target, const std::string& path) {
-    if (::renameat2(AT_FDCWD, target.c_str(), AT_FDCWD, path.c_str(), RENAME_NOREPLACE) != 0)
-        return -1;
-    const int descriptor = ::open(path.c_str(), O_WRONLY | O_NONBLOCK | O_NOFOLLOW | O_CLOEXEC);
-    if (descriptor < 0) ::unlink(path.c_str());  // it may be replaced, if not written
-    return descriptor;
 }
 
 }  // namespace
 
-PartialFile::PartialFile(std::string target, const std::string& ending, OldFile old)
+PartialFile::PartialFile(std::string target, const std::string& ending)
     : target_(std::move(target)) {
     int number = 0;
     while (descriptor_ < 0) {
         path_ = path_of(target_, number, ending);
-        if (old == OldFile::is_overwritten) descriptor_ = take_over(target_, path_);
         // 0666 less the umask: the mode of any new file.
-        if (descriptor_ < 0)
-            descriptor_ = ::open(path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-        struct stat status {};
-        if (descriptor_ >= 0 && !keep(descriptor_, status))
+        descriptor_ = ::open(path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+        if (descriptor_ >= 0 && !keep(descriptor_))
             ::close(std::exchange(descriptor_, -1));
         else if (descriptor_ < 0 && (errno != EEXIST || number == most_writers))
             fail(errno);
         if (descriptor_ < 0 && !remove_left(path_)) ++number;
-        old_size_ = static_cast<std::size_t>(status.st_size);
     }
     is_first_ = number == 0;
 }
@@ -113,7 +99,6 @@ PartialFile::~PartialFile() {
 
 void PartialFile::write(std::string_view bytes) {
     write_all(descriptor_, bytes);
-    n_written_ += bytes.size();
 }
 
 void write_all(int descriptor, std::string_view bytes) {
@@ -127,8 +112,6 @@ void write_all(int descriptor, std::string_view bytes) {
 
 // The lock goes with the descriptor, so the file has its final name before it is closed.
 void PartialFile::move_to_target(bool synced) {
-    if (old_size_ > n_written_ && ::ftruncate(descriptor_, static_cast<off_t>(n_written_)) != 0)
-        fail(errno);
     if (synced && ::fsync(descriptor_) != 0) fail(errno);
     if (std::rename(path_.c_str(), target_.c_str()) != 0) fail(errno);
     path_.clear();

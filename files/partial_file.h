@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstddef>
 #include <string>
 #include <string_view>
 
@@ -9,10 +8,6 @@ namespace tricontact::files {
 /// Writes all of the bytes to where the descriptor stands. Throws std::system_error.
 void write_all(int descriptor, std::string_view bytes);
 
-/// What becomes of the file that stands at a target: it stays until the new one takes its place, or
-/// its space is written over, which costs less than making a file and removing another.
-enum class OldFile { stays, is_overwritten };
-
 /// A file on its way: under a name of its own beside `target`, locked while it is written, moved
 /// onto the target when it is whole, removed when it does not get there. What a killed process
 /// leaves has no lock any more: the next one that writes the same target removes it, and so does
@@ -20,8 +15,7 @@ enum class OldFile { stays, is_overwritten };
 class PartialFile {
   public:
     /// `ending` of the temporary name, for programs that go by it: ".msh".
-    explicit PartialFile(std::string target, const std::string& ending = {},
-                         OldFile old = OldFile::stays);
+    explicit PartialFile(std::string target, const std::string& ending = {});
     ~PartialFile();
     PartialFile(const PartialFile&) = delete;
     PartialFile& operator=(const PartialFile&) = delete;
@@ -38,7 +32,6 @@ class PartialFile {
     std::string target_, path_;
     int descriptor_ = -1;
     bool is_first_ = true;
-    std::size_t n_written_ = 0, old_size_ = 0;  // [bytes]
 };
 
 /// Waits until the first process that writes the target has moved or removed its file, or has

@@ -15,6 +15,7 @@
 #include "papers/input_places.h"
 #include "report/bibliography.h"
 #include "report/document_csv.h"
+#include "report/gnuplot.h"
 #include "report/latex.h"
 #include "report/paper_figure.h"
 
@@ -118,7 +119,7 @@ Files paper_files(const Findings& findings, const Archive& archive) {
     Files files;
     for (const report::Document& document : findings.documents) add(document, files);
     files[references_name] = report::bibtex(cited_sources(findings.documents, archive.numbers()),
-                                            tricontact::files::version);
+                                            tricontact::files::version, TRICONTACT_RELEASED);
     files[archive_name] = archive_text(archive);
     return files;
 }
@@ -147,7 +148,9 @@ int run_for_papers(const CLI::App& parser, CommandOptions& options,
         throw contact::InputError(
             "--export: its figures and tables are those of the report; drop --no-report");
     const std::string& folder = options.papers.folder;
-    io::OutputFolder papers(folder, paper_names());  // before anything is computed
+    // Before anything is computed.
+    io::OutputFolder papers(folder, paper_names());
+    report::require_gnuplot();
     const io::InputLog inputs;
     options.papers.findings = std::make_shared<Findings>();
     if (const int code = call(); code != 0) return code;

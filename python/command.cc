@@ -11,6 +11,7 @@
 #include "io/case/case_keys.h"
 #include "io/case/study_reader.h"
 #include "python/bindings.h"
+#include "python/listener.h"
 
 // Commands of the program, called within this process: what they print and how far they are goes
 // to Python, results are read from the files that they write.
@@ -46,19 +47,7 @@ std::string run_command(const std::string& name, const std::vector<std::string>&
     const py::gil_scoped_release free_the_lock;
     const contact::Interruption by_signals{SignalCheck()};
     std::ostringstream out;
-    if (command.options)
-        command.options->listener = std::make_shared<runs::Listener>(
-            runs::Listener{.out = &out,
-                           .say =
-                               [&](const std::string& line) {
-                                   const py::gil_scoped_acquire lock;
-                                   say(line);
-                               },
-                           .progress =
-                               [&](const std::string& what, int done, int total) {
-                                   const py::gil_scoped_acquire lock;
-                                   progress(what, done, total);
-                               }});
+    if (command.options) command.options->listener = listener_of(out, say, progress);
     if (command.run() == 1) throw std::runtime_error(name + ": failed; " + out.str());
     return out.str();
 }

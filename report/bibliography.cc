@@ -148,12 +148,12 @@ std::string words_of(const Document& document) {
     return words;
 }
 
-std::string bibtex(const Sources& sources, const std::string& version) {
+std::string bibtex(const Sources& sources, const std::string& version, const std::string& date) {
     std::string text = fmt::format(
-        "@misc{{Tricontact,\n  author = {{{{The developers of Tricontact}}}},\n"
-        "  title = {{Tricontact: frictional contact by independent models side by side}},\n"
-        "  note = {{Version {}}}\n}}\n",
-        version);
+        "@misc{{Tricontact,\n  author = {{{{The Tricontact developers}}}},\n"
+        "  title = {{Tricontact: frictional contact by several independent models}},\n"
+        "  year = {{{}}},\n  note = {{Version {}, {}}}\n}}\n",
+        date.substr(0, 4), version, date);
     for (const Source* source : sources) text += '\n' + source->entry + '\n';
     return text;
 }

@@ -26,7 +26,7 @@ Sources cited_in(std::string_view text);
 /// What a document says in words: sentences, captions, notes, headings, cells, names of curves.
 std::string words_of(const Document& document);
 
-/// BibTeX of the program in this version and of the sources.
-std::string bibtex(const Sources& sources, const std::string& version);
+/// BibTeX of the program in this version, released on a date ("2026-11-29"), and of the sources.
+std::string bibtex(const Sources& sources, const std::string& version, const std::string& date);
 
 }  // namespace tricontact::report

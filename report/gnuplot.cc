@@ -19,9 +19,10 @@ std::vector<std::string> reading_a_script(const std::string& program) {
     return {program, "-d", "/dev/stdin"};
 }
 
-GnuplotError as_gnuplot_error(const ProgramError& error) {
-    return GnuplotError(std::string("plots: ") + error.what() +
-                        (error.is_missing() ? " (install the package gnuplot-nox)" : ""));
+[[noreturn]] void throw_as_gnuplot_error(const ProgramError& error) {
+    const std::string what = std::string("plots: ") + error.what();
+    if (error.is_missing()) throw GnuplotMissing(what + " (install the package gnuplot-nox)");
+    throw GnuplotError(what);
 }
 
 /// An SVG begins with the colour in which the picture before it ended, with which nothing is drawn.
@@ -49,7 +50,7 @@ std::vector<std::string> draw_one_by_one(const std::vector<const Sheet*>& sheets
     try {
         images = run_program(reading_a_script("gnuplot"), sheets.size(), script);
     } catch (const ProgramError& error) {
-        throw as_gnuplot_error(error);
+        throw_as_gnuplot_error(error);
     }
     if (std::ranges::any_of(images, &std::string::empty))
         throw GnuplotError("plots: gnuplot drew nothing");
@@ -59,11 +60,15 @@ std::vector<std::string> draw_one_by_one(const std::vector<const Sheet*>& sheets
 
 }  // namespace
 
+void require_gnuplot() {
+    run_gnuplot("");
+}
+
 std::string run_gnuplot(const std::string& script, const std::string& program) {
     try {
         return run_program(reading_a_script(program), script);
     } catch (const ProgramError& error) {
-        throw as_gnuplot_error(error);
+        throw_as_gnuplot_error(error);
     }
 }
 

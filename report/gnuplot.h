@@ -11,6 +11,11 @@ class GnuplotError : public std::runtime_error {
   public:
     using std::runtime_error::runtime_error;
 };
+/// It cannot be started; the text names the package.
+class GnuplotMissing : public GnuplotError {
+  public:
+    using GnuplotError::GnuplotError;
+};
 
 enum class ImageFormat { svg, png };
 
@@ -24,6 +29,9 @@ struct Picture {
 /// Runs in the C locale without gnuplot's start-up files: same script, same bytes.
 /// Throws GnuplotError.
 std::string run_gnuplot(const std::string& script, const std::string& program = "gnuplot");
+
+/// Throws GnuplotMissing if it is not there, before anything that needs pictures is computed.
+void require_gnuplot();
 
 /// A picture and the terminal that draws it, "svg size 640,420".
 struct Sheet {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
 
@@ -15,6 +16,7 @@
 #include "io/results/history_csv.h"
 #include "io/results/journal.h"
 #include "io/results/progress.h"
+#include "report/gnuplot.h"
 #include "runs/further_runs.h"
 #include "runs/numerical_error.h"
 #include "runs/point_key.h"
@@ -61,14 +63,35 @@ std::string summary_of(const CaseRun& run) {
          {"small_strains", comparisons::small_strains_json(run.extras.small_strains)}});
 }
 
+namespace {
+
+/// Of results that are there the user has to know this, also where it is quiet otherwise.
+void warn(const CommandOptions& options, const std::string& line) {
+    const std::string text = "warning: " + line;
+    options.listener ? options.listener->say(text) : void(std::cerr << text << '\n');
+}
+
+}  // namespace
+
 void write_run_report(const CaseRun& run, const CommandOptions& options) {
-    io::make_output_folder(options.output + "/plots");
-    const report::Document document =
+    report::Document document =
         comparisons::run_document(run.c, run.resolved, files::version, run.histories, run.extras);
     options.keep_report(document);
     if (options.papers.findings && !options.papers.findings->draws) return;
-    for (const auto& file : comparisons::report_files(document))
-        options.write(file.name, file.content);
+    std::vector<comparisons::ReportFile> files;
+    try {
+        files = comparisons::report_files(document);
+    } catch (const report::GnuplotMissing&) {
+        // The page draws its figures itself.
+        document.plots.clear();
+        options.write("report.html", report::document_html(document));
+        warn(options, options.output +
+                          "/plots is left out, since gnuplot is not there to draw it (install the "
+                          "package gnuplot-nox); report.html has all figures");
+        return;
+    }
+    io::make_output_folder(options.output + "/plots");
+    for (const auto& file : files) options.write(file.name, file.content);
 }
 
 contact::History studied_history(const std::string& name, const Case& c, const RunOptions& options,

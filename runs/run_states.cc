@@ -6,6 +6,7 @@
 #include "contact/load_path.h"
 #include "io/results/atomic_file.h"
 #include "io/results/output.h"
+#include "io/results/whole_interior.h"
 #include "runs/shown_states.h"
 
 namespace tricontact::runs {
@@ -116,7 +117,10 @@ const contact::Subsurface* RunStates::add_volume(const contact::StepRecord& reco
                                                  contact::Model& model) {
     const auto inside = model.interior();
     if (!inside) return nullptr;
-    volumes_.add(time_of(record), *inside);
+    if (io::is_half(*inside))
+        volumes_.add(time_of(record), io::with_mirror_image(*inside));
+    else
+        volumes_.add(time_of(record), *inside);
     subsurface_ = contact::subsurface_of(*inside, record.phase, model.surface().offset);
     return &*subsurface_;
 }

@@ -42,15 +42,12 @@ def arrays(source):
 def states_in(path):
     """How many states the file tells, by its bytes."""
     with open(path, "rb") as file:
-        content = file.read(8) if path.endswith(".ex2") else file.read()
-    # netCDF's classic format: "CDF", version, number of records.
-    return struct.unpack(">I", content[4:8])[0] if path.endswith(".ex2") else len(re.findall(rb'timestep="', content))
+        return struct.unpack(">I", file.read(8)[4:])[0]  # netCDF's classic format: "CDF", version, number of records
 
 
 def series_in(folder, depth="*"):
     """Paths of all series in folders of models, or in all folders ("**")."""
-    return sorted(path for ending in ("ex2", "pvd")
-                  for path in glob.glob(os.path.join(glob.escape(folder), depth, "*." + ending), recursive=True))
+    return sorted(glob.glob(os.path.join(glob.escape(folder), depth, "*.ex2"), recursive=True))
 
 
 def one_block(source):
@@ -63,9 +60,9 @@ def one_block(source):
 def check_files(folder, series):
     """At most 50 files for ParaView, times that begin with 0 and are those of one clock: most states of a model with
     as many steps are at the times of another's."""
-    files = [path for path in Path(folder).rglob("*") if path.suffix in (".ex2", ".pvd") or path.suffix.startswith(".vt")]
+    files = [path for path in Path(folder).rglob("*") if path.suffix == ".ex2" or path.suffix.startswith(".vt")]
     print(f"{folder}: {len(files)} files for ParaView, {sum(path.stat().st_size for path in files) / 1e6:.0f} MB")
-    if len(files) > 50 and any(path.suffix == ".ex2" for path in files):  # a walking machine has a file for each state
+    if len(files) > 50:
         complain(f"{folder}: {len(files)} files for ParaView")
     clocks = {}
     for path in series:
@@ -98,6 +95,9 @@ def check_series(path):
         missing = [name for name in FIELDS[kind] if not any(re.match(name + r"(_[A-Za-z].*)?$", a) for a in found)]
         if missing or set(found) != first:
             complain(f"{path} at {time}: fields {sorted(found)}, without {missing}")
+        bounds = source.GetDataInformation().GetBounds()
+        if kind == "volume" and not bounds[2] < 0 < bounds[3] and bounds[3] > bounds[2]:
+            complain(f"{path} at {time}: y from {bounds[2]} to {bounds[3]} is one half")
         if not 0 <= found.get("contact_state", (0, 0))[0] <= found.get("contact_state", (0, 0))[1] <= 2:
             complain(f"{path} at {time}: contact_state {found['contact_state']}")
     Delete(source)
@@ -191,7 +191,7 @@ def check_macro(folder, work):
     for model in {os.path.dirname(path) for path in series}:
         names = {os.path.basename(path)[len(os.path.basename(model)) + 1:-len(".png")] for path in drawn
                  if os.path.basename(path).startswith(os.path.basename(model) + "_")}
-        machine = os.path.exists(os.path.join(model, "machine.pvd"))
+        machine = os.path.exists(os.path.join(model, "machine.ex2"))
         due = {"machine", "motion"} if machine else {"stick_slip", "tractions", "section"}
         if not due <= names:
             complain(f"{model}: pictures {sorted(names)}, without {sorted(due - names)}")
@@ -286,7 +286,7 @@ def main():
             if len(series) == 1:  # of several it takes minutes
                 check_movie(folder, n_steps[0], work)
         for path in series:
-            if os.path.basename(path) == "machine.pvd":
+            if os.path.basename(path) == "machine.ex2":
                 check_animation(path, work)
     print(f"{len(failures)} failures")
     sys.stdout.flush()

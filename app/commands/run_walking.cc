@@ -49,7 +49,7 @@ void write_page(const CommandOptions& options, const WalkCase& walk_case, const 
                       {"motion and forces at its end", "motion.csv"},
                       {"the case, resolved", resolved_case_name}};
     if (walk_case.frames > 0)
-        document.files.emplace_back("the body in motion, for ParaView", "animation/machine.pvd");
+        document.files.emplace_back("the body in motion, for ParaView", "animation/machine.ex2");
     options.write_report(document, walk_again);
 }
 
@@ -61,7 +61,7 @@ void run_walking(RunCommandOptions options) {
     const std::string resolved = walking::write_walk_case(walk_case);
     Walk walk;
     options.fill({{resolved_case_name, "summary.json", "report.html", "windows.csv", "motion.csv",
-                   "animation/machine.pvd", io::paraview_macro_name}},
+                   "animation/machine.ex2", io::paraview_macro_name}},
                  [&] {
                      options.write(resolved_case_name, resolved);
                      io::ProgressBar bar = options.progress_bar("walk", "part");

@@ -162,7 +162,7 @@ void write_vertices(io::VtkXml& xml, const MeshResult& mesh) {
 io::VtkFile comparison_vtk(const Comparison& comparison, const MeshResult& mesh,
                            const io::Provenance& provenance) {
     const bool has_faces = mesh.faces.size() > 0;
-    io::VtkXml xml(has_faces ? "UnstructuredGrid" : "PolyData", {}, io::Compression::small);
+    io::VtkXml xml(has_faces ? "UnstructuredGrid" : "PolyData");
     xml.begin("FieldData");
     xml.add_numbers("element_size_m", {mesh.size});
     xml.add_numbers(comparisons::quantities::contact_radius.key,

@@ -1,7 +1,5 @@
 #include "benchmarks/submissions/own_surface.h"
 
-#include <fstream>
-
 #include "io/keys/input_file.h"
 #include "io/results/surface_file.h"
 
@@ -10,8 +8,6 @@ namespace tricontact::benchmarks {
 namespace {
 
 using RunSurface = contact::Surface;
-
-constexpr std::size_t header_bytes = 16384;
 
 struct Positions {
     std::vector<double> x, y;
@@ -31,16 +27,6 @@ Positions positions_of(const RunSurface& s) {
 }
 
 }  // namespace
-
-bool is_own_surface(const std::string& file) {
-    if (io::is_state_series(file)) return true;
-    std::ifstream in(file, std::ios::binary);
-    std::string header(header_bytes, '\0');
-    in.read(header.data(), static_cast<std::streamsize>(header.size()));
-    header.resize(static_cast<std::size_t>(in.gcount()));
-    return header.find("vtkLZ4DataCompressor") != std::string::npos &&
-           header.find("Name=\"normal_traction_Pa\"") != std::string::npos;
-}
 
 MeshField read_own_surface(const std::string& file) {
     io::note_input_file(file);

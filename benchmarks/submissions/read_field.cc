@@ -16,6 +16,7 @@
 #include "contact/base/error.h"
 #include "io/keys/input_file.h"
 #include "io/keys/messages.h"
+#include "io/results/surface_file.h"
 #include "io/tables/divided_text.h"
 
 namespace tricontact::benchmarks {
@@ -131,9 +132,7 @@ std::map<std::string, Total> read_totals(const std::string& file, std::vector<st
 
 MeshField read_field(const FieldSource& source) {
     const std::string ending = ending_of(source.file);
-    const bool may_be_own =
-        ending == ".vti" || ending == ".vtp" || ending == ".vtu" || ending == ".ex2";
-    if (may_be_own && is_own_surface(source.file)) {
+    if (io::is_state_series(source.file)) {
         MeshField field = read_own_surface(source.file);
         if (!source.totals.empty()) add_totals(field, source.totals, {});
         return field;

@@ -148,8 +148,7 @@ io::VtkFile difference_vtk(const SurfaceDifference& d, const io::Provenance& pro
     const io::ImageGrid grid = io::image_grid({s.n_x, s.n_y}, s.first, {s.spacing[0], dy});
     io::VtkXml xml(
         "ImageData",
-        {{"WholeExtent", grid.extent}, {"Origin", grid.origin}, {"Spacing", grid.spacing}},
-        io::Compression::small);
+        {{"WholeExtent", grid.extent}, {"Origin", grid.origin}, {"Spacing", grid.spacing}});
     xml.begin("FieldData");
     xml.add_numbers(io::time_in_periods, {d.phase});
     xml.add_numbers("indenter_position_m", {s.offset[0], s.offset[1], 0.});

@@ -150,10 +150,16 @@ std::vector<CurvePair> curve_pairs(const SavedRun& a, const SavedRun& b) {
 void add_fields(const SavedRun& a, const SavedRun& b, RunPair& pair) {
     std::vector<std::pair<const io::SeriesFile*, const io::SeriesFile*>> common;
     auto of_b = b.surfaces.begin();
-    for (const io::SeriesFile& of_a : a.surfaces) {
-        while (of_b != b.surfaces.end() && of_b->time < of_a.time - time_apart) ++of_b;
-        if (of_b != b.surfaces.end() && of_b->time < of_a.time + time_apart)
-            common.emplace_back(&of_a, &*of_b);
+    const auto ends_its_time = [](const auto& surfaces, auto one) {
+        return std::next(one) == surfaces.end() || std::next(one)->time > one->time + time_apart;
+    };
+    for (auto of_a = a.surfaces.begin(); of_a != a.surfaces.end(); ++of_a) {
+        if (!ends_its_time(a.surfaces, of_a)) continue;
+        while (of_b != b.surfaces.end() &&
+               (of_b->time < of_a->time - time_apart || !ends_its_time(b.surfaces, of_b)))
+            ++of_b;
+        if (of_b != b.surfaces.end() && of_b->time < of_a->time + time_apart)
+            common.emplace_back(&*of_a, &*of_b);
     }
     if (common.empty()) {
         pair.why_no_fields = a.surfaces.empty() || b.surfaces.empty()

@@ -74,11 +74,11 @@ ResultsFolder read_results_folder(const std::string& path) {
                                                           half_widths_of(summary, model),
                                                           read_history(of_model + "/history.csv"),
                                                           {}});
-        // Runs before 0.3 have a file for each state and their collection.
+        if (const std::string former = of_model + "/surface.pvd"; is_file(former))
+            io::fail(former, "", "is of an earlier version, which wrote a file for each state",
+                     "compute the case anew with tricontact run");
         if (const std::string series = of_model + "/surface.ex2"; is_file(series))
             run.surfaces = io::read_state_series(series);
-        else if (const std::string files = of_model + "/surface.pvd"; is_file(files))
-            run.surfaces = io::read_series(files);
     }
     return folder;
 }

@@ -12,6 +12,7 @@
 #include "files/partial_file.h"
 #include "io/keys/input_file.h"
 #include "io/keys/messages.h"
+#include "io/results/former_series.h"
 
 namespace tricontact::io {
 
@@ -20,14 +21,13 @@ namespace {
 namespace fs = std::filesystem;
 
 enum class Kept { no, unsynced, synced };
-using files::OldFile;
 
 // Writes the file; `blamed` and `what` begin the message of any failure: "<blamed>: <what> (Disk
 // full)".
 void write_or_refuse(const std::string& path, std::string_view bytes, const std::string& blamed,
-                     const char* what, Kept kept, OldFile old = OldFile::stays) {
+                     const char* what, Kept kept) {
     try {
-        files::PartialFile file(path, {}, old);
+        files::PartialFile file(path);
         file.write(bytes);
         if (kept != Kept::no) file.move_to_target(kept == Kept::synced);
     } catch (const std::system_error& error) {
@@ -43,12 +43,11 @@ const char* kind_of(fs::file_type type) {
                             : "is a device, not a regular file";
 }
 
-void write_checked(const std::string& path, std::string_view bytes, Kept kept,
-                   OldFile old = OldFile::stays) {
+void write_checked(const std::string& path, std::string_view bytes, Kept kept) {
     if (fs::path(path).filename().empty())
         fail(path, "", "names no file to write", "add a file name");
-    if (!check_replaceable(path)) old = OldFile::stays;
-    write_or_refuse(path, bytes, path, "cannot be written", kept, old);
+    check_replaceable(path);
+    write_or_refuse(path, bytes, path, "cannot be written", kept);
 }
 
 // The drawing goes last: a removal that is interrupted is made up for.
@@ -78,10 +77,6 @@ void write_file(const std::string& path, std::string_view bytes) {
 
 void write_unsynced(const std::string& path, std::string_view bytes) {
     write_checked(path, bytes, Kept::unsynced);
-}
-
-void write_over(const std::string& path, std::string_view bytes) {
-    write_checked(path, bytes, Kept::unsynced, OldFile::is_overwritten);
 }
 
 void remove_file(const std::string& path) {
@@ -117,11 +112,15 @@ std::string output_folder(const std::string& given, const std::string& input_fil
 
 void remove_old_results(const std::string& folder, const std::vector<std::string>& names) {
     std::error_code ignored;
-    for (const std::string& name : names)
+    for (const std::string& name : names) {
+        const fs::path path = fs::path(folder) / name;
         if (name.ends_with('/'))
-            remove_figures(fs::path(folder) / name);
+            remove_figures(path);
         else
-            fs::remove(fs::path(folder) / name, ignored);
+            fs::remove(path, ignored);
+        if (path.extension() == ".ex2")
+            remove_former_series(path.parent_path().string(), path.stem().string());
+    }
 }
 
 void refuse_output(const std::string& path, const char* what, int error) {

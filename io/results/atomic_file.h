@@ -12,10 +12,8 @@ namespace tricontact::io {
 /// system's reason and a remedy.
 void write_file(const std::string& path, std::string_view bytes);
 /// The same but for the fsync, for files of a series: whole whenever the process ends, but on the
-/// disk after `sync_files` of their folder only. All throw contact::InputError.
+/// disk after `sync_files` of their folder only. Both throw contact::InputError.
 void write_unsynced(const std::string& path, std::string_view bytes);
-/// As write_unsynced for a file to which nothing refers any more: none stands there meanwhile.
-void write_over(const std::string& path, std::string_view bytes);
 void sync_files(const std::string& folder);
 
 /// Removes a file that is to be written anew. Refuses what check_replaceable does; throws
@@ -31,7 +29,8 @@ std::string output_folder(const std::string& given, const std::string& input_fil
                           const std::string& suffix = {});
 
 /// Removes files of the folder, by names relative to it, of a folder among them ("plots/") the
-/// files of figures (one name with .svg, .png, .csv): what an earlier run left must not stand
+/// files of figures (one name with .svg, .png, .csv), with a series (`.ex2`) what earlier versions
+/// wrote of it (former_series.h): what an earlier run left must not stand
 /// beside a new case as if it were its own. One that cannot be removed cannot be written either,
 /// which is said then.
 void remove_old_results(const std::string& folder, const std::vector<std::string>& names);

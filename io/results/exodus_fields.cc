@@ -28,21 +28,21 @@ std::string name_in_file(std::string_view name) {
     return name == "displacement_m" ? "elastic_displacement_m" : std::string(name);
 }
 
-void add_quads(ExodusMesh& mesh, int n_x, int n_y) {
-    mesh.element = "QUAD4";
-    mesh.nodes_per_element = 4;
+ExodusBlock quads(int n_x, int n_y) {
+    ExodusBlock block{.name = "surface", .element = "QUAD4", .nodes_per_element = 4};
     for (int j = 0; j + 1 < n_y; ++j)
         for (int i = 0; i + 1 < n_x; ++i) {
             const int corner = j * n_x + i + 1;
-            mesh.nodes.insert(mesh.nodes.end(),
-                              {corner, corner + 1, corner + n_x + 1, corner + n_x});
+            block.nodes.insert(block.nodes.end(),
+                               {corner, corner + 1, corner + n_x + 1, corner + n_x});
         }
+    return block;
 }
 
-void add_bars(ExodusMesh& mesh, int n) {
-    mesh.element = "BAR2";
-    mesh.nodes_per_element = 2;
-    for (int i = 1; i < n; ++i) mesh.nodes.insert(mesh.nodes.end(), {i, i + 1});
+ExodusBlock bars(int n) {
+    ExodusBlock block{.name = "surface", .element = "BAR2", .nodes_per_element = 2};
+    for (int i = 1; i < n; ++i) block.nodes.insert(block.nodes.end(), {i, i + 1});
+    return block;
 }
 
 /// VTK's order of 27 nodes as Exodus II has it: edges up come before those above; the centre comes
@@ -114,7 +114,7 @@ void ExodusFields::add_bytes(std::string_view name, std::span<const std::uint8_t
 }
 
 ExodusMesh mesh_of(const Surface& s) {
-    ExodusMesh mesh{.block = "surface", .element = {}, .points = {}, .nodes = {}};
+    ExodusMesh mesh;
     mesh.grid = {static_cast<double>(s.n_x),
                  static_cast<double>(s.n_y),
                  s.first[0],
@@ -123,12 +123,12 @@ ExodusMesh mesh_of(const Surface& s) {
                  s.spacing[1]};
     if (s.layout == Surface::Layout::nodes) {
         mesh.layout = "nodes";
-        mesh.element = "QUAD9";
-        mesh.nodes_per_element = 9;
+        ExodusBlock block{.name = "surface", .element = "QUAD9", .nodes_per_element = 9};
         for (std::size_t i = 0; i < s.size(); ++i)
             mesh.points.push_back({s.node_x[i], s.node_y.at(i), 0.});
         for (const auto& quad : s.quads)
-            for (const int node : quad) mesh.nodes.push_back(node + 1);
+            for (const int node : quad) block.nodes.push_back(node + 1);
+        mesh.blocks = {std::move(block)};
         return mesh;
     }
     mesh.layout = s.layout == Surface::Layout::line ? "line" : "grid";
@@ -137,23 +137,21 @@ ExodusMesh mesh_of(const Surface& s) {
         for (int j = 0; j < s.n_y; ++j)
             for (int i = 0; i < s.n_x; ++i)
                 mesh.points.push_back({s.x(i), s.y(j) + (2 * copy - 1) * before, 0.});
-    if (s.n_y > 1 || is_row(s))
-        add_quads(mesh, s.n_x, is_row(s) ? 2 : s.n_y);
-    else
-        add_bars(mesh, s.n_x);
+    mesh.blocks = {s.n_y > 1 || is_row(s) ? quads(s.n_x, is_row(s) ? 2 : s.n_y) : bars(s.n_x)};
     return mesh;
 }
 
 ExodusMesh mesh_of(const Interior& interior) {
-    ExodusMesh mesh{.block = "inside", .element = "HEX8", .points = {}, .nodes = {}};
-    mesh.nodes_per_element = 8;
+    ExodusMesh mesh;
+    ExodusBlock block{.name = "inside", .element = "HEX8", .nodes_per_element = 8};
     if (!interior.is_grid()) {
-        mesh.element = "HEX27";
-        mesh.nodes_per_element = 27;
+        block.element = "HEX27";
+        block.nodes_per_element = 27;
         mesh.points = interior.points;
         for (const auto& hex : interior.hexes)
             for (const int k : exodus_order)
-                mesh.nodes.push_back(hex.at(static_cast<std::size_t>(k)) + 1);
+                block.nodes.push_back(hex.at(static_cast<std::size_t>(k)) + 1);
+        mesh.blocks = {std::move(block)};
         return mesh;
     }
     const auto& [x, y, z] = interior.axes;
@@ -166,9 +164,10 @@ ExodusMesh mesh_of(const Interior& interior) {
             for (int i = 0; i + 1 < n_x; ++i) {
                 const int at = k * n_xy + j * n_x + i + 1;
                 for (const int corner : {at, at + n_xy})
-                    mesh.nodes.insert(mesh.nodes.end(),
-                                      {corner, corner + 1, corner + n_x + 1, corner + n_x});
+                    block.nodes.insert(block.nodes.end(),
+                                       {corner, corner + 1, corner + n_x + 1, corner + n_x});
             }
+    mesh.blocks = {std::move(block)};
     return mesh;
 }
 

@@ -42,18 +42,21 @@ std::vector<std::string> lines_of(std::string_view text) {
 std::string nodal_name(std::size_t k) {
     return "vals_nod_var" + std::to_string(k);
 }
-std::string element_name(std::size_t k) {
-    return "vals_elem_var" + std::to_string(k) + "eb1";
+/// Blocks have numbers from 1.
+std::string of_block(const char* name, std::size_t block) {
+    return name + std::to_string(block);
+}
+std::string element_name(std::size_t k, std::size_t block) {
+    return of_block(("vals_elem_var" + std::to_string(k) + "eb").c_str(), block);
 }
 
-/// The variable of each field, in their order: nodes' and elements' have numbers of their own.
-std::vector<std::string> variables_of(const ExodusNames& names) {
-    std::vector<std::string> variables;
+/// The numbers of the fields, in their order: nodes' and elements' have numbers of their own.
+std::vector<std::size_t> numbers_of(const ExodusNames& names) {
+    std::vector<std::size_t> numbers;
     std::size_t n_nodal = 0, n_elements = 0;
     for (const ExodusNames::Field& field : names.fields)
-        variables.push_back(field.is_of_elements ? element_name(++n_elements)
-                                                 : nodal_name(++n_nodal));
-    return variables;
+        numbers.push_back(field.is_of_elements ? ++n_elements : ++n_nodal);
+    return numbers;
 }
 
 std::vector<std::string> fields_at(const ExodusNames& names, bool elements) {
@@ -109,34 +112,46 @@ class LayoutMaker {
             {"tricontact_grid", NetcdfType::real, big_endian(std::span<const double>(mesh_.grid))});
     }
     void add_mesh() {
-        const auto n_elements =
-            mesh_.nodes.size() / static_cast<std::size_t>(mesh_.nodes_per_element);
+        std::size_t n_elements = 0;
+        for (const ExodusBlock& block : mesh_.blocks) n_elements += block.size();
         const auto axes = layout_.add_dimension("num_dim", 3);
         nodes_ = layout_.add_dimension("num_nodes", mesh_.points.size());
         layout_.add_dimension("num_elem", n_elements);
-        blocks_ = layout_.add_dimension("num_el_blk", 1);
-        elements_ = layout_.add_dimension("num_el_in_blk1", n_elements);
-        const auto of_element = layout_.add_dimension(
-            "num_nod_per_el1", static_cast<std::size_t>(mesh_.nodes_per_element));
-        const std::string one = big_endian(std::int32_t{1});
-        add("eb_status", NetcdfType::integer, {blocks_}, one);
-        add("eb_prop1", NetcdfType::integer, {blocks_}, one, {text_attribute("name", "ID")});
-        add("eb_names", NetcdfType::text, {blocks_, name_}, text_table({mesh_.block}, name_length));
+        blocks_ = layout_.add_dimension("num_el_blk", mesh_.blocks.size());
+        std::vector<std::int32_t> ids, present;
+        std::vector<std::string> names;
+        for (const ExodusBlock& block : mesh_.blocks) {
+            ids.push_back(static_cast<std::int32_t>(ids.size()) + 1);
+            present.push_back(1);
+            names.push_back(block.name);
+        }
+        const auto bytes = [](const auto& list) {
+            return big_endian(std::span<const std::int32_t>(list));
+        };
+        add("eb_status", NetcdfType::integer, {blocks_}, bytes(present));
+        add("eb_prop1", NetcdfType::integer, {blocks_}, bytes(ids), {text_attribute("name", "ID")});
+        add("eb_names", NetcdfType::text, {blocks_, name_}, text_table(names, name_length));
         add("coordx", NetcdfType::real, {nodes_}, coordinates(mesh_, 0));
         add("coordy", NetcdfType::real, {nodes_}, coordinates(mesh_, 1));
         add("coordz", NetcdfType::real, {nodes_}, coordinates(mesh_, 2));
         add("coor_names", NetcdfType::text, {axes, name_},
             text_table({"x", "y", "z"}, name_length));
-        add("connect1", NetcdfType::integer, {elements_, of_element},
-            big_endian(std::span<const std::int32_t>(mesh_.nodes)),
-            {text_attribute("elem_type", mesh_.element)});
+        for (std::size_t k = 1; k <= mesh_.blocks.size(); ++k) add_block(mesh_.blocks[k - 1], k);
+    }
+    void add_block(const ExodusBlock& block, std::size_t k) {
+        elements_.push_back(layout_.add_dimension(of_block("num_el_in_blk", k), block.size()));
+        const auto of_element = layout_.add_dimension(
+            of_block("num_nod_per_el", k), static_cast<std::size_t>(block.nodes_per_element));
+        add(of_block("connect", k), NetcdfType::integer, {elements_.back(), of_element},
+            big_endian(std::span<const std::int32_t>(block.nodes)),
+            {text_attribute("elem_type", block.element)});
     }
     void add_origin() {
         const auto four = layout_.add_dimension("four", 4);
         add("qa_records", NetcdfType::text, {layout_.add_dimension("num_qa_rec", 1), four, word_},
             text_table({"Tricontact", provenance_.program_version, "", ""}, word_length));
         std::vector<std::string> lines = lines_of(provenance_.command_line);
-        lines.emplace_back("SI units, z out of the substrate; contact_state 0 open 1 stick 2 slip");
+        for (std::string& line : lines_of(mesh_.remark)) lines.push_back(std::move(line));
         add("info_records", NetcdfType::text,
             {layout_.add_dimension("num_info", lines.size()), line_},
             text_table(lines, line_length));
@@ -152,15 +167,17 @@ class LayoutMaker {
         if (!of_elements.empty()) {
             add_names("name_elem_var", "num_elem_var", of_elements);
             const auto numbers = static_cast<std::uint32_t>(layout_.dimensions.size() - 1);
-            const std::vector<std::int32_t> all(of_elements.size(), 1);
+            const std::vector<std::int32_t> all(mesh_.blocks.size() * of_elements.size(), 1);
             add("elem_var_tab", NetcdfType::integer, {blocks_, numbers},
                 big_endian(std::span<const std::int32_t>(all)));
         }
-        const auto variables = variables_of(names_);
-        for (std::size_t i = 0; i < variables.size(); ++i) {
+        const auto numbers = numbers_of(names_);
+        for (std::size_t i = 0; i < numbers.size(); ++i) {
             const auto& [name, is_byte, is_of_elements] = names_.fields[i];
-            add(variables[i], is_byte ? NetcdfType::byte : NetcdfType::single,
-                {time_, is_of_elements ? elements_ : nodes_}, {});
+            const NetcdfType type = is_byte ? NetcdfType::byte : NetcdfType::single;
+            if (!is_of_elements) add(nodal_name(numbers[i]), type, {time_, nodes_}, {});
+            for (std::size_t k = 1; is_of_elements && k <= elements_.size(); ++k)
+                add(element_name(numbers[i], k), type, {time_, elements_[k - 1]}, {});
         }
     }
 
@@ -168,9 +185,25 @@ class LayoutMaker {
     const ExodusNames& names_;
     const Provenance& provenance_;
     NetcdfLayout layout_;
-    std::uint32_t time_ = 0, name_ = 0, word_ = 0, line_ = 0, nodes_ = 0, blocks_ = 0,
-                  elements_ = 0;
+    std::uint32_t time_ = 0, name_ = 0, word_ = 0, line_ = 0, nodes_ = 0, blocks_ = 0;
+    std::vector<std::uint32_t> elements_;  // of each block
 };
+
+/// Where the values of a field are: of elements one variable for each block.
+struct Part {
+    const NetcdfVariable* variable;
+    std::size_t n_bytes;  // without padding
+};
+std::vector<Part> parts_of(const NetcdfLayout& layout, const ExodusNames& names, std::size_t i) {
+    const std::size_t number = numbers_of(names).at(i), width = names.fields[i].is_byte ? 1 : 4;
+    if (!names.fields[i].is_of_elements)
+        return {{layout.find(nodal_name(number)), layout.length("num_nodes") * width}};
+    std::vector<Part> parts;
+    for (std::size_t k = 1; k <= layout.length("num_el_blk"); ++k)
+        parts.push_back({layout.find(element_name(number, k)),
+                         layout.length(of_block("num_el_in_blk", k)) * width});
+    return parts;
+}
 
 /// Bytes of a field in single precision.
 std::string widened(std::string_view bytes) {
@@ -203,9 +236,13 @@ void put_field(std::string& record, const NetcdfLayout& layout, const ExodusName
     };
     const auto found = std::ranges::find_if(names.fields, same);
     const auto k = static_cast<std::size_t>(found - names.fields.begin());
-    const std::string variable = variables_of(names).at(k);
     const bool widens = field.is_byte && !found->is_byte;
-    put(record, layout, *layout.find(variable), widens ? widened(bytes) : std::string(bytes));
+    const std::string wide = widens ? widened(bytes) : std::string();
+    if (widens) bytes = wide;
+    for (const Part& part : parts_of(layout, names, k)) {
+        put(record, layout, *part.variable, bytes.substr(0, part.n_bytes));
+        bytes.remove_prefix(part.n_bytes);
+    }
 }
 
 }  // namespace
@@ -263,9 +300,13 @@ std::string exodus_record(const NetcdfLayout& layout, const ExodusNames& names,
             numbers.emplace_back(old_names.numbers[i], values[i]);
     }
     put_numbers(record, layout, names, numbers);
-    const auto variables = variables_of(old_names);
-    for (std::size_t i = 0; i < variables.size(); ++i)
-        put_field(record, layout, names, old_names.fields[i], old(variables[i]));
+    for (std::size_t i = 0; i < old_names.fields.size(); ++i) {
+        std::string bytes;
+        for (const Part& part : parts_of(old_layout, old_names, i))
+            bytes +=
+                old_record.substr(part.variable->begin - old_layout.records_begin, part.n_bytes);
+        put_field(record, layout, names, old_names.fields[i], bytes);
+    }
     return record;
 }
 

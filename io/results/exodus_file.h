@@ -15,13 +15,23 @@
 
 namespace tricontact::io {
 
-/// Elements of one kind and their nodes, the same in all states of a file.
-struct ExodusMesh {
-    std::string block;                          ///< "surface"
-    std::string element;                        ///< "QUAD4", as Exodus II names it
-    std::vector<std::array<double, 3>> points;  ///< [m]
+/// Elements of one kind.
+struct ExodusBlock {
+    std::string name;     ///< "surface"
+    std::string element;  ///< "QUAD4", as Exodus II names it
     int nodes_per_element = 0;
-    std::vector<std::int32_t> nodes;  ///< of the elements one after another, from 1
+    std::vector<std::int32_t> nodes = {};  ///< of the elements one after another, from 1
+
+    std::size_t size() const { return nodes.size() / static_cast<std::size_t>(nodes_per_element); }
+    bool operator==(const ExodusBlock&) const = default;
+};
+
+/// Elements and their nodes, the same in all states of a file.
+struct ExodusMesh {
+    std::vector<std::array<double, 3>> points = {};  ///< [m]
+    std::vector<ExodusBlock> blocks = {};
+    /// For who reads the file: units, axes, what numbers stand for.
+    std::string remark = "SI units, z out of the substrate; contact_state 0 open 1 stick 2 slip";
     /// What reads the surface again needs: n_x, n_y, first, spacing.
     std::vector<double> grid = {};
     std::string layout = {};  ///< "grid", "line", "nodes", or none
@@ -53,7 +63,7 @@ class ExodusFields {
     void add_tensor(std::string_view name, std::span<const std::array<double, 6>> values,
                     std::size_t n);
     void add_bytes(std::string_view name, std::span<const std::uint8_t> values, std::size_t n);
-    /// What comes next belongs to elements.
+    /// What comes next belongs to elements, those of all blocks one after another.
     void begin_elements() { is_of_elements_ = true; }
     /// One number of the state.
     void add_number(std::string name, double value) { numbers_.emplace_back(name, value); }

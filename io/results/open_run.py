@@ -30,7 +30,7 @@ TITLES = {"time_s": "time [s]", "phase": "periods of rolling, or rows of the pat
           "distance_m": "rolled way [m]", "time": "time"}
 STEADY = []  # the sources that are steady states
 READERS = []  # each source of one block, and the reader that it is of
-ENDINGS = (".ex2", ".pvd")  # of series
+ENDING = ".ex2"  # of series
 
 
 def own_folder():
@@ -53,7 +53,7 @@ def opened_folder():
     for source in GetSources().values():
         names = getattr(source, "FileName", None) or ""
         name = names if isinstance(names, str) else names[0]
-        if name.endswith(ENDINGS):
+        if name.endswith(ENDING):
             return os.path.dirname(os.path.dirname(os.path.abspath(name)))
     return ""
 
@@ -62,7 +62,7 @@ def all_series():
     """The series of the first folder that has some."""
     folders = [folder for folder in (own_folder(), opened_folder(), os.getcwd()) if folder]
     for folder in folders:
-        found = [path for ending in ENDINGS for path in glob.glob(os.path.join(glob.escape(folder), "*", "*" + ending))]
+        found = glob.glob(os.path.join(glob.escape(folder), "*", "*" + ENDING))
         if found:
             print("results of", folder)
             return found
@@ -91,9 +91,7 @@ def open_series(path):
     scene.UpdateAnimationUsingDataTimeSteps()
     scene.AnimationTime = max(scene.AnimationTime, source.TimestepValues[-1])
     source.UpdatePipeline(scene.AnimationTime)
-    if not path.endswith(".ex2"):
-        return source
-    # Its reader gives blocks, of which there is one.
+    # Its reader gives blocks, of which there is one, of a machine one for each part.
     block = MergeBlocks(Input=source, MergePoints=0)
     RenameSource(os.path.basename(folder) + " " + name + " block", block)
     block.UpdatePipeline(scene.AnimationTime)

@@ -24,6 +24,18 @@ def show_stick_slip(source, view):
     say_time(source, view)
 
 
+def evenly_placed(source):
+    """The fields of a surface at points of equal distances, 24 along its longer side."""
+    bounds = source.GetDataInformation().GetBounds()
+    sides = [bounds[1] - bounds[0], bounds[3] - bounds[2]]
+    places = Plane(Origin=[bounds[0], bounds[2], 0.0], Point1=[bounds[1], bounds[2], 0.0], Point2=[bounds[0], bounds[3], 0.0],
+                   XResolution=max(1, round(24 * sides[0] / max(sides))), YResolution=max(1, round(24 * sides[1] / max(sides))))
+    RenameSource("places of arrows", places)
+    placed = ResampleWithDataset(SourceDataArrays=source, DestinationMesh=places)
+    RenameSource("fields there", placed)
+    return placed
+
+
 def show_tractions(source, view, size, lift):
     display = Show(source, view)
     display.SetRepresentationType("Surface" if is_area(source) else "Points")
@@ -33,14 +45,11 @@ def show_tractions(source, view, size, lift):
     display.PointSize = 6
     strongest = largest(source, "tangential_traction_Pa")
     if strongest > 0:
-        arrows = Glyph(Input=source, GlyphType="Arrow")
+        arrows = Glyph(Input=evenly_placed(source) if is_area(source) else source, GlyphType="Arrow")
         arrows.OrientationArray = ["POINTS", "tangential_traction_Pa"]
         arrows.ScaleArray = ["POINTS", "tangential_traction_Pa"]
         arrows.ScaleFactor = 0.06 * size / strongest
-        if is_area(source):
-            arrows.GlyphMode, arrows.MaximumNumberOfSamplePoints = "Uniform Spatial Distribution (Bounds Based)", 600
-        else:
-            arrows.GlyphMode = "All Points"
+        arrows.GlyphMode = "All Points"
         RenameSource("tangential tractions", arrows)
         shown = Show(arrows, view)
         shown.ColorArrayName = ["POINTS", ""]
@@ -77,16 +86,6 @@ def back_half(source, bounds):
     return clip
 
 
-def whole(volume):
-    """A half model mirrored at y = 0."""
-    bounds = volume.GetDataInformation().GetBounds()
-    if bounds[2] < -1e-6 * (bounds[3] - bounds[2]):
-        return volume
-    both = Reflect(Input=volume, Plane="Y Min", FlipAllInputArrays=1)
-    RenameSource("mirrored", both)
-    return both
-
-
 def near(volume, bounds, depth):
     """What lies below the surface of these bounds, and a little beside it, down to the depth."""
     beside = 0.15 * (bounds[1] - bounds[0])
@@ -107,7 +106,7 @@ def show_section(folder, surface, volume, view, size, depth, lift, scale=None):
     display.Position = [0.0, 0.0, lift]
     if volume:
         colour(display, view, surface_cells(surface), "contact_state", "contact", "Upper Right Corner")
-        body = near(whole(volume), bounds, depth)
+        body = near(volume, bounds, depth)
         body.UpdatePipeline(time)
         inside = back_half(warped(body, scale), body.GetDataInformation().GetBounds())
         shown = Show(inside, view)
@@ -254,12 +253,12 @@ def link(views):
 
 def show_machine(folder):
     """A walking machine in motion, its displacements magnified, and its way."""
-    source = open_series(os.path.join(folder, "machine.pvd"))
+    source = open_series(os.path.join(folder, "machine.ex2"))
+    reader = next(one for block, one in READERS if block == source)
+    reader.DisplacementMagnitude = reader.FieldData["magnification"].GetRange(0)[0]
+    source.UpdatePipeline(GetAnimationScene().AnimationTime)
     view = new_view()
-    name = next(a for a in ("displacement_m", "displacement") if source.PointData[a])
-    field = servermanager.Fetch(source).GetFieldData().GetArray("magnification")
-    moved = WarpByVector(Input=source, Vectors=["POINTS", name], ScaleFactor=field.GetTuple1(0) if field else 1.0)
-    display = Show(moved, view)
+    display = Show(source, view)
     display.PointSize = 10
     display.RenderPointsAsSpheres = 1
     display.LineWidth = 3
@@ -294,7 +293,7 @@ def main():
     empty = [] if GetSources() else list(GetLayouts().values())  # of a window that has just opened
     first, surfaces, alike = None, [], {}
     for model in sorted(set(os.path.dirname(path) for path in series)):
-        is_machine = os.path.join(model, "machine.pvd") in series
+        is_machine = os.path.join(model, "machine.ex2") in series
         views = show_machine(model) if is_machine else show_model(model, series, surfaces)
         lay_out(os.path.basename(model), list(views.values()))
         first = first or next(iter(views.values()))

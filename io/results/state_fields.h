@@ -1,87 +1,21 @@
 #pragma once
 
-#include <algorithm>
-#include <array>
 #include <cstdint>
 #include <vector>
 
 #include "contact/compliances/interior.h"
 #include "contact/surface.h"
-
-// Fields of a state by their names, for any kind of file: `out` has add_scalar, add_vector,
-// add_tensor and add_bytes as VtkXml does.
+#include "io/results/exodus_file.h"
 
 namespace tricontact::io {
 
-/// 0 where the surface touches: what solvers leave there is their residual.
-inline std::vector<double> told_gap(const contact::Surface& s) {
-    std::vector<double> gap = s.gap;
-    for (std::size_t i = 0; i < std::min(gap.size(), s.contact_state.size()); ++i)
-        if (s.contact_state[i] != contact::ContactState::open) gap[i] = 0;
-    return gap;
-}
-
-/// What some layouts have beside.
-template <class Out>
-void add_layout_fields(Out& out, const contact::Surface& s) {
-    out.add_scalar("normal_line_load_N_per_m", s.normal_line_load, s.size());
-    out.add_scalar("tangential_line_load_N_per_m", s.tangential_line_load, s.size());
-    out.add_scalar("normal_traction_consistent_Pa", s.normal_traction_consistent, s.size());
-    if (!s.tangential_traction_x_consistent.empty())
-        out.add_vector("tangential_traction_consistent_Pa",
-                       {s.tangential_traction_x_consistent, s.tangential_traction_y_consistent, {}},
-                       s.size());
-}
-
-/// At the points of a surface.
-template <class Out>
-void add_surface_fields(Out& out, const contact::Surface& s) {
-    const std::size_t n = s.size();
-    out.add_scalar("normal_traction_Pa", s.normal_traction, n);
-    out.add_vector("tangential_traction_Pa", {s.tangential_traction_x, s.tangential_traction_y, {}},
-                   n);
-    out.add_scalar("friction_bound_Pa", s.friction_bound, n);
-    // z is out of the substrate.
-    out.add_vector("displacement_m", {s.displacement_x, s.displacement_y, s.displacement_z}, n, -1);
-    out.add_scalar("gap_m", told_gap(s), n);
-    out.add_vector("slip_m", {s.slip_x, s.slip_y, {}}, n);
-    out.add_scalar("dissipation_J_per_m2", s.dissipation, n);
-    out.add_scalar("slip_path_m", s.slip_path, n);
-    out.add_scalar("friction_work_J_per_m2", s.friction_work, n);
-    static_assert(sizeof(contact::ContactState) == 1);
-    out.add_bytes(
-        "contact_state",
-        {reinterpret_cast<const std::uint8_t*>(s.contact_state.data()), s.contact_state.size()}, n);
-    add_layout_fields(out, s);
-}
+/// At the points of a surface: what solvers leave as a gap where it touches is 0.
+void add_surface_fields(ExodusFields& out, const contact::Surface& s);
 
 /// The state that has the largest share of each element, by Simpson's weights of its nodes.
-inline std::vector<std::uint8_t> states_of_quads(const contact::Surface& s) {
-    constexpr std::array weights{1, 1, 1, 1, 4, 4, 4, 4, 16};  // over 36; VTK's order of nodes
-    std::vector<std::uint8_t> states;
-    for (const auto& quad : s.quads) {
-        std::array<int, 3> shares{};
-        for (std::size_t i = 0; i < quad.size(); ++i)
-            shares.at(static_cast<std::size_t>(s.contact_state[quad[i]])) += weights[i];
-        states.push_back(
-            static_cast<std::uint8_t>(std::ranges::max_element(shares) - shares.begin()));
-    }
-    return states;
-}
+std::vector<std::uint8_t> states_of_quads(const contact::Surface& s);
 
-/// At the points of the inside.
-template <class Out>
-void add_point_fields(Out& out, const contact::Interior& interior, std::size_t n) {
-    out.add_vector("displacement_m", interior.displacement, n);
-    out.add_tensor("stress_Pa", interior.stress, n);
-    std::vector<double> mises, pressure;
-    mises.reserve(n), pressure.reserve(n);
-    for (const auto& stress : interior.stress) {
-        mises.push_back(contact::von_mises(stress));
-        pressure.push_back(contact::mean_pressure(stress));
-    }
-    out.add_scalar("von_mises_Pa", mises, n);
-    out.add_scalar("pressure_Pa", pressure, n);
-}
+/// At the points of the inside, `n` of them.
+void add_point_fields(ExodusFields& out, const contact::Interior& interior, std::size_t n);
 
 }  // namespace tricontact::io

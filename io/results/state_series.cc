@@ -7,6 +7,7 @@
 #include <filesystem>
 
 #include "io/results/atomic_file.h"
+#include "io/results/former_series.h"
 
 namespace tricontact::io {
 
@@ -96,10 +97,8 @@ void StateSeries::begin_file(ExodusMesh mesh, double time, const ExodusFields& f
     layout_ = exodus_layout(mesh_, names_, provenance_);
     times_ = shown_times_ = {time};
     ++n_files_;
+    if (n_files_ == 1) remove_former_series(folder_, name_);
     std::error_code ignored;
-    // Of versions that wrote a file for each state, the list of these.
-    const auto old_list = (std::filesystem::path(folder_) / (name_ + ".pvd")).string();
-    if (std::filesystem::exists(old_list, ignored)) remove_file(old_list);
     for (int number = n_files_ + 1; std::filesystem::exists(path(number), ignored); ++number)
         remove_file(path(number));
     write_unsynced(path(n_files_), layout_.bytes(1) + exodus_record(layout_, names_, time, fields));

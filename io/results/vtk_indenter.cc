@@ -48,16 +48,15 @@ IndenterShape::IndenterShape(const contact::Indenter& indenter, const Extent& ex
 }
 
 ExodusMesh IndenterShape::mesh() const {
-    ExodusMesh mesh{.block = "indenter", .element = "QUAD4", .points = points_, .nodes = {}};
-    mesh.nodes_per_element = 4;
+    ExodusBlock block{.name = "indenter", .element = "QUAD4", .nodes_per_element = 4};
     const int n_across = static_cast<int>(points_.size()) / n_along_;
     for (int j = 0; j + 1 < n_across; ++j)
         for (int i = 0; i + 1 < n_along_; ++i) {
             const int corner = j * n_along_ + i + 1;
-            mesh.nodes.insert(mesh.nodes.end(),
-                              {corner, corner + 1, corner + n_along_ + 1, corner + n_along_});
+            block.nodes.insert(block.nodes.end(),
+                               {corner, corner + 1, corner + n_along_ + 1, corner + n_along_});
         }
-    return mesh;
+    return {.points = points_, .blocks = {std::move(block)}};
 }
 
 ExodusFields IndenterShape::moved(const Place& place, const Instant& instant) const {

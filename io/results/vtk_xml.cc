@@ -1,7 +1,6 @@
 #include "io/results/vtk_xml.h"
 
 #include <fmt/format.h>
-#include <lz4.h>
 #include <zlib.h>
 
 #include <algorithm>
@@ -25,28 +24,15 @@ void check_size(std::string_view name, std::size_t size, std::size_t n) {
 
 constexpr std::size_t block_size = 1 << 20;  // [bytes]; few arrays are longer
 
-/// What the bytes, a block at the most, are compressed to, in `room`. LZ4 or zlib have no other
-/// reason to fail than memory.
-std::string_view compressed(std::span<const char> bytes, Compression compression,
-                            Scratch<char>& room) {
-    std::size_t size = 0;
-    char* out = nullptr;
-    if (compression == Compression::quick) {
-        const int n = static_cast<int>(bytes.size()), space = LZ4_compressBound(n);
-        out = room.of(static_cast<std::size_t>(space)).data();
-        constexpr int acceleration = 24;  // half the time of 1; a quarter more of a surface
-        size =
-            static_cast<std::size_t>(LZ4_compress_fast(bytes.data(), out, n, space, acceleration));
-    } else {
-        constexpr int level = 1;  // the others take twice the time for 4 % of the size
-        uLongf space = ::compressBound(bytes.size());
-        out = room.of(space).data();
-        const int code =
-            ::compress2(reinterpret_cast<Bytef*>(out), &space,
-                        reinterpret_cast<const Bytef*>(bytes.data()), bytes.size(), level);
-        if (code == Z_OK) size = space;
-    }
-    if (size == 0) throw std::bad_alloc();
+/// What the bytes, a block at the most, are compressed to, in `room`. zlib has no other reason to
+/// fail than memory.
+std::string_view compressed(std::span<const char> bytes, Scratch<char>& room) {
+    constexpr int level = 1;  // the others take twice the time for 4 % of the size
+    uLongf size = ::compressBound(bytes.size());
+    char* const out = room.of(size).data();
+    if (::compress2(reinterpret_cast<Bytef*>(out), &size,
+                    reinterpret_cast<const Bytef*>(bytes.data()), bytes.size(), level) != Z_OK)
+        throw std::bad_alloc();
     return {out, size};
 }
 
@@ -68,9 +54,8 @@ ImageGrid image_grid(const std::array<int, 2>& n_points, const std::array<double
             has_rows ? "PointData" : "CellData"};
 }
 
-VtkXml::VtkXml(std::string_view type, const Attributes& attributes, Compression compression)
-    : compression_(compression),
-      // Of image, poly, rectilinear, structured or unstructured data.
+VtkXml::VtkXml(std::string_view type, const Attributes& attributes)
+    :  // Of image, poly or unstructured data.
       extension_(std::string(".vt") + static_cast<char>(std::tolower(type.front()))) {
     const bool little = std::endian::native == std::endian::little;
     head_ = "<?xml version=\"1.0\"?>\n";
@@ -78,8 +63,7 @@ VtkXml::VtkXml(std::string_view type, const Attributes& attributes, Compression 
                       {"version", "1.0"},
                       {"byte_order", little ? "LittleEndian" : "BigEndian"},
                       {"header_type", "UInt64"},
-                      {"compressor", compression == Compression::quick ? "vtkLZ4DataCompressor"
-                                                                       : "vtkZLibDataCompressor"}});
+                      {"compressor", "vtkZLibDataCompressor"}});
     begin(type, attributes);
     blocks_.reserve(block_size / 4);  // most files have no more
 }
@@ -138,22 +122,6 @@ void VtkXml::add_vector(std::string_view name,
     add_field(name, 3, field);
 }
 
-void VtkXml::add_vector(std::string_view name, std::span<const std::array<double, 3>> values,
-                        std::size_t n) {
-    check_size(name, values.size(), n);
-    add_field(name, 3, flat(values));
-}
-
-void VtkXml::add_tensor(std::string_view name, std::span<const std::array<double, 6>> values,
-                        std::size_t n) {
-    check_size(name, values.size(), n);
-    std::string names;
-    int k = 0;
-    for (const char* component : {"XX", "YY", "ZZ", "XY", "YZ", "XZ"})
-        names += fmt::format(" ComponentName{}=\"{}\"", k++, component);
-    add_field(name, 6, flat(values), names);
-}
-
 void VtkXml::add_bytes(std::string_view name, std::span<const std::uint8_t> values, std::size_t n) {
     check_size(name, values.size(), n);
     add_array("UInt8", name, 1, "", values.data(), values.size());
@@ -163,10 +131,6 @@ void VtkXml::add_points(std::span<const std::array<double, 3>> positions) {
     begin("Points");
     add_array("Float64", "Points", 3, "", positions.data(), positions.size_bytes());
     end();
-}
-
-void VtkXml::add_axis(std::string_view name, std::span<const double> positions) {
-    add_array("Float64", name, 1, "", positions.data(), positions.size_bytes());
 }
 
 void VtkXml::add_cells(std::span<const std::int64_t> points, std::span<const std::int64_t> ends) {
@@ -183,17 +147,8 @@ VtkFile VtkXml::file() {
     return {extension_, std::move(blocks_)};
 }
 
-template <std::size_t N>
-std::span<const float> VtkXml::flat(std::span<const std::array<double, N>> values) {
-    const std::span<float> field = field_.of(N * values.size());
-    auto out = field.begin();
-    for (const auto& value : values) out = std::ranges::copy(value, out).out;
-    return field;
-}
-
-void VtkXml::add_field(std::string_view name, int n_components, std::span<const float> field,
-                       std::string_view attributes) {
-    add_array("Float32", name, n_components, attributes, field.data(), field.size_bytes());
+void VtkXml::add_field(std::string_view name, int n_components, std::span<const float> field) {
+    add_array("Float32", name, n_components, "", field.data(), field.size_bytes());
 }
 
 void VtkXml::add_array(std::string_view type, std::string_view name, int n_components,
@@ -216,7 +171,7 @@ void VtkXml::append(const void* values, std::size_t n_bytes) {
     blocks_.resize(at + header);
     for (std::size_t done = 0; done < n_bytes; done += block_size) {
         const std::size_t n = std::min(block_size, n_bytes - done);
-        const std::string_view block = compressed({bytes + done, n}, compression_, compressed_);
+        const std::string_view block = compressed({bytes + done, n}, compressed_);
         sizes.push_back(block.size());
         blocks_ += block;
     }

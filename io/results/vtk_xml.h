@@ -15,9 +15,6 @@
 
 namespace tricontact::io {
 
-/// By LZ4, or by zlib, which makes a fifth less of a surface in fifty times the time.
-enum class Compression { quick, small };
-
 /// A grid of a surface as an image: fields at its points, as those of elements are at their nodes.
 /// A single row of cells, which has an extent across, keeps them in its cells.
 struct ImageGrid {
@@ -43,17 +40,17 @@ class Scratch {
     std::unique_ptr<T[]> memory_;
 };
 
-/// A data set as VTK's XML, arrays appended, compressed, raw: small, exact, and the same bytes each
-/// time. Elements and blocks are those of "VTK File Formats" (The VTK User's Guide). VTK's own
-/// writer takes three times as long for a surface, and loading its libraries as long as all else
-/// about the program's start. Arrays belong to the element that was begun last. Those with a number
-/// `n` of points or cells throw std::invalid_argument unless there is one value for each.
+/// A data set as VTK's XML, arrays appended, compressed by zlib, raw: small, exact, and the same
+/// bytes each time. Elements and blocks are those of "VTK File Formats" (The VTK User's Guide).
+/// VTK's own writer takes three times as long for a surface, and loading its libraries as long as
+/// all else about the program's start. Arrays belong to the element that was begun last. Those with
+/// a number `n` of points or cells throw std::invalid_argument unless there is one value for each.
 class VtkXml {
   public:
     using Attributes = std::initializer_list<std::pair<std::string_view, std::string>>;
 
     /// `type` of data set: "ImageData" ...
-    VtkXml(std::string_view type, const Attributes& attributes, Compression compression);
+    explicit VtkXml(std::string_view type, const Attributes& attributes = {});
 
     void begin(std::string_view element, const Attributes& attributes = {});
     void end();
@@ -72,19 +69,12 @@ class VtkXml {
     /// A vector each; components that are empty are zero. `z_sign` multiplies the third component.
     void add_vector(std::string_view name, const std::array<std::span<const double>, 3>& components,
                     std::size_t n, double z_sign = 1);
-    void add_vector(std::string_view name, std::span<const std::array<double, 3>> values,
-                    std::size_t n);
-    /// A symmetric tensor each: XX YY ZZ XY YZ XZ, the order that ParaView expects.
-    void add_tensor(std::string_view name, std::span<const std::array<double, 6>> values,
-                    std::size_t n);
     void add_bytes(std::string_view name, std::span<const std::uint8_t> values, std::size_t n);
 
     // Geometry.
 
     /// Positions in double precision.
     void add_points(std::span<const std::array<double, 3>> positions);
-    /// Those along an axis of a rectilinear grid.
-    void add_axis(std::string_view name, std::span<const double> positions);
     /// Points of the cells one after another, and where each cell ends among them.
     void add_cells(std::span<const std::int64_t> points, std::span<const std::int64_t> ends);
 
@@ -94,13 +84,9 @@ class VtkXml {
   private:
     void add_array(std::string_view type, std::string_view name, int n_components,
                    std::string_view attributes, const void* values, std::size_t n_bytes);
-    void add_field(std::string_view name, int n_components, std::span<const float> field,
-                   std::string_view attributes = {});
-    template <std::size_t N>
-    std::span<const float> flat(std::span<const std::array<double, N>> values);
+    void add_field(std::string_view name, int n_components, std::span<const float> field);
     void append(const void* values, std::size_t n_bytes);
 
-    Compression compression_;
     std::vector<std::string> open_;  // elements that have not been ended
     std::string extension_, head_, blocks_;
     Scratch<float> field_;

@@ -10,6 +10,7 @@ from ._core import WalkCase, _walk
 from .equality import same
 from .inputs import Overrides, StrPath, case_of, merged
 from .labels import label_of
+from .progress import Progress, display
 from .table import Table, entry
 
 
@@ -63,11 +64,17 @@ class Walk(Mapping[str, Any]):
 
 def walk(
     case: Union[StrPath, WalkCase, dict[str, Any]], *, overrides: Overrides = None,
-    **keys: Any,
+    progress: Progress = None, **keys: Any,
 ) -> Walk:
     """Run a machine - a file, a WalkCase or a dictionary - and judge its motion.
 
-    `overrides` are the program's --set. Takes seconds; other threads go on, Ctrl-C waits.
+    `overrides` are the program's --set. progress: see tricontact.progress; it counts thousandths of
+    the steps, and what a function raises ends the run. Other threads go on, and Ctrl-C ends it.
     """
-    summary, motion, windows = _walk(case_of(WalkCase, case, merged(overrides, keys)))
+    resolved = case_of(WalkCase, case, merged(overrides, keys))
+    told = display(progress)
+    try:
+        summary, motion, windows = _walk(resolved, told.progress)
+    finally:
+        told.close()
     return Walk(summary, Table(motion), Table(windows))

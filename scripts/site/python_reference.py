@@ -4,12 +4,11 @@ usage: python_reference.py SOURCE_DIR FOLDER [COMPILED]   COMPILED: build/releas
 
 import ast
 import copy
-import importlib
+import importlib.util
 import inspect
 import os
 import re
 import sys
-import tempfile
 from pathlib import Path
 
 FUNCTIONS = (ast.FunctionDef, ast.AsyncFunctionDef)
@@ -43,19 +42,13 @@ class Package:
                       for path in (*folder.glob("*.py"), folder / "_core.pyi")}
         self.core = None
         if compiled:
-            # The package as it is installed: all of its parts in one folder.
-            self.home = tempfile.TemporaryDirectory()
-            there = Path(self.home.name) / "tricontact"
-            there.mkdir()
-            for path in (*folder.iterdir(), Path(compiled)):
-                if path.is_file():
-                    (there / path.name).symlink_to(path.resolve())
+            # From where it was built: it looks for its library from there.
             sys.dont_write_bytecode = True
-            sys.path.insert(0, self.home.name)
+            spec = importlib.util.spec_from_file_location("tricontact._core", os.path.realpath(compiled))
             try:
-                self.core = importlib.import_module("tricontact._core")
-            except ImportError as error:  # built of other sources, or NumPy is not there
-                print(f"The compiled part cannot be read: {error}")
+                self.core = importlib.util.module_from_spec(spec)
+            except ImportError as error:
+                sys.exit(f"error: {compiled} cannot be read: {error}")
 
     def definition(self, module, name):
         """(module, definition) of what a module defines or imports from its neighbours."""

@@ -178,6 +178,20 @@ def test_a_folder_of_the_program_is_opened(rig, program, tmp_path):
     assert again == opened
 
 
+def test_a_folder_of_an_earlier_version_is_refused_by_name(rig, program, tmp_path):
+    settings = [text for key, value in SMALL.items() if key != "models" for text in ("--set", f"{key}={value}")]
+    run = ("run", rig, "--models", "mdr", *settings, "--quiet", "--no-studies", "--no-report", "--output", "out")
+    program(*run)
+    for name in ("surface.pvd", "surface_000000.vtp", "indenter.pvd", "surface_000000.csv"):
+        (tmp_path / "out" / "mdr" / name).write_text("of an earlier version, or a user's own")
+    with pytest.raises(tricontact.InputError, match=r"mdr/surface.pvd: is of an earlier version, .* compute the case anew"):
+        tricontact.open(tmp_path / "out")
+    program(*run)
+    assert tricontact.open(tmp_path / "out").models == ["mdr"]
+    left = {path.name for path in (tmp_path / "out" / "mdr").iterdir()}
+    assert left == {"history.csv", "surface.ex2", "indenter.ex2", "surface_000000.csv"}
+
+
 def test_folders_of_other_commands_are_opened(rig, tmp_path):
     limit = tricontact.limit(rig, overrides=SMALL, tolerance=0.1, output=tmp_path / "limit")
     opened = tricontact.open(tmp_path / "limit")

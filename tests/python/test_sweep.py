@@ -59,6 +59,16 @@ def test_finished_points_are_not_computed_again(study, tmp_path):
     assert (tmp_path / "out" / "results.sqlite").read_bytes() == store
 
 
+def test_progress_counts_points(study, tmp_path):
+    heard = []
+    tricontact.sweep(study, tmp_path / "out", jobs=2, report=False, progress=lambda *told: heard.append(told))
+    assert {(name, total) for name, _, total in heard} == {("sweep", 12)}
+    assert [done for _, done, _ in heard] == sorted(done for _, done, _ in heard) and heard[-1][1] == 12
+    heard.clear()
+    tricontact.sweep(study, tmp_path / "out", report=False, progress=lambda *told: heard.append(told))
+    assert not heard  # all are there
+
+
 def test_failed_points_are_told_and_stand_in_the_table(rig, tmp_path):
     file = tmp_path / "study.toml"
     file.write_text(

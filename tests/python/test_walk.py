@@ -24,6 +24,20 @@ def test_walk_is_that_of_the_program(machine, program, tmp_path, summary_of):
             np.testing.assert_array_equal(table[column], file[column])
 
 
+def test_progress_is_told_and_may_end_the_run(machine):
+    heard = []
+    tricontact.walk(machine, time__end=50, progress=lambda *told: heard.append(told))
+    assert {name for name, _, _ in heard} == {"walk"}
+    assert [done for _, done, _ in heard] == sorted({done for _, done, _ in heard})  # each once, in order
+    assert heard[-1][1:] == (1000, 1000) and len(heard) > 100
+
+    def stop(name, done, total):
+        raise RuntimeError("enough")
+
+    with pytest.raises(RuntimeError, match="enough"):
+        tricontact.walk(machine, time__end=50, progress=stop)
+
+
 def test_spots_obey_coulomb(machine):
     walk = tricontact.walk(tricontact.WalkCase.from_file(machine, {"time.end": 500}))
     mu = 0.68

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include "io/results/vtk_xml.h"
+#include "io/results/state_series.h"
 
 namespace tricontact::walking {
 
@@ -13,10 +13,14 @@ namespace {
 
 using Vector3 = std::array<double, 3>;
 
-/// A walking machine at one time as points and cells: x forwards, y across, z out of the ground,
+/// A walking machine at one time as points and elements: x forwards, y across, z out of the ground,
 /// seen from the spring's base. Lengths in units of b, forces of k_x b.
 struct WalkScene {
     enum Part : std::uint8_t { spots, spring, body, ground, ground_mark };
+
+    static io::ExodusBlock quads(const char* name) {
+        return {.name = name, .element = "QUAD4", .nodes_per_element = 4};
+    }
 
     /// Forces act on the body, 0 where none does.
     struct Point {
@@ -25,14 +29,21 @@ struct WalkScene {
         SpotState state = SpotState::released;
     };
     std::vector<Point> points;
-    std::vector<std::vector<int>> vertices;  // the spots' tips, points by their numbers
-    std::vector<std::vector<int>> lines;     // the spring
-    std::vector<std::vector<int>> polygons;  // body and ground
-    std::vector<std::uint8_t> parts;         // of vertices, lines, polygons, in this order
+    std::vector<io::ExodusBlock> parts{
+        {.name = "spots", .element = "SPHERE", .nodes_per_element = 1},
+        {.name = "spring", .element = "BAR2", .nodes_per_element = 2},
+        quads("body"),
+        quads("ground"),
+        quads("ground_marked")};
 
-    int add(const Vector3& place, const Vector3& displacement) {
+    /// The point's number.
+    std::int32_t add(const Vector3& place, const Vector3& displacement) {
         points.push_back({place, displacement});
-        return static_cast<int>(points.size()) - 1;
+        return static_cast<std::int32_t>(points.size());
+    }
+    void join(Part part, std::initializer_list<std::int32_t> nodes) {
+        auto& all = parts[part].nodes;
+        all.insert(all.end(), nodes);
     }
 };
 
@@ -51,58 +62,50 @@ void add_spots(WalkScene& scene, const Machine& machine, const Snapshot& snapsho
     const auto spots = spots_of(machine);
     for (std::size_t i = 0; i < spots.size(); ++i) {
         const Spot& spot = spots[i];
-        scene.vertices.push_back(
-            {scene.add({spot.position, 0, spot.height},
-                       displacement(machine, snapshot.motion, spot.position, spot.height))});
+        scene.join(WalkScene::spots,
+                   {scene.add({spot.position, 0, spot.height},
+                              displacement(machine, snapshot.motion, spot.position, spot.height))});
         const auto force = spot_force(machine, spot, snapshot.motion.spots[i]);
         WalkScene::Point& tip = scene.points.back();
         tip.normal_force = {0, 0, force.normal};
         tip.tangential_force = {-force.tangential, 0, 0};
         tip.state = snapshot.spots[i];
-        scene.parts.push_back(WalkScene::spots);
     }
 }
 
 void add_spring(WalkScene& scene, const Machine& machine, const Motion& motion) {
     constexpr double front = 1, length = 1;  // as drawn
     const double z = machine.kappas.kappa3 * (1 + machine.kappas.kappa8);
-    const int at_base = scene.add({front + length, 0, z}, {});
-    const int at_body = scene.add({front, 0, z}, displacement(machine, motion, front, z));
+    const auto at_base = scene.add({front + length, 0, z}, {});
+    const auto at_body = scene.add({front, 0, z}, displacement(machine, motion, front, z));
     scene.points.back().spring_force = {spring_force(machine, motion), 0, 0};
-    scene.lines.push_back({at_body, at_base});
-    scene.parts.push_back(WalkScene::spring);
+    scene.join(WalkScene::spring, {at_body, at_base});
 }
 
 void add_body(WalkScene& scene, const Machine& machine, const Motion& motion) {
-    const auto first = static_cast<int>(scene.points.size());
+    const auto first = static_cast<std::int32_t>(scene.points.size()) + 1;
     for (const double z : {0., 2 * machine.kappas.kappa3})
         for (const double y : {-body_depth / 2, body_depth / 2})
             for (const double x : {-1., 1.})
                 scene.add({x, y, z}, displacement(machine, motion, x, z));
-    for (std::vector<int> face : {std::vector{0, 2, 3, 1},
-                                  {4, 5, 7, 6},
-                                  {0, 1, 5, 4},
-                                  {2, 6, 7, 3},
-                                  {0, 4, 6, 2},
-                                  {1, 3, 7, 5}}) {
-        for (int& corner : face) corner += first;
-        scene.polygons.push_back(face);
-        scene.parts.push_back(WalkScene::body);
-    }
+    using Face = std::array<std::int32_t, 4>;
+    for (const auto& [a, b, c, d] :
+         {Face{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}})
+        scene.join(WalkScene::body, {first + a, first + b, first + c, first + d});
 }
 
 // Strips, every second one marked, so that one sees it move.
 void add_ground(WalkScene& scene, double displacement) {
     constexpr int n_strips = 60;
     constexpr double begin = -3, width = 0.1;
-    const auto first = static_cast<int>(scene.points.size());
+    const auto first = static_cast<std::int32_t>(scene.points.size()) + 1;
     for (int i = 0; i <= n_strips; ++i)
         for (const double y : {-ground_depth / 2, ground_depth / 2})
             scene.add({begin + i * width, y, 0}, {displacement, 0, 0});
     for (int i = 0; i < n_strips; ++i) {
-        const int corner = first + 2 * i;
-        scene.polygons.push_back({corner, corner + 2, corner + 3, corner + 1});
-        scene.parts.push_back(i % 2 == 0 ? WalkScene::ground : WalkScene::ground_mark);
+        const std::int32_t corner = first + 2 * i;
+        scene.join(i % 2 == 0 ? WalkScene::ground : WalkScene::ground_mark,
+                   {corner, corner + 2, corner + 3, corner + 1});
     }
 }
 
@@ -112,49 +115,45 @@ struct Units {
     std::string of_length = {}, of_force = {}, of_time = {};  // "_m", "_N", "_s"
 };
 
-void write_cells(io::VtkXml& xml, const char* kind, const std::vector<std::vector<int>>& cells) {
-    std::vector<std::int64_t> points, ends;
-    for (const auto& cell : cells) {
-        points.insert(points.end(), cell.begin(), cell.end());
-        ends.push_back(static_cast<std::int64_t>(points.size()));
+io::ExodusMesh mesh_of(const WalkScene& scene, const Units& units) {
+    io::ExodusMesh mesh{.blocks = scene.parts};
+    mesh.remark = units.of_length.empty() ? "in units of b, k_x b, sqrt(m/k_x); " : "SI units; ";
+    mesh.remark +=
+        "x forwards, y across, z out of the ground; contact_state 0 no contact 1 stick 2 slip; "
+        "part 0 spots 1 spring 2 body 3 4 ground";
+    for (const WalkScene::Point& point : scene.points) {
+        const auto& [x, y, z] = point.place;
+        mesh.points.push_back({x * units.length, y * units.length, z * units.length});
     }
-    xml.begin(kind);
-    xml.add_cells(points, ends);
-    xml.end();
+    return mesh;
 }
 
-void write_scene(io::VtkXml& xml, const WalkScene& scene, const Units& units) {
-    const std::size_t n = scene.points.size();
-    const auto scaled = [&](Vector3 WalkScene::Point::*member, double unit) {
-        std::vector<Vector3> vectors;
-        for (const WalkScene::Point& point : scene.points) {
-            const auto& [x, y, z] = point.*member;
-            vectors.push_back({x * unit, y * unit, z * unit});
-        }
-        return vectors;
-    };
-    xml.begin("Piece", {{"NumberOfPoints", std::to_string(n)},
-                        {"NumberOfVerts", std::to_string(scene.vertices.size())},
-                        {"NumberOfLines", std::to_string(scene.lines.size())},
-                        {"NumberOfPolys", std::to_string(scene.polygons.size())}});
-    xml.add_points(scaled(&WalkScene::Point::place, units.length));
-    write_cells(xml, "Verts", scene.vertices);
-    write_cells(xml, "Lines", scene.lines);
-    write_cells(xml, "Polys", scene.polygons);
-    const auto add = [&](const std::string& name, Vector3 WalkScene::Point::*member, double unit) {
-        xml.add_vector(name, scaled(member, unit), n);
-    };
-    xml.begin("PointData");
-    add("displacement" + units.of_length, &WalkScene::Point::displacement, units.length);
-    add("normal_force" + units.of_force, &WalkScene::Point::normal_force, units.force);
-    add("tangential_force" + units.of_force, &WalkScene::Point::tangential_force, units.force);
-    add("spring_force" + units.of_force, &WalkScene::Point::spring_force, units.force);
-    std::vector<std::uint8_t> states;
-    for (const auto& point : scene.points) states.push_back(static_cast<std::uint8_t>(point.state));
-    xml.add_bytes("contact_state", states, n);
-    xml.end();
-    xml.begin("CellData");
-    xml.add_bytes("part", scene.parts, scene.parts.size());
+/// Components one by one, since a displacement by its name is what readers move the mesh by.
+void add_vector(io::ExodusFields& fields, const std::string& name, const WalkScene& scene,
+                Vector3 WalkScene::Point::*member, double unit) {
+    constexpr std::array ends{"_x", "_y", "_z"};
+    for (std::size_t d = 0; d < ends.size(); ++d) {
+        std::vector<double> values;
+        for (const auto& point : scene.points) values.push_back((point.*member).at(d) * unit);
+        fields.add_scalar(name + ends.at(d), values, values.size());
+    }
+}
+
+void add_fields(io::ExodusFields& fields, const WalkScene& scene, const Units& units) {
+    using Point = WalkScene::Point;
+    add_vector(fields, "displacement" + units.of_length, scene, &Point::displacement, units.length);
+    add_vector(fields, "normal_force" + units.of_force, scene, &Point::normal_force, units.force);
+    add_vector(fields, "tangential_force" + units.of_force, scene, &Point::tangential_force,
+               units.force);
+    add_vector(fields, "spring_force" + units.of_force, scene, &Point::spring_force, units.force);
+    std::vector<std::uint8_t> states, parts;
+    for (const Point& point : scene.points)
+        states.push_back(static_cast<std::uint8_t>(point.state));
+    fields.add_bytes("contact_state", states, states.size());
+    fields.begin_elements();
+    for (std::size_t part = 0; part < scene.parts.size(); ++part)
+        parts.insert(parts.end(), scene.parts[part].size(), static_cast<std::uint8_t>(part));
+    fields.add_bytes("part", parts, parts.size());
 }
 
 /// `first_base`: where the base was when the ground was here.
@@ -195,20 +194,18 @@ void write_walk_animation(const std::string& folder, const WalkCase& walk_case,
                  "_N",
                  "_s"};
     const double magnified = magnification(walk_case.machine, snapshots);
-    io::VtkSeries series(folder, "machine", provenance);
+    io::StateSeries series(folder, "machine", provenance);
     for (const Snapshot& snapshot : snapshots) {
         const double run_time = snapshot.motion.time * units.time;
         const double time = (snapshot.motion.time - snapshots.front().motion.time) * units.time;
-        io::VtkXml xml("PolyData", {}, io::Compression::small);
-        xml.begin("FieldData");
-        xml.add_numbers("time" + units.of_time, {time});
-        xml.add_numbers("run_time" + units.of_time, {run_time});
-        xml.add_numbers("magnification", {magnified});
-        xml.add_provenance(provenance);
-        xml.end();
-        write_scene(xml, walk_scene(walk_case.machine, snapshot, snapshots.front().motion.base),
-                    units);
-        series.add(time, xml.file());
+        const WalkScene scene =
+            walk_scene(walk_case.machine, snapshot, snapshots.front().motion.base);
+        io::ExodusFields fields;
+        fields.add_number("time" + units.of_time, time);
+        fields.add_number("run_time" + units.of_time, run_time);
+        fields.add_number("magnification", magnified);
+        add_fields(fields, scene, units);
+        series.add(time, mesh_of(scene, units), fields);
     }
     series.finish();
 }

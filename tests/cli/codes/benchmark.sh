@@ -72,4 +72,17 @@ pressure_l2 = 0.1
 normal_force = "20 N"
 END
 refused 'nothing of this name is compared' benchmark compare "$PWD/submission.toml" --output out
+
+# Surfaces of the program's own runs as a code's: boundary elements on three grids beside Hertz; a substrate that is a tenth stiffer fails.
+"$program" benchmark show hertz_sphere --case >hertz.toml || complain "no case of Hertz"
+own() { "$program" run hertz.toml --models bem --no-report --no-studies --quiet --output "$@" || complain "run $*"; }
+for n in 10 20 40; do
+    own "own_$n" --set "bem.cells_per_radius=$n"
+    own "stiff_$n" --set "bem.cells_per_radius=$n" --set 'substrate.young="15 MPa"'
+done
+verdict 0 --case hertz_sphere own_10/bem/surface.ex2 own_20/bem/surface.ex2 own_40/bem/surface.ex2
+grep -q 'own_10/bem/surface.ex2: a surface of tricontact run' said.txt || complain "own surface: $(cat said.txt)"
+grep -q '^peak pressure p0.* kPa .*954.9' said.txt || complain "own surface: $(cat said.txt)"
+verdict 3 --case hertz_sphere stiff_10/bem/surface.ex2 stiff_20/bem/surface.ex2 stiff_40/bem/surface.ex2
+cp own_40/bem/indenter.ex2 . && refused 'indenter.ex2' benchmark compare --case hertz_sphere "$PWD/indenter.ex2" --output out
 finish

@@ -105,6 +105,9 @@ mkdir bad && printf '{' >bad/summary.json
 turned_down "bad/summary.json: has no case and no models" a bad
 printf '{"case": {}, "models": {"../a": {}}}' >bad/summary.json
 turned_down "is no model of a run" a bad
+# A folder of an earlier version, with a file for each state, is refused by its list.
+cp -r a former && echo '<VTKFile type="Collection"/>' >former/bem/surface.pvd
+turned_down "former/bem/surface.pvd: is of an earlier version, which wrote a file for each state; compute the case anew" a former
 cp -r a cut && head -c 30000 a/bem/surface.ex2 >cut/bem/surface.ex2
 turned_down "compute the case anew with tricontact run" a cut
 finish

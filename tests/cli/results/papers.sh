@@ -100,6 +100,10 @@ PYTHON
 for key in Johnson1985 Wetter2016 PopovHess2015 PolonskyKeer1999 Roache1998; do
     grep -q "{$key," run/references.bib || complain "references.bib of run: no $key"
 done
+# The program's own entry stands in the documents, with the year of its release.
+diff <(sed -n '/^@misc{Tricontact/,/^}/p' "$source_dir/docs/how-to/papers.md") \
+    <(sed -n '/^@misc{Tricontact/,/^}/p' run/references.bib) || complain "the program's entry"
+grep -q "^  year = {20[0-9][0-9]},$" run/references.bib || complain "the program's entry has no year"
 grep -q "{BrezziFortin1991," run/references.bib && complain "references.bib has what the run did not use"
 
 "$python" "$papers" cited "$source_dir" || complain "citations without an entry"
@@ -151,8 +155,9 @@ said=$("$program" reproduce changed.zip --quiet) || complain "another version: e
 # Numbers alone need no gnuplot; an export that cannot draw exports nothing.
 said=$(PATH=/nowhere "$program" reproduce run/archive.zip --quiet) || complain "without gnuplot: exit code"
 [[ $said == "same bytes"* ]] || complain "without gnuplot: $said"
-PATH=/nowhere "$program" run slider.toml --output out_undrawn --export undrawn --quiet 2>/dev/null
-[ $? -eq 1 ] && [ ! -e undrawn ] || complain "an export without gnuplot"
+PATH=/nowhere "$program" run slider.toml --output out_undrawn --export undrawn --quiet 2>told.txt
+[ $? -eq 1 ] && [ ! -e undrawn ] && [ ! -e out_undrawn ] || complain "an export without gnuplot, or computed in vain"
+[ "$(wc -l <told.txt)" -eq 1 ] && grep -q "gnuplot-nox" told.txt || complain "an export without gnuplot: $(cat told.txt)"
 
 # 6. Half of it is refused.
 refused "--export: its figures and tables are those of the report; drop --no-report" \

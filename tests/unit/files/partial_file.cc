@@ -79,45 +79,6 @@ TEST_F(Partial, WritersOfOneTargetDoNotMeet) {
     EXPECT_EQ(names(), Names{"a"});
 }
 
-// In the space of the old file, of which no more is left where the new one is shorter.
-TEST_F(Partial, WritesOverAFileOfNoFurtherUse) {
-    for (const std::string text : {"a long one", "short", "somewhat longer"}) {
-        PartialFile file(at("a"), {}, OldFile::is_overwritten);
-        file.write(text);
-        EXPECT_EQ(names(), Names{".a.partial-0"});
-        file.move_to_target();
-        EXPECT_EQ(names(), Names{"a"});
-        EXPECT_EQ(content("a"), text);
-    }
-    { const PartialFile given_up(at("a"), {}, OldFile::is_overwritten); }
-    EXPECT_EQ(names(), Names{});
-}
-
-TEST_F(Partial, ACopyByAnotherNameIsNotWrittenOver) {
-    std::ofstream(at("a")) << "old";
-    fs::create_hard_link(at("a"), at("copy"));
-    fs::create_symlink(at("copy"), at("b"));
-    for (const char* name : {"a", "b"}) {
-        PartialFile file(at(name), {}, OldFile::is_overwritten);
-        file.write("new");
-        file.move_to_target();
-        EXPECT_EQ(content(name), "new");
-    }
-    EXPECT_EQ(content("copy"), "old");
-}
-
-TEST_F(Partial, WhoWritesOverAFileLeavesAnotherWriterAlone) {
-    std::ofstream(at("a")) << "old";
-    PartialFile first(at("a")), second(at("a"), {}, OldFile::is_overwritten);
-    first.write("first");
-    second.write("second");
-    second.move_to_target();
-    EXPECT_EQ(content("a"), "second");
-    first.move_to_target();
-    EXPECT_EQ(content("a"), "first");
-    EXPECT_EQ(names(), Names{"a"});
-}
-
 TEST_F(Partial, TheNextWriterRemovesWhatAKilledOneLeft) {
     leave("a");
     ASSERT_EQ(names(), Names{".a.partial-0"});

@@ -52,13 +52,14 @@ TEST(Bibliography, EntriesAreWhole) {
         EXPECT_EQ(std::ranges::count(entry, '{'), std::ranges::count(entry, '}')) << entry;
         EXPECT_TRUE(entry.ends_with("\n}")) << entry;
     }
-    EXPECT_TRUE(std::ranges::is_sorted(keys_in(bibtex(cited_in("Wetter (2016)"), "1"))));
+    EXPECT_TRUE(std::ranges::is_sorted(keys_in(bibtex(cited_in("Wetter (2016)"), "1", "2001-02-03"))));
 }
 
 TEST(Bibliography, TheProgramIsASourceToo) {
-    const std::string text = bibtex(cited_in("Archard (1953)"), "1.2.3");
+    const std::string text = bibtex(cited_in("Archard (1953)"), "1.2.3", "2001-02-03");
     EXPECT_TRUE(text.starts_with("@misc{Tricontact,"));
-    EXPECT_NE(text.find("Version 1.2.3"), std::string::npos);
+    EXPECT_NE(text.find("note = {Version 1.2.3, 2001-02-03}"), std::string::npos) << text;
+    EXPECT_NE(text.find("\n  year = {2001},"), std::string::npos) << text;
     EXPECT_NE(text.find("\n@article{Archard1953,"), std::string::npos);
 }
 

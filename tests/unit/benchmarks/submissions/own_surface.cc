@@ -1,10 +1,8 @@
 // Surfaces of this program's runs as results of a code.
 #include <gtest/gtest.h>
 
-#include <cmath>
-#include <fstream>
-
 #include "benchmarks/submissions/read_field.h"
+#include "io/results/state_series.h"
 #include "tests/unit/io/results/vtk_files.h"
 
 namespace tricontact::benchmarks {
@@ -32,9 +30,11 @@ Surface cells() {
 }
 
 TEST_F(OwnSurface, IsReadWithItsAreas) {
-    const io::VtkFile file = io::vtk_file({io::time_in_periods, 1}, cells(), provenance_);
-    const std::string path = at("surface" + file.extension);
-    std::ofstream(path, std::ios::binary) << file.bytes;
+    Surface before = cells();
+    before.offset = {};
+    io::StateSeries states(folder_.string(), "surface", provenance_);
+    states.add(0, before), states.add(1, cells());
+    const std::string path = at("surface.ex2");
     const MeshField field = read_field({.file = path, .set = "", .totals = ""});
     ASSERT_EQ(field.size(), 6u);
     EXPECT_EQ(field.format, "Tricontact");

@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 #include <unistd.h>
+#include <vtkCell.h>
+#include <vtkCellData.h>
 #include <vtkDataArray.h>
 #include <vtkExecutive.h>
 #include <vtkExodusIIReader.h>
@@ -18,6 +20,7 @@
 #include <vtkUnstructuredGrid.h>
 
 #include <chrono>
+#include <cmath>
 #include <csignal>
 #include <thread>
 
@@ -182,6 +185,71 @@ TEST_F(States, TwentySevenNodesHaveTheOrderOfExodus) {
                 << "node " << i;
 }
 
+/// Uniaxial tension: von Mises' stress is the tension, the pressure -1/3 of it. Pure shear: sqrt 3
+/// times the shear. Hydrostatic: none. Each in all directions.
+TEST_F(States, StressMeasuresAreThoseOfKnownStates) {
+    contact::Interior inside;
+    inside.axes = {std::vector<double>{-1. / 3, 1. / 7}, {0, 1e-3}, {-1. / 9, 0}};
+    inside.displacement.resize(8);
+    inside.stress.resize(8);
+    for (std::size_t c = 0; c < 3; ++c) inside.stress[c].at(c) = 2e6;
+    for (std::size_t c = 3; c < 6; ++c) inside.stress[c].at(c) = -1e6;
+    inside.stress[6] = {-3e6, -3e6, -3e6, 0, 0, 0};
+    StateSeries out = states("volume");
+    out.add(0, inside);
+    vtkUnstructuredGrid* grid = read("volume.ex2", 0);
+    ASSERT_EQ(grid->GetNumberOfPoints(), 8);
+    ASSERT_EQ(grid->GetCellType(0), 12) << "no hexahedron";
+    for (int i = 0; i < 8; ++i)
+        for (std::size_t d = 0; d < 3; ++d)
+            EXPECT_EQ(grid->GetPoint(i)[d], inside.position(static_cast<std::size_t>(i)).at(d));
+    vtkDataArray* mises = grid->GetPointData()->GetArray("von_mises_Pa");
+    vtkDataArray* pressure = grid->GetPointData()->GetArray("pressure_Pa");
+    ASSERT_TRUE(mises && pressure);
+    for (int i = 0; i < 3; ++i) {
+        EXPECT_FLOAT_EQ(mises->GetTuple1(i), 2e6);
+        EXPECT_FLOAT_EQ(pressure->GetTuple1(i), -2e6 / 3);
+        EXPECT_FLOAT_EQ(mises->GetTuple1(3 + i), std::sqrt(3) * 1e6);
+        EXPECT_EQ(pressure->GetTuple1(3 + i), 0);
+    }
+    EXPECT_EQ(mises->GetTuple1(6), 0);
+    EXPECT_FLOAT_EQ(pressure->GetTuple1(6), 3e6);
+}
+
+/// Values of elements go to the blocks one after another, also where they begin with bytes.
+TEST_F(States, BlocksHaveTheirOwnElements) {
+    ExodusMesh mesh;
+    for (int i = 0; i < 5; ++i) mesh.points.push_back({1. * i, 0.5 * (i % 2), 0});
+    mesh.blocks = {
+        {.name = "tips", .element = "SPHERE", .nodes_per_element = 1, .nodes = {2, 5, 1}},
+        {.name = "spring", .element = "BAR2", .nodes_per_element = 2, .nodes = {1, 4}}};
+    const auto fields = [](const std::vector<double>& values) {
+        ExodusFields made;
+        made.add_scalar("height", std::vector<double>(5, 1. / 3), 5);
+        made.begin_elements();
+        made.add_scalar("force", values, 4);
+        return made;
+    };
+    StateSeries out = states("parts");
+    out.add(0, mesh, fields({0, 0, 0, 0}));  // bytes
+    out.add(1, mesh, fields({1.5, 2.5, 3.5, 4.5}));
+    read("parts.ex2", 1);
+    auto* blocks = vtkMultiBlockDataSet::SafeDownCast(reader_->GetOutput()->GetBlock(0));
+    ASSERT_EQ(blocks->GetNumberOfBlocks(), 2u);
+    const auto forces = [&](unsigned block) {
+        auto* grid = vtkUnstructuredGrid::SafeDownCast(blocks->GetBlock(block));
+        std::vector<double> found;
+        for (vtkIdType i = 0; i < grid->GetNumberOfCells(); ++i)
+            found.push_back(grid->GetCellData()->GetArray("force")->GetTuple1(i));
+        return found;
+    };
+    EXPECT_EQ(forces(0), (std::vector{1.5, 2.5, 3.5}));
+    EXPECT_EQ(forces(1), std::vector{4.5});
+    auto* spring = vtkUnstructuredGrid::SafeDownCast(blocks->GetBlock(1u));
+    EXPECT_EQ(spring->GetCell(0)->GetPointId(1), 3);
+    EXPECT_EQ(vtkUnstructuredGrid::SafeDownCast(blocks->GetBlock(0u))->GetCellType(0), 1);
+}
+
 TEST_F(States, TheIndenterMovesByItsDisplacement) {
     const IndenterShape shape(contact::Paraboloid(0.04), {.radius = 0.005});
     IndenterSeries out(folder_.string(), provenance_);
@@ -211,11 +279,11 @@ TEST_F(States, AnotherMeshBeginsAnotherFile) {
     StateSeries out = states("surface"), earlier = states("again"), again = states("again");
     for (const int n : {5, 6, 6}) out.add(n, surface_of(Surface::Layout::grid, n, 4));
     // The next run of a folder has one mesh.
-    std::ofstream(at("again.pvd")) << "of an earlier version";
+    std::ofstream(at("again_000000.vti")) << "of an earlier version";
     for (const int n : {5, 6}) earlier.add(n, surface_of(Surface::Layout::grid, n, 4));
     again.add(0, surface_of(Surface::Layout::grid, 5, 4));
     EXPECT_EQ(read_state_series(at("again.ex2")).size(), 1u);
-    EXPECT_FALSE(std::filesystem::exists(at("again.pvd")));
+    EXPECT_FALSE(std::filesystem::exists(at("again_000000.vti")));
     const auto saved = read_state_series(at("surface.ex2"));
     ASSERT_EQ(saved.size(), 3u);
     EXPECT_EQ(read_surface_file(saved[0].path, saved[0].state).n_x, 5);

@@ -14,6 +14,7 @@
 #include <string>
 #include <vector>
 
+#include "contact/surface.h"
 #include "io/results/vtk_files.h"
 
 namespace tricontact::io {
@@ -34,10 +35,6 @@ class VtkFiles : public testing::Test {
         out << std::ifstream(at(name), std::ios::binary).rdbuf();
         return out.str();
     }
-    VtkSeries series(const std::string& name) const {
-        return {folder_.string(), name, provenance_};
-    }
-
     const Provenance provenance_{"0.1.0 (abc)", "run \"a b\" <x> & y"};
     std::filesystem::path folder_;
 };
