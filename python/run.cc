@@ -106,7 +106,8 @@ py::list surfaces(const py::object& self, const std::string& model) {
 
 comparisons::Results results(const Result& result, const std::string& model) {
     for (const contact::History& history : result.run.histories)
-        if (history.model == model) return {result.run.c, history};
+        if (history.model == model)
+            return comparisons::results_beside(result.run.c, history, result.run.extras.study);
     refuse_key("model", model, result.run.c.models);
 }
 

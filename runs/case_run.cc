@@ -40,7 +40,8 @@ std::string summary_of(const CaseRun& run) {
     using json = nlohmann::ordered_json;
     const Case& c = run.c;
     std::vector<comparisons::Results> summaries;
-    for (const contact::History& history : run.histories) summaries.emplace_back(c, history);
+    for (const contact::History& history : run.histories)
+        summaries.push_back(comparisons::results_beside(c, history, run.extras.study));
     const auto layer = comparisons::compare_with_layer(c, run.histories, run.extras.study);
     json left_out = json::object();
     for (const contact::History& history : run.histories)

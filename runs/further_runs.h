@@ -12,19 +12,26 @@
 // What runs beside the models of a case find.
 namespace tricontact::runs {
 
-/// dF_N/dd at the normal load of a case without friction [N/m], from presses at 0.6, 0.8 and 1
-/// times it on the elasticity that `model` already has, which has to have siblings.
-double frictionless_stiffness(const Case& c, const contact::Model& model);
+struct Stiffness {
+    double value = 0;   ///< dF_N/dd [N/m]
+    double method = 0;  ///< half width of what presses so far apart leave [N/m]
+};
+/// At the normal load of a case, the hardest of a path, without friction: slope of the parabola
+/// through ln F over ln d of presses at 0.6, 0.8 and 1 times it. On the elasticity that
+/// `model` already has where it has siblings, else by `model` itself, which is pressed afresh and
+/// has to be used for nothing else. Throws NotConverged, InputError where forces or depths are not
+/// positive.
+Stiffness frictionless_stiffness(const Case& c, contact::Model& model);
 
-/// Loads a model whose normal and tangential contact are coupled a few times more, on the
-/// elasticity that `model` already has, and adds to `study`: what coupling and the way of pressing,
-/// one after another, change in the static shift and in that after rolling; and the stiffness
-/// without friction, from presses at 0.6, 0.8 and 1 times the normal load. `history` is that of the
-/// case's run with `model`; `say` hears of each. Models without such choices add nothing.
+/// Adds to `study` the stiffness without friction and, unless the case prescribes its path or the
+/// study goes without variants, loads a model whose normal and tangential contact are coupled a few
+/// times more, on the elasticity that `model` already has: what coupling and the way of pressing,
+/// one after another, change in the static shift and in that after rolling. `history` is that of
+/// the case's run with `model`, which is used for nothing else behind it; `say` hears of each.
 ///
 /// Rolling is by turning points until nothing moves, also of what the variants are compared with;
 /// where the run ratchets, in its own steps if these are few.
-void study_loading(const Case& c, const contact::Model& model, const contact::History& history,
+void study_loading(const Case& c, contact::Model& model, const contact::History& history,
                    const Say& say, comparisons::LoadingStudy& study);
 
 /// Adds to `study` what the drive means for a relaxing case and, if `options` want studies, the

@@ -22,7 +22,6 @@ using comparisons::NumericalError;
 using comparisons::ResolvedRun;
 using contact::CoarserModel;
 
-constexpr Case::Contact without_coupling{.coupling = false};
 constexpr int steps_for_one = 4;
 constexpr double wider = 1.5;
 
@@ -120,14 +119,17 @@ std::optional<NumericalError> numerical_error(const Case& c, const contact::Hist
     contact::why_it_stopped([&] {  // else two meshes have to do
         const CoarserModel coarsest = makers.make_coarser(name, loaded, 4, n_threads, silent);
         error.coarsest = resolved(coarsest.c, *coarsest.model, last.coarsest);
-        // Of the first order on the mesh of the run.
-        if (loaded.prescribed_path || !coarser.model->sibling(without_coupling) ||
-            !coarser.model->is_coupled())
-            return;
-        error.normal_stiffness = comparisons::safety_factor *
-                                 std::abs(frictionless_stiffness(coarser.c, *coarser.model) -
-                                          frictionless_stiffness(coarsest.c, *coarsest.model));
+        error.why_no_stiffness = contact::why_it_stopped([&] {
+            // Of the first order on the mesh of the run, of springs of none.
+            const double order = contact::model_kind(name).converges_in_order ? 1 : 2;
+            const Stiffness fine = frictionless_stiffness(coarser.c, *coarser.model),
+                            coarse = frictionless_stiffness(coarsest.c, *coarsest.model);
+            error.normal_stiffness = fine.method + order * comparisons::safety_factor *
+                                                       std::abs(fine.value - coarse.value);
+        });
     });
+    if (!error.normal_stiffness && error.why_no_stiffness.empty())
+        error.why_no_stiffness = "there is no mesh of four times the size";
     error.fields = field_bars(last);
     if (!contact::model_kind(name).sees_sides) return error;
     const std::string why = contact::why_it_stopped([&] {

@@ -13,6 +13,7 @@
 #include "files/regular_file.h"
 #include "runs/case_run.h"
 #include "runs/point_key.h"
+#include "studies/level_outcome.h"
 #include "studies/refinement_levels.h"
 
 namespace tricontact::app {
@@ -45,6 +46,12 @@ contact::History run_level(const studies::Level& level, const studies::RefineOpt
     return runs::run_model(options.model, level.c(), level.point.resolved, own, study);
 }
 
+std::optional<double> stiffness_of(const contact::History& history,
+                                   const comparisons::LoadingStudy& study) {
+    const auto found = study.normal_stiffness.find(history.model);
+    return found == study.normal_stiffness.end() ? std::nullopt : std::optional(found->second);
+}
+
 /// Levels as points of a sweep.
 class LevelKind : public studies::PointKind {
   public:
@@ -63,7 +70,9 @@ class LevelKind : public studies::PointKind {
         // In a process of its own: no one there hears it, and several would speak at once.
         own.quiet = own.quiet || own.listener || own.jobs > 1;
         own.listener.reset();
-        return studies::outcome_text(level.c(), run_level(level, own));
+        comparisons::LoadingStudy study{.with_variants = false};
+        const contact::History history = run_level(level, own, &study);
+        return studies::level_outcome_text(level.c(), history, stiffness_of(history, study));
     }
     void failed(const studies::StudyPoint& point, const std::string& why,
                 bool refused) const override {
@@ -112,8 +121,21 @@ comparisons::RefinedLevels start_of(const studies::RefinementPlan& plan,
 void add(const studies::Level& level, const io::PointOutcome& outcome,
          comparisons::RefinedLevels& refined) {
     refined.sizes.push_back(level.size);
+    const studies::LevelState state = studies::level_state_of(outcome);
     refined.values.push_back(*studies::results_of(outcome));
+    if (state.normal_stiffness)
+        refined.values.back().set(comparisons::quantities::normal_stiffness,
+                                  *state.normal_stiffness);
+    refined.last.push_back(state.last);
     refined.cpu_s.push_back(outcome.cpu_s);
+}
+
+void add_wide(const io::PointOutcome& outcome, comparisons::RefinedLevels& refined) {
+    const studies::LevelState state = studies::level_state_of(outcome);
+    refined.wide = studies::results_of(outcome);
+    if (state.normal_stiffness)
+        refined.wide->set(comparisons::quantities::normal_stiffness, *state.normal_stiffness);
+    refined.wide_last = state.last;
 }
 
 /// What the store has of a level.
@@ -165,7 +187,8 @@ comparisons::Refinement finish_last(const studies::Level& finest, io::ResultStor
     const contact::History history = run_level(finest, options, &extras.study);
     io::PointOutcome outcome{finest.point.key, std::string(files::version), options.model,
                              finest.point.resolved};
-    outcome.results = comparisons::stored_results({finest.c(), history}).dump();
+    outcome.results =
+        studies::level_results_text(finest.c(), history, stiffness_of(history, extras.study));
     outcome.cpu_s = history.cpu_s;
     outcome.wall_s = history.wall_s;
     if (!found) add(finest, outcome, refined);
@@ -202,7 +225,7 @@ void refine_case(studies::RefineOptions options) {
         for (const studies::Level& level : coarser) {
             const io::PointOutcome outcome = store.find(level.point.key).value();
             if (plan.wide && level.name == plan.wide->name)
-                refined.wide = studies::results_of(outcome);
+                add_wide(outcome, refined);
             else
                 add(level, outcome, refined);
         }

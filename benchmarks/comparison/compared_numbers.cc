@@ -192,15 +192,29 @@ void judge(ComparedNumber& n, const std::vector<double>& sizes, const MeshFamily
 namespace {
 
 constexpr std::array explained_norms{"load_within", "pressure_l2", "pressure_l2_inside",
-                                     "pressure_max_inside"};
+                                     "pressure_max_inside", "edge_band"};
+constexpr std::array explained_traction_norms{"traction_l2", "traction_load_within"};
+
+/// What explains a norm; empty where nothing does, or coupling leaves too much open.
+std::optional<NamedEffect> effect_on(const ComparedNumber& n,
+                                     const std::vector<ExplainedField>& fields) {
+    if (fields.empty()) return {};
+    const auto is_among = [&](const auto& keys) {
+        return std::ranges::find(keys, n.key) != keys.end();
+    };
+    std::optional<NamedEffect> effect;
+    if (is_among(explained_norms)) effect = fields.back().of_pressure;
+    if (is_among(explained_traction_norms)) effect = fields.back().of_traction;
+    return effect && effect->miss <= ExplainedField::most_miss ? effect : std::nullopt;
+}
 
 /// A norm is of the difference that is left, not less what is explained: the same beside the
 /// reference with the effects, over the same family.
 void explain_norm(ComparedNumber& n, const Understanding& all,
                   const std::vector<ExplainedField>& fields, const std::vector<double>& sizes,
                   const MeshFamily& family, const Reference& reference) {
-    if (fields.empty() || std::ranges::find(explained_norms, n.key) == explained_norms.end())
-        return;
+    const auto effect = effect_on(n, fields);
+    if (!effect) return;
     ComparedNumber left = n;
     left.values.clear();
     double finest = 0, of_fewer_rings = 0;
@@ -216,14 +230,19 @@ void explain_norm(ComparedNumber& n, const Understanding& all,
     }
     if (!left.values.back()) return;
     judge(left, sizes, family);
-    const double bar = std::hypot(finest - of_fewer_rings, fields.back().bar);
-    n.explained = {{fields.back().id, fields.back().title, n.difference - left.difference, bar}};
+    // Pressures on displaced areas are no matter of tractions.
+    const bool of_pressure = std::ranges::find(explained_norms, n.key) != explained_norms.end();
+    const double bar = std::hypot(finest - of_fewer_rings, of_pressure ? fields.back().bar : 0.,
+                                  effect->miss * (n.difference - left.difference));
+    n.explained = {{effect->id, effect->title, n.difference - left.difference, bar}};
     n.uncertainty = std::hypot(left.uncertainty, bar);
     n.standing = standing_of(left.difference, n.uncertainty, n.tolerance);
-    n.blame.clear();
-    n.remedy.clear();
-    if (n.standing == Standing::not_resolved)
-        name_the_blame(n, n.values.size(), family, n.reference.bar(), bar);
+    left.standing = n.standing;  // its meshes are to blame, not those of the whole difference
+    left.blame.clear();
+    left.remedy.clear();
+    name_the_blame(left, n.values.size(), family, n.reference.bar(), bar);
+    n.blame = left.blame;
+    n.remedy = left.remedy;
 }
 
 }  // namespace
@@ -242,6 +261,7 @@ std::vector<ComparedNumber> compared_numbers(const Submission& submission, const
         norms.push_back(samples.empty() ? std::vector<FieldNorm>{}
                                         : field_norms(all.meshes[k], samples[k], reference));
     }
+    const double strain_of_area = strain_of_pressed_area(submission, all, reference);
     for (const std::string_view shown : shown_quantities()) {
         const std::string key(shown);
         const ReferenceValue* value = reference.find(key);
@@ -254,12 +274,13 @@ std::vector<ComparedNumber> compared_numbers(const Submission& submission, const
             n.values.push_back(ratio_or_value(key, all.meshes[k], of_fields[k], reference));
         if (!n.values.back()) continue;
         n.tolerance = submission.tolerances.at(key);
-        n.explained = explained(key, submission, reference);
+        n.explained = explained(key, submission, reference, strain_of_area);
         judge(n, sizes, family);
         numbers.push_back(std::move(n));
     }
     if (norms.empty()) return numbers;
-    const auto fields = explained_fields(submission, reference, all.meshes, samples);
+    const auto fields =
+        explained_fields(submission, reference, all.meshes, samples, strain_of_area);
     for (const FieldNorm& norm : norms.back()) {
         ComparedNumber n;
         n.key = norm.key;

@@ -47,10 +47,10 @@ std::optional<Explained> displaced_surface(const std::string& key, const Referen
 }
 
 std::vector<Explained> explained(const std::string& key, const Submission& submission,
-                                 const Reference& reference) {
+                                 const Reference& reference, double strain_of_area) {
     const ReferenceValue* value = reference.find(key);
     if (!value || value->value == 0) return {};
-    std::vector<Explained> all = explained_pressing(key, submission, reference);
+    std::vector<Explained> all = explained_pressing(key, submission, reference, strain_of_area);
     const ContactMethod& contact = submission.contact;
     const FirstOrderEffects& effects = reference.effects;
     const auto add_compliance = [&](const char* id, const char* title,

@@ -13,9 +13,9 @@ namespace tricontact::benchmarks {
 /// say. Bars: that of the reference's derivative, and what the first order leaves out: the square
 /// of the change for penalties; two fifths of (a/R)^2 for the displaced surface, which GetFEM's
 /// runs with and without it stay within at three depths. Peak pressure and contact radius: see
-/// explained_pressing.h.
+/// explained_pressing.h, also for `strain_of_area`.
 std::vector<Explained> explained(const std::string& key, const Submission& submission,
-                                 const Reference& reference);
+                                 const Reference& reference, double strain_of_area = 0);
 
 /// Slope h'(a) of the indenter at the contact's edge [-]: a/R of a paraboloid. The size of what
 /// kinematics change.

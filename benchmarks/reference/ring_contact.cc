@@ -17,7 +17,7 @@ using std::numbers::pi;
 
 constexpr int points_of_ring = 8, points_of_waves = 30;
 constexpr double last_wave = 24;  // k b, beyond it a layer is the half-space
-constexpr int most_steps = 60;
+constexpr int most_steps = 60, least_rings = 4;
 
 /// Half the load of a disc of the radius r and unit pressure on a line at x, per length.
 double half_chord(double r, double x) {
@@ -27,25 +27,31 @@ double half_chord(double r, double x) {
 }  // namespace
 
 RingContact::RingContact(const contact::Case& c, double a, int rings_inside) {
-    const auto indenter = c.make_axisymmetric_indenter();
     const int n = static_cast<int>(std::lround(reach * rings_inside));
     for (int i = 0; i <= n; ++i) edges_.push_back(a * i / rings_inside);
-    const contact::MaterialPair pair = c.materials();
-    const contact::Material& substrate = c.substrate;
-    const bool has_layer = c.layer.thickness.has_value();
-    const double g = substrate.shear_modulus();
-    const double coupling =
-        has_layer ? (1 - 2 * substrate.poisson) / g : pair.one_minus_two_nu_over_g();
+    for (int i = 0; i < n; ++i) middles_.push_back((edges_[i] + edges_[i + 1]) / 2);
     areas_.resize(n);
     heights_.resize(n);
     slopes_.resize(n);
     along_ = Eigen::MatrixXd::Zero(n, n);
-    for (int i = 0; i < n; ++i) {
-        const double in = edges_[i], out = edges_[i + 1], r = (in + out) / 2;
-        middles_.push_back(r);
+    if (c.is_line_contact())
+        set_strips(c);
+    else
+        set_rings(c);
+}
+
+void RingContact::set_rings(const contact::Case& c) {
+    const auto indenter = c.make_axisymmetric_indenter();
+    const contact::MaterialPair pair = c.materials();
+    const contact::Material& substrate = c.substrate;
+    const bool has_layer = c.layer.thickness.has_value();
+    const double nu = substrate.poisson, g = substrate.shear_modulus();
+    const double coupling = has_layer ? (1 - 2 * nu) / g : pair.one_minus_two_nu_over_g();
+    const theory::QuadratureRule& rule = theory::gauss_legendre(points_of_ring);
+    for (Eigen::Index i = 0; i < areas_.size(); ++i) {
+        const double in = edges_[i], out = edges_[i + 1], r = middles_[i];
         areas_[i] = pi * (out - in) * (out + in);
         heights_[i] = 0;
-        const theory::QuadratureRule& rule = theory::gauss_legendre(points_of_ring);
         for (std::size_t k = 0; k < rule.points.size(); ++k) {
             const double s = in + (out - in) * rule.points[k];
             heights_[i] +=
@@ -53,15 +59,23 @@ RingContact::RingContact(const contact::Case& c, double a, int rings_inside) {
         }
         slopes_[i] = indenter->profile_slope(r);
         // The load within r over r, Johnson (1985), section 3.3.
-        for (int j = 0; j < i; ++j) along_(i, j) = -coupling / (4 * pi * r) * areas_[j];
+        for (Eigen::Index j = 0; j < i; ++j) along_(i, j) = -coupling / (4 * pi * r) * areas_[j];
         along_(i, i) = -coupling / (4 * pi * r) * pi * (r - in) * (r + in);
     }
-    set_half_space(has_layer ? 1 / substrate.plane_compliance() : pair.effective_modulus());
-    if (has_layer) add_layer(c, a);
+    stiff_ = on_half_space(has_layer ? 1 / substrate.plane_compliance() : pair.effective_modulus());
+    tangential_ = on_half_space(has_layer ? 4 * g / (2 - nu) : pair.effective_shear_modulus());
+    if (!has_layer) return;
+    const theory::ElasticLayer layer = comparisons::elastic_layer(c);
+    add_layer(layer.thickness, edges_.back(), [&](double k) -> Lacks {
+        const auto compliance = theory::layer_compliance(layer, k);
+        return {compliance.normal - (1 - nu) / (g * k),
+                (compliance.along + compliance.across) / 2 - (2 - nu) / (2 * g * k),
+                compliance.coupling - (1 - 2 * nu) / (2 * g * k)};
+    });
 }
 
 // x = end - length s^2 on each ring: line loads begin there as a root.
-void RingContact::set_half_space(double modulus) {
+Eigen::MatrixXd RingContact::on_half_space(double modulus) const {
     const Eigen::Index n = areas_.size();
     const theory::QuadratureRule& rule = theory::gauss_legendre(points_of_ring);
     Eigen::MatrixXd loads(n * points_of_ring, n);
@@ -75,31 +89,30 @@ void RingContact::set_half_space(double modulus) {
             for (Eigen::Index j = 0; j < n; ++j)
                 loads(row, j) = 2 * (half_chord(edges_[j + 1], x) - half_chord(edges_[j], x));
         }
-    stiff_ = 2 / modulus * (loads.transpose() * weights.asDiagonal() * loads);
+    return 2 / modulus * (loads.transpose() * weights.asDiagonal() * loads);
 }
 
 // 1/2 p A p gets pi ∫ (C33 - that of the half-space) p^^2 k dk, p^ = ∫ p J0(k r) r dr; u_r gets
 // -∫ k (C13 - that of the half-space) p^ J1(k r) dk.
-void RingContact::add_layer(const contact::Case& c, double a) {
-    const theory::ElasticLayer layer = comparisons::elastic_layer(c);
-    const double b = layer.thickness, nu = layer.material.poisson;
-    const double g = layer.material.shear_modulus();
+template <class Lacking>
+void RingContact::add_layer(double thickness, double widest, const Lacking& lacks) {
     const Eigen::Index n = areas_.size();
     // A panel may hold a phase of 48 of two waves, see theory/layer/wave_numbers.cc.
     const int n_panels =
-        static_cast<int>(std::ceil(last_wave / std::min(2., 24 / (2 * reach * a / (2 * b)))));
+        static_cast<int>(std::ceil(last_wave / std::min(2., 24 / (2 * widest / (2 * thickness)))));
     const double width = last_wave / n_panels;
     const theory::QuadratureRule& rule = theory::gauss_legendre(points_of_waves);
     const Eigen::Index n_waves = Eigen::Index{n_panels} * points_of_waves;
     Eigen::MatrixXd transforms(n_waves, n), bessel(n_waves, n);
-    Eigen::VectorXd normal(n_waves), along(n_waves);
+    Eigen::VectorXd normal(n_waves), tangential(n_waves), along(n_waves);
     for (Eigen::Index m = 0; m < n_waves; ++m) {
         const auto i = static_cast<std::size_t>(m % points_of_waves);
         const double x = width * (static_cast<double>(m / points_of_waves) + rule.points[i]);
-        const double k = x / b, weight = width * rule.weights[i] / b;
-        const auto compliance = theory::layer_compliance(layer, k);
-        normal[m] = 2 * pi * weight * k * (compliance.normal - (1 - nu) / (g * k));
-        along[m] = -weight * k * (compliance.coupling - (1 - 2 * nu) / (2 * g * k));
+        const double k = x / thickness, weight = width * rule.weights[i] / thickness;
+        const Lacks lacking = lacks(k);
+        normal[m] = 2 * pi * weight * k * lacking.normal;
+        tangential[m] = 2 * pi * weight * k * lacking.along;
+        along[m] = -weight * k * lacking.coupling;
         const auto within = [&](double r) { return r * ::j1(k * r) / k; };
         for (Eigen::Index j = 0; j < n; ++j) {
             transforms(m, j) = within(edges_[j + 1]) - within(edges_[j]);
@@ -107,6 +120,7 @@ void RingContact::add_layer(const contact::Case& c, double a) {
         }
     }
     stiff_ += transforms.transpose() * normal.asDiagonal() * transforms;
+    tangential_ += transforms.transpose() * tangential.asDiagonal() * transforms;
     along_ += bessel.transpose() * along.asDiagonal() * transforms;
 }
 
@@ -140,22 +154,68 @@ std::optional<RingContact::State> RingContact::solve_disc(const Eigen::MatrixXd&
     return state;
 }
 
-// The last ring that presses: more rings as long as the last one presses, fewer where it pulls.
-std::optional<RingContact::State> RingContact::solve(const NormalControl& control,
-                                                     const InterfaceLaw& law) const {
-    const Eigen::MatrixXd matrix = operator_of(law);
-    const int all = static_cast<int>(middles_.size());
-    const auto pulls = [&](int n) {
-        const auto state = solve_disc(matrix, control, n);
-        return !state || state->pressure[n - 1] < 0;
-    };
-    int low = 4, high = all;  // low presses, high pulls
-    if (pulls(low) || !pulls(high)) return {};
+namespace {
+
+/// The most rings whose last one holds on: more as long as it does, fewer where it does not. Empty
+/// unless some do and all do not.
+template <class LetsGo>
+std::optional<int> last_ring(int low, int high, const LetsGo& lets_go) {
+    if (lets_go(low) || !lets_go(high)) return {};
     for (int step = 0; high - low > 1 && step < most_steps; ++step) {
         const int middle = (low + high) / 2;
-        (pulls(middle) ? high : low) = middle;
+        (lets_go(middle) ? high : low) = middle;
     }
-    return solve_disc(matrix, control, low);
+    return low;
+}
+
+}  // namespace
+
+std::optional<RingContact::State> RingContact::solve(const NormalControl& control,
+                                                     const InterfaceLaw& law) const {
+    NormalControl own = control;
+    if (control.kind == NormalControl::Kind::force)
+        own.value /= length_.value_or(1);
+    else if (!has_datum_)
+        return {};
+    const Eigen::MatrixXd matrix = operator_of(law);
+    const auto pulls = [&](int n) {
+        const auto state = solve_disc(matrix, own, n);
+        return !state || state->pressure[n - 1] < 0;
+    };
+    const auto n = last_ring(least_rings, static_cast<int>(middles_.size()), pulls);
+    return n ? solve_disc(matrix, own, *n) : std::nullopt;
+}
+
+std::optional<RingContact::Shear> RingContact::shear(const State& pressed,
+                                                     const contact::TangentialControl& control,
+                                                     double mu, const InterfaceLaw& law) const {
+    Eigen::MatrixXd matrix = tangential_;
+    matrix.diagonal() += law.tangential_compliance * areas_;
+    const Eigen::Map<const Eigen::VectorXd> p(pressed.pressure.data(), areas_.size());
+    const Eigen::VectorXd slid = mu * p, moved = matrix * slid;
+    const bool by_force = control.kind == contact::TangentialControl::Kind::force;
+    if (!by_force && !has_datum_) return {};
+    const double target = by_force ? control.value / length_.value_or(1) : control.value;
+    const auto stick = [&](int n) -> std::optional<Shear> {
+        const Eigen::LDLT<Eigen::MatrixXd> factor(matrix.topLeftCorner(n, n));
+        if (factor.info() != Eigen::Success || !factor.isPositive()) return {};
+        const Eigen::VectorXd area = areas_.head(n), unit = factor.solve(area),
+                              held = factor.solve(moved.head(n));
+        const double shift =
+            by_force ? (target - areas_.dot(slid) + area.dot(held)) / area.dot(unit) : target;
+        const Eigen::VectorXd q = held - shift * unit;
+        Shear found{.traction = {slid.begin(), slid.end()}, .force = 0, .shift = shift, .stuck = n};
+        for (int i = 0; i < n; ++i) found.traction[i] -= q[i];
+        for (Eigen::Index i = 0; i < areas_.size(); ++i)
+            found.force += areas_[i] * found.traction[i];
+        return found;
+    };
+    const auto slips = [&](int n) {
+        const auto found = stick(n);
+        return !found || found->traction[n - 1] > slid[n - 1];
+    };
+    const auto n = last_ring(least_rings, static_cast<int>(middles_.size()), slips);
+    return n ? stick(*n) : std::nullopt;
 }
 
 }  // namespace tricontact::benchmarks

@@ -135,6 +135,17 @@ void add_differences(io::VtkXml& xml, const SurfaceDifference& d) {
     add_scalar("gap", "m", &Surface::gap);
 }
 
+/// What the pressure's half width is where it is largest.
+std::string edge_sentence(const NumericalError& error, double peak) {
+    for (const FieldBar& bar : error.fields)
+        if (bar.field == std::string_view("normal_traction"))
+            return fmt::format(
+                "Over the whole contact they leave ± {} of the pressure's root mean square, at the "
+                "worst point, on its edge, ± {} of p_0.",
+                report::share(bar.l2), report::share(bar.largest / peak));
+    return "At the edge of the contact, where pressures fall steeply, cells leave more.";
+}
+
 std::string place_text(const contact::Vector2& place) {
     return fmt::format("({}, {}) mm", report::significant(1e3 * place[0], 3),
                        report::significant(1e3 * place[1], 3));
@@ -221,10 +232,10 @@ std::optional<report::DocumentSection> difference_section(
     for (const contact::History& history : histories)
         if (half_width && history.model == error->model && history.scales.peak_pressure > 0)
             section.paragraphs.push_back(fmt::format(
-                "Mesh and steps leave ± {} in p_0 of {}: less is no difference of models there. At "
-                "the edge of the contact, where pressures fall steeply, cells leave more.",
+                "Mesh and steps leave ± {} in p_0 of {}: less is no difference of models there. {}",
                 report::share(*half_width / history.scales.peak_pressure),
-                report::display_name(history.model)));
+                report::display_name(history.model),
+                edge_sentence(*error, history.scales.peak_pressure)));
     if (section.paragraphs.empty())
         section.paragraphs.push_back(
             "The numerical error of these fields was not estimated: part of a difference may be "

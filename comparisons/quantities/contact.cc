@@ -120,9 +120,16 @@ constinit const Quantity normal_stiffness{
     .symbol = "k_n",
     .unit = "N/m",
     .name = "normal stiffness",
-    .meaning = "Slope dF_N/dd of the force over the indentation, without friction.",
-    .defined = "in comparisons with a layer; of half-spaces 2 E* a",
-    .source = "Pharr, Oliver and Brotzen (1992)"};
+    .meaning =
+        "Slope dF_N/dd of the force over the indentation, without friction, at the load "
+        "that the case presses with, the hardest of a path; of relaxed substrates.",
+    .defined = "beside runs, unless they are asked to go without studies",
+    .source = "Pharr, Oliver and Brotzen (1992)",
+    // Further presses find it: set by results_beside.
+    .of = [](const Subject&) { return QuantityValue(); },
+    .part = Part::pressed,
+    .is_column = false,
+    .is_refined = true};
 
 constinit const Quantity tangential_stiffness{
     .key = "tangential_stiffness_N_per_m",
@@ -143,8 +150,9 @@ constinit const Quantity coupled_tangential_stiffness{
     .source = "Johnson (1985), 7.2"};
 
 List of_contact() {
-    return {&normal_force,     &indentation,        &contact_radius, &peak_pressure,  &unit_shift,
-            &tangential_ratio, &border_force_share, &amplitude,      &amplitude_ratio};
+    return {&normal_force,     &indentation,    &contact_radius,   &peak_pressure,
+            &normal_stiffness, &unit_shift,     &tangential_ratio, &border_force_share,
+            &amplitude,        &amplitude_ratio};
 }
 
 }  // namespace tricontact::comparisons::quantities

@@ -28,8 +28,7 @@ std::string glossary() {
            section("Inside of the substrate", of_subsurface()) + section("Strains", of_strain()) +
            section("End of the run", of_end_of_run()) + section("Cost", of_cost()) +
            section("Of comparisons, beside runs",
-                   {&normal_stiffness, &tangential_stiffness, &coupled_tangential_stiffness,
-                    &shift_of_rolling});
+                   {&tangential_stiffness, &coupled_tangential_stiffness, &shift_of_rolling});
 }
 
 std::string summary_keys() {

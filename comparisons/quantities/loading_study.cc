@@ -53,6 +53,15 @@ std::vector<Cell> row(const LoadingVariant& v, const std::string& what, double c
 
 }  // namespace
 
+Results results_beside(const contact::Case& c, const contact::History& history,
+                       const LoadingStudy& study) {
+    Results results(c, history);
+    if (const auto found = study.normal_stiffness.find(history.model);
+        found != study.normal_stiffness.end())
+        results.set(quantities::normal_stiffness, finite(found->second));
+    return results;
+}
+
 std::optional<double> LoadingVariant::rolled_error() const {
     const bool ratchets = run.state == State::ratcheting;
     if (!other || !other->state || !run.state || ratchets != (other->state == State::ratcheting))

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "comparisons/quantities/relaxation_study.h"
+#include "comparisons/quantities/results.h"
 #include "report/document.h"
 
 namespace tricontact::comparisons {
@@ -27,7 +28,12 @@ struct LoadingVariant : RunComparison {
 struct LoadingStudy {
     std::vector<LoadingVariant> variants;
     std::map<std::string, double> normal_stiffness;  ///< dF_N/dd without friction [N/m], by model
+    bool with_variants = true;                       ///< else the stiffness alone
 };
+
+/// The quantities of a run, and what the study found beside it.
+Results results_beside(const contact::Case& c, const contact::History& history,
+                       const LoadingStudy& study);
 
 /// Section "loading_variants" of summary.json; SI units, changes as ratio minus 1.
 nlohmann::ordered_json loading_json(const std::vector<LoadingVariant>& variants);

@@ -41,4 +41,18 @@ std::string error_note(const std::optional<NumericalError>& error, const Quantit
                : " The error of mesh and steps is not known: " + error->why_none + ".";
 }
 
+std::string field_note(const std::optional<NumericalError>& error, const std::string& model,
+                       const std::string& field, double unit, const std::string& unit_name) {
+    if (!error || error->model != model || !(unit > 0)) return {};
+    for (const FieldBar& bar : error->fields)
+        if (bar.field == field)
+            return fmt::format(
+                " What mesh and steps leave in {}: ± {} of the field's root mean square, ± {} {} "
+                "at "
+                "the worst point, mostly on the edge of a zone.",
+                report::display_name(model), report::share(bar.l2),
+                report::significant(bar.largest / unit, 2), unit_name);
+    return {};
+}
+
 }  // namespace tricontact::comparisons

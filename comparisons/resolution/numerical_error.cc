@@ -136,6 +136,7 @@ double ResolvedRun::shift_at(double phase) const {
 }
 
 std::optional<double> NumericalError::of(const Quantity& q) const {
+    if (&q == &quantities::normal_stiffness) return normal_stiffness;
     if (is_exact(q)) return run && run->results.number(q) ? std::optional(0.) : std::nullopt;
     const auto width = half_width(
         *this, [&q](const ResolvedRun& r) { return r.results.number(q); }, factors_of(*this, q));
@@ -151,12 +152,12 @@ bool NumericalError::is_exact(const Quantity& q) const {
 const std::vector<const Quantity*>& quantities_with_error() {
     using namespace quantities;
     static const std::vector<const Quantity*> list{
-        &normal_force,    &indentation,  &contact_radius,      &peak_pressure,
-        &unit_shift,      &static_shift, &final_shift,         &settled_shift,
-        &shift_increment, &dissipation,  &settled_shift_ratio, &shift_increment_ratio,
-        &path_work,       &path_force,   &end_normal_force,    &end_indentation,
-        &contact_area,    &stick_area,   &slip_area,           &stored_energy,
-        &friction_energy};
+        &normal_force,    &indentation,     &contact_radius,      &peak_pressure,
+        &unit_shift,      &static_shift,    &final_shift,         &settled_shift,
+        &shift_increment, &dissipation,     &settled_shift_ratio, &shift_increment_ratio,
+        &path_work,       &path_force,      &end_normal_force,    &end_indentation,
+        &contact_area,    &stick_area,      &slip_area,           &stored_energy,
+        &friction_energy, &normal_stiffness};
     return list;
 }
 
@@ -225,14 +226,15 @@ json numerical_error_json(const NumericalError& error) {
     json fields = json::object();
     for (const FieldBar& bar : error.fields)
         fields[bar.field] = {{std::string("largest_") + bar.unit, bar.largest}, {"l2", bar.l2}};
-    if (error.normal_stiffness) widths[quantities::normal_stiffness.key] = *error.normal_stiffness;
     return {{"model", error.model},
             {"half_widths", widths},
             {"fields", fields},
             {"exact", exact},
             {"other_state", other ? json(contact::name_of(*other)) : json()},
             {"why_none", error.why_none.empty() ? json() : json(error.why_none)},
-            {"why_no_steps", error.why_no_steps.empty() ? json() : json(error.why_no_steps)}};
+            {"why_no_steps", error.why_no_steps.empty() ? json() : json(error.why_no_steps)},
+            {"why_no_normal_stiffness",
+             error.why_no_stiffness.empty() ? json() : json(error.why_no_stiffness)}};
 }
 
 }  // namespace tricontact::comparisons

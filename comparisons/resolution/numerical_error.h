@@ -52,8 +52,8 @@ struct NumericalError {
     std::string why_no_steps = {};  ///< steps matter, yet no other ones converge: why
     std::vector<const Quantity*> prescribed = {};  ///< by the case
     std::vector<FieldBar> fields = {};             ///< runs/field_bars.h
-    /// Of the stiffness without friction [N/m]; empty where it is not looked at.
-    std::optional<double> normal_stiffness = {};
+    std::optional<double> normal_stiffness = {};   ///< half width of that without friction [N/m]
+    std::string why_no_stiffness = {};             ///< there is none: why
 
     /// Half width in SI units; empty where the quantity is not told on each mesh. 0 if is_exact().
     std::optional<double> of(const Quantity& q) const;

@@ -48,7 +48,7 @@ LimitEstimate limit_of(const RefinedLevels& levels, const Quantity& q,
 }  // namespace
 
 Refinement make_refinement(const RefinedLevels& levels) {
-    Refinement result{levels, {}};
+    Refinement result{levels, {}, {}};
     if (!levels.wide) result.wide_factor = 0;
     for (const Quantity* q : all_quantities()) {
         // Without rolling the final shift is the static one, which a path does not have.
@@ -68,6 +68,7 @@ Refinement make_refinement(const RefinedLevels& levels) {
         if (levels.wide) refined.wide = levels.wide->number(*q);
         result.quantities.push_back(std::move(refined));
     }
+    result.fields = refined_fields(levels.sizes, levels.last, levels.wide_last);
     return result;
 }
 

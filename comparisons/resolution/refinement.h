@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "comparisons/quantities/quantity.h"
+#include "comparisons/resolution/field_changes.h"
 #include "report/document.h"
 
 namespace tricontact::comparisons {
@@ -75,6 +76,7 @@ struct RefinedCase {
 };
 struct Refinement : RefinedCase {
     std::vector<RefinedQuantity> quantities;
+    std::vector<RefinedField> fields;  ///< none where the levels end at different instants
 };
 
 /// refinement.json: all of it, fixed keys.
@@ -88,6 +90,8 @@ std::string refinement_text(const Refinement& refinement);
 std::vector<std::string> refinement_sentences(const Refinement& refinement);
 /// A row per quantity: values on all levels, order, limit, error, theory, wide block.
 report::DocumentTable refinement_table(const Refinement& refinement);
+/// A row per field: what levels differ by, order, half widths of the finest, wide block.
+report::DocumentTable refined_fields_table(const Refinement& refinement);
 /// An error in percent of a value; "-" of none.
 std::string relative(double error, double value);
 

@@ -152,6 +152,20 @@ std::vector<report::Cell> table_row(const Refinement& r, const RefinedQuantity& 
     return row;
 }
 
+std::string fields_sentence(const Refinement& r) {
+    if (!r.fields.empty()) return {};
+    return "Fields have no rows: the last states of the levels are at different instants, or carry "
+           "nothing.";
+}
+
+json to_json(const RefinedField& f) {
+    return {{"changes_l2", f.changes},
+            {"observed_order", report::number(f.order)},
+            {"error_l2", report::number(f.error_l2)},
+            {"largest_error_" + f.unit, report::number(f.error_largest)},
+            {"wide_block_change_l2", report::number(f.wide)}};
+}
+
 }  // namespace
 
 std::string relative(double error, double value) {
@@ -161,7 +175,7 @@ std::string relative(double error, double value) {
 std::vector<std::string> refinement_sentences(const Refinement& r) {
     std::vector<std::string> result{levels_sentence(r)};
     for (const auto& sentence : {error_sentence, doubt_sentence, unordered_sentence, exact_sentence,
-                                 wide_sentence, tip_sentence})
+                                 wide_sentence, tip_sentence, fields_sentence})
         result.push_back(sentence(r));
     std::erase(result, "");
     return result;
@@ -191,9 +205,39 @@ report::DocumentTable refinement_table(const Refinement& r) {
     return table;
 }
 
+report::DocumentTable refined_fields_table(const Refinement& r) {
+    report::DocumentTable table{
+        .id = "refined_fields",
+        .title = "Fields of the last state on finer and finer levels",
+        .note =
+            "Differences of neighbouring levels on the finer grid, root of the integral of their "
+            "square over that of the field's. Order: of the last two. Error: of the finest level, "
+            "1.25 times what the rest of a sequence of the first order comes to, the least that "
+            "the root at the contact's edge leaves; at the worst point, which lies there, that of "
+            "the order 1/2 for tractions.",
+        .columns = {{"field"}}};
+    for (std::size_t k = 0; k + 1 < r.sizes.size(); ++k)
+        table.columns.push_back({report::quantity(r.sizes[k], "m", 3) + " to next", 3});
+    table.columns.insert(table.columns.end(),
+                         {{"order", 3}, {"error over all"}, {"error at the worst point"}});
+    if (r.wide_factor > 0) table.columns.push_back({"wide block"});
+    for (const RefinedField& f : r.fields) {
+        std::vector<report::Cell> row{f.name};
+        for (const double change : f.changes) row.emplace_back(report::share(change));
+        row.push_back(report::number_cell(f.order));
+        row.emplace_back(report::share(f.error_l2));
+        row.emplace_back(report::quantity(f.error_largest, f.unit.c_str(), 2));
+        if (r.wide_factor > 0) row.emplace_back(f.wide ? report::share(*f.wide) : std::string());
+        table.rows.push_back(std::move(row));
+    }
+    return table;
+}
+
 std::string refinement_json(const std::string& version, const Refinement& r) {
     json quantities = json::object();
     for (const RefinedQuantity& q : r.quantities) quantities[q.quantity->key] = to_json(q);
+    json fields = json::object();
+    for (const RefinedField& f : r.fields) fields[f.field] = to_json(f);
     const json document{{"version", version},
                         {"model", r.model},
                         {"key", r.key},
@@ -202,33 +246,50 @@ std::string refinement_json(const std::string& version, const Refinement& r) {
                         {"safety_factor", safety_factor},
                         {"exact_by", r.exact_name},
                         {"wide_block_factor", r.wide_factor > 0 ? json(r.wide_factor) : json()},
-                        {"quantities", quantities}};
+                        {"quantities", quantities},
+                        {"fields", fields}};
     return document.dump(2) + "\n";
 }
 
 std::string refinement_csv(const Refinement& r) {
     std::vector<std::string> heading{"row", "size_m"};
     for (const RefinedQuantity& q : r.quantities) heading.emplace_back(q.quantity->key);
+    for (const RefinedField& f : r.fields) heading.push_back(f.field + "_change_l2");
     std::string text = report::csv_line(heading);
-    const auto row = [&](const std::string& name, std::optional<double> size, const auto& get) {
+    const auto row = [&](const std::string& name, std::optional<double> size, const auto& get,
+                         const auto& of_field) {
         std::vector<std::string> fields{name, report::csv_field(size)};
         for (const RefinedQuantity& q : r.quantities) fields.push_back(report::csv_field(get(q)));
+        for (const RefinedField& f : r.fields) fields.push_back(report::csv_field(of_field(f)));
         text += report::csv_line(fields);
     };
     using Q = const RefinedQuantity&;
+    using F = const RefinedField&;
+    const auto none = [](F) { return Value(); };
     for (std::size_t k = 0; k < r.sizes.size(); ++k)
-        row(fmt::format("level_{}", k), r.sizes[k], [k](Q q) { return q.values[k]; });
-    row("observed_order", {}, [](Q q) { return q.limit.order; });
-    row("limit", {}, [](Q q) { return q.limit.value; });
-    row("error_of_finest", {}, [](Q q) { return q.limit.error; });
-    row("exact", {}, [](Q q) { return q.exact; });
+        row(
+            fmt::format("level_{}", k), r.sizes[k], [k](Q q) { return q.values[k]; },
+            [k](F f) { return k < f.changes.size() ? Value(f.changes[k]) : Value(); });
+    row(
+        "observed_order", {}, [](Q q) { return q.limit.order; }, [](F f) { return f.order; });
+    row(
+        "limit", {}, [](Q q) { return q.limit.value; }, none);
+    row(
+        "error_of_finest", {}, [](Q q) { return q.limit.error; },
+        [](F f) { return Value(f.error_l2); });
+    row(
+        "exact", {}, [](Q q) { return q.exact; }, none);
     if (r.wide_factor > 0)
-        row("wide_block", r.sizes[r.sizes.size() - 2], [](Q q) { return q.wide; });
+        row(
+            "wide_block", r.sizes[r.sizes.size() - 2], [](Q q) { return q.wide; },
+            [](F f) { return f.wide; });
     return text;
 }
 
 std::string refinement_text(const Refinement& r) {
-    return report::table_text(refinement_table(r));
+    std::string text = report::table_text(refinement_table(r));
+    if (!r.fields.empty()) text += '\n' + report::table_text(refined_fields_table(r));
+    return text;
 }
 
 }  // namespace tricontact::comparisons

@@ -39,6 +39,8 @@ Figures subsurface_figures(const contact::Case& c, const Histories& histories);
 Figures rough_figures(const contact::Case& c, const Histories& histories);
 
 /// All of the above, in the report's order; what needs grids is resampled (see resample.h).
+/// Captions of tractions and displacements tell the half widths of their fields, where `error` has
+/// them of the state that is drawn.
 Figures make_figures(const contact::Case& c, const Histories& histories,
                      const std::optional<NumericalError>& error = {});
 

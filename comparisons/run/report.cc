@@ -69,10 +69,13 @@ std::vector<DocumentSection> study_sections(const contact::Case& c,
         add("small_strains", "Finite strains", small_strain_sentences(extras.small_strains),
             tables);
     }
-    if (extras.refinement)
-        add("refinement", "Refinement", refinement_sentences(*extras.refinement),
-            {refinement_table(*extras.refinement)}),
-            sections.back().open = true;
+    if (extras.refinement) {
+        Tables tables{refinement_table(*extras.refinement)};
+        if (!extras.refinement->fields.empty())
+            tables.push_back(refined_fields_table(*extras.refinement));
+        add("refinement", "Refinement", refinement_sentences(*extras.refinement), tables);
+        sections.back().open = true;
+    }
     return sections;
 }
 
@@ -97,7 +100,8 @@ report::Document run_document(const contact::Case& c, const std::string& resolve
                               const std::vector<contact::History>& histories,
                               const ReportExtras& extras) {
     std::vector<Results> results;
-    for (const contact::History& history : histories) results.emplace_back(c, history);
+    for (const contact::History& history : histories)
+        results.push_back(results_beside(c, history, extras.study));
     report::Document document{.kind = "contact report",
                               .title = c.title.empty() ? "Frictional contact" : c.title,
                               .settings = settings_of(c),

@@ -48,6 +48,18 @@ says "Hertz" out
 grep -Eq '^static shift u_stat +U_max +0\.4' out || complain "u_stat is no ratio: $(grep u_stat out)"
 grep -q "no-studies" bem/report.html && complain "a refinement asks for comparison runs"
 grep -q "What the mesh leaves in it is told by\|the error of the finest mesh" bem/report.html || complain "no error on the page"
+# The stiffness beside 2 E* a, and fields: what neighbouring levels differ by falls to the first order.
+"$python" - bem <<'END' || complain "stiffness and fields: $(cat out)"
+import json, sys
+found = json.load(open(sys.argv[1] + "/refinement.json"))
+stiffness = found["quantities"]["normal_stiffness_N_per_m"]
+assert abs(stiffness["values"][-1] - stiffness["exact"]) <= stiffness["error_of_finest"] < .05 * stiffness["exact"], stiffness
+pressure, traction = found["fields"]["normal_traction"], found["fields"]["tangential_traction"]
+assert pressure["changes_l2"][1] < pressure["changes_l2"][0] < .2 and pressure["error_l2"] < .3, pressure
+assert pressure["largest_error_Pa"] > 0 and traction["error_l2"] > pressure["error_l2"], traction
+END
+says "Fields of the last state on finer and finer levels" bem/report.html
+says "normal_traction_change_l2" bem/refinement.csv
 # Levels side by side are the same to the last digit, histories too; only times of computing differ.
 expect 0 "$source_dir/examples/cases/rig_sphere_parallel.toml" --models bem --quiet --output side_by_side --jobs 2 \
     --set "bem.spacing=1 mm" --set rolling.periods=1 --set rolling.steps=turning-points

@@ -10,6 +10,7 @@
 
 #include "app/models/make_model.h"
 #include "comparisons/differences/surface_difference.h"
+#include "comparisons/half_space/layer.h"
 #include "contact/cells.h"
 #include "mdr/settings.h"
 #include "runs/further_runs.h"
@@ -93,22 +94,76 @@ TEST(FieldBars, CoverThePressureOfHertz) {
     }
 }
 
-// dF/dd = 2 E* a, looked at where normal and tangential contact are coupled.
+// dF/dd = 2 E* a, whether normal and tangential contact are coupled.
 TEST(FieldBars, CoverTheStiffnessOfHertz) {
     std::mt19937 random(45);
     std::uniform_real_distribution<> logarithm(-1, 1), cells(8, 20), poisson(.1, .4);
-    for (int k = 0; k < 8; ++k) {
-        const double force = 20 * std::exp(logarithm(random)), nu = poisson(random);
-        const Case c = pressed(contact::models::bem, force, cells(random), nu);
+    for (int k = 0; k < 12; ++k) {
+        const double force = 20 * std::exp(logarithm(random)), nu = k % 3 ? poisson(random) : 0;
+        const char* name = k % 3 == 1 ? contact::models::mdr : contact::models::bem;
+        Case c = pressed(name, force, cells(random), nu);
+        c.contact.coupling = k % 3 == 2;
         const BarredRun run = run_of(c);
+        SCOPED_TRACE(testing::Message()
+                     << name << ' ' << force << " N: " << run.error.why_no_stiffness);
         ASSERT_TRUE(run.error.normal_stiffness);
-        const auto model = app::model_makers().make(contact::models::bem, c, 1, contact::silent);
+        const auto model = app::model_makers().make(name, c, 1, contact::silent);
         const double modulus = young / (1 - nu * nu);
         const double exact = 2 * modulus * std::cbrt(3 * force * tip_radius / (4 * modulus));
-        EXPECT_LE(std::abs(runs::frictionless_stiffness(c, *model) - exact),
-                  *run.error.normal_stiffness);
+        const double found = runs::frictionless_stiffness(c, *model).value;
+        EXPECT_LE(std::abs(found - exact), *run.error.normal_stiffness);
         EXPECT_LT(*run.error.normal_stiffness, .2 * exact);
+        // A path has that of its hardest load, and what a model was used for before is no matter.
+        Case path = c;
+        path.prescribed_path.emplace();
+        for (const double share : {.5, 1., .7}) {
+            contact::PrescribedPath::Row row;
+            row.normal = {contact::NormalControl::Kind::force, share * force};
+            path.prescribed_path->rows.push_back(row);
+        }
+        EXPECT_NEAR(runs::frictionless_stiffness(path, *model).value / found, 1, 1e-5);
     }
+}
+
+// On a layer ln F over ln d is no line. Exact: theory/layer/elastic_layer.h.
+TEST(FieldBars, CoverTheStiffnessOfTheLayer) {
+    for (const char* name : {contact::models::mdr_layer, contact::models::bem_layer})
+        for (const double thickness : {2e-3, 4e-3, 8e-3}) {
+            Case c = pressed(name, 20, 24, .3);
+            c.contact.coupling = false;
+            c.layer.thickness = thickness;
+            c.of<mdr::Settings>().elements_per_radius = 100;
+            const BarredRun run = run_of(c);
+            SCOPED_TRACE(testing::Message() << name << ' ' << run.error.why_no_stiffness);
+            ASSERT_TRUE(run.error.normal_stiffness);
+            const double exact = comparisons::exact_layer_contact(c)->normal_stiffness;
+            const auto model = app::model_makers().make(name, c, 1, contact::silent);
+            const double found = runs::frictionless_stiffness(c, *model).value;
+            EXPECT_LE(std::abs(found - exact), *run.error.normal_stiffness) << exact;
+            // Four times the cells of 24 in a are hardly a layer of half a.
+            const double most = name == contact::models::mdr_layer ? .03 : .12;
+            EXPECT_LT(*run.error.normal_stiffness, most * exact);
+        }
+}
+
+// Two meshes alone say nothing of it: said by name, the other half widths stand.
+TEST(FieldBars, SayWhyThereIsNoStiffness) {
+    contact::ModelMakers makers = app::model_makers();
+    makers.make_coarser = [](const std::string& name, const Case& c, double factor, int n_threads,
+                             const contact::Say& say) {
+        if (factor > 2) throw contact::InputError("there is no such mesh");
+        return app::model_makers().make_coarser(name, c, factor, n_threads, say);
+    };
+    runs::RunOptions options;
+    options.makers = &makers;
+    const Case c = pressed(contact::models::mdr, 20, 10, 0);
+    const auto history = options.runner().history_of(contact::models::mdr, c);
+    const auto error = *runs::numerical_error(c, history, options, contact::silent);
+    EXPECT_FALSE(error.normal_stiffness);
+    EXPECT_NE(comparisons::numerical_error_json(error)["why_no_normal_stiffness"].dump().find(
+                  "four times the size"),
+              std::string::npos);
+    EXPECT_TRUE(error.of(comparisons::quantities::indentation));
 }
 
 // A layer pressed with friction, beside cells a quarter as large.

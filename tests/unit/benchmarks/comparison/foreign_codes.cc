@@ -150,6 +150,11 @@ TEST(ForeignCodes, GetfemsPeakOnTheDisplacedSurfaceIsExplained) {
     EXPECT_NEAR(peak.difference, .0169, .0005);
     EXPECT_NEAR(peak.explained_change(), .0136, .0003);
     EXPECT_LT(std::abs(peak.left()), .22 * peak.difference);
+    // Its pressures add up to its force, over undisplaced areas: the strain of areas, 3 %, is no
+    // bar.
+    EXPECT_LT(peak.uncertainty, .006);
+    EXPECT_EQ(peak.standing, Standing::pass);
+    EXPECT_EQ(number(c, "pressure_l2_inside").standing, Standing::pass);
     EXPECT_LT(std::abs(peak.left()), peak.uncertainty);
     for (const char* key : {"normal_force", "load_within", "pressure_l2_inside"}) {
         const ComparedNumber& one = number(c, key);
@@ -158,6 +163,32 @@ TEST(ForeignCodes, GetfemsPeakOnTheDisplacedSurfaceIsExplained) {
     }
     EXPECT_EQ(c.standing, Standing::pass);
     EXPECT_EQ(c.unexplained_standing, Standing::fail);
+    // Without a force beside them nothing tells which areas they act on.
+    for (MeshField& field : s.meshes) field.totals.clear();
+    EXPECT_GT(number(compared(s), "peak_pressure").uncertainty, .025);
+}
+
+// A cylinder on the layer, plane strain: FreeFem++ 4.11, P2, on decks n = 4, 8, 16 with 220 MPa/mm.
+// Strips on a Winkler layer have its force, its peak and the field inside.
+TEST(ForeignCodes, FreefemsPlaneContactIsExplainedByThePenalty) {
+    Submission s = foreign::submission(
+        {"freefem_p2_plane_4.csv", "freefem_p2_plane_8.csv", "freefem_p2_plane_16.csv"});
+    s.contact.stiffness = 220e9;
+    s.contact.kinematics = ContactMethod::Kinematics::undeformed;
+    const Reference reference = foreign::reference_of("plane_layer_pressed.toml");
+    const Comparison c = compare(s, reference);
+    EXPECT_NEAR(number(c, "normal_force").difference, -.0042, .0001);
+    EXPECT_LT(std::abs(number(c, "normal_force").left()), .0001);
+    EXPECT_NEAR(number(c, "peak_pressure").difference, -.0044, .0001);
+    EXPECT_LT(std::abs(number(c, "peak_pressure").left()), .0003);
+    const ComparedNumber& inside = number(c, "pressure_l2_inside");
+    ASSERT_EQ(inside.explained.size(), 1u);
+    EXPECT_EQ(inside.explained[0].id, "penalty");
+    EXPECT_LT(std::abs(inside.left()), .3 * inside.difference);
+    EXPECT_EQ(number(c, "load_within").explained.size(), 1u);
+    EXPECT_LT(std::abs(number(c, "load_within").left()), number(c, "load_within").difference);
+    s.contact.stiffness.reset();
+    EXPECT_TRUE(number(compare(s, reference), "peak_pressure").explained.empty());
 }
 
 // Pressed in the steps of the case, as the deck of the shifted layer says, nothing is left to be

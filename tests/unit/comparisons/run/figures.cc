@@ -115,6 +115,48 @@ TEST(FigureData, TheoryIsDrawnOnlyWhereItHolds) {
     EXPECT_FALSE(has_theory(synthetic::unit_case(ratchets), ratchets));
 }
 
+/// Captions of a case's figures, one after another.
+std::string captions(const Options& options, const std::optional<NumericalError>& error,
+                     const Histories& histories) {
+    std::string text;
+    for (const report::Figure& figure :
+         make_figures(synthetic::unit_case(options), histories, error))
+        text += figure.id + ": " + figure.caption + '\n';
+    return text;
+}
+
+// Half widths of fields stand with the figures of these fields, of their model and state alone.
+TEST(FigureData, CaptionsTellHalfWidthsOfFields) {
+    const Options options;
+    Histories histories = synthetic::two_models(options);
+    NumericalError error{.model = "bem", .run = {}, .coarser = {}, .coarsest = {}};
+    error.fields = {{"tangential_traction", "Pa", 1e4, .031}, {"displacement", "m", 1e-6, .002}};
+    const std::string told = captions(options, error, histories);
+    const std::string mark = "What mesh and steps leave in BEM: ± ";
+    const auto n_marks = [&](const std::string& text) {
+        std::size_t n = 0;
+        for (std::size_t at = 0; (at = text.find(mark, at)) != std::string::npos; ++at) ++n;
+        return n;
+    };
+    EXPECT_EQ(n_marks(told), 4U) << told;  // traction_x, traction_y, two maps
+    EXPECT_NE(told.find(mark + "3.1 %"), std::string::npos) << told;
+    EXPECT_NE(told.find(mark + "0.20 % of the field's root mean square, ± "), std::string::npos)
+        << told;
+    EXPECT_EQ(n_marks(captions(options, {}, histories)), 0U);
+    NumericalError other = error;
+    other.model = "fem";
+    EXPECT_EQ(captions(options, other, histories).find("What mesh and steps"), std::string::npos);
+    other = error;
+    other.fields.clear();
+    EXPECT_EQ(n_marks(captions(options, other, histories)), 0U);
+    // A last state that is not the upright one that is drawn.
+    for (contact::History& history : histories) {
+        history.snapshots.push_back(history.snapshots.back());
+        history.snapshots.back().phase += .25;
+    }
+    EXPECT_EQ(n_marks(captions(options, error, histories)), 0U);
+}
+
 // A force to the left shifts to the left: what is drawn has to be within the axes.
 TEST(FigureData, NegativeShiftsAreNotCutOff) {
     auto histories = synthetic::two_models();
