@@ -66,8 +66,8 @@ std::optional<double> distance_at(const Surface& surface, const std::vector<doub
     return {};
 }
 
-/// What friction carries across the load at each point of a line, whose bounds are those of a
-/// contact of revolution [N/m].
+}  // namespace
+
 std::vector<double> line_bounds(const Surface& s, double radius) {
     constexpr int pieces = 256;
     const auto radial = contact::RadialBound::of(pieces);
@@ -90,8 +90,6 @@ std::vector<double> line_bounds(const Surface& s, double radius) {
     }
     return at_points;
 }
-
-}  // namespace
 
 std::optional<double> own_amplitude_limit(const contact::Case& c, const contact::History& history) {
     const contact::Snapshot* upright = last_upright(history);

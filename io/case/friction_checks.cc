@@ -29,13 +29,6 @@ void check_friction(const Case& c, const Document& document) {
     if (!friction.coefficient && !friction.shear_strength)
         refuse_missing(*find_key("friction.coefficient"), document, case_key_list());
     check_law(friction, document);
-    if (friction.is_coulomb()) return;
-    const std::string key = friction.shear_strength      ? "friction.shear_strength"
-                            : friction.pressure_exponent ? "friction.pressure_exponent"
-                                                         : "friction.strength_limit";
-    if (c.tractive_rolling)
-        refuse(document, key, "creepage and rolling on are those of Coulomb's law",
-               "give friction.coefficient alone, or roll to and fro by [rolling]");
 }
 
 }  // namespace tricontact::io

@@ -44,7 +44,28 @@ near "$(value mdr-layer limit_tangential_ratio power/summary.json)" \
 near "$(value fem settled_shift_m power/summary.json)" \
     "$(value bem-layer settled_shift_m power/summary.json)" 0.02 "settled shift of fem"
 
-# 3. Numbers that do not go together, and what knows Coulomb's law alone.
+# 3. Rolling on: springs and cells beside the closed forms of a shear strength, first order in both.
+sed 's/^coefficient.*/shear_strength = "30 kPa"/' "$source_dir/examples/cases/rolling_cylinder.toml" >cylinder.toml
+sed 's/^coefficient.*/shear_strength = "30 kPa"/' "$source_dir/examples/cases/rolling_sphere.toml" >ball.toml
+# over_theory FILE THEORY: creepage of the first model.
+over_theory() {
+    "$python" - "$1" "$2" <<'END'
+import json, sys
+summary = json.load(open(sys.argv[1]))
+theory = next(one for one in summary["theories"] if one["theory"] == sys.argv[2])
+print(summary["models"][0]["steady"]["longitudinal_creepage"] / theory["longitudinal_creepage"])
+END
+}
+"$program" run cylinder.toml --points 0 --set tractive_rolling.distance=1 --quiet --output cylinder >text ||
+    complain "a cylinder with a shear strength does not roll: $(cat text)"
+near "$(over_theory cylinder/summary.json carter_strength)" 1 0.005 "creepage of the cylinder"
+grep -q "F_x/F_lim" text || complain "the table is not over F_lim"
+grep -q "F_N)" text && complain "the table is over mu F_N"
+"$program" run ball.toml --models mdr --points 0 --set tractive_rolling.distance=1 --quiet --output ball >text ||
+    complain "springs with a shear strength do not roll: $(cat text)"
+near "$(over_theory ball/summary.json mdr_closed_form)" 1 0.005 "creepage of springs"
+
+# 4. Numbers that do not go together, and what knows Coulomb's law alone.
 sed '/^shear_strength/d' "$lens" >none.toml
 refused "missing key friction.coefficient" check "$work/none.toml"
 refused "friction.pressure_exponent = 0.5: no part of the friction grows" check "$lens" \

@@ -86,9 +86,8 @@ RollingRun run_by(const Case& c, const std::string& model, const std::string& ke
         run.history.transient.push_back(state);
     }
     for (double f = .05; f < .99; f += .06) run.creep_curve.push_back(state_of(c, theory, f));
-    run.lines = {
-        centre_line(run.history.surface, c.friction_coefficient(), 0),
-        centre_line(run.history.surface, c.friction_coefficient(), run.history.steady.distance)};
+    run.lines = {centre_line(run.history.surface, c.friction, run.history.transient.front()),
+                 centre_line(run.history.surface, c.friction, run.history.steady)};
     return run;
 }
 
