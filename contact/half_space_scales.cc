@@ -227,10 +227,9 @@ MeanFriction mean_friction(const Case& c, const HalfSpaceScales& s) {
     const int points = 8 * n;
     double shift = 0, shift_of_pressure = 0, force = 0, force_of_pressure = 0;
     for (int i = 0; i < points; ++i) {
-        const double angle = pi / 2 * (i + .5) / points, y = std::sin(angle) * n;
-        const int k = std::min(static_cast<int>(y), n - 1);
+        const double angle = pi / 2 * (i + .5) / points;
         const auto at = [&](const std::vector<double>& values) {
-            return values[k] + (y - k) * (values[k + 1] - values[k]);
+            return at_depth_of_chord(values.data(), n, std::sin(angle));
         };
         const double radius = std::cos(angle);  // over a; dr = sin(angle) d(angle)
         const double weight = c.is_cylindrical() ? beyond - std::log(radius) : 1;

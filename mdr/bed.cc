@@ -28,7 +28,6 @@ const BedData& checked(const BedData& data) {
     positive("effective modulus E*", data.effective_modulus);
     positive("effective shear modulus G*", data.effective_shear_modulus);
     positive("friction coefficient", data.friction->ratio_at(data.effective_modulus));
-    if (data.relaxation) require_coulomb(contact::models::mdr, *data.friction);
     positive("half length of the bed", data.half_length);
     if (data.n_springs < 10)
         throw InputError(fmt::format("mdr: {} springs are too few, give at least 10 (mdr.springs)",
@@ -56,14 +55,6 @@ double position_on_line(const std::string& model, const contact::LoadStep& step,
             "alone a spring bed extends",
             model, step.offset[0], step.offset[1]));
     return along;
-}
-
-void require_coulomb(const std::string& model, const contact::FrictionLaw& friction) {
-    if (friction.coulomb()) return;
-    throw InputError(
-        model +
-        ": relaxing springs and coupled ones reduce the contact to a line by Coulomb's "
-        "law of friction; take bem, bem-layer or fem for another");
 }
 
 Bed::Bed(const BedData& data)

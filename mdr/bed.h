@@ -22,8 +22,8 @@ struct BedData {
     std::unique_ptr<PlaneProfile> profile;
     double effective_modulus = 0;        ///< E* [Pa], of a relaxing bed when relaxed
     double effective_shear_modulus = 0;  ///< G* [Pa], likewise
-    std::shared_ptr<const contact::FrictionLaw> friction;  ///< of a relaxing bed Coulomb's
-    int n_springs = 0;                                     ///< over the whole bed
+    std::shared_ptr<const contact::FrictionLaw> friction;
+    int n_springs = 0;         ///< over the whole bed
     double half_length = 0;    ///< of the bed about the starting position [m]
     double rolling_angle = 0;  ///< of the line on which it rolls [rad]
     std::optional<contact::Relaxation> relaxation{};  ///< empty: elastic
@@ -38,10 +38,6 @@ double position_on_line(const std::string& model, const contact::LoadStep& step,
 
 /// Steps of independent springs are exact: slips below this part of the bound are rounding.
 inline constexpr double exact_steps = 1e-11;
-
-/// Throws contact::InputError, `model` being named, unless friction is Coulomb's: springs that
-/// relax and line elements carry mu times their load as points do, which other laws do not.
-void require_coulomb(const std::string& model, const contact::FrictionLaw& friction);
 
 /// What elastic and relaxing beds of independent springs have in common.
 class Bed : public contact::Model {

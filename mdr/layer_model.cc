@@ -5,17 +5,21 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 #include <stdexcept>
+#include <utility>
 
 #include "contact/base/error.h"
 #include "contact/base/memory.h"
 #include "contact/base/special_values.h"
+#include "contact/base/state_bytes.h"
 #include "contact/load_path.h"
 #include "contact/models/model_kind.h"
 #include "contact/relaxing_case.h"
 #include "contact/solvers/normal_solver.h"
 #include "mdr/bed.h"
 #include "mdr/line_surface.h"
+#include "mdr/load_bound.h"
 #include "mdr/settings.h"
 #include "theory/layer/layer_stack.h"
 
@@ -41,6 +45,31 @@ class PlaneIndenter final : public contact::Indenter {
   private:
     std::shared_ptr<const PlaneProfile> profile_;
 };
+
+/// Another law than Coulomb's, as the elements see it: its points are all of them, its pressures
+/// their line loads over LayerSprings::width.
+class LineLaw final : public contact::FrictionLaw {
+  public:
+    LineLaw(const PointRow& row, LoadBound bound) : row_(row), bound_(std::move(bound)) {}
+    void bounds(const Points& points, std::span<double> bound) const override {
+        static_assert(LayerSprings::width == 1);
+        bound_.bounds(row_, points.pressure, bound);
+    }
+
+  private:
+    PointRow row_;
+    LoadBound bound_;
+};
+
+std::shared_ptr<const contact::FrictionLaw> on_line(std::shared_ptr<const contact::FrictionLaw> law,
+                                                    const LayerSprings& springs,
+                                                    const PlaneProfile& profile, bool relaxes) {
+    if (law->coulomb()) return law;
+    // Beside the tip q falls as on the half-space: what the layer takes away has no kink there.
+    const double slope =
+        relaxes ? 0 : springs.effective_modulus() * profile.tip_slope(springs.row().spacing);
+    return std::make_shared<LineLaw>(springs.row(), LoadBound(std::move(law), relaxes, slope));
+}
 
 std::unique_ptr<const contact::Substrate> substrate_of(
     std::shared_ptr<const LayerSprings> springs,
@@ -126,17 +155,21 @@ LayerModel::LayerModel(std::shared_ptr<const LayerSprings> springs,
     : springs_(std::move(springs)),
       profile_(std::move(profile)),
       friction_(std::move(friction)),
+      line_law_(on_line(friction_, *springs_, *profile_, relaxation.has_value())),
       direction_{std::cos(rolling_angle), std::sin(rolling_angle)},
       model_(name(), *substrate_of(springs_, relaxation), std::make_shared<PlaneIndenter>(profile_),
-             friction_, tolerance) {
-    require_coulomb(name(), *friction_);
-}
+             line_law_, tolerance) {}
 
 contact::StepRecord LayerModel::advance(const contact::LoadStep& step) {
     contact::LoadStep on_line = step;
     on_line.offset = {position_on_line(name(), step, direction_, springs_->row().spacing), 0};
     contact::StepRecord r = model_.advance(on_line);
     check_ends(on_line);
+    if (!least_bounds_.empty()) {
+        const std::vector<double> now = line_bounds();
+        for (std::size_t i = 0; i < now.size(); ++i)
+            least_bounds_[i] = std::min(least_bounds_[i], now[i]);
+    }
     r.offset = step.offset;
     auto disc = [](double area) {
         const double length = area / LayerSprings::width;
@@ -148,6 +181,38 @@ contact::StepRecord LayerModel::advance(const contact::LoadStep& step) {
     r.slip_area = r.contact_area - r.stick_area;
     r.open_area = disc(all) - r.contact_area;
     return r;
+}
+
+std::vector<double> LayerModel::line_bounds() const {
+    const std::vector<double> load = model_.surface().normal_traction;
+    std::vector<double> bound(load.size());
+    line_law_->bounds({load}, bound);
+    return bound;
+}
+
+void LayerModel::start_limit() {
+    model_.start_limit();
+    if (friction_->coulomb()) return;
+    least_bounds_ = line_bounds();
+    bound_at_start_ = std::accumulate(least_bounds_.begin(), least_bounds_.end(), 0.);
+}
+
+double LayerModel::limit_tangential_ratio() const {
+    if (least_bounds_.empty()) return model_.limit_tangential_ratio();
+    return std::accumulate(least_bounds_.begin(), least_bounds_.end(), 0.) / bound_at_start_;
+}
+
+std::string LayerModel::write_state() const {
+    contact::StateWriter out;
+    out(least_bounds_, bound_at_start_, model_.write_state());
+    return out.take();
+}
+
+void LayerModel::read_state(std::string_view bytes) {
+    std::string state;
+    contact::StateReader in(bytes);
+    in(least_bounds_, bound_at_start_, state);
+    model_.read_state(state);
 }
 
 void LayerModel::check_ends(const contact::LoadStep& step) const {

@@ -3,6 +3,8 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "contact/case.h"
 #include "contact/model.h"
@@ -35,7 +37,10 @@ class LayerModel final : public contact::Model {
     /// Throws contact::InputError if the step is none of a line's or the contact reaches the
     /// indenter's rim, contact::ContactAtEdge if it reaches the last element, NotConverged.
     contact::StepRecord advance(const contact::LoadStep& step) override;
-    void release() override { model_.release(); }
+    void release() override {
+        model_.release();
+        least_bounds_.clear();
+    }
     /// Contact radius and peak pressure from the elements' line loads (EvenLoad).
     contact::Scales scales() const override;
     /// Line layout, thinned out; tractions transformed back, displacements those of the line.
@@ -43,20 +48,25 @@ class LayerModel final : public contact::Model {
     std::vector<contact::ContactState> contact_states() const override {
         return model_.contact_states();
     }
-    double limit_tangential_ratio() const override { return model_.limit_tangential_ratio(); }
-    void start_limit() override { model_.start_limit(); }
-    std::string write_state() const override { return model_.write_state(); }
-    void read_state(std::string_view bytes) override { model_.read_state(bytes); }
+    double limit_tangential_ratio() const override;
+    void start_limit() override;
+    std::string write_state() const override;
+    void read_state(std::string_view bytes) override;
     const contact::Audit& audit() const override { return model_.audit(); }
 
   private:
     void check_ends(const contact::LoadStep& step) const;
+    std::vector<double> line_bounds() const;
 
     std::shared_ptr<const LayerSprings> springs_;
     std::shared_ptr<const PlaneProfile> profile_;
     std::shared_ptr<const contact::FrictionLaw> friction_;
-    contact::Vector2 direction_;  // of rolling
+    std::shared_ptr<const contact::FrictionLaw> line_law_;  // the same of the elements
+    contact::Vector2 direction_;                            // of rolling
     contact::SurfaceModel model_;
+    // Of the elements [N/m] since start_limit, and in all at its time; not under Coulomb's law.
+    std::vector<double> least_bounds_;
+    double bound_at_start_ = 0;
 };
 
 /// For a case: about `elements_per_radius` elements in the contact radius, as many as contact and

@@ -105,6 +105,7 @@ LayerSprings::LayerSprings(const theory::LayerStack& stack,
     points_.mirrored = true;
 
     const contact::MaterialPair both(indenter, top.material), layer({}, top.material);
+    effective_modulus_ = both.effective_modulus();
     const LayerKernel kernel = layer_kernel(stack, spacing, n);
     normal_ = coefficients(1 / both.effective_modulus(), 1 / layer.effective_modulus(),
                            kernel.normal, spacing);

@@ -48,6 +48,7 @@ class LayerSprings final : public contact::Compliance {
 
     const contact::ContactPoints& points() const override { return points_; }
     const PointRow& row() const { return row_; }
+    double effective_modulus() const { return effective_modulus_; }  ///< E* of both bodies [Pa]
     bool is_coupled() const override { return false; }
     void normal(std::span<const double> p, std::span<double> u_z) const override {
         multiply(normal_, p, u_z);
@@ -72,6 +73,7 @@ class LayerSprings final : public contact::Compliance {
 
     contact::ContactPoints points_;
     PointRow row_;
+    double effective_modulus_;
     // Displacement over force [m/N] at the distances (1 - n) h, ..., (n - 1) h.
     std::vector<double> normal_, tangential_;
     std::vector<double> dense_;

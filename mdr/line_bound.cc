@@ -12,12 +12,6 @@ constexpr int pieces = 512;             // of a table
 constexpr int depths_per_octave = 512;  // of tables, between which bounds are linear in ln d
 constexpr std::size_t most_tables = 2048;
 
-/// g'(0), 0 unless the tip is conical.
-double tip_slope(const PlaneProfile& profile, double a) {
-    constexpr double near = 1e-9;
-    return std::isfinite(profile.centre_integral(a)) ? 0 : profile.value(near * a) / (near * a);
-}
-
 double depth_of(int depth_class) {
     return std::exp2(static_cast<double>(depth_class) / depths_per_octave);
 }
@@ -37,7 +31,7 @@ const LineBound::Table& LineBound::table(const PlaneProfile& profile, int depth_
     if (!one.empty()) return one;
     const double a = profile.half_width(depth_of(depth_class));
     std::vector<double> pressure = radial_->pressure_under(
-        [&](double x) { return profile.value(x); }, a, tip_slope(profile, a), effective_modulus_);
+        [&](double x) { return profile.value(x); }, a, profile.tip_slope(a), effective_modulus_);
     one = radial_->line(contact::bounds_inside(*law_, std::move(pressure)), 1);
     for (double& bound : one) bound /= effective_shear_modulus_;
     return one;
@@ -68,9 +62,7 @@ void LineBound::sample(double first, double spacing, std::span<double> bound) co
 #pragma omp simd
     for (int i = 0; i < n; ++i) {
         const double x = scaled_first + i * scaled_spacing;
-        const double y = std::sqrt(std::max(1 - x * x, 0.)) * pieces;
-        const int k = std::min(static_cast<int>(y), pieces - 1);
-        out[i] = table[k] + (y - k) * (table[k + 1] - table[k]);
+        out[i] = contact::at_depth_of_chord(table, pieces, std::sqrt(std::max(1 - x * x, 0.)));
     }
 }
 

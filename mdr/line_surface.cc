@@ -21,19 +21,22 @@ double end_of_load(const PointRow& row, std::span<const double> load, double cen
     return std::min(std::sqrt(squared), x + row.spacing);
 }
 
-double half_width_of(const PointRow& row, std::span<const double> load, double centre) {
+}  // namespace
+
+LoadSpan load_span(std::span<const double> load) {
     auto carries = [](double q) { return q > 0; };
-    const int first =
-        static_cast<int>(std::find_if(load.begin(), load.end(), carries) - load.begin());
-    const int last =
-        static_cast<int>(load.rend() - std::find_if(load.rbegin(), load.rend(), carries)) - 1;
-    if (first >= last) return row.spacing / 2;
-    return (end_of_load(row, load, centre, first, first + 1) +
-            end_of_load(row, load, centre, last, last - 1)) /
-           2;
+    const auto first = std::find_if(load.begin(), load.end(), carries);
+    if (first == load.end()) return {0, -1};
+    return {static_cast<int>(first - load.begin()),
+            static_cast<int>(load.rend() - std::find_if(load.rbegin(), load.rend(), carries)) - 1};
 }
 
-}  // namespace
+LoadEnds load_ends(const PointRow& row, std::span<const double> load, double centre) {
+    const auto [first, last] = load_span(load);
+    if (first >= last) return {row.spacing / 2, row.spacing / 2};
+    return {end_of_load(row, load, centre, first, first + 1),
+            end_of_load(row, load, centre, last, last - 1)};
+}
 
 std::vector<double> abel_weights(std::span<const double> positions, double r) {
     const std::size_t n = positions.size();
@@ -81,7 +84,8 @@ double PointRow::interpolate(std::span<const double> values, double x) const {
 
 EvenLoad even_load(const PointRow& row, std::span<const double> load, double centre,
                    int most_pieces) {
-    const double a = half_width_of(row, load, centre);
+    const auto [before, beyond] = load_ends(row, load, centre);
+    const double a = (before + beyond) / 2;
     const int stride = static_cast<int>(std::ceil(a / row.spacing / most_pieces));
     EvenLoad even;
     // Whole spacings: what the interpolation misses is then the same everywhere and drops out of

@@ -33,21 +33,33 @@ struct PointRow {
     }
 };
 
+/// The first and the last point that carry a load > 0; none: last < first.
+struct LoadSpan {
+    int first, last;
+};
+LoadSpan load_span(std::span<const double> load);
+
+/// Where a line load vanishes on either side, distances from `centre` [m]: each extrapolated as a
+/// parabola about the centre through the last two points. Some point must carry load; a single one
+/// is taken for a contact one spacing wide.
+struct LoadEnds {
+    double before, beyond;
+};
+LoadEnds load_ends(const PointRow& row, std::span<const double> load, double centre);
+
 /// The even part, about a centre, of a line load that is positive in the contact: what a
 /// back-transformation takes for an axisymmetric pressure.
 struct EvenLoad {
     std::vector<double> positions;  ///< distances from the centre [m]: 0, ..., a
     std::vector<double> values;     ///< [N/m], 0 at a
 
-    /// a [m], where the load vanishes: mean of both sides, each extrapolated as a parabola about
-    /// the centre through its last two points.
+    /// a [m], where the load vanishes: mean of both sides, see load_ends().
     double half_width() const { return positions.back(); }
     /// Pressure at the centre [Pa], -1/pi ∫_0^a q'(x)/x dx, q linear in x^2 between the positions.
     double centre_pressure() const;
 };
 
-/// At most `most_pieces` + 1 positions, at whole spacings. Some point must carry load; a single one
-/// is taken for a contact one spacing wide.
+/// At most `most_pieces` + 1 positions, at whole spacings. Some point must carry load.
 EvenLoad even_load(const PointRow& row, std::span<const double> load, double centre,
                    int most_pieces);
 

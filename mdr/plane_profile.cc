@@ -31,6 +31,11 @@ constexpr double narrowest_panel = 1e-12;  // of the range
 
 }  // namespace
 
+double PlaneProfile::tip_slope(double a) const {
+    constexpr double near = 1e-9;
+    return std::isfinite(centre_integral(a)) ? 0 : value(near * a) / (near * a);
+}
+
 double PlaneProfile::half_width(double depth) const {
     if (!(depth > 0)) throw std::domain_error("half_width: the depth must be positive");
     return half_width_root([&](double a) { return value(a) - depth; }, range(), depth);

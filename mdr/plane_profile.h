@@ -28,6 +28,8 @@ class PlaneProfile {
     /// ∫_0^a g'(x)/x dx [-]: the pressure at the centre of the contact is E*/pi times this.
     /// Infinite for a conical tip.
     virtual double centre_integral(double a) const = 0;
+    /// g'(0) [-], 0 unless the tip is conical; `a` [m] is any half width.
+    double tip_slope(double a) const;
 
     /// Half width a [m] of the contact at the depth d [m] > 0: g(a) = d.
     /// Throws contact::InputError if d exceeds g(range).

@@ -40,6 +40,9 @@ RelaxingBed::RelaxingBed(BedData data)
     for (auto* field : {&heights_, &pressed_, &offsets_, &bounds_, &sheared_, &force_,
                         &shear_before_, &least_load_})
         field->assign(data.n_springs, 0);
+    if (law_->coulomb()) return;
+    load_bound_.emplace(law_, true);
+    line_bounds_.assign(data.n_springs, 0);
 }
 
 contact::StepRecord RelaxingBed::advance(const LoadStep& step) {
@@ -54,6 +57,7 @@ contact::StepRecord RelaxingBed::advance(const LoadStep& step) {
     carried_.clear();
     if (step.in_proportion) find_carried(position_before, depth_before);
     push(normal_.stiffness());
+    update_line_bounds();
     friction_ = step.friction;
     update_offsets();
     const ShiftSolution shift = find_shift_increment(step.tangential[0]);
@@ -157,6 +161,7 @@ void RelaxingBed::grow() {
     for (auto* field : {&heights_, &pressed_, &offsets_, &bounds_, &sheared_, &force_,
                         &shear_before_, &least_load_})
         pad(*field, n);
+    if (load_bound_) pad(line_bounds_, n);
     normal_.grow(n);
     tangential_.grow(n);
     row_.first -= n * row_.spacing;
@@ -197,12 +202,39 @@ void RelaxingBed::find_carried(double position_before, double depth_before) {
     }
 }
 
+/// Of the pushed springs; where nothing touches the largest bound is the last one.
+void RelaxingBed::update_line_bounds() {
+    if (!load_bound_) {
+        largest_bound_ = bound_ratio_ * depth_;
+        return;
+    }
+    std::fill(line_bounds_.begin(), line_bounds_.end(), 0);
+    total_bound_ = 0;
+    if (n_contact_ == 0) return;
+    std::vector<double> load(contact_.size());
+    for (int k = 0; k < contact_.size(); ++k)
+        load[k] = effective_modulus_ * force_[contact_.first + k];
+    const auto bound = part(line_bounds_, contact_);
+    load_bound_->bounds({row_.position(contact_.first), row_.spacing}, load, bound);
+    const double* const one = bound.data();
+    double sum = 0, largest = 0;
+#pragma omp simd reduction(+ : sum) reduction(max : largest)
+    for (int k = 0; k < contact_.size(); ++k) {
+        sum += one[k];
+        largest = std::max(largest, one[k]);
+    }
+    total_bound_ = row_.spacing * sum;
+    largest_bound_ = largest / (effective_shear_modulus_ * tangential_.stiffness());
+}
+
 // Beside their free ends the springs are an elastic bed of another stiffness, with the same bounds.
 void RelaxingBed::update_offsets() {
-    const double ratio = friction_ ? bound_ratio_ : 0;
+    const double ratio = !friction_    ? 0
+                         : load_bound_ ? 1 / (effective_shear_modulus_ * tangential_.stiffness())
+                                       : bound_ratio_;
     const double* const u = tangential_.deflection().data();
     const double* const free = tangential_.free_deflection().data();
-    const double* const pressed = pressed_.data();
+    const double* const carrying = load_bound_ ? line_bounds_.data() : pressed_.data();
     double* const before = shear_before_.data();
     double* const offset = offsets_.data();
     double* const bound = bounds_.data();
@@ -210,7 +242,7 @@ void RelaxingBed::update_offsets() {
     for (int i = touched_.first; i < touched_.last; ++i) {
         before[i] = u[i];
         offset[i] = u[i] - free[i];
-        bound[i] = ratio * pressed[i];
+        bound[i] = ratio * carrying[i];
     }
 }
 
@@ -234,7 +266,7 @@ SlipSums RelaxingBed::slide(double increment) {
     const auto offsets = part(std::as_const(offsets_), contact_);
     const auto bounds = part(std::as_const(bounds_), contact_);
     const auto sheared = part(sheared_, contact_);
-    const double negligible = negligible_slip(bound_ratio_ * depth_);
+    const double negligible = negligible_slip(largest_bound_);
     SlipSums sums = carried_.empty()
                         ? take_step(offsets, bounds, increment, negligible, sheared)
                         : take_step(offsets, bounds, carried_, increment, negligible, sheared);
@@ -246,7 +278,7 @@ SlipSums RelaxingBed::slide(double increment) {
     tangential_force_ = effective_shear_modulus_ * row_.spacing * stiffness * sums.deflection;
     if (n_contact_ == contact_.size()) return sums;
     for (int i = contact_.first; i < contact_.last; ++i)  // gaps inside do not stick
-        if (!(pressed_[i] > 0) && std::abs(slip(i)) <= negligible_slip(bound_ratio_ * depth_))
+        if (!(pressed_[i] > 0) && std::abs(slip(i)) <= negligible_slip(largest_bound_))
             --sums.n_stick;
     return sums;
 }
@@ -255,26 +287,28 @@ void RelaxingBed::release() {
     normal_.forget();
     tangential_.forget();
     touched_ = contact_ = {};
-    for (auto* field : {&pressed_, &bounds_, &sheared_, &offsets_, &shear_before_, &least_load_})
+    for (auto* field :
+         {&pressed_, &bounds_, &sheared_, &offsets_, &shear_before_, &least_load_, &line_bounds_})
         std::fill(field->begin(), field->end(), 0);
     depth_ = position_ = n_contact_ = 0;
-    normal_force_ = tangential_force_ = 0;
+    normal_force_ = tangential_force_ = total_bound_ = 0;
     shift_ = shift_increment_ = stored_in_pressing_ = stored_in_shearing_ = 0;
 }
 
 void RelaxingBed::update_limit() {
-    const double stiffness = normal_.stiffness();
-    const double* const pressed = pressed_.data();
+    const double factor = load_bound_ ? 1 / effective_modulus_ : normal_.stiffness();
+    const double* const carrying = load_bound_ ? line_bounds_.data() : pressed_.data();
     double* const least = least_load_.data();
     const int n = size();
 #pragma omp simd
-    for (int i = 0; i < n; ++i) least[i] = std::min(least[i], stiffness * pressed[i]);
+    for (int i = 0; i < n; ++i) least[i] = std::min(least[i], factor * carrying[i]);
 }
 
 double RelaxingBed::limit_tangential_ratio() const {
     contact::CompensatedSum sum;
     for (const double load : least_load_) sum.add(load);
-    return effective_modulus_ * row_.spacing * sum.value() / limit_normal_force_;
+    return effective_modulus_ * row_.spacing * sum.value() /
+           (load_bound_ ? limit_total_bound_ : limit_normal_force_);
 }
 
 }  // namespace tricontact::mdr

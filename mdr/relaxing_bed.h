@@ -1,11 +1,13 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "contact/base/special_values.h"
 #include "mdr/bed.h"
 #include "mdr/line_surface.h"
+#include "mdr/load_bound.h"
 #include "mdr/normal_bed.h"
 #include "mdr/spring_memory.h"
 
@@ -17,6 +19,8 @@ namespace tricontact::mdr {
 /// force, relax, and may be met again (Ting 1966, 1968). Every step is solved exactly for
 /// deflections that change linearly in time; over time steps the results are of the second order.
 ///
+/// Bounds of other laws than Coulomb's are those of LoadBound, from the springs' own loads.
+///
 /// Lines, areas and refusals are those of SpringBed. The elastic bed is the limit of short and of
 /// long durations.
 class RelaxingBed final : public Bed {
@@ -27,7 +31,8 @@ class RelaxingBed final : public Bed {
     /// Throws as SpringBed::advance, and contact::InputError for a negative duration.
     contact::StepRecord advance(const contact::LoadStep& step) override;
     void release() override;
-    /// The unit shift is mu E*/G* d: what the traction mu p makes that has the same past as p.
+    /// The unit shift is mu E*/G* d: what the traction mu p makes that has the same past as p;
+    /// under another law with the present bound over load at the centre in the place of mu.
     contact::Scales scales() const override;
     contact::Surface surface() const override;
     std::vector<contact::ContactState> contact_states() const override {
@@ -41,6 +46,7 @@ class RelaxingBed final : public Bed {
         least_load_.assign(size(), contact::infinity);
         update_limit();
         limit_normal_force_ = normal_force_;
+        limit_total_bound_ = total_bound_;
     }
 
     int size() const { return normal_.size(); }
@@ -52,6 +58,7 @@ class RelaxingBed final : public Bed {
     void find_contact();
     void grow();
     void push(double stiffness);
+    void update_line_bounds();
     void update_offsets();
     void find_carried(double position_before, double depth_before);
     ShiftSolution find_shift_increment(const contact::TangentialControl& control);
@@ -65,7 +72,7 @@ class RelaxingBed final : public Bed {
     }
     contact::ContactState contact_state(int spring) const {
         if (!(pressed_[spring] > 0)) return contact::ContactState::open;
-        return state_in_contact(slip(spring), bound_ratio_ * depth_);
+        return state_in_contact(slip(spring), largest_bound_);
     }
 
     std::unique_ptr<PlaneProfile> profile_;
@@ -79,6 +86,9 @@ class RelaxingBed final : public Bed {
     double n_contact_ = 0;
     std::vector<double> pressed_;                     // below their free ends [m]
     std::vector<double> offsets_, bounds_, sheared_;  // beside the free ends: before, most, after
+    std::optional<LoadBound> load_bound_;             // empty: Coulomb's law
+    std::vector<double> line_bounds_;                 // of another law [N/m]
+    double largest_bound_ = 0;                        // [m]
     std::vector<double> carried_;                     // see SpringBed
     std::vector<double> force_;                       // over the relaxed stiffness [m]
     std::vector<double> shear_before_;                // deflections before the step [m]
@@ -86,7 +96,7 @@ class RelaxingBed final : public Bed {
     double stored_in_pressing_ = 0, stored_in_shearing_ = 0;  // over the stiffness [m^2]
     bool friction_ = true;                                    // in the last step
 
-    std::vector<double> least_load_;  // since start_limit, over E* [m]
+    std::vector<double> least_load_;  // since start_limit, over E* [m]; of another law the bound
 };
 
 }  // namespace tricontact::mdr

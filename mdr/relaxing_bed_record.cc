@@ -26,9 +26,9 @@ double imbalance(const SpringMemory::Sums& sums, double stored_before) {
 
 void RelaxingBed::audit_step(const LoadStep& step, const SlipSums& sums) {
     audit_.record("spring_law",
-                  std::max(pressing_.law_error, shearing_.law_error / bound_ratio_) / depth_,
+                  std::max(pressing_.law_error / depth_, shearing_.law_error / largest_bound_),
                   rounding);
-    audit_forces(step, sums, bound_ratio_ * depth_, friction_ && n_contact_ > 0);
+    audit_forces(step, sums, largest_bound_, friction_ && n_contact_ > 0);
     // The work on the springs is stored or dissipated in them; slip is the rest of the shift, and
     // friction takes the rest of its work.
     audit_.record("energy_balance",
@@ -44,11 +44,15 @@ contact::Scales RelaxingBed::scales() const {
     for (int i = 0; i < size(); ++i)
         load[i] = effective_modulus_ * normal_.stiffness() * pressed_[i];
     const EvenLoad even = even_load(row_, load, position_, size());
+    const double at_centre = row_.interpolate(load, position_);
+    const double ratio = load_bound_ ? row_.interpolate(line_bounds_, position_) / at_centre *
+                                           effective_modulus_ / effective_shear_modulus_
+                                     : bound_ratio_;
     return {.normal_force = normal_force_,
             .contact_radius = even.half_width(),
             .indentation = depth_,
             .peak_pressure = even.centre_pressure(),
-            .unit_shift = bound_ratio_ * depth_,
+            .unit_shift = ratio * depth_,
             .sliding_force = friction_limit()};
 }
 

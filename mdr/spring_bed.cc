@@ -106,12 +106,25 @@ void SpringBed::grow() {
     }
 }
 
-// Slip cap mu q_z/(G* dx) of each spring, and the normal force that it belongs to.
+/// The normal force, and what friction carries at it.
 void SpringBed::update_bounds() {
+    if (line_bound_) {
+        add_up_loads([](int, double) {});
+        update_other_bounds();
+        return;
+    }
+    // Slip cap mu q_z/(G* dx) of each spring.
+    double* const bound = part(bounds_, normal_.contact()).data();
+    const double ratio = bound_ratio_;
+    add_up_loads([=](int i, double penetration) { bound[i] = ratio * penetration; });
+    largest_bound_ = ratio * normal_.depth();
+}
+
+template <class Visit>
+void SpringBed::add_up_loads(Visit visit) {
     const auto heights = normal_.heights();
     const double* const height = heights.data();
-    double* const bound = part(bounds_, normal_.contact()).data();
-    const double depth = normal_.depth(), ratio = bound_ratio_;
+    const double depth = normal_.depth();
     contact::CompensatedSum all_penetrations, all_squares;
     contact::for_each_block(0, static_cast<int>(heights.size()), [&](int begin, int end) {
         double penetrations = 0, squares = 0;
@@ -120,15 +133,13 @@ void SpringBed::update_bounds() {
             const double penetration = depth - height[i];
             penetrations += penetration;
             squares += penetration * penetration;
-            bound[i] = ratio * penetration;
+            visit(i, penetration);
         }
         all_penetrations.add(penetrations);
         all_squares.add(squares);
     });
     normal_force_ = effective_modulus_ * normal_.spacing() * all_penetrations.value();
     normal_energy_ = effective_modulus_ * normal_.spacing() * all_squares.value() / 2;
-    largest_bound_ = bound_ratio_ * depth;
-    if (line_bound_) update_other_bounds();
 }
 
 void SpringBed::update_other_bounds() {

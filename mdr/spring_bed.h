@@ -60,6 +60,9 @@ class SpringBed final : public Bed {
     int press(double position, const contact::NormalControl& control);
     void grow();
     void update_bounds();
+    /// Normal force and energy; visit(spring of the contact, its penetration [m]).
+    template <class Visit>
+    void add_up_loads(Visit visit);
     void update_other_bounds();
     void find_carried(double position_before);
     ShiftSolution find_shift_increment(const contact::TangentialControl& control) const;

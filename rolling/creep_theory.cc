@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "comparisons/quantities/reference.h"
 #include "contact/models/model_kind.h"
@@ -50,6 +51,27 @@ CreepTheory carter(double unit) {
          [=](double f) { return unit * theory::carter_creepage_ratio(f); }});
 }
 
+bool is_strength(const contact::Friction& friction) {
+    return friction.shear_strength && !friction.coefficient;
+}
+
+CreepTheory carter_strength(const Case& c) {
+    const double unit =
+        4 / std::numbers::pi * *c.friction.shear_strength / c.materials().effective_modulus();
+    return of_both_signs(
+        {"Carter's problem, shear strength", "carter_strength",
+         [=](double creepage) { return theory::strength_force_ratio(creepage / unit); },
+         [=](double f) { return unit * theory::strength_creepage_ratio(f); }});
+}
+
+CreepTheory bed_strength(const Case& c) {
+    const double unit = 2 * *c.friction.shear_strength / c.materials().effective_shear_modulus();
+    return of_both_signs(
+        {"MDR, closed form", "mdr_closed_form",
+         [=](double creepage) { return theory::strength_bed_force_ratio(creepage / unit); },
+         [=](double f) { return unit * theory::strength_bed_creepage_ratio(f); }});
+}
+
 bool rolls_freely(const Case& c) {
     return c.load.tangential_force.value_or(0) == 0 && c.load.tangential_ratio.value_or(0) == 0 &&
            !c.tractive_rolling->longitudinal_creepage;
@@ -84,23 +106,28 @@ double creepage_unit(const Case& c) {
     const contact::HalfSpaceScales scales = contact::half_space_scales(c);
     const double slope = c.is_line_contact() ? scales.contact_radius / c.indenter.radius
                                              : scales.indentation / scales.contact_radius;
-    return c.friction_coefficient() * slope;
+    return c.friction.law()->ratio({scales.normal_force, scales.friction_limit}) * slope;
 }
 
 std::vector<CreepTheory> creep_theories(const Case& c) {
     if (c.relaxation || c.interface.is_elastic() || !free_creepages(c).empty()) return {};
-    if (c.is_line_contact()) return {carter(creepage_unit(c))};
+    const bool coulomb = c.friction.is_coulomb();
+    if (c.is_line_contact())
+        return coulomb                   ? std::vector{carter(creepage_unit(c))}
+               : is_strength(c.friction) ? std::vector{carter_strength(c)}
+                                         : std::vector<CreepTheory>{};
     const bool ellipse = c.indenter.shape == Case::Shape::ellipsoid;
     if (!contact::is_hertz_round(c) && !ellipse) return {};
     const theory::CombinedMaterial material = theory::combined_material(c.materials());
     const contact::HalfSpaceScales scales = contact::half_space_scales(c);
     const auto [a, b] = scales.half_widths;
     const auto sliding = [&](double coefficient) {
-        return theory::sliding_creepage(c.friction_coefficient() * scales.normal_force,
-                                        material.shear_modulus, a * b, coefficient);
+        return theory::sliding_creepage(scales.friction_limit, material.shear_modulus, a * b,
+                                        coefficient);
     };
     std::vector<CreepTheory> theories;
-    if (!ellipse) {
+    if (!ellipse && is_strength(c.friction)) theories.push_back(bed_strength(c));
+    if (!ellipse && coulomb) {
         theories.push_back(cubic("Vermeulen and Johnson", "vermeulen_johnson",
                                  sliding(theory::vermeulen_johnson_coefficient(material.poisson))));
         theories.push_back(cubic("MDR, closed form", "mdr_closed_form",
@@ -110,7 +137,7 @@ std::vector<CreepTheory> creep_theories(const Case& c) {
     const double kalker =
         sliding(theory::kalker_coefficients(a / b, material.poisson).longitudinal);
     theories.push_back(linear("Kalker, linear", "kalker_linear", kalker));
-    theories.push_back(cubic("cubic law with Kalker's C_11", "cubic_kalker", kalker));
+    if (coulomb) theories.push_back(cubic("cubic law with Kalker's C_11", "cubic_kalker", kalker));
     return theories;
 }
 

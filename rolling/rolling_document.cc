@@ -19,9 +19,10 @@ std::string driven_by(const Case& c, const RollingRun& run) {
     const auto& s = run.history.steady;
     if (by_creepage(c))
         return fmt::format("driven by ξ = {}", report::significant(s.creepage.longitudinal, 4));
-    const double f = force_ratio(s, c.friction_coefficient());
+    const double f = force_ratio(s, c.friction);
     if (std::abs(f) < 1e-9) return "rolling freely";  // the solver's rounding
-    return fmt::format("driven by F_x = {} μ F_N", report::significant(f, 3));
+    return fmt::format("driven by F_x = {} {}", report::significant(f, 3),
+                       c.friction.limit_symbol());
 }
 
 /// With what cells leave in it, where that is known.
@@ -34,11 +35,12 @@ std::string steady_sentence(const RollingReport& report, const RollingRun& run) 
     const Case& c = report.c;
     const auto& s = run.history.steady;
     std::string text = fmt::format("{}, {}: ", report::display_name(run.model), driven_by(c, run));
-    text += by_creepage(c)
-                ? fmt::format("F_x = {} μ F_N", with_error(force_ratio(s, c.friction_coefficient()),
-                                                           run, "force_ratio"))
-                : fmt::format("ξ = {}",
-                              with_error(s.creepage.longitudinal, run, "longitudinal_creepage"));
+    text +=
+        by_creepage(c)
+            ? fmt::format("F_x = {} {}", with_error(force_ratio(s, c.friction), run, "force_ratio"),
+                          c.friction.limit_symbol())
+            : fmt::format("ξ = {}",
+                          with_error(s.creepage.longitudinal, run, "longitudinal_creepage"));
     text += fmt::format(", {} % of the contact sticks",
                         report::significant(100 * s.stick_area / s.contact_area, 3));
     if (const auto way = steady_after(report, run))
@@ -64,7 +66,7 @@ std::string ratio_sentence(const RollingReport& report) {
     const RollingRun* mdr = run_of_springs(report);
     const RollingRun* bem = run_of_half_space(report);
     if (!mdr || !bem || by_creepage(report.c) || !has_thesis_creep_ratio(report.c)) return {};
-    if (!(force_ratio(bem->history.steady, report.c.friction_coefficient()) > 0)) return {};
+    if (!(force_ratio(bem->history.steady, report.c.friction) > 0)) return {};
     const double measured =
         mdr->history.steady.creepage.longitudinal / bem->history.steady.creepage.longitudinal;
     if (!std::isfinite(measured)) return {};
@@ -97,14 +99,17 @@ std::string free_sentence(const RollingReport& report, const RollingRun& run) {
 
 Settings settings_of(const Case& c) {
     const contact::HalfSpaceScales scales = contact::half_space_scales(c);
-    Settings settings{{"F_N", report::quantity(scales.normal_force, "N")},
-                      {"a, on the half-space", report::quantity(scales.contact_radius, "m")},
-                      {"E", report::given_quantity(c.substrate.young, "Pa")},
-                      {"ν", report::as_given(c.substrate.poisson)},
-                      {"μ", report::as_given(c.friction_coefficient())},
-                      {"rolled way", report::as_given(c.tractive_rolling->distance) + " a"},
-                      {"unit of creepage", report::significant(creepage_unit(c), 4)},
-                      {"spin φ", report::as_given(c.tractive_rolling->spin) + " rad/m"}};
+    Settings settings{
+        {"F_N", report::quantity(scales.normal_force, "N")},
+        {"a, on the half-space", report::quantity(scales.contact_radius, "m")},
+        {"E", report::given_quantity(c.substrate.young, "Pa")},
+        {"ν", report::as_given(c.substrate.poisson)},
+        c.friction.is_coulomb()
+            ? std::pair<std::string, std::string>{"μ", report::as_given(c.friction_coefficient())}
+            : std::pair<std::string, std::string>{"τ", c.friction.formula()},
+        {"rolled way", report::as_given(c.tractive_rolling->distance) + " a"},
+        {"unit of creepage", report::significant(creepage_unit(c), 4)},
+        {"spin φ", report::as_given(c.tractive_rolling->spin) + " rad/m"}};
     if (c.relaxation)
         settings.emplace_back("v", report::given_quantity(c.tractive_rolling->speed, "m/s"));
     if (c.layer.thickness)

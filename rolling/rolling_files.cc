@@ -17,12 +17,12 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 /// What a state has in summary.json.
-Json state_json(const RollingState& s, double friction_coefficient) {
+Json state_json(const RollingState& s, const contact::Friction& friction) {
     return {{"longitudinal_creepage", s.creepage.longitudinal},
             {"lateral_creepage", s.creepage.lateral},
             {"spin_per_m", s.creepage.spin},
             {"tangential_force_N", report::numbers(s.force)},
-            {"force_ratio", force_ratio(s, friction_coefficient)},
+            {"force_ratio", force_ratio(s, friction)},
             {"spin_moment_Nm", s.spin_moment},
             {comparisons::quantities::normal_force.key, s.normal_force},
             {comparisons::quantities::indentation.key, s.indentation},
@@ -42,7 +42,7 @@ Json state_json(const RollingState& s, double friction_coefficient) {
 
 /// The same in history.csv.
 Json row_json(const RollingState& s) {
-    Json row = state_json(s, 1);
+    Json row = state_json(s, {.coefficient = 1});
     row.update({{"distance_m", s.distance},
                 {"tangential_force_x_N", s.force[0]},
                 {"tangential_force_y_N", s.force[1]},
@@ -59,13 +59,13 @@ Json error_json(const std::optional<SteadyError>& error) {
 }
 
 Json run_json(const RollingReport& report, const RollingRun& run) {
-    const double mu = report.c.friction_coefficient();
+    const contact::Friction& friction = report.c.friction;
     const auto point = [&](const RollingState& s) -> Json {
         return {{"longitudinal_creepage", s.creepage.longitudinal},
-                {"force_ratio", force_ratio(s, mu)}};
+                {"force_ratio", force_ratio(s, friction)}};
     };
     return {{"model", run.model},
-            {"steady", state_json(run.history.steady, mu)},
+            {"steady", state_json(run.history.steady, friction)},
             {"numerical_error", error_json(run.error)},
             {"rolled_steps", run.history.transient.size() - 1},
             {"steady_after", steady_after(report, run)},
@@ -113,13 +113,17 @@ std::string history_csv(const RollingRun& run) {
 }
 
 report::DocumentTable steady_table(const RollingReport& report) {
-    const double mu = report.c.friction_coefficient(), unit = creepage_unit(report.c);
+    const contact::Friction& friction = report.c.friction;
+    const double unit = creepage_unit(report.c);
+    const auto over_limit = [&](const char* force) {
+        return fmt::format("{}/{}", force, friction.is_coulomb() ? "(μ F_N)" : "F_lim");
+    };
     const auto row_of = [&](const RollingRun& run) {
         const RollingState& s = run.history.steady;
-        Json row = state_json(s, mu);
+        Json row = state_json(s, friction);
         row["model"] = run.model;
-        row["lateral_force_ratio"] = s.force[1] / (mu * s.normal_force);
-        row["moment_ratio"] = s.spin_moment / (mu * s.normal_force) / s.half_length;
+        row["lateral_force_ratio"] = s.force[1] / friction_limit(s, friction);
+        row["moment_ratio"] = s.spin_moment / friction_limit(s, friction) / s.half_length;
         return row;
     };
     return report::table_of(
@@ -135,10 +139,10 @@ report::DocumentTable steady_table(const RollingReport& report) {
         {{"model", "model"},
          {"longitudinal_creepage", "ξ [unit]", unit},
          {"lateral_creepage", "η [unit]", unit},
-         {"force_ratio", "F_x/(μ F_N)"},
-         {"lateral_force_ratio", "F_y/(μ F_N)"},
+         {"force_ratio", over_limit("F_x")},
+         {"lateral_force_ratio", over_limit("F_y")},
          {"stick_share", "stick [share of area]:3"},
-         {"moment_ratio", "M_z/(μ F_N a)"},
+         {"moment_ratio", friction.is_coulomb() ? "M_z/(μ F_N a)" : "M_z/(F_lim a)"},
          {"half_length_m", "a [mm]", 1e-3},
          {"half_width_m", "b [mm]", 1e-3},
          {comparisons::quantities::peak_pressure.key, "p_0 [MPa]", 1e6},
@@ -163,7 +167,7 @@ std::string creep_csv(const RollingReport& report) {
     for (const RollingRun& run : report.runs) {
         if (!first && !run.creep_curve.empty()) first = &run.creep_curve;
         for (const RollingState& s : run.creep_curve) {
-            const double limit = report.c.friction_coefficient() * s.normal_force;
+            const double limit = friction_limit(s, report.c.friction);
             text +=
                 report::csv_row(run.model, s.creepage.longitudinal, s.force[0] / limit,
                                 s.force[1] / limit, s.stick_area / s.contact_area, s.dissipation);

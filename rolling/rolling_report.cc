@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 
+#include "comparisons/quantities/surface_fields.h"
 #include "contact/models/model_kind.h"
 
 namespace tricontact::rolling {
@@ -22,24 +23,34 @@ std::size_t middle_row(const Surface& s) {
 
 }  // namespace
 
-CentreLine centre_line(const Surface& surface, double friction_coefficient, double distance) {
+CentreLine centre_line(const Surface& surface, const contact::Friction& friction,
+                       const RollingState& state) {
     const bool springs = surface.layout == Surface::Layout::line;
     const std::vector<double>& normal =
         springs ? surface.normal_line_load : surface.normal_traction;
     const std::vector<double>& tangential =
         springs ? surface.tangential_line_load : surface.tangential_traction_x;
     const std::size_t row = middle_row(surface);
-    CentreLine line{.distance = distance, .x = {}, .traction = {}, .bound = {}};
+    const auto mu = friction.law()->coulomb();
+    const std::vector<double> other = mu ? std::vector<double>{}
+                                      : springs
+                                          ? comparisons::line_bounds(surface, state.half_length)
+                                          : surface.friction_bound;
+    CentreLine line{.distance = state.distance, .x = {}, .traction = {}, .bound = {}};
     for (int i = 0; i < surface.n_x; ++i) {
         line.x.push_back(surface.x(i) - surface.offset[0]);
         line.traction.push_back(tangential[row + i]);
-        line.bound.push_back(friction_coefficient * normal[row + i]);
+        line.bound.push_back(mu ? *mu * normal[row + i] : other[row + i]);
     }
     return line;
 }
 
-double force_ratio(const RollingState& state, double friction_coefficient) {
-    return state.force[0] / (friction_coefficient * state.normal_force);
+double friction_limit(const RollingState& state, const contact::Friction& friction) {
+    return friction.law()->limit({state.normal_force, state.friction_bound});
+}
+
+double force_ratio(const RollingState& state, const contact::Friction& friction) {
+    return state.force[0] / friction_limit(state, friction);
 }
 
 std::optional<double> energy_error(const RollingState& steady) {
@@ -57,13 +68,13 @@ std::optional<double> energy_error(const RollingState& steady) {
     return std::abs(dissipation - work) / size;
 }
 
-std::optional<double> creepage_at(const RollingRun& run, double friction_coefficient,
+std::optional<double> creepage_at(const RollingRun& run, const contact::Friction& friction,
                                   double ratio) {
     const std::vector<RollingState>& curve = run.creep_curve;
     const double sign = std::copysign(1, ratio), size = std::abs(ratio);
     for (std::size_t i = 1; i < curve.size(); ++i) {
-        const double low = sign * force_ratio(curve[i - 1], friction_coefficient);
-        const double high = sign * force_ratio(curve[i], friction_coefficient);
+        const double low = sign * force_ratio(curve[i - 1], friction);
+        const double high = sign * force_ratio(curve[i], friction);
         if (!(low <= size && size <= high && low < high)) continue;
         const double begin = std::cbrt(1 - low), end = std::cbrt(1 - high);
         const double part = (begin - std::cbrt(1 - size)) / (begin - end);

@@ -16,11 +16,11 @@ namespace tricontact::rolling {
 struct CentreLine {
     double distance = 0;    ///< rolled since the contact was at rest [m]; infinite: steady
     std::vector<double> x;  ///< from the contact's centre [m]
-    std::vector<double> traction, bound;  ///< along x, on the substrate; mu times the normal one
+    std::vector<double> traction, bound;  ///< along x, on the substrate; what friction carries
 };
-/// Of a surface on a grid or a line.
-CentreLine centre_line(const contact::Surface& surface, double friction_coefficient,
-                       double distance);
+/// Of the surface of a state, on a grid or a line.
+CentreLine centre_line(const contact::Surface& surface, const contact::Friction& friction,
+                       const RollingState& state);
 
 /// What one model has to say about one case that rolls on.
 struct RollingRun {
@@ -42,8 +42,10 @@ struct RollingReport {
 /// Ways in units of the contact's half length at which the transient is looked at.
 inline constexpr double line_distances[] = {0, .25, .5, 1, 2, 4};
 
-/// F_x/(mu F_N) of a state.
-double force_ratio(const RollingState& state, double friction_coefficient);
+/// What friction carries of a state in all, F_lim [N]: mu F_N of Coulomb's law.
+double friction_limit(const RollingState& state, const contact::Friction& friction);
+/// F_x/F_lim of a state.
+double force_ratio(const RollingState& state, const contact::Friction& friction);
 
 /// |What friction and material dissipate - creepage . force - spin . moment - resistance| over what
 /// mu F_N works on the sliding that creepage and spin prescribe, and the resistance: zero in a
@@ -52,7 +54,8 @@ std::optional<double> energy_error(const RollingState& steady);
 
 /// Longitudinal creepage of one state of the run's curve at a force ratio, by linear interpolation
 /// of xi over (1 - |f|)^(1/3), in which creep curves are nearly straight; empty beyond the curve.
-std::optional<double> creepage_at(const RollingRun& run, double friction_coefficient, double ratio);
+std::optional<double> creepage_at(const RollingRun& run, const contact::Friction& friction,
+                                  double ratio);
 
 /// Ways over the half length until the transient has come to within 1 % of the steady state, in
 /// what is not prescribed along x: creepage under a force, else force; empty if it has not, or

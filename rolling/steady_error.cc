@@ -27,11 +27,10 @@ struct SteadyNumber {
 };
 
 std::vector<SteadyNumber> numbers_of(const RollingState& s, const contact::Case& c, double cell) {
-    const double mu = c.friction_coefficient(), limit = mu * s.normal_force,
-                 unit = creepage_unit(c);
+    const double limit = friction_limit(s, c.friction), unit = creepage_unit(c);
     return {{"longitudinal_creepage", s.creepage.longitudinal, unit},
             {"lateral_creepage", s.creepage.lateral, unit},
-            {"force_ratio", force_ratio(s, mu), 1},
+            {"force_ratio", force_ratio(s, c.friction), 1},
             {"tangential_force_x_N", s.force[0], limit},
             {"tangential_force_y_N", s.force[1], limit},
             {"spin_moment_Nm", s.spin_moment, limit * s.half_length},

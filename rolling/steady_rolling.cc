@@ -5,6 +5,7 @@
 #include "contact/base/special_values.h"
 #include "contact/solvers/contact_region.h"
 #include "contact/solvers/coupling.h"
+#include "contact/solvers/edge_chatter.h"
 #include "contact/solvers/normal_solver.h"
 #include "contact/solvers/staggered_iteration.h"
 #include "contact/surface.h"
@@ -43,6 +44,10 @@ class StaggeredIteration {
             solve_tangential();
             return;
         }
+        // Whether a point carries something as soon as it touches, whatever small pressures are.
+        const contact::FrictionLaw& law = *problem_.friction;
+        const bool jumps = law.bound(1e-300) > .5 * law.bound(1e-200);
+        chatter_.begin(jumps ? points_.size() : 0);
         const auto both = [&](const std::vector<double>& height, double) {
             solve_normal(height);
             solve_tangential();
@@ -132,6 +137,9 @@ class StaggeredIteration {
     void solve_tangential() {
         bound_.resize(points_.size());
         problem_.friction->bounds({normal_.pressure}, bound_);
+        if (chatter_.is_watched())
+            for (std::size_t i = 0; i < bound_.size(); ++i)
+                if (chatter_.lets_go(i, normal_.pressure[i] > 0)) bound_[i] = 0;
         coupling_.update_displacement(normal_.pressure);
         if (drive_.force_ratio)
             drive_.force[0] = problem_.friction->limit(total_friction(), *drive_.force_ratio);
@@ -181,6 +189,7 @@ class StaggeredIteration {
     SolveNormal normal_solver_;
     contact::NormalSolution normal_;
     std::vector<double> bound_;
+    contact::EdgeChatter chatter_;
     SteadySolution steady_;
     double gap_residual_ = 0;
     int iterations_ = 0;

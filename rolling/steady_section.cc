@@ -60,7 +60,8 @@ report::DocumentTable resistance_theory_table(const RollingReport& report) {
 constexpr int curve_points = 200;
 
 report::Figure creep_figure(const RollingReport& report) {
-    const double mu = report.c.friction_coefficient(), unit = creepage_unit(report.c);
+    const contact::Friction& friction = report.c.friction;
+    const double unit = creepage_unit(report.c);
     const bool across = !straight(report.c);
     report::Figure figure{
         .id = "creep",
@@ -69,15 +70,15 @@ report::Figure creep_figure(const RollingReport& report) {
             "Steady states at prescribed creepages ξ, each solved by itself; "
             "lateral drive and spin are those of the case.",
         .x = {fmt::format("creepage ξ over {} [-]", report::significant(unit, 4))},
-        .y = {"force over μ F_N [-]"}};
+        .y = {fmt::format("force over {} [-]", friction.is_coulomb() ? "μ F_N" : "F_lim")}};
     double farthest = 0;
     for (const RollingRun& run : report.runs) {
         const std::string name = report::display_name(run.model);
         report::Curve along{.name = name, .kind = report::Curve::Kind::line_and_points};
         report::Curve lateral{.name = name + ", F_y", .kind = report::Curve::Kind::line_and_points};
         for (const RollingState& s : run.creep_curve) {
-            along.add(s.creepage.longitudinal / unit, force_ratio(s, mu));
-            lateral.y.push_back(s.force[1] / (mu * s.normal_force));
+            along.add(s.creepage.longitudinal / unit, force_ratio(s, friction));
+            lateral.y.push_back(s.force[1] / friction_limit(s, friction));
         }
         if (along.x.empty()) continue;
         if (std::abs(along.x.back()) > std::abs(farthest)) farthest = along.x.back();
@@ -109,18 +110,19 @@ report::DocumentTable ratio_table(const RollingReport& report) {
                                "{} for all forces (2.2.31).",
                                report::significant(thesis_creep_ratio(report.c), 4))
                  : ""),
-        .columns = {{"F_x/(μ F_N)", 2}}};
+        .columns = {{report.c.friction.is_coulomb() ? "F_x/(μ F_N)" : "F_x/F_lim", 2}}};
     const RollingRun* mdr = run_of_springs(report);
     if (!mdr || mdr->creep_curve.empty() || report.runs.size() < 2) return table;
     for (const RollingRun& run : report.runs)
         if (&run != mdr) table.columns.push_back({"over " + report::display_name(run.model)});
-    const double mu = report.c.friction_coefficient(), sign = drive_sign(report.c);
+    const contact::Friction& friction = report.c.friction;
+    const double sign = drive_sign(report.c);
     for (const double f : {.1, .2, .3, .4, .5, .6, .7, .8, .9}) {
-        const auto bed = creepage_at(*mdr, mu, sign * f);
+        const auto bed = creepage_at(*mdr, friction, sign * f);
         std::vector<report::Cell> row{sign * f};
         for (const RollingRun& run : report.runs) {
             if (&run == mdr) continue;
-            const auto other = creepage_at(run, mu, sign * f);
+            const auto other = creepage_at(run, friction, sign * f);
             if (bed && other) row.emplace_back(*bed / *other);
         }
         if (row.size() == table.columns.size()) table.rows.push_back(std::move(row));
@@ -135,7 +137,7 @@ std::vector<std::pair<CreepTheory, std::optional<double>>> theory_values(
     std::vector<std::pair<CreepTheory, std::optional<double>>> values;
     if (!straight(report.c) || report.runs.empty()) return values;
     const RollingState& steady = report.runs.front().history.steady;
-    const double f = force_ratio(steady, report.c.friction_coefficient());
+    const double f = force_ratio(steady, report.c.friction);
     for (CreepTheory& theory : creep_theories(report.c)) {
         std::optional<double> value;
         if (by_creepage(report.c))
@@ -148,14 +150,17 @@ std::vector<std::pair<CreepTheory, std::optional<double>>> theory_values(
 }
 
 report::DocumentTable theory_table(const RollingReport& report) {
-    const double mu = report.c.friction_coefficient();
+    const contact::Friction& friction = report.c.friction;
     const bool forces = by_creepage(report.c);
     report::DocumentTable table{
         .id = "theories",
         .title = forces ? "Force at this creepage" : "Creepage under this force",
         .note =
             "On the half-space, whatever the case's layer. Sources: docs/explanation/rolling.md.",
-        .columns = {{"theory"}, {forces ? "F_x/(μ F_N)" : "ξ [unit]"}}};
+        .columns = {{"theory"},
+                    {!forces                 ? "ξ [unit]"
+                     : friction.is_coulomb() ? "F_x/(μ F_N)"
+                                             : "F_x/F_lim"}}};
     add_model_columns(report, table);
     for (const auto& [theory, value] : theory_values(report)) {
         if (!value) continue;
@@ -163,7 +168,8 @@ report::DocumentTable theory_table(const RollingReport& report) {
                                       forces ? *value : *value / creepage_unit(report.c)};
         for (const RollingRun& run : report.runs) {
             const auto& s = run.history.steady;
-            row.emplace_back(*value / (forces ? force_ratio(s, mu) : s.creepage.longitudinal));
+            row.emplace_back(*value /
+                             (forces ? force_ratio(s, friction) : s.creepage.longitudinal));
         }
         table.rows.push_back(std::move(row));
     }

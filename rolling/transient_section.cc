@@ -34,7 +34,8 @@ std::string at_rest(const RollingReport& report) {
 /// What follows from what is prescribed along x, over the way.
 report::Figure way_figure(const RollingReport& report) {
     const bool forces = by_creepage(report.c);
-    const double mu = report.c.friction_coefficient(), unit = creepage_unit(report.c);
+    const contact::Friction& friction = report.c.friction;
+    const double unit = creepage_unit(report.c);
     report::Figure figure{
         .id = "way",
         .title =
@@ -44,10 +45,10 @@ report::Figure way_figure(const RollingReport& report) {
             "length of the contact.",
             at_rest(report)),
         .x = {way_label},
-        .y = {forces ? "F_x/(μ F_N) [-]"
+        .y = {forces ? friction.is_coulomb() ? "F_x/(μ F_N) [-]" : "F_x/F_lim [-]"
                      : fmt::format("creepage ξ over {} [-]", report::significant(unit, 4))}};
     const auto value = [&](const RollingState& s) {
-        return forces ? force_ratio(s, mu) : s.creepage.longitudinal / unit;
+        return forces ? force_ratio(s, friction) : s.creepage.longitudinal / unit;
     };
     for (const RollingRun& run : report.runs) {
         const double a = run.history.steady.half_length;
@@ -73,13 +74,18 @@ std::string line_name(const CentreLine& line, double half_length) {
 
 /// The closed forms of rest and of steady rolling, where there are.
 void add_theories(const RollingReport& report, const RollingRun& run, report::Figure& figure) {
-    const double f = force_ratio(run.history.steady, report.c.friction_coefficient());
+    const double f = force_ratio(run.history.steady, report.c.friction);
     if (!straight(report.c) || by_creepage(report.c) || !(f > 0 && f < 1)) return;
     if (creep_theories(report.c).empty()) return;
     const auto add = [&](const std::string& name, const auto& traction) {
         figure.curves.emplace_back(report::Curve{.name = name, .theory = true})
             .sample(-1, 1, theory_points, traction);
     };
+    if (!report.c.friction.is_coulomb()) {
+        if (report.c.is_line_contact())
+            add("Carter's problem", [f](double x) { return theory::strength_traction(x, f); });
+        return;
+    }
     if (report.c.is_line_contact())
         add("Carter", [f](double x) { return theory::carter_traction(x, f); });
     else if (!contact::model_kind(run.model).is_on_line())
@@ -92,13 +98,18 @@ report::Figure line_figure(const RollingReport& report, const RollingRun& run) {
     const double a = run.history.steady.half_length;
     report::Figure figure{
         .id = "centre_" + report::id_of_model(run.model),
-        .title = fmt::format("From Cattaneo to Carter: {}", report::display_name(run.model)),
+        .title = fmt::format("{}: {}",
+                             report.c.friction.is_coulomb() ? "From Cattaneo to Carter"
+                                                            : "From rest to steady rolling",
+                             report::display_name(run.model)),
         .caption = fmt::format(
             "{} along x on the contact's centre line, over the largest bound. The contact rolls to "
             "the right: what sticks comes in free of traction at the leading edge.",
             springs ? "Line load of the springs" : "Friction on the substrate"),
         .x = {"x/a [-]"},
-        .y = {springs ? "q_x/(μ q_z,max) [-]" : "τ_x/(μ p_0) [-]"}};
+        .y = {!report.c.friction.is_coulomb() ? "over the largest bound [-]"
+              : springs                       ? "q_x/(μ q_z,max) [-]"
+                                              : "τ_x/(μ p_0) [-]"}};
     for (const CentreLine& line : run.lines) {
         const double largest = *std::ranges::max_element(line.bound);
         report::Curve curve{.name = line_name(line, a)};

@@ -70,6 +70,45 @@ double carter_traction(double x, double f) {
     return c > 0 ? ellipse(x) - c * ellipse((x - 1 + c) / c) : ellipse(x);
 }
 
+double strength_stick_ratio(double f) {
+    if (!(f >= 0 && f <= 1)) throw std::domain_error("creep law: f must lie between 0 and 1");
+    return (1 - f) * (1 + f);
+}
+
+double strength_creepage_ratio(double f) {
+    if (!(f >= 0 && f < 1)) throw std::domain_error("creep law: f must lie in [0, 1)");
+    return std::atanh(f);
+}
+
+double strength_force_ratio(double creepage_ratio) {
+    if (!(creepage_ratio >= 0))
+        throw std::domain_error("creep law: the creepage must not be negative");
+    return std::tanh(creepage_ratio);
+}
+
+double strength_traction(double x, double f) {
+    const double begin = 1 - 2 * strength_stick_ratio(f);
+    if (std::isnan(x)) throw std::domain_error("creep law: the position is no number");
+    if (std::abs(x) > 1) return 0;
+    if (x <= begin) return 1;
+    return 2 / std::numbers::pi * std::atan(f * std::sqrt((1 - x) / (x - begin)));
+}
+
+double strength_bed_force_ratio(double eta) {
+    if (!(eta >= 0)) throw std::domain_error("creep law: the creepage must not be negative");
+    return 2 / std::numbers::pi * (std::atan(eta) + eta / (1 + eta * eta));
+}
+
+double strength_bed_creepage_ratio(double f) {
+    if (!(f >= 0 && f < 1)) throw std::domain_error("creep law: f must lie in [0, 1)");
+    // In s = eta/(1 + eta) of [0, 1).
+    const auto excess = [f](double s) {
+        return s < 1 ? strength_bed_force_ratio(s / (1 - s)) - f : 1 - f;
+    };
+    const double s = contact::bracketed_root(excess, 0, 1);
+    return s / (1 - s);
+}
+
 double rough_free_creepage(double beta) {
     check(beta);
     const double e = std::atanh(beta) / std::numbers::pi;

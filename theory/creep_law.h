@@ -65,6 +65,31 @@ double carter_stick_ratio(double f);
 /// zero outside of the contact. Johnson (1985), eq. 8.45.
 double carter_traction(double x, double f);
 
+// The same under a shear strength tau_0 of the interface in the place of mu p. The traction of the
+// stick zone [b, a] is bounded at both of its ends and strains the surface alike: a singular
+// integral equation with the traction tau_0 behind it (Muskhelishvili 1953). Its expansion at
+// infinity tells creepage and force:
+//   xi = 4 tau_0/(pi E*) artanh f,  f = F_T/(2 a tau_0 L),  b/a = 2 f^2 - 1.
+// For small f it is Carter's line, F_T = pi/2 E* a L xi, whatever the law. The stick zone vanishes
+// no sooner than xi is infinite: what comes in free of traction must be strained to tau_0 first.
+
+/// pi E* xi/(4 tau_0) of f in [0, 1); its inverse, of any argument >= 0. std::domain_error else.
+double strength_creepage_ratio(double f);
+double strength_force_ratio(double creepage_ratio);
+/// Half width c/a = 1 - f^2 of the stick zone, which begins at the leading edge.
+double strength_stick_ratio(double f);
+/// Traction tau/tau_0 at x/a: 2/pi arctan(f sqrt((a - x)/(x - b))) in the stick zone, 1 behind it,
+/// zero outside of the contact.
+double strength_traction(double x, double f);
+
+/// The springs of MDR under a body of revolution, whose bounds are 2 tau_0 sqrt(a^2 - x^2): each
+/// comes in at the leading edge and takes up xi (a - x) until it slides at x = a (eta^2 - 1)/(eta^2
+/// + 1), eta = G* xi/(2 tau_0):
+///   F_T/(pi a^2 tau_0) = 2/pi [arctan eta + eta/(1 + eta^2)].
+double strength_bed_force_ratio(double eta);
+/// eta of f in [0, 1).
+double strength_bed_creepage_ratio(double f);
+
 // Dissimilar cylinders roll freely, F_T = 0: the normal load alone stretches both surfaces unlike,
 // and they creep. Bentall and Johnson (1967), Int. J. Mech. Sci. 9, 389. Creepages over a/R, a
 // being Hertz' half width without friction; beta is Dundurs' constant, the substrate's compliance

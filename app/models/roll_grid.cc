@@ -46,7 +46,9 @@ RollingProblem problem_of(const Case& c, const contact::Substrate& substrate) {
         .tolerance = c.of<bem::Settings>().tolerance,
         .speed = given.speed};
     if (given.longitudinal_creepage) return problem;
-    if (contact::ratio_of_loaded_step(c) && *c.load.tangential_ratio != 0) {
+    // What another law than Coulomb's carries in all, the loaded contact itself tells.
+    const bool by_contact = contact::ratio_of_loaded_step(c) || !c.friction.is_coulomb();
+    if (c.load.tangential_ratio && *c.load.tangential_ratio != 0 && by_contact) {
         problem.drive.force_ratio = c.load.tangential_ratio;
         return problem;
     }
@@ -77,8 +79,7 @@ double sliding_creepage(const Case& c) {
     if (c.is_line_contact()) return rolling::creepage_unit(c);
     const theory::CombinedMaterial material = theory::combined_material(c.materials());
     const contact::HalfSpaceScales scales = contact::half_space_scales(c);
-    return theory::sliding_creepage(c.friction_coefficient() * scales.normal_force,
-                                    material.shear_modulus,
+    return theory::sliding_creepage(scales.friction_limit, material.shear_modulus,
                                     scales.half_widths[0] * scales.half_widths[1],
                                     theory::vermeulen_johnson_coefficient(material.poisson));
 }
@@ -90,7 +91,7 @@ RollingRun roll_on_grid(const std::string& model, const Case& c, const RollRuns&
         contact::model_kind(model).is_half_space() ? bem::Body::half_space : bem::Body::layer;
     const auto substrate = bem::make_substrate(c, runs.threads, body, aside);
     RollingProblem problem = problem_of(c, *substrate);
-    RollRecorder recorder{{model, {}, {}, {}}, runs, c.friction_coefficient()};
+    RollRecorder recorder{{model, {}, {}, {}}, runs, c.friction};
     rolling::TransientRolling rolling(*substrate, problem);
     roll_on(c, rolling, recorder);
     contact::require_sound(rolling.audit(), model);
@@ -152,14 +153,14 @@ void RollRecorder::note(const rolling::RollingState& state, double way, const Su
     const bool shown = runs.show && (line || frame(way) > frame(last_shown));
     if (!line && !shown) return;
     const contact::Surface now = surface();
-    if (line) run.lines.push_back(centre_line(now, friction_coefficient, state.distance));
+    if (line) run.lines.push_back(centre_line(now, friction, state));
     if (!shown) return;
     last_shown = way;
     runs.show(way, state, now);
 }
 
 void RollRecorder::note_steady(const rolling::RollingState& state, contact::Surface surface) {
-    run.lines.push_back(centre_line(surface, friction_coefficient, contact::infinity));
+    run.lines.push_back(centre_line(surface, friction, state));
     run.history.steady = state;
     run.history.surface = std::move(surface);
     if (runs.show) runs.show(contact::infinity, state, run.history.surface);

@@ -34,7 +34,7 @@ struct RollRecorder {
 
     rolling::RollingRun run;
     const RollRuns& runs;
-    double friction_coefficient;
+    const contact::Friction& friction;
     std::size_t next_line = 0;  ///< of the report's ways
     double last_shown = 0;      ///< way
 

@@ -108,6 +108,7 @@ class RollingBed {
         return {.distance = n_rolled_ * step_length_,
                 .creepage = {.longitudinal = creepage},
                 .normal_force = last_.normal_force,
+                .friction_bound = scales.sliding_force,
                 .indentation = last_.indentation,
                 .force = last_.tangential_force,
                 .half_length = half_length,
@@ -159,7 +160,7 @@ RollingRun roll_springs(const Case& c, const RollRuns& runs) {
     const Case::TractiveRolling& given = *c.tractive_rolling;
     const double a = contact::half_space_scales(c).contact_radius;
     RollingBed bed(c, given.distance * a);
-    RollRecorder recorder{{contact::models::mdr, {}, {}, {}}, runs, c.friction_coefficient()};
+    RollRecorder recorder{{contact::models::mdr, {}, {}, {}}, runs, c.friction};
     const auto note = [&](const RollingState& state, int step) {
         recorder.note(state, step / static_cast<double>(bed.steps_per_radius()),
                       [&] { return bed.model().surface(); });

@@ -5,6 +5,8 @@
 #include "comparisons/quantities/reference.h"
 #include "comparisons/quantities/resample.h"
 #include "comparisons/quantities/surface_fields.h"
+#include "contact/friction/radial_bound.h"
+#include "contact/models/model_kind.h"
 #include "theory/rolling/body_rolling.h"
 
 namespace tricontact::comparisons {
@@ -66,6 +68,29 @@ std::optional<double> distance_at(const Surface& surface, const std::vector<doub
 
 }  // namespace
 
+std::vector<double> line_bounds(const Surface& s, double radius) {
+    constexpr int pieces = 256;
+    const auto radial = contact::RadialBound::of(pieces);
+    const double middle = (s.offset[0] - s.first[0]) / s.spacing[0];
+    // Up to the edge what the last point inside has: beyond it a strength falls to zero.
+    const double last = std::floor(middle + radius / s.spacing[0]) - middle;
+    std::vector<double> bound;
+    for (int k = 0; k <= pieces; ++k) {
+        const double place = middle + std::min(radius * radial->radius(k) / s.spacing[0], last);
+        const int i = std::clamp(static_cast<int>(place), 0, std::max(s.n_x - 2, 0));
+        const int next = std::min(i + 1, s.n_x - 1);
+        bound.push_back(std::lerp(s.friction_bound[i], s.friction_bound[next], place - i));
+    }
+    const std::vector<double> line = radial->line(bound, radius);
+    std::vector<double> at_points;
+    for (int i = 0; i < s.n_x; ++i) {
+        const double x = (s.x(i) - s.offset[0]) / radius;
+        at_points.push_back(
+            contact::at_depth_of_chord(line.data(), pieces, std::sqrt(std::max(1 - x * x, 0.))));
+    }
+    return at_points;
+}
+
 std::optional<double> own_amplitude_limit(const contact::Case& c, const contact::History& history) {
     const contact::Snapshot* upright = last_upright(history);
     const double f = tangential_ratio(history);
@@ -75,15 +100,16 @@ std::optional<double> own_amplitude_limit(const contact::Case& c, const contact:
     const double radius = history.scales.contact_radius;
     const bool is_line = s.layout == Surface::Layout::line;
     const bool is_coulomb = c.friction.is_coulomb();
-    // What springs carry under another law is not theirs to tell, but the bed's closed form.
-    if (is_line && !is_coulomb)
-        return theory::has_body_theory(c) ? theory::amplitude_limit(c, f) : std::nullopt;
+    if (is_line && !is_coulomb && !c.relaxation && theory::has_body_theory(c) &&
+        contact::model_kind(history.model).is_independent())
+        return theory::amplitude_limit(c, f);
     const Surface grid = is_line || is_grid(s) ? s : Resampling(s)(s);
-    const auto distance = distance_at(grid,
-                                      is_line      ? grid.normal_line_load
-                                      : is_coulomb ? grid.normal_traction
-                                                   : grid.friction_bound,
-                                      is_line ? contact::Vector2{1, 0} : direction, f, radius);
+    const auto distance =
+        distance_at(grid,
+                    is_line      ? is_coulomb ? grid.normal_line_load : line_bounds(grid, radius)
+                         : is_coulomb ? grid.normal_traction
+                                 : grid.friction_bound,
+                    is_line ? contact::Vector2{1, 0} : direction, f, radius);
     if (!distance) return {};
     return *distance / radius;
 }

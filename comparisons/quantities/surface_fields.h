@@ -60,6 +60,10 @@ struct Stretch {
 };
 std::vector<Stretch> stretches(const CentreLine& line);
 
+/// What friction carries across the load at each point of a line, whose bounds are those of a
+/// contact of revolution of this radius [m], under another law than Coulomb's [N/m].
+std::vector<double> line_bounds(const contact::Surface& line, double radius);
+
 /// w_lim = W/a at which the least of a model's pressures, moved back and forth by W along the
 /// rolling direction, carry f_T: (1/F_N) ∫ min p(x - s) dA = f_T, the minimum over |s| <= W. The
 /// pressures are those of the last upright state, of coupled contact those that friction left.

@@ -88,6 +88,14 @@ std::vector<double> RadialBound::line(std::span<const double> bound, double a) c
     return triangular_product(bound_weights_, bound, a);
 }
 
+double RadialBound::line_at(int k, const double* bound) const {
+    const double* const weight = bound_weights_.data() + row(k);
+    double sum = 0;
+#pragma omp simd reduction(+ : sum)
+    for (int j = 0; j <= k; ++j) sum += weight[j] * bound[j];
+    return sum;
+}
+
 std::vector<double> bounds_inside(const FrictionLaw& law, std::vector<double> pressure) {
     constexpr double inside = 1e-12;
     pressure.front() = inside * pressure[1];

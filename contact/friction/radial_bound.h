@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <memory>
 #include <span>
 #include <utility>
@@ -39,6 +40,8 @@ class RadialBound {
     /// b(r_k) [N/m] of tau(r_k) [Pa], tau linear in y between them; the value at k = 0 is the limit
     /// from inside.
     std::vector<double> line(std::span<const double> bound, double a) const;
+    /// The one value b(r_k)/a [Pa], of tau at the radii 0 to k.
+    double line_at(int k, const double* bound) const;
 
   private:
     std::size_t row(int k) const { return static_cast<std::size_t>(k) * (k + 1) / 2; }
@@ -46,6 +49,14 @@ class RadialBound {
     int n_;
     std::vector<double> slope_weights_, bound_weights_;  // of the points 0..k of each row k
 };
+
+/// Value at a radius r, y = sqrt(1 - (r/a)^2) in [0, 1], of a table at the radii of RadialBound,
+/// edge first; linear in y between them.
+inline double at_depth_of_chord(const double* table, int pieces, double y) {
+    const double place = y * pieces;
+    const int k = std::min(static_cast<int>(place), pieces - 1);
+    return table[k] + (place - k) * (table[k + 1] - table[k]);
+}
 
 /// tau [Pa] at pressures from the edge to the centre, the first of them 0: its limit from inside.
 std::vector<double> bounds_inside(const FrictionLaw& law, std::vector<double> pressure);

@@ -1,4 +1,3 @@
-#include "contact/models/model_kind.h"
 #include "io/case/case_checks.h"
 #include "io/case/case_keys.h"
 
@@ -8,7 +7,6 @@ namespace {
 
 using contact::Case;
 using contact::Friction;
-using contact::ModelKind;
 
 void check_law(const Friction& friction, const Document& document) {
     if (friction.pressure_exponent && !friction.coefficient)
@@ -47,23 +45,6 @@ void check_friction(const Case& c, const Document& document) {
         refuse_missing(*find_key("friction.coefficient"), document, case_key_list());
     check_law(friction, document);
     if (friction.map) check_map(c, document);
-    if (friction.is_coulomb()) return;
-    const std::string key = friction.shear_strength      ? "friction.shear_strength"
-                            : friction.pressure_exponent ? "friction.pressure_exponent"
-                            : friction.strength_limit    ? "friction.strength_limit"
-                                                         : "friction.map";
-    if (c.tractive_rolling)
-        refuse(document, key, "creepage and rolling on are those of Coulomb's law",
-               "give friction.coefficient alone, or roll to and fro by [rolling]");
-    for (const std::string& model : c.models) {
-        const ModelKind& kind = contact::model_kind(model);
-        if (!kind.is_on_line() || (kind.is_independent() && !c.relaxation)) continue;
-        refuse(document, key,
-               "the springs of " + model +
-                   (c.relaxation ? ", which relax," : ", which a layer couples,") +
-                   " know Coulomb's law alone",
-               "leave out " + model + ", or give friction.coefficient alone");
-    }
 }
 
 }  // namespace tricontact::io

@@ -38,9 +38,8 @@ BedUnderLaw::BedUnderLaw(const contact::Case& c) {
 }
 
 double BedUnderLaw::bound(double x) const {
-    const double y = std::sqrt(std::max(0., (1 - x) * (1 + x))) * table_pieces;
-    const int k = std::min(static_cast<int>(y), table_pieces - 1);
-    return std::lerp(bound_[k], bound_[k + 1], y - k);
+    return contact::at_depth_of_chord(bound_.data(), table_pieces,
+                                      std::sqrt(std::max(0., (1 - x) * (1 + x))));
 }
 
 /// 2 ∫_w^1 min(u, b) dx; x = cos t takes the root at the edge away. Midpoint rule.

@@ -86,9 +86,8 @@ RollingRun run_by(const Case& c, const std::string& model, const std::string& ke
         run.history.transient.push_back(state);
     }
     for (double f = .05; f < .99; f += .06) run.creep_curve.push_back(state_of(c, theory, f));
-    run.lines = {
-        centre_line(run.history.surface, c.friction_coefficient(), 0),
-        centre_line(run.history.surface, c.friction_coefficient(), run.history.steady.distance)};
+    run.lines = {centre_line(run.history.surface, c.friction, run.history.transient.front()),
+                 centre_line(run.history.surface, c.friction, run.history.steady)};
     return run;
 }
 
@@ -126,9 +125,9 @@ TEST(TractiveReport, OfADrivenRollerIsTheMirrorImage) {
             s.creepage.longitudinal *= -1;
             s.force[0] *= -1;
         }
-    EXPECT_EQ(creepage_at(driven.runs[0], .57, -.35),
-              -creepage_at(braked.runs[0], .57, .35).value());
-    EXPECT_FALSE(creepage_at(driven.runs[0], .57, .35));
+    EXPECT_EQ(creepage_at(driven.runs[0], {.coefficient = .57}, -.35),
+              -creepage_at(braked.runs[0], {.coefficient = .57}, .35).value());
+    EXPECT_FALSE(creepage_at(driven.runs[0], {.coefficient = .57}, .35));
     const report::DocumentSection found = creep_section(driven), due = creep_section(braked);
     ASSERT_EQ(found.tables.size(), 1U);
     ASSERT_EQ(found.tables[0].rows.size(), due.tables[0].rows.size());
@@ -156,7 +155,7 @@ TEST(TractiveReport, ReadsTheTransient) {
     RollingState still = report.runs[0].history.steady;
     still.creepage = {};
     EXPECT_FALSE(energy_error(still));
-    EXPECT_FALSE(creepage_at(report.runs[0], .57, .999));
+    EXPECT_FALSE(creepage_at(report.runs[0], {.coefficient = .57}, .999));
 }
 
 // Found: "differs by 0.014 of it" where friction dissipates 2.8 % more than the creepage works, at
@@ -193,10 +192,28 @@ TEST(TractiveReport, ClosedFormsAreNamedWhereTheyAreMeant) {
 }
 
 TEST(TractiveReport, CentreLineIsTheRowThroughTheCentre) {
-    const CentreLine line = centre_line(three_cells(), .5, 0);
+    const CentreLine line = centre_line(three_cells(), {.coefficient = .5}, {});
     EXPECT_EQ(line.x, (std::vector<double>{-1e-3, 0, 1e-3}));
     EXPECT_EQ(line.traction, (std::vector<double>{1e5, 5e4, 0}));
     EXPECT_EQ(line.bound, (std::vector<double>{1e5, 2e5, 0}));
+}
+
+// Under another law the cells say their bounds, and ratios are over what they carry together.
+TEST(TractiveReport, OtherLawsHaveTheBoundsOfTheCells) {
+    contact::Surface s = three_cells();
+    s.friction_bound = {3e4, 3e4, 0, 3e4, 3e4, 0};
+    const contact::Friction strength{.shear_strength = 3e4};
+    EXPECT_EQ(centre_line(s, strength, {}).bound, (std::vector<double>{3e4, 3e4, 0}));
+    const RollingState state{.normal_force = 7, .friction_bound = 2, .force = {1, 0}};
+    EXPECT_EQ(force_ratio(state, strength), .5);
+    EXPECT_EQ(force_ratio(state, {.coefficient = .5}), 1 / 3.5);
+    Case c = rubber(.5);
+    c.friction = strength;
+    std::vector<std::string> keys;
+    for (const CreepTheory& theory : creep_theories(c)) keys.push_back(theory.key);
+    EXPECT_EQ(keys, (std::vector<std::string>{"mdr_closed_form", "kalker_linear"}));
+    c.friction.coefficient = .1;  // no closed form of the sum
+    EXPECT_EQ(creep_theories(c).size(), 1U);
 }
 
 TEST(TractiveReport, HasAllSectionsAndIsADocument) {

@@ -100,6 +100,55 @@ TEST(CreepLaw, IsTheSameForEqualBodies) {
     EXPECT_NEAR(in_units(c) / rigid, 1, 1e-12);
 }
 
+// A shear strength, in the plane: whatever sticks is strained alike. The strain is 1/(pi E*/2)
+// times the principal value of ∫ tau/(x - s) ds; midpoints in angles that both square roots like, x
+// halfway between two of them.
+TEST(CreepLaw, StrengthStrainsWhatSticksByTheCreepage) {
+    for (const double f : {.3, .6, .9}) {
+        const double begin = 1 - 2 * strength_stick_ratio(f);
+        const double middle = (1 + begin) / 2, half = (1 - begin) / 2;
+        constexpr int n = 4000;
+        double force = 1 + begin;
+        for (int j = 0; j < n; ++j) {
+            const double t = std::numbers::pi * (j + .5) / n;
+            force += strength_traction(middle + half * std::cos(t), f) * half * std::sin(t) *
+                     std::numbers::pi / n;
+        }
+        EXPECT_NEAR(force / 2, f, 1e-6);
+        for (const int at : {n / 5, n / 2, 4 * n / 5}) {
+            const double x = middle + half * std::cos(std::numbers::pi * at / n);
+            double strain = std::log((x + 1) / (x - begin));
+            for (int j = 0; j < n; ++j) {
+                const double t = std::numbers::pi * (j + .5) / n, s = middle + half * std::cos(t);
+                strain +=
+                    strength_traction(s, f) / (x - s) * half * std::sin(t) * std::numbers::pi / n;
+            }
+            // xi = 2/(pi E*) strain tau_0 = 4 tau_0/(pi E*) artanh f.
+            EXPECT_NEAR(strain / 2, strength_creepage_ratio(f), 1e-5) << f << ' ' << at;
+        }
+    }
+}
+
+// MDR's springs one by one: min(xi (a - x), 2 tau_0 sqrt(a^2 - x^2)/G*), midpoints.
+TEST(CreepLaw, StrengthOfTheBedIsTheSumOfItsSprings) {
+    for (const double eta : {.1, 1., 4.}) {
+        constexpr int n = 100000;
+        double sum = 0;
+        for (int i = 0; i < n; ++i) {
+            const double x = -1 + (2 * i + 1.) / n;
+            sum += std::min(2 * eta * (1 - x), 2 * std::sqrt(1 - x * x)) * 2 / n;
+        }
+        EXPECT_NEAR(strength_bed_force_ratio(eta), sum / std::numbers::pi, 1e-6) << eta;
+    }
+    for (const double f : {1e-3, .2, .99}) {
+        EXPECT_NEAR(strength_bed_force_ratio(strength_bed_creepage_ratio(f)), f, 1e-12);
+        EXPECT_NEAR(strength_force_ratio(strength_creepage_ratio(f)), f, 1e-14);
+    }
+    EXPECT_THROW(strength_creepage_ratio(1), std::domain_error);
+    EXPECT_THROW(strength_traction(0, 1.1), std::domain_error);
+    EXPECT_THROW(strength_bed_force_ratio(-1), std::domain_error);
+}
+
 TEST(CreepLaw, ForceAndCreepageAreInverse) {
     for (const double f : {1e-3, .2, .99, 1.})
         EXPECT_NEAR(cubic_force_ratio(cubic_creepage_ratio(f)), f, 1e-14) << f;

@@ -16,7 +16,6 @@
 #include "contact/cells.h"
 #include "contact/load_path.h"
 #include "contact/surface_model.h"
-#include "mdr/bed.h"
 #include "tests/verification/bem/rig.h"
 
 namespace tricontact::bem::shear_strength_test {
@@ -105,15 +104,6 @@ TEST(BemShearStrength, RolledContactCarriesTheLensOfItsExtremes) {
         }
         // Cells count whole or not: their edges are h/a of the area off at worst, .3 % seen.
         EXPECT_NEAR(rig.model.limit_tangential_ratio() / limit, 1, .01) << w;
-    }
-}
-
-TEST(BemShearStrength, SpringsRefuseWhatTheyCannotReduce) {
-    try {
-        mdr::require_coulomb("mdr", ShearStrength(strength));
-        FAIL();
-    } catch (const contact::InputError& e) {
-        EXPECT_NE(std::string(e.what()).find("take bem"), std::string::npos) << e.what();
     }
 }
 
