@@ -88,7 +88,7 @@ double creepage_unit(const Case& c) {
 }
 
 std::vector<CreepTheory> creep_theories(const Case& c) {
-    if (c.relaxation || !free_creepages(c).empty()) return {};
+    if (c.relaxation || c.friction.rate || !free_creepages(c).empty()) return {};
     if (c.is_line_contact()) return {carter(creepage_unit(c))};
     const bool ellipse = c.indenter.shape == Case::Shape::ellipsoid;
     if (!contact::is_hertz_round(c) && !ellipse) return {};

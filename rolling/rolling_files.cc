@@ -66,6 +66,8 @@ Json run_json(const RollingReport& report, const RollingRun& run) {
     };
     return {{"model", run.model},
             {"steady", state_json(run.history.steady, mu)},
+            {"from_fast_slip",
+             run.history.from_fast_slip ? state_json(*run.history.from_fast_slip, mu) : Json()},
             {"numerical_error", error_json(run.error)},
             {"rolled_steps", run.history.transient.size() - 1},
             {"steady_after", steady_after(report, run)},

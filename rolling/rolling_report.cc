@@ -33,7 +33,8 @@ CentreLine centre_line(const Surface& surface, double friction_coefficient, doub
     for (int i = 0; i < surface.n_x; ++i) {
         line.x.push_back(surface.x(i) - surface.offset[0]);
         line.traction.push_back(tangential[row + i]);
-        line.bound.push_back(friction_coefficient * normal[row + i]);
+        line.bound.push_back(springs ? friction_coefficient * normal[row + i]
+                                     : surface.friction_bound[row + i]);
     }
     return line;
 }

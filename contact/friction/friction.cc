@@ -59,7 +59,7 @@ std::string pressure_text(double pressure) {
 }  // namespace
 
 std::shared_ptr<const FrictionLaw> Friction::law() const {
-    if (is_coulomb()) return std::make_shared<Coulomb>(coefficient.value_or(0));
+    if (is_coulomb_at_rest()) return std::make_shared<Coulomb>(coefficient.value_or(0));
     return std::make_shared<PressureLaw>(*this);
 }
 
@@ -73,6 +73,7 @@ std::string Friction::formula() const {
                     : fmt::format("{0:.4g} {1} (p/{1})^{2:.4g}", *coefficient,
                                   pressure_text(*reference_pressure), *pressure_exponent);
     }
+    if (rate) text = fmt::format("({:.4g}{}) p", coefficient.value_or(0), rate->formula());
     if (strength_limit) text += fmt::format(", at most {}", pressure_text(*strength_limit));
     return text;
 }

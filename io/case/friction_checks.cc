@@ -24,6 +24,42 @@ void check_law(const Friction& friction, const Document& document) {
                "leave it out with friction.coefficient, or enlarge it");
 }
 
+/// What falls with the speed of slip is Coulomb's law, in steady rolling of elastic bodies.
+void check_rate(const Case& c, const Document& document) {
+    const Friction& friction = c.friction;
+    const contact::FrictionRate& rate = *friction.rate;
+    const std::string key = "friction.rate.law";
+    if (!c.tractive_rolling)
+        refuse(document, key, "only a contact that rolls on has a speed of slip here",
+               "add [tractive_rolling], or omit [friction.rate]");
+    if (!friction.coefficient || !friction.is_coulomb_at_rest())
+        refuse(document, key, "only Coulomb's law falls with the speed of slip",
+               "give friction.coefficient alone beside [friction.rate]");
+    if (c.relaxation)
+        refuse(document, key, "a relaxing substrate rolls on under Coulomb's law alone",
+               "omit [friction.rate] or [substrate.relaxation]");
+    if (document.find("tractive_rolling.distance"))
+        refuse(document, "tractive_rolling.distance",
+               "friction that falls with the speed of slip is computed in the steady state alone, "
+               "not on the way to it",
+               "omit it");
+    if (rate.drops.empty() || rate.drops.size() > 2)
+        refuse(document, "friction.rate.drops", "has one part or two", "give one or two numbers");
+    if (rate.speeds.size() != rate.drops.size())
+        refuse(document, "friction.rate.speeds",
+               "has " + std::to_string(rate.speeds.size()) + " values beside " +
+                   std::to_string(rate.drops.size()) + " of friction.rate.drops",
+               "give one each");
+    if (!(rate.least(*friction.coefficient) > 0))
+        refuse(document, "friction.rate.drops",
+               "leave " + rounded(rate.least(*friction.coefficient)) +
+                   " of friction.coefficient = " + rounded(*friction.coefficient),
+               "give less than that in all");
+    if (rate.memory_speed > 0 && rate.memory_length == 0)
+        refuse(document, "friction.rate.memory_speed", "has no effect without a memory_length",
+               "give friction.rate.memory_length too, or omit this key");
+}
+
 }  // namespace
 
 void check_friction(const Case& c, const Document& document) {
@@ -31,15 +67,20 @@ void check_friction(const Case& c, const Document& document) {
     if (!friction.coefficient && !friction.shear_strength)
         refuse_missing(*find_key("friction.coefficient"), document, case_key_list());
     check_law(friction, document);
+    if (friction.rate) check_rate(c, document);
     if (friction.is_coulomb()) return;
-    const std::string key = friction.shear_strength      ? "friction.shear_strength"
+    const std::string key = friction.rate                ? "friction.rate.law"
+                            : friction.shear_strength    ? "friction.shear_strength"
                             : friction.pressure_exponent ? "friction.pressure_exponent"
                                                          : "friction.strength_limit";
-    if (c.tractive_rolling)
+    if (c.tractive_rolling && !friction.rate)
         refuse(document, key, "creepage and rolling on are those of Coulomb's law",
                "give friction.coefficient alone, or roll to and fro by [rolling]");
     for (const std::string& model : c.models) {
         const ModelKind& kind = contact::model_kind(model);
+        if (kind.is_on_line() && friction.rate)
+            refuse(document, key, "the springs of " + model + " do not know the speed of slip",
+                   "leave out " + model + ", or omit [friction.rate]");
         if (!kind.is_on_line() || (kind.is_independent() && !c.relaxation)) continue;
         refuse(document, key,
                "the springs of " + model +

@@ -189,11 +189,19 @@ std::vector<CaseKey> tractive_keys() {
         {number_key("tractive_rolling.distance", above_zero(1000), "8",
                     "way rolled from rest, over the half length a of the contact on a half-space",
                     {.default_value = "8.0"}),
-         at<&Case::tractive_rolling, &Tractive::distance>},
-        {quantity_key("tractive_rolling.speed", Dimension::velocity, above_zero(1e9),
-                      R"("20 mm/s")", "speed v of rolling, which the substrate relaxes by",
-                      {.required = true, .needs = "substrate.relaxation"}),
-         if_relaxing<&Case::tractive_rolling, &Tractive::speed>}};
+         [](Case& c) {
+             return c.friction.rate ? Field() : in(c, &Case::tractive_rolling, &Tractive::distance);
+         }},
+        {quantity_key(
+             "tractive_rolling.speed", Dimension::velocity, above_zero(1e9), R"("20 mm/s")",
+             "speed v of rolling, which the substrate relaxes by and with which slip has a "
+             "speed; only with `[substrate.relaxation]` or `[friction.rate]`",
+             {.required = true}),
+         [](Case& c) {
+             return c.relaxation || c.friction.rate
+                        ? in(c, &Case::tractive_rolling, &Tractive::speed)
+                        : Field();
+         }}};
 }
 
 std::vector<CaseKey> path_keys() {
