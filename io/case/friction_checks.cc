@@ -47,9 +47,9 @@ void check_rate(const Case& c, const Document& document) {
         refuse(document, "friction.rate.drops", "has one part or two", "give one or two numbers");
     if (rate.speeds.size() != rate.drops.size())
         refuse(document, "friction.rate.speeds",
-               "has " + std::to_string(rate.speeds.size()) + " values beside " +
-                   std::to_string(rate.drops.size()) + " of friction.rate.drops",
-               "give one each");
+               "states " + std::to_string(rate.speeds.size()) + ", friction.rate.drops " +
+                   std::to_string(rate.drops.size()),
+               "give one for each of the drops");
     if (!(rate.least(*friction.coefficient) > 0))
         refuse(document, "friction.rate.drops",
                "leave " + rounded(rate.least(*friction.coefficient)) +

@@ -64,7 +64,7 @@ TEST(RateFriction, EndsAreCoulombs) {
     EXPECT_NEAR(force(fast), force(coulomb(creepage, rig.friction - drop)), 1e-7);
     // From slow slip the same law has a state with more stick: what sticks carries mu at rest.
     fast.slip_start = SlipStart::slow;
-    EXPECT_GT(force(fast), force(coulomb(creepage, rig.friction - drop)) + .01);
+    EXPECT_GT(force(fast), force(coulomb(creepage, rig.friction - drop)) + .001);
 }
 
 // Each point that slips carries what its own slip leaves of mu, each that sticks at most mu at

@@ -187,7 +187,10 @@ void expect_printed(const std::map<int, std::string>& lines, const FallingFricti
     EXPECT_NEAR(-state.force[0] / (.3 * state.normal_force) / prints.force, 1, 2e-4)
         << prints.creepage;
     EXPECT_NEAR(-state.dissipation * 45 / prints.power, 1, 1e-3) << prints.creepage;
-    EXPECT_EQ(std::lround(state.stick_area / (.1e-3 * .2)), prints.n_adhesion) << prints.creepage;
+    // Of fast slip it ends from above: a cell may still slip by what it leaves.
+    EXPECT_NEAR(state.stick_area / (.1e-3 * .2), prints.n_adhesion,
+                slip_start == SlipStart::fast ? 1.01 : .01)
+        << prints.creepage;
 }
 
 // veldep_fric, case 1, as its examples/veldep_fric.ref_out has it.
