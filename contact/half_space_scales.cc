@@ -305,7 +305,7 @@ HalfSpaceScales scales_of(const Case& c) {
 HalfSpaceScales half_space_scales(const Case& c) {
     HalfSpaceScales scales = scales_of(c);
     scales.friction_limit = friction_of(c) * scales.normal_force;
-    if (c.friction.is_coulomb()) return scales;
+    if (c.friction.is_coulomb_at_rest()) return scales;
     const MeanFriction mean = mean_friction(c, scales);
     scales.unit_shift *= mean.of_shift;
     scales.friction_limit *= mean.of_force;

@@ -74,6 +74,25 @@ std::string creeping_text(const ProgramCase& one, const std::string& name) {
                io::toml_number(f / (1 + f)), tau / (1 + f));
 }
 
+std::string rate_text(const contact::FrictionRate& rate) {
+    using Law = contact::FrictionRate::Law;
+    const char* law = rate.law == Law::linear     ? "linear"
+                      : rate.law == Law::rational ? "rational"
+                                                  : "exponential";
+    std::string drops, speeds;
+    for (std::size_t k = 0; k < rate.drops.size(); ++k) {
+        const char* next = k == 0 ? "" : ", ";
+        drops += next + io::toml_number(rate.drops[k]);
+        speeds += fmt::format("{}\"{} mm/s\"", next, 1e3 * rate.speeds[k]);
+    }
+    std::string text = fmt::format("[friction.rate]\nlaw = \"{}\"\ndrops = [{}]\nspeeds = [{}]\n",
+                                   law, drops, speeds);
+    if (rate.memory_length > 0)
+        text += fmt::format("memory_length = \"{} mm\"\nmemory_speed = \"{} mm/s\"\n",
+                            1e3 * rate.memory_length, 1e3 * rate.memory_speed);
+    return text;
+}
+
 }  // namespace
 
 bool is_close(double a, double b) {
@@ -124,10 +143,10 @@ std::string bodies_text(const ProgramCase& one, const std::string& name) {
         if (!is_rigid(one)) text += elastic_text(elastic(one.shear_modulus[0], one.poisson[0]));
         text += "[substrate]\n" + elastic_text(elastic(one.shear_modulus[1], one.poisson[1]));
     }
-    return text +
-           fmt::format("[friction]\ncoefficient = {}\n",
-                       io::toml_number(one.friction_coefficient > 0 ? one.friction_coefficient
-                                                                    : friction_without_effect));
+    text += fmt::format("[friction]\ncoefficient = {}\n",
+                        io::toml_number(one.friction_coefficient > 0 ? one.friction_coefficient
+                                                                     : friction_without_effect));
+    return text + (one.friction_rate && one.step.is_steady() ? rate_text(*one.friction_rate) : "");
 }
 
 std::string normal_text(const ProgramCase& one) {
@@ -156,7 +175,9 @@ void check_alike(ProgramSequence steps, const std::string& name) {
                 refuse_at(name, one.digits.line, what, "changes within the sequence",
                           "keep it, or begin another one by P = 2");
         };
-        demand(is_close(one.friction_coefficient, head.friction_coefficient), "friction");
+        demand(is_close(one.friction_coefficient, head.friction_coefficient) &&
+                   one.friction_rate.has_value() == head.friction_rate.has_value(),
+               "friction");
         demand(one.poisson == head.poisson && one.shear_modulus == head.shear_modulus &&
                    one.influence == head.influence && one.influence_file == head.influence_file,
                "the material");

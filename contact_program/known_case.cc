@@ -22,12 +22,15 @@ class KnownCase {
 
   private:
     void check_kept() const {
-        if (one_.friction_law != 0)
-            refuse_at(
-                name_, one_.friction_line, fmt::format("L = {}", one_.friction_law),
-                "only Coulomb friction is computed: none that falls with the slip velocity or "
-                "the temperature",
-                "give L = 0");
+        if (one_.friction_law == 6)
+            refuse_at(name_, one_.friction_line, "L = 6",
+                      "friction that falls with the temperature is not computed",
+                      "give L = 0, or 2 to 4");
+        if (one_.friction_rate && one_.step.tangential && !one_.step.is_steady())
+            refuse_at(name_, one_.friction_line, fmt::format("L = {}", one_.friction_law),
+                      "friction that falls with the slip velocity is computed in steady rolling "
+                      "alone",
+                      "give T = 3, or L = 0");
         if (one_.step.tangential && one_.friction_coefficient == 0)
             refuse_at(name_, one_.friction_line, "FSTAT = 0",
                       "no tangential problem is solved without friction",

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "contact_program/distance_reading.h"
+#include "contact_program/friction_reading.h"
 
 namespace tricontact::contact_program {
 
@@ -54,7 +55,7 @@ class CaseReading {
         if (digits.debug != 0) lines_.digits(7, "PSFLRIN");
         if (digits.solver != 1) read_solver();
         read_loads();
-        if (digits.friction != 1 && digits.variable == 0) read_friction(1);
+        if (digits.friction != 1 && digits.variable == 0) read_friction(lines_, current_, 1);
         if (digits.influence >= 2) read_materials();
         if (digits.heat == 3) read_heat();
         if (digits.cells == 2 && digits.distance == 0)
@@ -62,7 +63,8 @@ class CaseReading {
                                "give Z = 1 or 2");
         if (digits.cells == 2) read_cells();
         if (digits.distance != 0) place_body();
-        if (digits.friction != 1 && digits.variable != 0) read_friction(current_.n_y);
+        if (digits.friction != 1 && digits.variable != 0)
+            read_friction(lines_, current_, current_.n_y);
         if (digits.extra == 9)
             lines_.skip_numbers(2 * static_cast<std::size_t>(current_.n_x) * current_.n_y,
                                 "the extra slip of all cells");
@@ -145,28 +147,6 @@ class CaseReading {
                 body.heights ? -*std::ranges::min_element(*body.heights) : body.depth;
             current_.step.normal = {Kind::indentation, current_.normal + lowest};
         }
-    }
-
-    /// As many sets of them as cells along y where friction varies.
-    void read_friction(int sets) {
-        constexpr double same = 1e-3;  // as CONTACT asks for
-        const int law = current_.digits.friction;
-        current_.friction_law = law;
-        for (int k = 0; k < sets; ++k) {
-            if (law == 0) {
-                const auto v = lines_.numbers(2, "FSTAT and FKIN");
-                // Without a tangential problem it has no effect: see check_known().
-                if (!(v[0] >= 0))
-                    lines_.refuse("FSTAT", v[0], "must not be negative", "correct it");
-                if (std::abs(v[1] - v[0]) > same * v[0])
-                    lines_.refuse("FKIN", v[1], "must be FSTAT in Coulomb friction", "correct it");
-                current_.friction_coefficient = v[0];
-            } else {
-                lines_.skip_numbers(law == 6 ? 4 : 5, "constants of the friction law");
-            }
-            current_.friction_line = lines_.line();
-        }
-        if (law != 0) lines_.skip_numbers(2, "MEMDST and MEM_S0");
     }
 
     void read_materials() {

@@ -3,10 +3,12 @@
 #include <array>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "contact/base/vector2.h"
+#include "contact/friction/friction_rate.h"
 #include "contact_program/case_digits.h"
 #include "contact_program/sequence_step.h"
 
@@ -42,7 +44,9 @@ struct ProgramCase {
     double tolerance = 0;  ///< EPS
     int friction_line = 0;
     int friction_law = 0;             ///< L of the last one that was not kept
-    double friction_coefficient = 0;  ///< of the last L = 0
+    double friction_coefficient = 0;  ///< at rest, of the last L = 0 or 2 to 4
+    /// L = 2 to 4: how it falls with the speed of slip; empty: Coulomb's law.
+    std::optional<contact::FrictionRate> friction_rate;
 
     int rolling_line = 0;
     double direction = 0;    ///< CHI [rad]

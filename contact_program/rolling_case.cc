@@ -42,6 +42,7 @@ class RollingReading {
             bodies_text(rolling_, name_) + load_text() + "[tractive_rolling]\n" + drive_text();
         const std::string cells = cells_text(rolling_, cell_shift());
         const auto c = io::parse_case(heading + sections + cells, name_ + ", as a case");
+        if (c.friction.rate) return heading + sections + cells;  // the steady state alone
         const double a = contact::half_space_scales(c).contact_radius;
         return heading + sections +
                fmt::format("distance = {}\n",
@@ -159,7 +160,8 @@ class RollingReading {
         if (!rolling_.step.is_forced(1) && (across != 0 || spin != 0))
             text += fmt::format("lateral_creepage = {}\n", io::toml_number(sign_ * across + 0.));
         if (spin != 0) text += fmt::format("spin = \"{} rad/m\"\n", spin);
-        if (rolling_.digits.material == 1 && rolling_.creep_ratio[0] * rolling_.creep_time[0] > 0)
+        if (rolling_.friction_rate ||
+            (rolling_.digits.material == 1 && rolling_.creep_ratio[0] * rolling_.creep_time[0] > 0))
             text += fmt::format("speed = \"{} mm/s\"\n", 1e3 * rolling_.speed);
         return text;
     }

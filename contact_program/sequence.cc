@@ -100,7 +100,7 @@ struct SequenceWriter {
                                  case_.of<bem::Settings>().tolerance);
         append_loads(step);
         if (!before) {
-            text_ += fmt::format(" {0} {0}   FSTAT, FKIN\n", case_.friction_coefficient());
+            append_friction();
             append_materials(step);
             text_ +=
                 fmt::format(" 3   IPOTCN\n {} {} {} {} {} {}   MX, MY, XC1, YC1, DX, DY\n",
@@ -120,10 +120,34 @@ struct SequenceWriter {
                              step.tangential ? static_cast<int>(step.motion) : 0, force,
                              step.tangential ? step.n_forced() : 0);
         const int influence = influence_ ? 9 : 2;
-        text_ += first ? fmt::format(" 002{}020   V-L-D-C-M-Z-E\n", influence)
+        text_ += first ? fmt::format(" 0{}2{}020   V-L-D-C-M-Z-E\n", friction_law(), influence)
                        : fmt::format(" 010{}0{}0   V-L-D-C-M-Z-E\n", starts_rolling ? influence : 0,
                                      moved ? 2 : 0);
         text_ += fmt::format(" 0{0:d}{0:d}0211   H-G-I-A-O-W-R\n", !first);
+    }
+
+    /// L.
+    int friction_law() const {
+        using Law = contact::FrictionRate::Law;
+        if (!case_.friction.rate) return 0;
+        const Law law = case_.friction.rate->law;
+        return law == Law::linear ? 2 : law == Law::rational ? 3 : 4;
+    }
+
+    void append_friction() {
+        const double mu = case_.friction_coefficient();
+        if (!case_.friction.rate) {
+            text_ += fmt::format(" {0} {0}   FSTAT, FKIN\n", mu);
+            return;
+        }
+        const contact::FrictionRate& rate = *case_.friction.rate;
+        text_ += fmt::format(" {}", rate.least(mu));
+        for (const std::size_t k : {0, 1})
+            text_ += k < rate.drops.size()
+                         ? fmt::format(" {} {}", rate.drops[k], in_mm * rate.speeds[k])
+                         : " 0 1";
+        text_ += fmt::format("   FKIN, F1, SABSH1, F2, SABSH2\n {} {}   MEMDST, MEM_S0\n",
+                             in_mm * rate.memory_length, in_mm * rate.memory_speed);
     }
 
     /// Forces FX, FY are on the indenter, against those on the substrate; shifts are the indenter's
@@ -152,8 +176,9 @@ struct SequenceWriter {
     void append_materials(const SequenceStep& step) {
         constexpr double speed_without_effect = 1000;  // [mm/s]: nothing relaxes
         if (step.is_rolling())
-            text_ += fmt::format(" 0 {} {}   CHI, DQ, VELOC\n", in_mm * grid_.spacing[0],
-                                 speed_without_effect);
+            text_ += fmt::format(
+                " 0 {} {}   CHI, DQ, VELOC\n", in_mm * grid_.spacing[0],
+                case_.friction.rate ? in_mm * case_.tractive_rolling->speed : speed_without_effect);
         if (influence_) text_ += fmt::format(" '{}'   CFNAME\n", *influence_);
         const auto [indenter, substrate] = shear_moduli(case_);
         const auto& material = case_.indenter.material;

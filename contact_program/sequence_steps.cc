@@ -123,7 +123,8 @@ struct StepWriter {
             step.along[0].value = force_ratio();
         if (given.lateral_creepage || (symmetric_ && given.longitudinal_creepage))
             step.along[1] = {Kind::shift, 0};
-        steps.push_back(step);
+        // Friction that falls with the slip is computed in the steady state alone.
+        if (!case_.friction.rate) steps.push_back(step);
         if (given.longitudinal_creepage) step.along[0].value = *given.longitudinal_creepage;
         if (given.lateral_creepage) step.along[1].value = *given.lateral_creepage;
         step.rotation = given.spin;

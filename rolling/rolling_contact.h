@@ -3,11 +3,13 @@
 #include <array>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "contact/base/vector2.h"
 #include "contact/bodies/indenter.h"
 #include "contact/friction/friction_law.h"
+#include "contact/friction/friction_rate.h"
 #include "contact/history.h"
 #include "contact/load_path.h"
 #include "contact/surface.h"
@@ -37,6 +39,11 @@ struct Drive {
     double spin = 0;  ///< phi [1/m]
 };
 
+/// Where the search for a steady state begins: nothing slips yet, or all slips without end.
+/// Friction that falls with the speed of slip may have several states, of which each of both finds
+/// one.
+enum class SlipStart { slow, fast };
+
 /// What rolls over a substrate.
 struct RollingProblem {
     std::shared_ptr<const contact::Indenter> indenter;
@@ -45,7 +52,10 @@ struct RollingProblem {
     Drive drive;
     bool coupling = true;     ///< of normal and tangential contact
     double tolerance = 1e-7;  ///< on RollingState::residual
-    double speed = 0;         ///< of rolling [m/s], which only a relaxing substrate feels; 0: slow
+    double speed = 0;         ///< of rolling [m/s], for a relaxing substrate and a rate; 0: slow
+    /// Of Coulomb's law at rest, in the steady state; rolling from rest does not know it.
+    std::optional<contact::FrictionRate> rate{};
+    SlipStart slip_start = SlipStart::slow;
 };
 
 /// One state of the contact, steady or on the way there.
@@ -78,7 +88,9 @@ struct RollingState {
 struct RollingHistory {
     std::vector<RollingState> transient;  ///< from rest, a state per rolled cell; first: at rest
     RollingState steady;
-    contact::Surface surface;  ///< then; slip [-] and dissipation [Pa] per rolled way
+    std::optional<RollingState> from_fast_slip;  ///< see SlipStart; empty: not looked for, or why
+    std::string why_no_fast_slip = {};           ///< the search did not end in one: why
+    contact::Surface surface;  ///< steady; slip [-] and dissipation [Pa] per rolled way
 };
 
 /// What follows from the fields of a grid under a body: forces, moments, areas, extent and

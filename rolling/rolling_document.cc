@@ -61,6 +61,34 @@ std::string energy_sentence(const RollingReport& report) {
         report::share(*worst, 2));
 }
 
+/// Falling friction may have several states, of which both ends are looked for.
+std::string states_sentence(const RollingReport& report, const RollingRun& run) {
+    constexpr double same = 1e-5;  // far above the solver's tolerance
+    if (!report.c.friction.rate) return {};
+    const std::string model = report::display_name(run.model);
+    if (!run.history.why_no_fast_slip.empty())
+        return fmt::format(
+            "{}: whether this steady state is the only one is not known; from fast "
+            "slip: {}.",
+            model, run.history.why_no_fast_slip);
+    if (!run.history.from_fast_slip)
+        return model +
+               ": under a force, this is the state of least slip; friction that falls with the "
+               "slip "
+               "may have others, which are not looked for.";
+    const double mu = report.c.friction_coefficient();
+    const auto &slow = run.history.steady, &fast = *run.history.from_fast_slip;
+    const double f = force_ratio(slow, mu), other = force_ratio(fast, mu);
+    const double stick = (slow.stick_area - fast.stick_area) / slow.contact_area;
+    if (std::abs(f - other) <= same && std::abs(stick) <= same)
+        return model + ": from slow and from fast slip the same steady state is found.";
+    return fmt::format(
+        "{}: friction that falls with the slip leaves more than one steady state. From slow slip "
+        "(told here) F_x = {} μ F_N; from fast slip {} μ F_N, and {} % of the contact sticks.",
+        model, report::significant(f, 6), report::significant(other, 6),
+        report::significant(100 * fast.stick_area / fast.contact_area, 3));
+}
+
 /// MDR's creep over that of three dimensions beside what closed forms have for it.
 std::string ratio_sentence(const RollingReport& report) {
     const RollingRun* mdr = run_of_springs(report);
@@ -104,13 +132,17 @@ Settings settings_of(const Case& c) {
         {"a, on the half-space", report::quantity(scales.contact_radius, "m")},
         {"E", report::given_quantity(c.substrate.young, "Pa")},
         {"ν", report::as_given(c.substrate.poisson)},
-        c.friction.is_coulomb()
+        c.friction.is_coulomb_at_rest()
             ? std::pair<std::string, std::string>{"μ", report::as_given(c.friction_coefficient())}
             : std::pair<std::string, std::string>{"τ", c.friction.formula()},
         {"rolled way", report::as_given(c.tractive_rolling->distance) + " a"},
         {"unit of creepage", report::significant(creepage_unit(c), 4)},
         {"spin φ", report::as_given(c.tractive_rolling->spin) + " rad/m"}};
-    if (c.relaxation)
+    if (c.friction.rate) {
+        std::erase_if(settings, [](const auto& one) { return one.first == "rolled way"; });
+        settings.emplace_back("friction, v of slip", c.friction.formula());
+    }
+    if (c.relaxation || c.friction.rate)
         settings.emplace_back("v", report::given_quantity(c.tractive_rolling->speed, "m/s"));
     if (c.layer.thickness)
         settings.emplace_back("layer, seen by BEM layer",
@@ -137,6 +169,7 @@ report::Document rolling_document(const RollingReport& report) {
     };
     for (const RollingRun& run : report.runs) {
         add(steady_sentence(report, run));
+        add(states_sentence(report, run));
         add(resistance_sentence(report, run));
         add(free_sentence(report, run));
     }

@@ -64,12 +64,15 @@ Json run_json(const RollingReport& report, const RollingRun& run) {
         return {{"longitudinal_creepage", s.creepage.longitudinal},
                 {"force_ratio", force_ratio(s, friction)}};
     };
-    return {{"model", run.model},
-            {"steady", state_json(run.history.steady, friction)},
-            {"numerical_error", error_json(run.error)},
-            {"rolled_steps", run.history.transient.size() - 1},
-            {"steady_after", steady_after(report, run)},
-            {"creep_curve", report::list_of(run.creep_curve, point)}};
+    return {
+        {"model", run.model},
+        {"steady", state_json(run.history.steady, friction)},
+        {"from_fast_slip",
+         run.history.from_fast_slip ? state_json(*run.history.from_fast_slip, friction) : Json()},
+        {"numerical_error", error_json(run.error)},
+        {"rolled_steps", run.history.transient.size() - 1},
+        {"steady_after", steady_after(report, run)},
+        {"creep_curve", report::list_of(run.creep_curve, point)}};
 }
 
 Json theories_json(const RollingReport& report) {

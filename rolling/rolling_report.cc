@@ -32,15 +32,14 @@ CentreLine centre_line(const Surface& surface, const contact::Friction& friction
         springs ? surface.tangential_line_load : surface.tangential_traction_x;
     const std::size_t row = middle_row(surface);
     const auto mu = friction.law()->coulomb();
-    const std::vector<double> other = mu ? std::vector<double>{}
-                                      : springs
-                                          ? comparisons::line_bounds(surface, state.half_length)
-                                          : surface.friction_bound;
+    const std::vector<double> other = !springs ? surface.friction_bound
+                                      : mu     ? std::vector<double>{}
+                                           : comparisons::line_bounds(surface, state.half_length);
     CentreLine line{.distance = state.distance, .x = {}, .traction = {}, .bound = {}};
     for (int i = 0; i < surface.n_x; ++i) {
         line.x.push_back(surface.x(i) - surface.offset[0]);
         line.traction.push_back(tangential[row + i]);
-        line.bound.push_back(mu ? *mu * normal[row + i] : other[row + i]);
+        line.bound.push_back(springs && mu ? *mu * normal[row + i] : other[row + i]);
     }
     return line;
 }

@@ -22,7 +22,7 @@ class TransientRolling {
     /// creepage does not. Called once, before roll(). Throws contact::InputError when the force
     /// exceeds what friction carries, contact::ContactAtEdge of the grid, contact::NotConverged.
     RollingState press();
-    /// Rolls on by one cell.
+    /// Rolls on by one cell. Throws contact::InputError where friction has a rate.
     RollingState roll();
     /// Slip [-] and dissipation [Pa] per rolled way; at rest, of the pressing: 0.
     contact::Surface surface() const;

@@ -10,6 +10,7 @@
 #include "contact/solvers/staggered_iteration.h"
 #include "contact/surface.h"
 #include "contact/surface_audit.h"
+#include "rolling/rate_friction.h"
 #include "rolling/run.h"
 #include "rolling/steady_normal.h"
 #include "rolling/steady_solver.h"
@@ -107,6 +108,8 @@ class StaggeredIteration {
                                                      : contact::TangentialControl::Kind::force,
                           drive_.force[d]};
         contact::audit_normal(normal_, problem_.normal, points_.area, problem_.tolerance, audit);
+        if (problem_.rate)
+            audit.record("friction_follows_slip", rate_residual_, problem_.tolerance);
         if (!coupling_.is_decoupled())
             audit.record("normal_and_tangential_agree", gap_residual_, problem_.tolerance);
         contact::audit_tangential({.bound = bound_,
@@ -143,10 +146,23 @@ class StaggeredIteration {
         coupling_.update_displacement(normal_.pressure);
         if (drive_.force_ratio)
             drive_.force[0] = problem_.friction->limit(total_friction(), *drive_.force_ratio);
-        solve_steady(compliance_,
-                     {bound_, coupling_.displacement(), drive_, problem_.indenter->lowest_point()},
-                     problem_.tolerance, steady_);
+        const SteadyProblem problem{bound_, coupling_.displacement(), drive_,
+                                    problem_.indenter->lowest_point()};
+        if (problem_.rate)
+            solve_rated(problem);
+        else
+            solve_steady(compliance_, problem, problem_.tolerance, steady_);
         iterations_ += steady_.iterations;
+    }
+
+    /// What friction has left of itself goes on from one iteration to the next.
+    void solve_rated(const SteadyProblem& problem) {
+        const auto mu = problem_.friction->coulomb();
+        if (!mu) throw contact::InputError("rolling: friction of a rate is Coulomb's at rest");
+        rate_residual_ =
+            solve_steady_rated(compliance_, problem, {*problem_.rate, *mu, problem_.speed},
+                               problem_.slip_start, problem_.tolerance, steady_, left_);
+        for (std::size_t i = 0; i < bound_.size(); ++i) bound_[i] *= left_[i];
     }
 
     contact::FrictionLaw::Total total_friction() const {
@@ -191,6 +207,8 @@ class StaggeredIteration {
     std::vector<double> bound_;
     contact::EdgeChatter chatter_;
     SteadySolution steady_;
+    std::vector<double> left_;  // of friction by its rate, see solve_steady_rated
+    double rate_residual_ = 0;
     double gap_residual_ = 0;
     int iterations_ = 0;
 };

@@ -99,8 +99,9 @@ report::Figure line_figure(const RollingReport& report, const RollingRun& run) {
     report::Figure figure{
         .id = "centre_" + report::id_of_model(run.model),
         .title = fmt::format("{}: {}",
-                             report.c.friction.is_coulomb() ? "From Cattaneo to Carter"
-                                                            : "From rest to steady rolling",
+                             report.c.friction.rate           ? "Tractions"
+                             : report.c.friction.is_coulomb() ? "From Cattaneo to Carter"
+                                                              : "From rest to steady rolling",
                              report::display_name(run.model)),
         .caption = fmt::format(
             "{} along x on the contact's centre line, over the largest bound. The contact rolls to "
@@ -111,7 +112,10 @@ report::Figure line_figure(const RollingReport& report, const RollingRun& run) {
               : springs                       ? "q_x/(μ q_z,max) [-]"
                                               : "τ_x/(μ p_0) [-]"}};
     for (const CentreLine& line : run.lines) {
-        const double largest = *std::ranges::max_element(line.bound);
+        // Of what falls with the slip: mu at rest.
+        const double largest = report.c.friction.rate ? report.c.friction_coefficient() *
+                                                            run.history.steady.peak_pressure
+                                                      : *std::ranges::max_element(line.bound);
         report::Curve curve{.name = line_name(line, a)};
         report::Curve bound{.name = "bound", .theory = true};
         for (std::size_t i = 0; i < line.x.size(); ++i) {
@@ -195,6 +199,8 @@ report::DocumentSection transient_section(const RollingReport& report) {
     report::DocumentSection section{.id = "transient",
                                     .heading = "From rest to steady rolling",
                                     .figures = {way_figure(report)}};
+    // Friction that falls with the slip is computed at rest and in the steady state.
+    if (report.c.friction.rate) section = {.id = "transient", .heading = "Tractions, rolling on"};
     for (const RollingRun& run : report.runs) section.figures.push_back(line_figure(report, run));
     return section;
 }

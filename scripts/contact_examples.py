@@ -40,6 +40,8 @@ STEADY = {
         1: dict(FX=-247.0, APPROACH=7.651e-2, PMAX=640.7, NCON=1384, NADH=1382),
         2: dict(FX=-9112, POWER=-29.67, NCON=1384, NADH=1182),
         3: dict(FX=-1.670e4, POWER=-120.7, NCON=1384, NADH=976)}),
+    "veldep_fric": dict(sign=1, speed=45000, cell=20, cases={
+        1: dict(FX=1.109e5, APPROACH=8.879e-2, PMAX=495.3, POWER=-4849, NCON=81, NADH=45)}),
     "visc_cylindr": dict(sign=1, speed=1000, cell=160, cases={
         1: dict(CREEPX=1.378e-2, APPROACH=2.508, PMAX=60.32, POWER=-1438, NCON=80, NADH=51),
         2: dict(CREEPX=1.365e-2, APPROACH=2.367, PMAX=78.74, POWER=-913.7, NCON=62, NADH=37),

@@ -106,7 +106,8 @@ rolling::RollingState coarser_steady(const std::string& model, const Case& c, do
                                      const RunCommandOptions& options) {
     Case coarser = c;
     comparisons::change_resolution(coarser, contact::model_kind(model), {.coarser = factor});
-    return roll(model, coarser, {.points = 0, .threads = options.threads}).history.steady;
+    return roll(model, coarser, {.points = 0, .both_ends = false, .threads = options.threads})
+        .history.steady;
 }
 
 /// What cells leave in a model's steady state. The run is none the worse for what stops these.

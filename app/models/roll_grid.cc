@@ -5,6 +5,7 @@
 #include "app/models/roll_models.h"
 #include "bem/settings.h"
 #include "bem/steady_model.h"
+#include "contact/base/stopped.h"
 #include "contact/model_makers.h"
 #include "contact/models/model_kind.h"
 #include "io/keys/toml_document.h"
@@ -44,7 +45,8 @@ RollingProblem problem_of(const Case& c, const contact::Substrate& substrate) {
                   .spin = given.spin},
         .coupling = c.contact.coupling,
         .tolerance = c.of<bem::Settings>().tolerance,
-        .speed = given.speed};
+        .speed = given.speed,
+        .rate = c.friction.rate};
     if (given.longitudinal_creepage) return problem;
     // What another law than Coulomb's carries in all, the loaded contact itself tells.
     const bool by_contact = contact::ratio_of_loaded_step(c) || !c.friction.is_coulomb();
@@ -107,6 +109,16 @@ RollingRun roll_on_grid(const std::string& model, const Case& c, const RollRuns&
             : rolling::roll_until_steady(rolling, recorder.run.history.transient);
     contact::require_sound(steady.audit, model);
     recorder.note_steady(steady.state, std::move(steady.surface));
+    if (runs.both_ends && problem.rate && problem.drive.creepage[0]) {
+        problem.slip_start = rolling::SlipStart::fast;
+        rolling::RollingHistory& history = recorder.run.history;
+        history.why_no_fast_slip = contact::why_it_stopped([&] {
+            const auto fast = steady_at();
+            contact::require_sound(fast.audit, model);
+            history.from_fast_slip = fast.state;
+        });
+        problem.slip_start = rolling::SlipStart::slow;
+    }
     // Who rolls freely has a curve about the creepage that it has by itself.
     const bool free =
         !problem.drive.creepage[0] && !problem.drive.force_ratio && problem.drive.force[0] == 0;

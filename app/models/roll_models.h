@@ -14,6 +14,8 @@ using contact::Case;
 /// How the models of a case roll on.
 struct RollRuns {
     int points = 12;  ///< of the creep curve; 0: none
+    /// Of friction that falls with the slip: looks for the state from fast slip, too.
+    bool both_ends = true;
     int threads = 1;
     /// After each step from rest, then after each point of the creep curve: how far it is.
     std::function<void(int step, int steps)> progress = {};

@@ -81,7 +81,7 @@ std::shared_ptr<const FrictionLaw> Friction::law() const {
         all_over.map = nullptr;
         return std::make_shared<MappedLaw>(all_over.law(), map);
     }
-    if (is_coulomb()) return std::make_shared<Coulomb>(coefficient.value_or(0));
+    if (is_coulomb_at_rest()) return std::make_shared<Coulomb>(coefficient.value_or(0));
     return std::make_shared<PressureLaw>(*this);
 }
 
@@ -95,6 +95,7 @@ std::string Friction::formula() const {
                     : fmt::format("{0:.4g} {1} (p/{1})^{2:.4g}", *coefficient,
                                   pressure_text(*reference_pressure), *pressure_exponent);
     }
+    if (rate) text = fmt::format("({:.4g}{}) p", coefficient.value_or(0), rate->formula());
     if (strength_limit) text += fmt::format(", at most {}", pressure_text(*strength_limit));
     if (map) text = fmt::format("({}) times a map", text);
     return text;

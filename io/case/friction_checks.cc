@@ -37,6 +37,42 @@ void check_map(const Case& c, const Document& document) {
                    "leave out " + model + ", or leave out friction.map");
 }
 
+/// What falls with the speed of slip is Coulomb's law, in steady rolling of elastic bodies.
+void check_rate(const Case& c, const Document& document) {
+    const Friction& friction = c.friction;
+    const contact::FrictionRate& rate = *friction.rate;
+    const std::string key = "friction.rate.law";
+    if (!c.tractive_rolling)
+        refuse(document, key, "only a contact that rolls on has a speed of slip here",
+               "add [tractive_rolling], or omit [friction.rate]");
+    if (!friction.coefficient || !friction.is_coulomb_at_rest())
+        refuse(document, key, "only Coulomb's law falls with the speed of slip",
+               "give friction.coefficient alone beside [friction.rate]");
+    if (c.relaxation)
+        refuse(document, key, "a relaxing substrate rolls on under Coulomb's law alone",
+               "omit [friction.rate] or [substrate.relaxation]");
+    if (document.find("tractive_rolling.distance"))
+        refuse(document, "tractive_rolling.distance",
+               "friction that falls with the speed of slip is computed in the steady state alone, "
+               "not on the way to it",
+               "omit it");
+    if (rate.drops.empty() || rate.drops.size() > 2)
+        refuse(document, "friction.rate.drops", "has one part or two", "give one or two numbers");
+    if (rate.speeds.size() != rate.drops.size())
+        refuse(document, "friction.rate.speeds",
+               "states " + std::to_string(rate.speeds.size()) + ", friction.rate.drops " +
+                   std::to_string(rate.drops.size()),
+               "give one for each of the drops");
+    if (!(rate.least(*friction.coefficient) > 0))
+        refuse(document, "friction.rate.drops",
+               "leave " + rounded(rate.least(*friction.coefficient)) +
+                   " of friction.coefficient = " + rounded(*friction.coefficient),
+               "give less than that in all");
+    if (rate.memory_speed > 0 && rate.memory_length == 0)
+        refuse(document, "friction.rate.memory_speed", "has no effect without a memory_length",
+               "give friction.rate.memory_length too, or omit this key");
+}
+
 }  // namespace
 
 void check_friction(const Case& c, const Document& document) {
@@ -45,6 +81,12 @@ void check_friction(const Case& c, const Document& document) {
         refuse_missing(*find_key("friction.coefficient"), document, case_key_list());
     check_law(friction, document);
     if (friction.map) check_map(c, document);
+    if (friction.rate) check_rate(c, document);
+    for (const std::string& model : c.models)
+        if (friction.rate && contact::model_kind(model).is_on_line())
+            refuse(document, "friction.rate.law",
+                   "the springs of " + model + " do not know the speed of slip",
+                   "leave out " + model + ", or omit [friction.rate]");
 }
 
 }  // namespace tricontact::io

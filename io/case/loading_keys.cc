@@ -174,26 +174,36 @@ std::vector<CaseKey> rolling_keys() {
 }
 
 std::vector<CaseKey> tractive_keys() {
-    return {
-        {number_key("tractive_rolling.longitudinal_creepage", creepages, "0.002",
-                    "creepage xi, slid over rolled way along x, instead of F_T",
-                    {.alternative = tangential_load}),
-         at<&Case::tractive_rolling, &Tractive::longitudinal_creepage>},
-        {number_key("tractive_rolling.lateral_creepage", creepages, "0.001",
-                    "creepage eta, slid over rolled way along y; without it no lateral force"),
-         at<&Case::tractive_rolling, &Tractive::lateral_creepage>},
-        {quantity_key("tractive_rolling.spin", Dimension::rotation_per_length, {-1e9, 1e9},
-                      R"("0.5 rad/m")", "spin phi, rotation about the normal over rolled way",
-                      {.default_value = R"("0 rad/m")"}),
-         at<&Case::tractive_rolling, &Tractive::spin>},
-        {number_key("tractive_rolling.distance", above_zero(1000), "8",
-                    "way rolled from rest, over the half length a of the contact on a half-space",
-                    {.default_value = "8.0"}),
-         at<&Case::tractive_rolling, &Tractive::distance>},
-        {quantity_key("tractive_rolling.speed", Dimension::velocity, above_zero(1e9),
-                      R"("20 mm/s")", "speed v of rolling, which the substrate relaxes by",
-                      {.required = true, .needs = "substrate.relaxation"}),
-         if_relaxing<&Case::tractive_rolling, &Tractive::speed>}};
+    return {{number_key("tractive_rolling.longitudinal_creepage", creepages, "0.002",
+                        "creepage xi, slid over rolled way along x, instead of F_T",
+                        {.alternative = tangential_load}),
+             at<&Case::tractive_rolling, &Tractive::longitudinal_creepage>},
+            {number_key("tractive_rolling.lateral_creepage", creepages, "0.001",
+                        "creepage eta, slid over rolled way along y; without it no lateral force"),
+             at<&Case::tractive_rolling, &Tractive::lateral_creepage>},
+            {quantity_key("tractive_rolling.spin", Dimension::rotation_per_length, {-1e9, 1e9},
+                          R"("0.5 rad/m")", "spin phi, rotation about the normal over rolled way",
+                          {.default_value = R"("0 rad/m")"}),
+             at<&Case::tractive_rolling, &Tractive::spin>},
+            {number_key("tractive_rolling.distance", above_zero(1000), "8",
+                        "way rolled from rest, over the half length a of the contact on a "
+                        "half-space; not with "
+                        "`[friction.rate]`",
+                        {.default_value = "8.0"}),
+             [](Case& c) {
+                 return c.friction.rate ? Field()
+                                        : in(c, &Case::tractive_rolling, &Tractive::distance);
+             }},
+            {quantity_key(
+                 "tractive_rolling.speed", Dimension::velocity, above_zero(1e9), R"("20 mm/s")",
+                 "speed v of rolling, which the substrate relaxes by and with which slip has a "
+                 "speed; only with `[substrate.relaxation]` or `[friction.rate]`",
+                 {.required = true}),
+             [](Case& c) {
+                 return c.relaxation || c.friction.rate
+                            ? in(c, &Case::tractive_rolling, &Tractive::speed)
+                            : Field();
+             }}};
 }
 
 std::vector<CaseKey> path_keys() {

@@ -205,6 +205,10 @@ void check_friction_limit(const Case& c, const HalfSpaceScales& scales, const Do
 
 void check_tractive_rolling(const Case& c, const Document& document) {
     if (!c.tractive_rolling) return;
+    if (document.find("tractive_rolling.speed") && !c.relaxation && !c.friction.rate)
+        refuse(document, "tractive_rolling.speed",
+               "has no effect without substrate.relaxation or friction.rate, which are missing",
+               "give [substrate.relaxation] or [friction.rate] too, or omit this key");
     check_rolls_one_way(c, document);
     // Others would bring new hills into contact at every step.
     if (c.indenter.roughness || contact::is_nominally_flat(c))

@@ -32,6 +32,18 @@ def rolling_resistance(program):
     return rows
 
 
+@table("docs/explanation/rolling.md", "| creepage | `bem` | CONTACT | sticking cells of 81, both |", cheap=True)
+def falling_friction(program):
+    # What CONTACT prints as FX/(FSTAT FN), rev. 2707: the first in its own example.
+    published = {".0009999": "0.5941", ".002": "0.8067", ".003": "0.7625", ".006": "0.6638"}
+    rows = []
+    for creepage, force in published.items():
+        steady = program.roll(CASES / "rolling_falling_friction.toml",
+                              f"tractive_rolling.longitudinal_creepage=-0{creepage}")["models"][0]["steady"]
+        rows.append([f"0{creepage}", f"{-steady['force_ratio']:.4f}", force, f"{81 * steady['stick_share']:.0f}"])
+    return rows
+
+
 @table("docs/explanation/rolling.md", "| nu | f_T = 0.1 | 0.3 | 0.56 | 0.8 | thesis (2.2.31) |")
 def creep_ratio(program):
     text = subprocess.run([ROOT / "scripts/creep_ratio.sh", program.path], check=True, capture_output=True, text=True).stdout

@@ -46,6 +46,7 @@ def feature(name, keys, words, one, other, base=None, over_for=None, other_for=N
 no_load = {"load.*": None, "rolling.*": None, "tractive_rolling.*": None, "path.steps": "2"}
 relaxing = {"substrate.relaxation.relative_moduli": "[0.4]", "substrate.relaxation.times": '["0.5 s"]',
             "load.press_time": '"0.5 s"'}
+falling = {"friction.rate.law": '"linear"', "friction.rate.drops": "0.2", "friction.rate.speeds": '"5 mm/s"'}
 body = {"indenter.radius": None}
 mapped = {**body, "indenter.shape": '"height-map"', "indenter.file": '"map.txt"', "indenter.spacing": '"0.2 mm"',
           "bem.cells_per_radius": None, "bem.spacing": '"0.4 mm"', "load.normal_force": '"1 N"',
@@ -100,6 +101,8 @@ features = [
             {"friction.strength_limit": '"0.1 MPa"'}),
     feature("springs of the interface", "interface.normal_stiffness interface.tangential_stiffness", "interface", {},
             {"interface.normal_stiffness": '"20 MPa/mm"', "interface.tangential_stiffness": '"10 MPa/mm"'}),
+    feature("friction falling with the slip", "friction.rate.*", "friction.rate|friction|Coulomb", {}, falling,
+            other_for={"run rolling on": {**falling, "tractive_rolling.speed": '"1 m/s"', "tractive_rolling.distance": None}}),
     feature("layer", "substrate.thickness substrate.thickness_ratio", "substrate.thickness|layer",
             {"substrate.thickness": '"8 mm"'}, {"substrate.thickness": '"7 mm"'}),
     feature("base that glides", "substrate.base", "substrate.base|base|substrate.thickness: ", layer,

@@ -41,6 +41,13 @@ std::string next_case(const std::string& digits, const std::string& loads) {
     return " 3 MODULE\n " + digits + "\n 100000\n 0100111\n " + loads + "\n";
 }
 
+/// Rolls on by its creepage at 2 m/s.
+const std::string pressed_sphere_on_steel =
+    "models = [\"bem\"]\n[indenter]\nradius = \"40 mm\"\nyoung = \"210 GPa\"\npoisson = 0.28\n"
+    "[substrate]\nyoung = \"210 GPa\"\npoisson = 0.28\n[load]\nnormal_force = \"100 N\"\n"
+    "[bem]\ncells_per_radius = 5\n[tractive_rolling]\nlongitudinal_creepage = 0.001\n"
+    "speed = \"2 m/s\"\n[friction]\ncoefficient = 0.3\n";
+
 std::vector<Case> cases_of(const std::string& text) {
     std::vector<Case> cases;
     for (const ImportedCase& one :
@@ -76,6 +83,66 @@ TEST(ImportedCases, SteadyRolling) {
     EXPECT_DOUBLE_EQ(cases[1].tractive_rolling->spin, .2);
     EXPECT_EQ(*cases[2].load.tangential_ratio, -.4);
     EXPECT_DOUBLE_EQ(*cases[2].of<contact::Cells>().spacing, 2e-4);
+}
+
+/// Constants of a law L, then MEMDST and MEM_S0.
+std::string falling_case(const std::string& law, const std::string& constants) {
+    std::string text = program_case("203100", "1000 -0.002 0 0", "0 .2 30000");
+    text.replace(text.find("022020"), 6, law + "22020");
+    text.replace(text.find("0.3 0.3"), 7, constants);
+    return text;
+}
+
+// FKIN is what is left of mu; a part of the size 0 is left out but for the first of the rational
+// law, whose second has another form.
+TEST(ImportedCases, FrictionThatFallsWithTheSlip) {
+    using Law = contact::FrictionRate::Law;
+    const auto cases = cases_of(falling_case("2", "0.2 0 0 0.15 50\n 0 1") +
+                                falling_case("3", "0.2 0 0 0.1 300\n 0.004 2") +
+                                falling_case("4", "0.2 0.05 100 0.1 300\n 0 0") +
+                                falling_case("4", "0.2 0 0 0 0\n 0.004 2"));
+    ASSERT_EQ(cases.size(), 4U);
+    const auto &linear = cases[0].friction, &rational = cases[1].friction;
+    EXPECT_DOUBLE_EQ(*linear.coefficient, .35);
+    EXPECT_EQ(linear.rate->law, Law::linear);
+    EXPECT_EQ(linear.rate->drops, std::vector{.15});
+    EXPECT_DOUBLE_EQ(linear.rate->speeds.at(0), .05);
+    EXPECT_EQ(linear.rate->memory_length, 0);
+    EXPECT_DOUBLE_EQ(cases[0].tractive_rolling->speed, 30);
+    EXPECT_EQ(rational.rate->law, Law::rational);
+    EXPECT_EQ(rational.rate->drops, (std::vector{0, .1}));
+    EXPECT_DOUBLE_EQ(rational.rate->coefficient(*rational.coefficient, .3), .25);
+    EXPECT_DOUBLE_EQ(rational.rate->memory_length, 4e-6);
+    EXPECT_DOUBLE_EQ(rational.rate->memory_speed, 2e-3);
+    EXPECT_EQ(cases[2].friction.rate->law, Law::exponential);
+    EXPECT_DOUBLE_EQ(*cases[2].friction.coefficient, .35);
+    EXPECT_DOUBLE_EQ(cases[2].friction.rate->speeds.at(1), .3);
+    EXPECT_TRUE(cases[3].friction.is_coulomb());
+    EXPECT_THROW(cases_of(falling_case("4", "0.2 -0.1 100 0 0\n 0 0")), contact::InputError);
+}
+
+TEST(ImportedCases, WrittenFallingFrictionComesBack) {
+    const Case c = io::parse_case(pressed_sphere_on_steel + R"([friction.rate]
+law = "rational"
+drops = [0.02, 0.1]
+speeds = ["20 mm/s", "100 mm/s"]
+memory_length = "3 um"
+memory_speed = "1 mm/s"
+)",
+                                  "falling.toml");
+    const auto compliance = bem::case_compliance(c, 1, bem::Body::half_space);
+    const auto back =
+        cases_of(sequence_text(c, compliance->points(), compliance->is_coupled(), {}));
+    ASSERT_EQ(back.size(), 1U);
+    const auto &rate = *c.friction.rate, &read = *back[0].friction.rate;
+    EXPECT_DOUBLE_EQ(*back[0].friction.coefficient, .3);
+    EXPECT_EQ(read.law, rate.law);
+    EXPECT_EQ(read.drops, rate.drops);
+    for (const std::size_t k : {0, 1}) EXPECT_DOUBLE_EQ(read.speeds[k], rate.speeds[k]);
+    EXPECT_DOUBLE_EQ(read.memory_length, 3e-6);
+    EXPECT_DOUBLE_EQ(read.memory_speed, 1e-3);
+    EXPECT_DOUBLE_EQ(back[0].tractive_rolling->speed, 2);
+    EXPECT_EQ(*back[0].tractive_rolling->longitudinal_creepage, 1e-3);
 }
 
 TEST(ImportedCases, RollingFromRest) {

@@ -65,6 +65,7 @@ contact::Surface three_cells() {
     s.spacing = {1e-3, 1e-3};
     s.normal_traction = {2e5, 4e5, 0, 1e5, 2e5, 0};
     s.tangential_traction_x = {1e5, 5e4, 0, 5e4, 2e4, 0};
+    s.friction_bound = {1e5, 2e5, 0, 5e4, 1e5, 0};
     s.slip_x = {.01, 0, 0, .01, 0, 0};
     s.slip_y.assign(6, 0);
     using enum contact::ContactState;

@@ -7,7 +7,8 @@
 #include <array>
 #include <cmath>
 #include <fstream>
-#include <iterator>
+#include <map>
+#include <string>
 
 #include "bem/grid_compliance.h"
 #include "bem/model.h"
@@ -25,6 +26,7 @@
 namespace tricontact::rolling_contact_program_test {
 namespace {
 
+using rolling::SlipStart;
 using rolling_test::Rig;
 
 // catt_to_cart, cases 59 to 73: what tests/verification/bem/contact_program.cc rolls in fixed
@@ -126,11 +128,19 @@ TEST(RollingContactProgram, RelaxingCylinders) {
 }
 
 /// The first case of an example of CONTACT, rolling on in its steady state on the file's own cells.
-rolling::RollingState imported_state(const std::string& example) {
+/// `lines`: instead of those of this number, counted from 1.
+rolling::RollingState imported_state(const std::string& example,
+                                     const std::map<int, std::string>& lines = {},
+                                     SlipStart slip_start = SlipStart::slow) {
     const std::string name =
         std::string(TRICONTACT_SOURCE_DIR) + "/tests/contact_program/" + example + ".inp";
     std::ifstream file(name);
-    const std::string text(std::istreambuf_iterator<char>(file), {});
+    std::string text;
+    int number = 0;
+    for (std::string line; std::getline(file, line);) {
+        const auto other = lines.find(++number);
+        text += (other == lines.end() ? line : other->second) + '\n';
+    }
     const auto found = contact_program::import_cases(text, name, bem::is_coupled);
     const contact::Case c = io::parse_case(found.cases.at(0).text, example);
     rolling::RollingProblem problem;
@@ -140,6 +150,9 @@ rolling::RollingState imported_state(const std::string& example) {
     problem.drive.creepage = {c.tractive_rolling->longitudinal_creepage,
                               c.tractive_rolling->lateral_creepage};
     problem.drive.spin = c.tractive_rolling->spin;
+    problem.speed = c.tractive_rolling->speed;
+    problem.rate = c.friction.rate;
+    problem.slip_start = slip_start;
     const auto substrate = bem::make_substrate(c, 1, bem::Body::half_space, .3);
     return rolling::steady_rolling(*substrate, problem).state;
 }
@@ -154,6 +167,73 @@ TEST(RollingContactProgram, RectanglesOfTheFile) {
     EXPECT_NEAR(state.indentation * 1e3 / 9.266e-2, 1, 1e-4);
     EXPECT_NEAR(state.peak_pressure * 1e-6 / 1223, 1, 5e-4);
     EXPECT_NEAR(state.dissipation * 30 / 540.4, 1, 2e-3);
+}
+
+/// What CONTACT prints of friction that falls with the slip velocity: |FX|/(FSTAT FN), FRIC.POWER
+/// [W], elements in adhesion.
+struct FallingFriction {
+    std::string creepage;  ///< CKSI
+    double force, power;
+    int n_adhesion;
+};
+
+void expect_printed(const std::map<int, std::string>& lines, const FallingFriction& prints,
+                    SlipStart slip_start = SlipStart::slow) {
+    auto all = lines;
+    all[8] = "622216. -" + prints.creepage + " 0 0";
+    const auto state = imported_state("veldep_fric", all, slip_start);
+    // Half of the last of four digits, and CONTACT's own iteration, which ends at 1e-3 of the slip
+    // velocity.
+    EXPECT_NEAR(-state.force[0] / (.3 * state.normal_force) / prints.force, 1, 2e-4)
+        << prints.creepage;
+    EXPECT_NEAR(-state.dissipation * 45 / prints.power, 1, 1e-3) << prints.creepage;
+    // Of fast slip it ends from above: a cell may still slip by what it leaves.
+    EXPECT_NEAR(state.stick_area / (.1e-3 * .2), prints.n_adhesion,
+                slip_start == SlipStart::fast ? 1.01 : .01)
+        << prints.creepage;
+}
+
+// veldep_fric, case 1, as its examples/veldep_fric.ref_out has it.
+TEST(RollingContactProgram, FallingFrictionOfTheExample) {
+    const auto state = imported_state("veldep_fric");
+    EXPECT_NEAR(-state.force[0] / 1.109e5, 1, 5e-4);
+    EXPECT_NEAR(state.indentation * 1e3 / 8.879e-2, 1, 1e-4);
+    EXPECT_NEAR(state.peak_pressure * 1e-6 / 495.3, 1, 2e-4);
+    EXPECT_EQ(std::lround(state.contact_area / (.1e-3 * .2)), 81);
+    expect_printed({}, {"0.0009999", .5941, -4849, 45});
+}
+
+// The same example at other creepages, rev. 2707 compiled with gfortran, EPS = 1e-8: the force
+// falls once all slides.
+TEST(RollingContactProgram, FallingFrictionByTheCreepage) {
+    for (const FallingFriction& prints : {FallingFriction{"0.0015", .7464, -9231, 27},
+                                          {"0.002", .8067, -1.337e4, 10},
+                                          {"0.003", .7625, -1.906e4, 0},
+                                          {"0.004", .7190, -2.402e4, 0},
+                                          {"0.006", .6638, -3.334e4, 0}})
+        expect_printed({}, prints);
+}
+
+TEST(RollingContactProgram, FallingFrictionWithAMemory) {
+    const std::map<int, std::string> memory{{10, "0.003 1.0"}};
+    for (const FallingFriction& prints : {FallingFriction{"0.0009999", .6116, -4978, 48},
+                                          {"0.002", .8538, -1.413e4, 14},
+                                          {"0.004", .7536, -2.516e4, 0}})
+        expect_printed(memory, prints);
+}
+
+TEST(RollingContactProgram, LinearAndRationalFallingFriction) {
+    const std::map<int, std::string> linear{{4, "222020 L-D-C-M-Z-E"}};
+    for (const FallingFriction& prints :
+         {FallingFriction{"0.0009999", .5948, -4853, 45}, {"0.003", .7228, -1.807e4, 0}})
+        expect_printed(linear, prints);
+    // Its second part falls by half at 0.3 mm/s: from slow and from fast slip (INISLP = 1, -1) come
+    // different states.
+    const std::map<int, std::string> rational{{4, "322020 L-D-C-M-Z-E"},
+                                              {9, "0.180 0.060 100. 0.060 0.3162"}};
+    expect_printed(rational, {"0.0009999", .5655, -4628, 40});
+    expect_printed(rational, {"0.0009999", .5652, -4634, 38}, SlipStart::fast);
+    expect_printed(rational, {"0.002", .7107, -1.180e4, 0});
 }
 
 }  // namespace

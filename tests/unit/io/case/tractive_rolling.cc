@@ -48,6 +48,25 @@ TEST(TractiveRolling, WrittenAndReadAgainItIsTheSame) {
     EXPECT_EQ(write_case(again), text);
 }
 
+TEST(TractiveRolling, FrictionFallsWithTheSpeedOfSlip) {
+    const Case c = rolling_on("", R"(longitudinal_creepage = 1e-3
+speed = "2 m/s"
+[friction.rate]
+law = "linear"
+drops = 0.1
+speeds = "50 mm/s")");
+    ASSERT_TRUE(c.friction.rate);
+    EXPECT_EQ(c.tractive_rolling->distance, 0);
+    EXPECT_EQ(c.friction.rate->drops, std::vector{.1});
+    EXPECT_EQ(c.friction.rate->memory_length, 0);
+    const std::string text = write_case(c);
+    EXPECT_EQ(text.find("distance"), std::string::npos);
+    const Case again = parse_case(text, "again.toml");
+    EXPECT_EQ(again.friction.rate->speeds, std::vector{.05});
+    EXPECT_EQ(again.tractive_rolling->speed, 2);
+    EXPECT_EQ(write_case(again), text);
+}
+
 TEST(TractiveRolling, HasASpeedWhereTheSubstrateRelaxes) {
     EXPECT_EQ(rolling_on("tangential_ratio = 0.56", "").tractive_rolling->speed, 0);
     const Case c = rolling_on("tangential_ratio = 0.56", R"(speed = "20 mm/s"
