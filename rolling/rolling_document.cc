@@ -76,9 +76,9 @@ std::string states_sentence(const RollingReport& report, const RollingRun& run) 
                ": under a force, this is the state of least slip; friction that falls with the "
                "slip "
                "may have others, which are not looked for.";
-    const double mu = report.c.friction_coefficient();
     const auto &slow = run.history.steady, &fast = *run.history.from_fast_slip;
-    const double f = force_ratio(slow, mu), other = force_ratio(fast, mu);
+    const double f = force_ratio(slow, report.c.friction),
+                 other = force_ratio(fast, report.c.friction);
     const double stick = (slow.stick_area - fast.stick_area) / slow.contact_area;
     if (std::abs(f - other) <= same && std::abs(stick) <= same)
         return model + ": from slow and from fast slip the same steady state is found.";
