@@ -93,6 +93,11 @@ def main(root, version):
     if len(read("CHANGELOG.md").splitlines()) > 60:
         complain("CHANGELOG.md has more than 60 lines")
 
+    # What CMake builds without tests and measurements of speed is in a source distribution.
+    built = set(re.findall(r"^ *add_subdirectory\((\w+)\)", read("CMakeLists.txt"), re.MULTILINE)) - {"tests", "speed"}
+    for folder in sorted(built - set(re.findall(r"^graft (\S+)", read("MANIFEST.in"), re.MULTILINE))):
+        complain(f"MANIFEST.in: no {folder}")
+
     for file in ("README.md", "docs/how-to/install.md", "docs/how-to/questions.md"):
         for name in re.findall(r"tricontact_(\d[\d.]*)_amd64\.deb", read(file)):
             equal(f"{file}: the package", name, version)

@@ -52,7 +52,8 @@ TEST(Bibliography, EntriesAreWhole) {
         EXPECT_EQ(std::ranges::count(entry, '{'), std::ranges::count(entry, '}')) << entry;
         EXPECT_TRUE(entry.ends_with("\n}")) << entry;
     }
-    EXPECT_TRUE(std::ranges::is_sorted(keys_in(bibtex(cited_in("Wetter (2016)"), "1", "2001-02-03"))));
+    EXPECT_TRUE(
+        std::ranges::is_sorted(keys_in(bibtex(cited_in("Wetter (2016)"), "1", "2001-02-03"))));
 }
 
 TEST(Bibliography, TheProgramIsASourceToo) {
