@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "comparisons/resolution/field_changes.h"
+#include "comparisons/differences/field_changes.h"
 #include "comparisons/resolution/refinement.h"
 
 namespace tricontact::runs {

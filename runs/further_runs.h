@@ -12,17 +12,6 @@
 // What runs beside the models of a case find.
 namespace tricontact::runs {
 
-struct Stiffness {
-    double value = 0;   ///< dF_N/dd [N/m]
-    double method = 0;  ///< half width of what presses so far apart leave [N/m]
-};
-/// At the normal load of a case, the hardest of a path, without friction: slope of the parabola
-/// through ln F over ln d of presses at 0.6, 0.8 and 1 times it. On the elasticity that
-/// `model` already has where it has siblings, else by `model` itself, which is pressed afresh and
-/// has to be used for nothing else. Throws NotConverged, InputError where forces or depths are not
-/// positive.
-Stiffness frictionless_stiffness(const Case& c, contact::Model& model);
-
 /// Adds to `study` the stiffness without friction and, unless the case prescribes its path or the
 /// study goes without variants, loads a model whose normal and tangential contact are coupled a few
 /// times more, on the elasticity that `model` already has: what coupling and the way of pressing,

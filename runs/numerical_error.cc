@@ -12,7 +12,7 @@
 #include "contact/own_limit.h"
 #include "contact/run.h"
 #include "runs/field_bars.h"
-#include "runs/further_runs.h"
+#include "runs/normal_stiffness.h"
 
 namespace tricontact::runs {
 

@@ -6,6 +6,7 @@
 
 #include "app/commands/command.h"
 #include "app/models/make_model.h"
+#include "comparisons/differences/field_changes.h"
 #include "comparisons/quantities/left_out.h"
 #include "comparisons/resolution/refined_values.h"
 #include "comparisons/run/input_reading.h"
@@ -118,8 +119,19 @@ comparisons::RefinedLevels start_of(const studies::RefinementPlan& plan,
     return result;
 }
 
-void add(const studies::Level& level, const io::PointOutcome& outcome,
-         comparisons::RefinedLevels& refined) {
+/// Levels with their last states.
+struct LevelsWithStates : comparisons::RefinedLevels {
+    std::vector<std::optional<contact::Snapshot>> last = {};
+    std::optional<contact::Snapshot> wide_last = {};
+
+    comparisons::Refinement refinement() const {
+        comparisons::Refinement result = make_refinement(*this);
+        result.fields = comparisons::refined_fields(sizes, last, wide_last);
+        return result;
+    }
+};
+
+void add(const studies::Level& level, const io::PointOutcome& outcome, LevelsWithStates& refined) {
     refined.sizes.push_back(level.size);
     const studies::LevelState state = studies::level_state_of(outcome);
     refined.values.push_back(*studies::results_of(outcome));
@@ -130,7 +142,7 @@ void add(const studies::Level& level, const io::PointOutcome& outcome,
     refined.cpu_s.push_back(outcome.cpu_s);
 }
 
-void add_wide(const io::PointOutcome& outcome, comparisons::RefinedLevels& refined) {
+void add_wide(const io::PointOutcome& outcome, LevelsWithStates& refined) {
     const studies::LevelState state = studies::level_state_of(outcome);
     refined.wide = studies::results_of(outcome);
     if (state.normal_stiffness)
@@ -169,14 +181,14 @@ void compute(const std::vector<studies::Level>& levels, io::ResultStore& store,
 /// Adds the finest level, which comes last; it counts as finished when the report, which needs its
 /// surfaces, is written.
 comparisons::Refinement finish_last(const studies::Level& finest, io::ResultStore& store,
-                                    comparisons::RefinedLevels& refined,
+                                    LevelsWithStates& refined,
                                     const studies::RefineOptions& options) {
     const std::string& output = options.output;
     const std::string report = output + "/report.html", numbers = output + "/refinement.json";
     const auto found = find(finest, store, options);
     if (found) {
         add(finest, *found, refined);
-        comparisons::Refinement result = make_refinement(refined);
+        comparisons::Refinement result = refined.refinement();
         if (std::filesystem::exists(report) &&
             read_text(numbers) == refinement_json(files::version, result))
             return result;
@@ -192,7 +204,7 @@ comparisons::Refinement finish_last(const studies::Level& finest, io::ResultStor
     outcome.cpu_s = history.cpu_s;
     outcome.wall_s = history.wall_s;
     if (!found) add(finest, outcome, refined);
-    extras.refinement = make_refinement(refined);
+    extras.refinement = refined.refinement();
     options.write(resolved_case_name, finest.point.resolved);
     runs::write_run_report({finest.c(), finest.point.resolved, {history}, extras}, options);
     options.write("refinement.csv", refinement_csv(*extras.refinement));
@@ -215,7 +227,7 @@ void refine_case(studies::RefineOptions options) {
     const studies::RefinementPlan plan = studies::plan_refinement(options, options.sayer());
     for (const std::string& sentence : comparisons::input_sentences(plan.levels.front().c()))
         options.say(sentence);
-    comparisons::RefinedLevels refined = start_of(plan, options);
+    LevelsWithStates refined{start_of(plan, options)};
     comparisons::Refinement result;
     options.fill(names_of(plan), [&] {
         io::ResultStore store = studies::open_results(options.output);

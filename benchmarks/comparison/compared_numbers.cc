@@ -175,7 +175,8 @@ void judge(ComparedNumber& n, const std::vector<double>& sizes, const MeshFamily
         // A hundredth of a tolerance decides nothing, nor does what the reference leaves.
         const double noise = std::max(reference_bar, 1e-3 * n.tolerance);
         n.limit = comparisons::estimate_limit(h, values, noise);
-        n.difference = n.limit->value;
+        // A norm is never negative, though an extrapolation may be.
+        n.difference = n.is_norm ? std::max(0., n.limit->value) : n.limit->value;
         n.discretisation = n.limit->error;
     } else if (values.size() == 2 && h[0] > 1.02 * h[1]) {
         n.discretisation = comparisons::value_of_levels(h, values).error;

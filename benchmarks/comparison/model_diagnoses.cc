@@ -101,8 +101,8 @@ std::optional<Diagnosis> locking(const Evidence& e) {
     const double first = n->values.front().value_or(0) / n->reference.value - 1;
     return Diagnosis{
         "locking",
-        fmt::format("At nu = {:.4g} the force is {:+.3g} % too large on the coarsest mesh and "
-                    "{:+.3g} % on the finest: elements that cannot keep their volume lock",
+        fmt::format("At nu = {:.4g} the force is {:.0f} % too large on the coarsest mesh and "
+                    "{:.0f} % on the finest: elements that cannot keep their volume lock",
                     poisson, 100 * first, 100 * n->finest),
         "the control experiment is the same deck at nu = 0.3; if that agrees, take quadratic, "
         "reduced or mixed elements"};

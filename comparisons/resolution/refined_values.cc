@@ -68,7 +68,6 @@ Refinement make_refinement(const RefinedLevels& levels) {
         if (levels.wide) refined.wide = levels.wide->number(*q);
         result.quantities.push_back(std::move(refined));
     }
-    result.fields = refined_fields(levels.sizes, levels.last, levels.wide_last);
     return result;
 }
 

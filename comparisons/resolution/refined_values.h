@@ -11,12 +11,10 @@ namespace tricontact::comparisons {
 
 /// Everything that a refinement is made from.
 struct RefinedLevels : RefinedCase {
-    std::vector<Results> values;                         ///< per level
-    std::optional<Results> wide;                         ///< at the finest level but one
-    std::optional<PressedValues> exact;                  ///< by theory
-    std::vector<std::optional<contact::Snapshot>> last;  ///< states, per level
-    std::optional<contact::Snapshot> wide_last;
-    double tolerance = 0;  ///< of the solvers [-]: smaller relative changes are noise
+    std::vector<Results> values;         ///< per level
+    std::optional<Results> wide;         ///< at the finest level but one
+    std::optional<PressedValues> exact;  ///< by theory
+    double tolerance = 0;                ///< of the solvers [-]: smaller relative changes are noise
 };
 
 /// Of all quantities that are refined and that every level has.

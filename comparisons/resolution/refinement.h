@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "comparisons/quantities/quantity.h"
-#include "comparisons/resolution/field_changes.h"
 #include "report/document.h"
 
 namespace tricontact::comparisons {
@@ -74,9 +73,23 @@ struct RefinedCase {
     double wide_factor = 0;     ///< of width and depth; 0: the block is none or was not widened
     bool infinite_pressure = false;  ///< under a conical tip: p_0 has no limit
 };
+/// A field of the last state on finer and finer levels.
+struct RefinedField {
+    std::string field, unit, name;  ///< "normal_traction", "Pa", "pressure p"
+    /// What each level but the finest differs from the next finer one by, root of
+    /// the integral of the difference's square over that of the field's [-].
+    std::vector<double> changes;
+    std::optional<double> order;      ///< of the last two; empty where they do not fall
+    double error_l2 = 0;              ///< of the finest level [-]
+    double error_largest = 0;         ///< the same at its worst point, in `unit`
+    std::optional<double> wide = {};  ///< what the wide block changes, see changes [-]
+};
+
 struct Refinement : RefinedCase {
     std::vector<RefinedQuantity> quantities;
-    std::vector<RefinedField> fields;  ///< none where the levels end at different instants
+    /// Of refined_fields (differences/field_changes.h), for the caller to add; none where the
+    /// levels end at different instants.
+    std::vector<RefinedField> fields;
 };
 
 /// refinement.json: all of it, fixed keys.

@@ -13,7 +13,7 @@
 #include "comparisons/half_space/layer.h"
 #include "contact/cells.h"
 #include "mdr/settings.h"
-#include "runs/further_runs.h"
+#include "runs/normal_stiffness.h"
 #include "runs/numerical_error.h"
 
 namespace tricontact::field_bars_test {

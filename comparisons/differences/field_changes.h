@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "comparisons/resolution/refinement.h"
 #include "contact/history.h"
 
 namespace tricontact::comparisons {
@@ -34,17 +35,6 @@ struct FieldChange {
 std::optional<FieldChange> field_change(const std::optional<contact::Snapshot>& a,
                                         const std::optional<contact::Snapshot>& b,
                                         const FieldKind& kind);
-
-/// A field of the last state on finer and finer levels.
-struct RefinedField {
-    std::string field, unit, name;  ///< as of FieldKind
-    /// What each level but the finest differs from the next finer one by, see FieldChange::l2.
-    std::vector<double> changes;
-    std::optional<double> order;      ///< of the last two; empty where they do not fall
-    double error_l2 = 0;              ///< of the finest level [-]
-    double error_largest = 0;         ///< the same at its worst point, in `unit`
-    std::optional<double> wide = {};  ///< what the wide block changes, see changes [-]
-};
 
 /// From the last states of at least three levels, sizes decreasing; `wide` is beside the finest but
 /// one. Half widths as those of runs (runs/field_bars.h): 1.25/(r^q - 1) times the last change, or

@@ -1,4 +1,4 @@
-#include "comparisons/resolution/field_changes.h"
+#include "comparisons/differences/field_changes.h"
 
 #include <algorithm>
 #include <cmath>

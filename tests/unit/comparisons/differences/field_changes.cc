@@ -1,5 +1,5 @@
 // Half widths of fields over levels, of made-up errors of a known order and beside Hertz.
-#include "comparisons/resolution/field_changes.h"
+#include "comparisons/differences/field_changes.h"
 
 #include <gtest/gtest.h>
 
