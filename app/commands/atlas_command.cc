@@ -90,10 +90,7 @@ class AtlasBuild {
     AtlasBuild(const AtlasOptions& options, const io::Study& study)
         : options_(options), study_(study), plan_(study), quantities_(mapped_quantities(study)) {
         for (const studies::StudyPoint& run : studies::runs_of(plan_.design(1)))
-            if (!run.contact().friction.is_coulomb())
-                throw contact::InputError(
-                    study.name +
-                    ": friction: maps are those of Coulomb's law; give friction.coefficient alone");
+            contact::require_coulomb(run.contact(), "a map", study.name + ": friction");
     }
 
     void compute_part(const studies::Shard& shard) {
