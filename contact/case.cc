@@ -1,5 +1,7 @@
 #include "contact/case.h"
 
+#include <fmt/format.h>
+
 #include "contact/base/error.h"
 #include "contact/bodies/body_shapes.h"
 
@@ -21,10 +23,18 @@ void Case::Load::set_tangential_ratio(double ratio) {
 }
 
 double Case::friction_coefficient() const {
-    if (const auto mu = friction.law()->coulomb()) return *mu;
+    const auto mu = friction.law()->coulomb();
+    if (!mu) require_coulomb(*this, "what is asked for");
+    return mu.value();
+}
+
+void require_coulomb(const Case& c, const std::string& what, const std::string& place,
+                     const std::string& instead) {
+    if (c.friction.is_coulomb()) return;
     throw InputError(
-        "friction: what is asked for presumes Coulomb's law, tau = mu p, and the case has tau = " +
-        friction.formula() + "; give friction.coefficient alone");
+        fmt::format("{}: {} presumes Coulomb's law, tau = mu p, and the case has tau = {}; give "
+                    "friction.coefficient alone{}",
+                    place, what, c.friction.formula(), instead.empty() ? "" : ", or " + instead));
 }
 
 void Case::require_rigid_interface(const std::string& what) const {

@@ -155,6 +155,12 @@ struct Case {
     std::unique_ptr<AxisymmetricIndenter> make_axisymmetric_indenter() const;
 };
 
+/// For what presumes Coulomb's law, tau = mu p, and is no run of a model: `what` ("deviations"),
+/// `place` of messages ("friction"), `instead` what else could be done, if anything. Throws
+/// InputError if friction follows another law.
+void require_coulomb(const Case& c, const std::string& what, const std::string& place = "friction",
+                     const std::string& instead = {});
+
 /// What ratios refer to: the case's body pressed without friction on the half-space. Hertz'
 /// solution for paraboloid and sphere, its interface rigid, see half_space_scales.h for cylinder
 /// and roller, half_space_scales.h for nominally flat bodies. SI units.

@@ -91,10 +91,7 @@ class AtlasBuild {
         : options_(options), study_(study), plan_(study), quantities_(mapped_quantities(study)) {
         for (const studies::StudyPoint& run : studies::runs_of(plan_.design(1))) {
             run.contact().require_rigid_interface("maps");
-            if (!run.contact().friction.is_coulomb())
-                throw contact::InputError(
-                    study.name +
-                    ": friction: maps are those of Coulomb's law; give friction.coefficient alone");
+            contact::require_coulomb(run.contact(), "a map", study.name + ": friction");
         }
     }
 

@@ -35,10 +35,7 @@ void require_constant_rolling(const FitOptions& options, const Case& c) {
         options.refuse(
             "a case without [rolling] has neither kappa nor eta; give it "
             "rolling.amplitude_ratio, or vary it");
-    if (!c.friction.is_coulomb())
-        options.refuse(
-            "kappa and eta are those of Coulomb's law of friction; give friction.coefficient "
-            "alone");
+    contact::require_coulomb(c, "a fit of kappa and eta", options.file + ": friction");
     c.require_rigid_interface("kappa and eta");
     if (!contact::is_hertz_round(c) && !c.is_line_contact())
         options.refuse(

@@ -43,10 +43,8 @@ void check_has_reference(const Case& c) {
     if (c.law != Case::Law::linear)
         refuse("small strains and linear elasticity are assumed, but the substrate is hyperelastic",
                "take substrate.material = \"linear\", or a run of fem as the reference");
-    if (!c.friction.is_coulomb())
-        refuse(
-            "Coulomb's law of friction is assumed, but the case has tau = " + c.friction.formula(),
-            "give friction.coefficient alone, or take a run of bem-layer as the reference");
+    contact::require_coulomb(c, "a reference", "reference",
+                             "take a run of bem-layer as the reference");
     if (c.relaxation)
         refuse("an elastic substrate is assumed, but this one relaxes",
                "remove [substrate.relaxation]");

@@ -28,9 +28,7 @@ constexpr double growth = 3;                 // of elements outwards: both laws 
 constexpr int press_steps = 10;
 
 void require_finite_strains(const Case& c) {
-    if (!c.friction.is_coulomb())
-        throw contact::InputError(
-            "friction: deviations are those under Coulomb's law; give friction.coefficient alone");
+    contact::require_coulomb(c, "a deviation");
     c.require_rigid_interface("finite strains");
     if (!contact::is_hertz_round(c))
         throw contact::InputError(

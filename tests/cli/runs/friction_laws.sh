@@ -75,5 +75,5 @@ refused "is Coulomb's law" check "$lens" --set friction.coefficient=0.5 \
 refused "is not above friction.shear_strength" check "$lens" --set friction.coefficient=0.5 \
     --set friction.strength_limit=0.3MPa
 refused "no atlas is about laws of friction" predict "$lens"
-refused "deviations are those under Coulomb's law" deviation "$lens" --set substrate.thickness=4mm
+refused "friction: a deviation presumes Coulomb's law, tau = mu p, and the case has tau = 350 kPa" deviation "$lens" --set substrate.thickness=4mm
 finish
