@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <string>
 
 #include "contact/base/error.h"
 #include "contact/base/special_values.h"
@@ -17,6 +19,10 @@ namespace {
 // then what they tell of each other is combined.
 constexpr int plain_iterations = 30;
 constexpr int most_iterations = 500;
+
+double carried_at_rest(const contact::ContactPoints& grid, const SteadyProblem& problem) {
+    return std::inner_product(grid.area.begin(), grid.area.end(), problem.bound.begin(), 0.);
+}
 
 }  // namespace
 
@@ -53,11 +59,12 @@ double solve_steady_rated(const contact::Compliance& compliance, const SteadyPro
         try {
             solve_steady(compliance, {bound, problem.displacement, problem.drive, problem.centre},
                          tolerance, solution);
-        } catch (const contact::InputError& why) {
-            if (k == 0) throw;
-            throw contact::InputError(
-                std::string(why.what()) +
-                "; friction.rate: it carries more at rest, but falls as the contact slips");
+        } catch (const contact::InputError&) {
+            if (k == 0) throw;  // at rest, too
+            throw contact::InputError(fmt::format(
+                "rolling: the force {:.6g} N is more than friction carries that falls with the "
+                "speed of slip ({:.6g} N at rest); lower it, or prescribe the creepage",
+                contact::norm(problem.drive.force), carried_at_rest(grid, problem)));
         }
         solution.iterations += iterations;
         iterations = solution.iterations;

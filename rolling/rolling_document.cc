@@ -140,7 +140,7 @@ Settings settings_of(const Case& c) {
         {"spin φ", report::as_given(c.tractive_rolling->spin) + " rad/m"}};
     if (c.friction.rate) {
         std::erase_if(settings, [](const auto& one) { return one.first == "rolled way"; });
-        settings.emplace_back("friction, v of slip", c.friction.formula());
+        settings.emplace_back("friction", c.friction.formula());
     }
     if (c.relaxation || c.friction.rate)
         settings.emplace_back("v", report::given_quantity(c.tractive_rolling->speed, "m/s"));

@@ -95,7 +95,7 @@ std::string Friction::formula() const {
                     : fmt::format("{0:.4g} {1} (p/{1})^{2:.4g}", *coefficient,
                                   pressure_text(*reference_pressure), *pressure_exponent);
     }
-    if (rate) text = fmt::format("({:.4g}{}) p", coefficient.value_or(0), rate->formula());
+    if (rate) text += " at rest, " + rate->fall();
     if (strength_limit) text += fmt::format(", at most {}", pressure_text(*strength_limit));
     if (map) text = fmt::format("({}) times a map", text);
     return text;

@@ -41,25 +41,14 @@ double FrictionRate::memory(double time, double speed) const {
     return memory_length / (memory_length + time * std::max(speed, memory_speed));
 }
 
-std::string FrictionRate::formula() const {
-    std::string text;
-    for (std::size_t k = 0; k < drops.size(); ++k) {
-        const std::string ratio = fmt::format("v/({:.4g} m/s)", speeds[k]);
-        text += fmt::format(" - {:.4g} (1 - ", drops[k]);
-        switch (law) {
-            case Law::linear:
-                text += fmt::format("max(0, 1 - {}/2)", ratio);
-                break;
-            case Law::rational:
-                text += fmt::format("1/(1 + {}{})", k == 0 ? ratio : '(' + ratio + ')',
-                                    k == 0 ? "" : "^2");
-                break;
-            case Law::exponential:
-                text += fmt::format("2^(-{})", ratio);
-        }
-        text += ')';
-    }
-    return text;
+std::string FrictionRate::fall() const {
+    std::string text = "falling by ";
+    for (std::size_t k = 0; k < drops.size(); ++k)
+        text += fmt::format("{}{:.4g} p (half of it at {:.4g} m/s)", k == 0 ? "" : " and ",
+                            drops[k], speeds[k]);
+    return text + (law == Law::linear     ? ", linearly"
+                   : law == Law::rational ? ", as a quotient"
+                                          : ", exponentially");
 }
 
 }  // namespace tricontact::contact

@@ -27,8 +27,8 @@ struct FrictionRate {
     double least(double at_rest) const;
     /// What of the old mu is left after `time` [s] at v, by one implicit step of it.
     double memory(double time, double speed) const;
-    /// For people: "less 0.12 (1 - 2^(-v/0.1 m/s))".
-    std::string formula() const;
+    /// For people: "falling by 0.12 p (half of it at 0.1 m/s), exponentially".
+    std::string fall() const;
 };
 
 }  // namespace tricontact::contact

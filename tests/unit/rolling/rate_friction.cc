@@ -144,6 +144,33 @@ TEST(RateFriction, ForceBeyondWhatSlips) {
     EXPECT_NEAR(steady(problem).state.force[0] / problem.drive.force[0], 1, 1e-9);
 }
 
+// Unlike bodies, whose tractions displace each other: the staggered iteration keeps its state of
+// friction.
+TEST(RateFriction, OfCoupledBodies) {
+    const Rig unlike{.friction = .2, .substrate = {3e6, .1}, .n = 20};
+    RollingProblem problem = unlike.row(0);
+    problem.drive.creepage[0] = .7 * unlike.creepage();
+    problem.speed = speed;
+    problem.rate = FrictionRate{Law::exponential, {.08}, {speed * unlike.creepage()}};
+    const auto grid = unlike.row_grid();
+    ASSERT_TRUE(grid->is_coupled());
+    const auto slow = rolling::steady_rolling(*grid, problem);
+    problem.slip_start = SlipStart::fast;
+    const auto fast = rolling::steady_rolling(*grid, problem);
+    for (const auto& found : {slow, fast}) {
+        EXPECT_TRUE(found.audit.passed());
+        const auto& s = found.surface;
+        for (std::size_t i = 0; i < s.size(); ++i) {
+            if (s.contact_state[i] != contact::ContactState::slip) continue;
+            const double mu =
+                problem.rate->coefficient(unlike.friction, speed * std::abs(s.slip_x[i]));
+            EXPECT_NEAR(std::abs(s.tangential_traction_x[i]) / (mu * s.normal_traction[i]), 1,
+                        1e-6);
+        }
+    }
+    EXPECT_NEAR(fast.state.force[0] / slow.state.force[0], 1, 1e-6);
+}
+
 // On a sphere, along both axes: friction falls with the magnitude of slip.
 TEST(RateFriction, Sphere) {
     Rig ball{.n = 10};
