@@ -28,10 +28,14 @@ double sine_integral(double m, double angle) {
         const double versine = 2 * std::pow(std::sin(angle / 2), 2);
         return versine * versine * (2 + cosine) / 3;
     }
+    // Not in long double, which costs three times as much.
+    using InDouble = boost::math::policies::policy<boost::math::policies::promote_double<false>>;
     const double order = (m + 1) / 2;
-    if (angle < quarter_turn / 2) return boost::math::beta(order, .5, sine * sine) / 2;
+    if (angle < quarter_turn / 2) return boost::math::beta(order, .5, sine * sine, InDouble()) / 2;
     // Near the quarter turn by its complement, which rounding of sin^2 does not touch.
-    return (boost::math::beta(order, .5) - boost::math::beta(.5, order, cosine * cosine)) / 2;
+    return (boost::math::beta(order, .5, InDouble()) -
+            boost::math::beta(.5, order, cosine * cosine, InDouble())) /
+           2;
 }
 
 }  // namespace
@@ -53,10 +57,23 @@ HertzUnderLaw::HertzUnderLaw(const contact::Friction& friction, double contact_r
         capped_from_ = std::pow(std::max(0., cap_ - strength_) / rising_, 1 / exponent_);
 }
 
-HertzUnderLaw::HertzUnderLaw(const contact::Case& c)
-    : HertzUnderLaw(c.friction, contact::half_space_scales(c).contact_radius,
-                    contact::half_space_scales(c).peak_pressure,
-                    c.materials().effective_shear_modulus()) {}
+namespace {
+
+/// Scales that friction has no part in, without what others of them cost.
+contact::HalfSpaceScales pressed_scales(contact::Case c) {
+    c.friction = {.coefficient = 1};
+    return contact::half_space_scales(c);
+}
+
+HertzUnderLaw of_case(const contact::Case& c) {
+    const contact::HalfSpaceScales hertz = pressed_scales(c);
+    return {c.friction, hertz.contact_radius, hertz.peak_pressure,
+            c.materials().effective_shear_modulus()};
+}
+
+}  // namespace
+
+HertzUnderLaw::HertzUnderLaw(const contact::Case& c) : HertzUnderLaw(of_case(c)) {}
 
 /// ∫ (tau - tau_cap) y dy/sqrt(Y^2 - y^2) from where tau is above it.
 double HertzUnderLaw::excess_bound(double root) const {
@@ -74,7 +91,7 @@ double HertzUnderLaw::bound(double root) const {
 double HertzUnderLaw::cut_off(double angle) const {
     const double begin = std::asin(capped_from_), span = angle - begin;
     if (!(span > 0)) return 0;
-    return boost::math::quadrature::gauss<double, 20>::integrate(
+    return boost::math::quadrature::gauss<double, 12>::integrate(
         [&](double s) {
             const double sine = std::sin(begin + span * s * s);
             return excess_bound(sine) * sine * 2 * s * span;
