@@ -66,6 +66,20 @@ void check_loads(const Input& input, const io::Document& document) {
                    "leave out the column normal_force, or rolling_shift");
 }
 
+void check_rows_of_laws(const Input& input, const io::Document& document) {
+    std::size_t n_rows = 0, n_numbers = 0;
+    for (const auto& table : input.tables)
+        n_rows += table.observed.size() - table.has_free_origin();
+    for (const std::string& law : input.laws)
+        n_numbers = std::max<std::size_t>(n_numbers, io::measurement_law(law).n_numbers());
+    n_numbers += input.parameters.size();
+    if (!input.laws.empty() && n_rows <= n_numbers)
+        io::refuse(document, "measurement.laws",
+                   std::to_string(n_rows) + " rows do not determine " + std::to_string(n_numbers) +
+                       " values and how well they are known",
+                   "measure more, or leave out the laws of two numbers");
+}
+
 void check_friction(const Input& input, const io::Document& document) {
     const auto* shifts = input.find(Measurement::static_shift);
     const contact::Friction& friction = input.rig.friction;

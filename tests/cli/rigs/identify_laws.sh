@@ -59,6 +59,8 @@ refused() {
     rm -r refused
 }
 laws='laws = ["coulomb", "shear-strength"]'
+header='tangential_force [N], shift [um], shift_error [um]\n'
+rows='1, 20, 1\n2, 45, 1\n3, 70, 1\n'
 refused 'laws of friction are compared by closed forms of the half-space, not by layer' \
     's/^find = .*/find = ["substrate.young"]\n'"$laws"'/'
 refused 'has friction.coefficient beside measurement.laws' 's/^models.*/models = ["half-space"]\n'"$laws"'/'
@@ -67,6 +69,9 @@ refused 'measurement.laws names the laws whose numbers are found; omit it' \
     "$only_half_space"'; s/^\[load\]/[friction]\ncoefficient = 0.5\n[load]/'
 refused 'no table has friction; add static_shift or sliding_force' "$only_half_space; s/^static_shift/force_indentation/" \
     'indentation [um], normal_force [N]\n100, 2\n200, 7\n300, 13\n'
+refused '3 rows do not determine 3 values' \
+    's/^find = .*/find = ["substrate.young"]/; s/^models.*/models = ["half-space"]\nlaws = ["power"]/' \
+    "$header$rows"
 refused 'sliding_force does not determine the modulus' "$only_half_space; s/^static_shift/sliding_force/" \
     'normal_force [N], sliding_force [N]\n1, 2\n2, 3\n3, 4\n'
 refused 'load.normal_force = "21.1 ± 0.1 N": the rows of static_shift state their own normal forces' '' \
