@@ -29,7 +29,10 @@ void say_unread(const CommandOptions& options, const std::vector<std::string>& p
     std::vector<std::string> words;
     for (const std::string& part : parts)
         words.push_back(fmt::format("{} (read by {})",
-                                    part == io::uncertainty_mark ? "± of the numbers" : part,
+                                    part == io::uncertainty_mark ? "± of the numbers"
+                                    : part == "[measurement]" && command == "rig"
+                                        ? "[measurement] but for sliding_force"
+                                        : part,
                                     readers().at(part)));
     if (!words.empty())
         options.say(fmt::format("not read by {}: {}", command, fmt::join(words, "; ")));

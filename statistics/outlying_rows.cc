@@ -56,7 +56,9 @@ class PartialFit {
                     one.chance = tail(boost::math::normal(), one.deviation);
                 } else {
                     if (degrees <= least_degrees) continue;
-                    const double others = (squares - squared) / (degrees - 1);
+                    const double others =
+                        squares_without(row, end - static_cast<Eigen::Index>(group.n_rows), end) /
+                        (degrees - 1);
                     one.deviation = std::sqrt(squared / std::max(others, 1e-12 * squares));
                     one.chance = tail(boost::math::students_t(degrees - 1), one.deviation);
                 }
@@ -82,6 +84,18 @@ class PartialFit {
     }
 
     std::ptrdiff_t n_left() const { return std::count(left_.begin(), left_.end(), true); }
+
+    /// Squares of a group's other rows where the fit is without this one, which rows of other
+    /// groups may hold in place.
+    double squares_without(Eigen::Index row, Eigen::Index first, Eigen::Index end) const {
+        const Eigen::VectorXd change =
+            covariance_ * slopes_.row(row).transpose() * (now_[row] / share_left(row));
+        double squares = 0;
+        for (Eigen::Index other = first; other < end; ++other)
+            if (other != row && left_[other])
+                squares += std::pow(now_[other] + slopes_.row(other).dot(change), 2);
+        return squares;
+    }
 
     /// What a row does not tell of itself.
     double share_left(Eigen::Index row) const {

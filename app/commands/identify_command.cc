@@ -46,6 +46,7 @@ void print(const IdentificationStudy& study, std::ostream& out) {
                                          report::significant(squares, 3), degrees)
                            : "errors estimated");
     }
+    if (study.laws) out << experiments::law_lines(*study.laws);
     for (const IdentifiedModel& model : study.models)
         if (model.posterior) out << experiments::posterior_sentence(model) << '\n';
     for (const auto& verdict : experiments::identification_verdicts(study))

@@ -8,6 +8,7 @@
 
 #include "contact/base/special_values.h"
 #include "contact/case.h"
+#include "experiments/assumptions/sliding_slope.h"
 #include "io/case/rig_file.h"
 #include "statistics/correlations.h"
 #include "statistics/estimate.h"
@@ -93,6 +94,7 @@ struct Rig : RigData {
     contact::Case c = {};  ///< of a rolling rig, by the values
     std::vector<PrintedValue> printed = {};
     std::optional<BodyContacts> body = {};       ///< of Kind::body, by models that the caller has
+    std::optional<SlidingSlope> sliding = {};    ///< of a rolling rig's measurement.sliding_force
     std::vector<Measured> measured = {};         ///< what the file has records of; empty: anything
     statistics::Correlations correlations = {};  ///< of the data, by their keys
     std::vector<std::string> uncertain = {};     ///< keys whose numbers have a standard error

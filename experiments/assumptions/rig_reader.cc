@@ -222,6 +222,7 @@ Rig rolling_rig(const io::RigFile& file) {
     read_numbers(rig, file.document, io::case_file_keys(),
                  [&](const io::Key& key, const io::Entry&) { return *file.number(key.path); });
     rig.measured = measured_by(file.document);
+    rig.sliding = sliding_slope(file.document);
     complete(rig, file);
     rig.correlations = file.correlations;
     for (const io::UncertainKey& one : file.uncertain) rig.uncertain.emplace_back(one.key->path);

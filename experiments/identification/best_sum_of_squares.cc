@@ -59,6 +59,7 @@ std::vector<std::vector<double>> starts_of(const std::vector<FreeParameter>& par
     std::vector<std::vector<double>> starts{{}};
     for (const FreeParameter& p : parameters) {
         std::vector<double> values{p.coordinate(p.start)};
+        for (const double start : p.further_starts) values.push_back(p.coordinate(start));
         if (p.scale == FreeParameter::Scale::reciprocal)
             values.assign(std::begin(scanned_ratios), std::end(scanned_ratios));
         else if (p.key == "substrate.poisson")

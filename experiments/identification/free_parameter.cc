@@ -22,6 +22,7 @@ double FreeParameter::coordinate(double v) const {
         case Scale::reciprocal:
             return low / v;
         case Scale::either_sign:
+        case Scale::from_zero:
             return v / size;
         case Scale::linear:
             break;
@@ -36,6 +37,7 @@ double FreeParameter::value(double x) const {
         case Scale::reciprocal:
             return low / x;
         case Scale::either_sign:
+        case Scale::from_zero:
             return x * size;
         case Scale::linear:
             break;
@@ -50,6 +52,7 @@ double FreeParameter::slope(double v) const {
         case Scale::reciprocal:
             return -low / v;
         case Scale::either_sign:
+        case Scale::from_zero:
             return 1;
         case Scale::linear:
             break;
@@ -58,15 +61,15 @@ double FreeParameter::slope(double v) const {
 }
 
 double FreeParameter::unit_of_change(double v) const {
-    return scale == Scale::either_sign ? size : v;
+    return is_sized() ? size : v;
 }
 
 double FreeParameter::change(double from, double to) const {
-    return scale == Scale::either_sign ? (to - from) / size : std::log(to / from);
+    return is_sized() ? (to - from) / size : std::log(to / from);
 }
 
 double FreeParameter::changed(double from, double change) const {
-    return scale == Scale::either_sign ? from + size * change : from * std::exp(change);
+    return is_sized() ? from + size * change : from * std::exp(change);
 }
 
 double FreeParameter::least() const {
@@ -79,7 +82,7 @@ double FreeParameter::largest() const {
 
 bool FreeParameter::has_range() const {
     if (!(low < high)) return false;
-    if (scale == Scale::either_sign) return size > 0;
+    if (is_sized()) return size > 0;
     return scale == Scale::linear ? low >= 0 : low > 0;
 }
 

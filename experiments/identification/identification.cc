@@ -48,6 +48,8 @@ double open_end(const FreeParameter& p, bool upwards) {
     if (p.scale == FreeParameter::Scale::either_sign)
         return upwards ? contact::infinity : -contact::infinity;
     const bool is_wide = p.scale == FreeParameter::Scale::logarithmic;
+    if (p.scale == FreeParameter::Scale::from_zero)
+        return upwards ? (p.high > widest_profile * p.size ? contact::infinity : p.high) : p.low;
     if (upwards)
         return is_wide || p.scale == FreeParameter::Scale::reciprocal ? contact::infinity : p.high;
     return is_wide ? 0 : p.low;
@@ -284,8 +286,10 @@ Profile profile_of(const IdentificationTask& task, const Identification& found, 
     const double best = estimate.value;
     const double lowest =
         p.scale == FreeParameter::Scale::logarithmic ? best / widest_profile : p.low;
+    const double largest =
+        p.scale == FreeParameter::Scale::from_zero ? std::max(best, p.size) : best;
     const double highest =
-        p.scale == FreeParameter::Scale::either_sign ? p.high : best * widest_profile;
+        p.scale == FreeParameter::Scale::either_sign ? p.high : largest * widest_profile;
     const auto [low, high] = estimate.likelihood;
     const double from = std::max({lowest, p.low, low - profile_margin * (best - low)});
     const double to = std::min({highest, p.high, high + profile_margin * (high - best)});

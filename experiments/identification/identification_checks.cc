@@ -81,6 +81,7 @@ void check_models(const Input& input, const io::Document& document) {
 }
 
 void check_lengths(const Table& table, double radius, const io::Document& document) {
+    if (table.measurement == Measurement::sliding_force) return;
     const bool deep = table.measurement == Measurement::force_indentation;
     if (table.measurement == Measurement::force_relaxation) {
         if (table.held >= radius)
@@ -122,10 +123,18 @@ void check_find(const Input& input, const std::vector<std::string>& find,
     const auto refuse = [&](const std::string& rule, const std::string& remedy) {
         io::refuse(document, "measurement.find", rule, remedy);
     };
-    if (is_free("friction.coefficient") && !input.find(Measurement::static_shift))
+    const bool has_friction =
+        input.find(Measurement::static_shift) || input.find(Measurement::sliding_force);
+    if (is_free("friction.coefficient") && !has_friction)
         refuse("without tangential force nothing determines the coefficient of friction",
                "leave out friction.coefficient");
     check_rolling(input, find, refuse);
+    const auto tells = [](const Table& table) { return tells_young(table.measurement); };
+    if (is_free("substrate.young") && std::ranges::none_of(input.tables, tells) &&
+        input.find(Measurement::sliding_force))
+        refuse("sliding_force does not determine the modulus",
+               "add static_shift, force_indentation or contact_radius, or leave out "
+               "substrate.young");
     if (is_free(zero_depth_key) && !input.find(Measurement::force_indentation))
         refuse("zero_depth is where force_indentation begins, and there is no such table",
                "add it, or leave zero_depth out");
@@ -187,18 +196,6 @@ std::vector<std::string> left_out_lines(const Input& input) {
     if (!of_rig.empty())
         lines.push_back("identify leaves out " + io::joined(of_rig) + ": no part of its models");
     return lines;
-}
-
-void check_friction(const Input& input, const io::Document& document) {
-    const Table* shifts = input.find(Measurement::static_shift);
-    if (!shifts || input.is_free("friction.coefficient")) return;
-    const double largest = std::ranges::max(shifts->given);
-    const double limit = input.rig.friction_coefficient() * *input.rig.load.normal_force;
-    if (largest >= limit)
-        io::refuse(document, "friction.coefficient",
-                   "the contact would slide: F_T of the table reaches " + io::shortest(largest) +
-                       " N, mu F_N is " + io::shortest(limit) + " N",
-                   "correct it, or name it in measurement.find");
 }
 
 }  // namespace tricontact::experiments

@@ -28,6 +28,15 @@ void check_round(const io::Document& document);
 /// What the tables and models can tell. `find`: of the file.
 void check_find(const IdentificationInput& input, const std::vector<std::string>& find,
                 const io::Document& document);
+/// Laws of friction that are compared, and what else is said of friction.
+void check_laws(const IdentificationInput& input, const std::vector<std::string>& find,
+                const io::Document& document);
+/// Loads that rows state, and what else is said of loads. `input`: with its tables.
+void check_loads(const IdentificationInput& input, const io::Document& document);
+/// Whether the rows suffice for the laws' numbers beside the parameters, which `input` has.
+void check_rows_of_laws(const IdentificationInput& input, const io::Document& document);
+/// Whether a table of the kind follows from E alone, beside mu.
+bool tells_young(IdentificationInput::Measurement measurement);
 /// Sliding contacts have no static shift.
 void check_friction(const IdentificationInput& input, const io::Document& document);
 

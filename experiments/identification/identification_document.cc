@@ -136,6 +136,7 @@ report::Document identification_document(const IdentificationStudy& study) {
                                 .heading = "Fit",
                                 .figures = fit_figures(study),
                                 .tables = {goodness_table(study)}};
+    if (study.laws) fit.tables.push_back(law_table(*study.laws));
     report::DocumentSection values{.id = "values_section",
                                    .heading = "Values",
                                    .figures = parameter_figures(study),

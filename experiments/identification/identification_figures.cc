@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "contact/base/special_values.h"
+#include "experiments/identification/friction_values.h"
 #include "experiments/identification/identification_report.h"
 #include "report/format.h"
 #include "statistics/regression.h"
@@ -79,6 +80,20 @@ report::Band band_of(const IdentifiedModel& model, std::size_t t, std::size_t fi
             .high = observed(ordered(x, high))};
 }
 
+/// Fitted values of a table of several loads, a curve for each.
+void add_loads(const IdentificationStudy& study, const IdentifiedModel& model, std::size_t t,
+               const Scaled& given, const Scaled& observed, report::Figure& figure) {
+    const auto& table = study.input.tables[t];
+    for (const LoadedRows& load : rows_by_load(table, study.input.rig, table.given)) {
+        std::vector<double> fitted;
+        for (const std::size_t row : load.rows) fitted.push_back(model.found.tables[t].fitted[row]);
+        figure.curves.push_back({.name = fmt::format("{}, F_N = {}", model.name,
+                                                     report::quantity(load.normal_force, "N", 3)),
+                                 .x = given(ordered(load.given, load.given)),
+                                 .y = observed(ordered(load.given, fitted))});
+    }
+}
+
 report::Figure fit_figure(const IdentificationStudy& study, std::size_t t, std::size_t first_row) {
     const auto& table = study.input.tables[t];
     const auto& columns = columns_of(table.measurement);
@@ -90,7 +105,9 @@ report::Figure fit_figure(const IdentificationStudy& study, std::size_t t, std::
         .id = id_of(study, "fit", t),
         .title = "What was measured, and the models at their best",
         .caption = fmt::format(
-            "Bands: where {} with a confidence of {:g} %{}.",
+            "{}: where {} with a confidence of {:g} %{}.",
+            table.normal_forces.empty() ? "Bands"
+                                        : "A curve under each load; bands of other tables",
             is_predictive ? "the posterior predicts further observations to lie"
                           : "the fitted curves lie",
             100 * study.models.front().found.confidence,
@@ -98,6 +115,10 @@ report::Figure fit_figure(const IdentificationStudy& study, std::size_t t, std::
         .x = {given.label(columns.given.axis)},
         .y = {observed.label(columns.observed.axis)}};
     for (const IdentifiedModel& model : study.models) {
+        if (!table.normal_forces.empty()) {
+            add_loads(study, model, t, given, observed, figure);
+            continue;
+        }
         const bool curved = !model.curves.empty();
         figure.curves.push_back(
             {.name = model.name,

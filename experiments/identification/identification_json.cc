@@ -152,6 +152,10 @@ json identification_json(const IdentificationStudy& study) {
             {"given", table.given},
             {"observed", table.observed},
             {"standard_errors", table.standard_errors}};
+    for (const auto& table : study.input.tables)
+        if (!table.normal_forces.empty())
+            result["tables"][std::string(name_of(table.measurement))]["normal_forces"] =
+                table.normal_forces;
     const IdentifiedModel& reference = reference_model(study);
     result["reference"] = reference.name;
     result["thickness_over_contact_width"] = study.thickness_ratio;
@@ -165,6 +169,7 @@ json identification_json(const IdentificationStudy& study) {
         }
         result["models"][model.name] = std::move(values);
     }
+    if (study.laws) result["laws_of_friction"] = law_json(*study.laws);
     result["verdicts"] = report::list_of(identification_verdicts(study),
                                          [](const auto& verdict) { return verdict.sentence; });
     return result;

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <memory>
 #include <optional>
 #include <variant>
 
+#include "experiments/identification/friction_values.h"
 #include "experiments/identification/identification_tables.h"
 #include "io/case/case_keys.h"
 #include "io/case/measurement_models.h"
@@ -48,6 +50,25 @@ TableModel rolling_model(const std::string& model, const IdentificationInput& in
     };
 }
 
+/// Interpolated, under each of the table's loads.
+TableModel shift_table_model(const std::string& model, const IdentificationInput& input,
+                             const IdentificationInput::Table& table,
+                             const contact::ModelRunner& runner) {
+    const Case rig = relaxed(input.rig);
+    std::map<double, std::shared_ptr<ShiftTable>> shifts;
+    for (const LoadedRows& load : rows_by_load(table, rig, table.given)) {
+        Case loaded = rig;
+        loaded.load.normal_force = load.normal_force;
+        shifts[load.normal_force] =
+            std::make_shared<ShiftTable>(shift_model(model), loaded, load.given, runner);
+    }
+    return [shifts, &table](const IdentifiedRig& at) {
+        return by_load(table, at.as_case, table.given, [&](const Case& loaded, const auto&) {
+            return shifts.at(*loaded.load.normal_force)->at(loaded);
+        });
+    };
+}
+
 TableModel table_model(const std::string& model, const IdentificationInput& input,
                        const IdentificationInput::Table& table,
                        const std::shared_ptr<PressTable>& presses_of,
@@ -57,15 +78,14 @@ TableModel table_model(const std::string& model, const IdentificationInput& inpu
     const bool is_sheared = table.measurement == Measurement::static_shift;
     if (table.measurement == Measurement::rolling_shift)
         return rolling_model(model, input, table, runner);
+    if (table.measurement == Measurement::sliding_force)
+        return
+            [&table](const IdentifiedRig& rig) { return sliding_forces(rig.as_case, table.given); };
     if (!io::measurement_model(model).is_layer || (is_sheared ? is_mapped : !presses_of))
         return [=, &table](const IdentifiedRig& rig) {
             return measured_values(model, table, rig, table.given, runner);
         };
-    if (is_sheared) {
-        const auto shifts = std::make_shared<ShiftTable>(shift_model(model), relaxed(input.rig),
-                                                         table.given, runner);
-        return [shifts](const IdentifiedRig& rig) { return shifts->at(rig.as_case); };
-    }
+    if (is_sheared) return shift_table_model(model, input, table, runner);
     return [=, &table](const IdentifiedRig& rig) {
         const Case& c = rig.as_case;
         return from_zero_depth(table, rig, table.given, [&](const std::vector<double>& given) {
@@ -95,7 +115,10 @@ std::vector<InputContribution> own_contributions(const std::string& model,
     const auto table = std::ranges::find(input.tables, Measurement::static_shift,
                                          &IdentificationInput::Table::measurement);
     if (table == input.tables.end()) return {};
-    const std::vector<double> errors = static_shift_errors(model, relaxed(rig), table->given);
+    const auto errors =
+        by_load(*table, relaxed(rig), table->given, [&](const Case& loaded, const auto& forces) {
+            return static_shift_errors(model, loaded, forces);
+        });
     if (errors.empty()) return {};
     std::size_t row = 0;
     for (auto before = input.tables.begin(); before != table; ++before)
@@ -119,6 +142,22 @@ std::vector<InputContribution> own_contributions(const std::string& model,
     return contributions;
 }
 
+/// What neighbours of a table are neighbours in. A period of rolling passes each offset twice:
+/// neighbours are those in time. Of several loads one follows the other: places in that order.
+std::vector<double> order_of(const IdentificationInput::Table& table) {
+    if (table.has_free_origin()) return {};
+    if (table.normal_forces.empty()) return table.given;
+    std::map<std::pair<double, double>, double> places;
+    for (std::size_t row = 0; row < table.given.size(); ++row)
+        places[{table.normal_forces[row], table.given[row]}] = 0;
+    double place = 0;
+    for (auto& one : places) one.second = place++;
+    std::vector<double> order;
+    for (std::size_t row = 0; row < table.given.size(); ++row)
+        order.push_back(places[{table.normal_forces[row], table.given[row]}]);
+    return order;
+}
+
 }  // namespace
 
 void check_lengths_scale(const IdentificationInput& input) {
@@ -129,6 +168,15 @@ void check_lengths_scale(const IdentificationInput& input) {
                 "measurement.find: " + model +
                 " finds radius and thickness only of a rigid paraboloid on one layer on a rigid "
                 "base; find the modulus and friction, or take the model half-space");
+}
+
+IdentificationTask task_of(const IdentificationInput& input, const std::string& model) {
+    IdentificationTask task{.parameters = parameters_of(input, model),
+                            .confidence = input.confidence};
+    for (const auto& table : input.tables)
+        task.tables.push_back({std::string(name_of(table.measurement)), table.observed,
+                               table.standard_errors, table.has_free_origin(), order_of(table)});
+    return task;
 }
 
 Prediction prediction_of(const std::string& model, const IdentificationInput& input,

@@ -12,6 +12,9 @@ namespace tricontact::experiments {
 /// proportion to them.
 void check_lengths_scale(const IdentificationInput& input);
 
+/// The tables and what a model finds of them, without its prediction.
+IdentificationTask task_of(const IdentificationInput& input, const std::string& model);
+
 /// What a model says about all tables, as a function of its parameters: closed forms and maps, or
 /// interpolated in what its runs depend on, made when they are first needed: lengths of a
 /// paraboloid on a layer are in proportion to b^2/R (heights) and b, so that E, R and b count as

@@ -68,9 +68,9 @@ double zero_of(const Table& table) {
 double guessed_young(const Table& table, double radius, double normal_force) {
     const auto row = std::ranges::max_element(table.observed) - table.observed.begin();
     const double x = table.given[row] - zero_of(table), y = table.observed[row];
-    constexpr double over_plane = 0.75;                  // E/E*
-    constexpr double shear_over_plane = 2. / 3;          // G*/E*
-    const double cube = 3. / 4 * radius * normal_force;  // a^3 E*
+    constexpr double over_plane = 0.75;            // E/E*
+    constexpr double shear_over_plane = 2. / 3;    // G*/E*
+    double cube = 3. / 4 * radius * normal_force;  // a^3 E*
     const auto of_depth = [&](double force, double depth) {
         return over_plane * 3. / 4 * force / std::sqrt(radius * depth * depth * depth);
     };
@@ -83,10 +83,10 @@ double guessed_young(const Table& table, double radius, double normal_force) {
             return of_depth(std::ranges::min(table.observed), table.held);
         case Measurement::indentation_creep:
             return of_depth(table.held, y);
-        case Measurement::static_shift:
-        case Measurement::rolling_shift:
+        default:
             break;
     }
+    if (!table.normal_forces.empty()) cube *= table.normal_forces[row] / normal_force;
     return over_plane * std::pow(x / (2 * shear_over_plane * y * std::cbrt(cube)), 1.5);
 }
 
@@ -94,6 +94,7 @@ double guessed_young(const Table& table, double radius, double normal_force) {
 double largest_force(const Table& table) {
     switch (table.measurement) {
         case Measurement::contact_radius:
+        case Measurement::sliding_force:
             return std::ranges::max(table.given);
         case Measurement::indentation_creep:
             return table.held;
@@ -102,11 +103,26 @@ double largest_force(const Table& table) {
     }
 }
 
+/// mu of the shifts and the sliding that were measured, larger than what held.
+double guessed_friction(const Input& input, double normal_force) {
+    constexpr double over_held = 1.5;
+    double guess = 0;
+    if (const Table* shifts = input.find(Measurement::static_shift))
+        for (std::size_t row = 0; row < shifts->given.size(); ++row)
+            guess = std::max(
+                guess,
+                over_held * shifts->given[row] /
+                    (shifts->normal_forces.empty() ? normal_force : shifts->normal_forces[row]));
+    if (const Table* sliding = input.find(Measurement::sliding_force))
+        for (std::size_t row = 0; row < sliding->given.size(); ++row)
+            guess = std::max(guess, sliding->observed[row] / sliding->given[row]);
+    return guess;
+}
+
 /// The first one that tells it.
 const Table& table_of_young(const Input& input) {
-    return *std::ranges::find_if(input.tables, [](const Table& table) {
-        return table.measurement != Measurement::rolling_shift;
-    });
+    return *std::ranges::find_if(input.tables,
+                                 [](const Table& table) { return tells_young(table.measurement); });
 }
 
 /// The rig as a case: what is to be found has a guess.
@@ -116,6 +132,7 @@ contact::Case rig_of(const Input& input, const std::vector<std::string>& find,
     std::erase_if(rig.entries, [&](const io::Entry& entry) {
         const bool is_guessed =
             entry.path == "substrate.young" || entry.path == "friction.coefficient";
+        if (!input.laws.empty() && entry.path.starts_with("friction.")) return true;
         return (is_guessed && std::ranges::count(find, entry.path)) || !describes_rig(entry.path);
     });
     std::erase_if(rig.sections, [](const io::Document::Section& section) {
@@ -139,11 +156,16 @@ contact::Case rig_of(const Input& input, const std::vector<std::string>& find,
                        "shifts were measured under a normal force, which follows from no depth "
                        "before the modulus is known",
                        "give load.normal_force");
-        if (!document.find("load.normal_force"))
+        const Table* shifts = input.find(Measurement::static_shift);
+        const bool has_loads = shifts && !shifts->normal_forces.empty();
+        if (has_loads) {
+            normal_force = std::ranges::max(shifts->normal_forces);
+            guess("load.normal_force", io::shortest(normal_force) + " N");
+        } else if (!document.find("load.normal_force"))
             io::fail(
                 document.place_of("load.normal_force"), "", "missing key load.normal_force",
                 "add the force under which the shifts were measured: normal_force = \"21.1 N\"");
-        normal_force = quantity_of(document, "load.normal_force");
+        if (!has_loads) normal_force = quantity_of(document, "load.normal_force");
     } else {
         for (const Table& table : input.tables)
             normal_force = std::max(normal_force, largest_force(table));
@@ -160,12 +182,11 @@ contact::Case rig_of(const Input& input, const std::vector<std::string>& find,
               io::shortest(guessed_young(table_of_young(input), radius, normal_force)) + " Pa");
     if (is_free("substrate.poisson") && !rig.find("substrate.poisson"))
         guess("substrate.poisson", guessed_poisson);
-    if (is_free("friction.coefficient") || (!sheared && !rig.find("friction.coefficient")))
-        guess("friction.coefficient",
-              is_free("friction.coefficient")
-                  ? 1.5 * std::ranges::max(input.find(Measurement::static_shift)->given) /
-                        normal_force
-                  : 1.);
+    const bool finds_friction = is_free("friction.coefficient") || !input.laws.empty();
+    const bool needs_friction =
+        !sheared && !rig.find("friction.coefficient") && !rig.find("friction.shear_strength");
+    if (finds_friction || needs_friction)
+        guess("friction.coefficient", finds_friction ? guessed_friction(input, normal_force) : 1.);
     try {
         return io::resolve_case(rig, guesses);
     } catch (const contact::InputError& error) {
@@ -239,8 +260,9 @@ Input read_identification(const std::string& path, const std::vector<std::string
     if (input.tables.empty())
         io::fail(document.place_of("measurement.find"), "", "nothing was measured",
                  "name a table: static_shift = \"shift.csv\", force_indentation, contact_radius, "
-                 "force_relaxation, indentation_creep or rolling_shift");
+                 "force_relaxation, indentation_creep, rolling_shift or sliding_force");
     read("measurement.models", &input.models);
+    if (document.find("measurement.laws")) read("measurement.laws", &input.laws);
     read("measurement.find", &find);
     for (Table& table : input.tables)
         table.has_free_zero = table.measurement == Measurement::force_indentation &&
@@ -249,12 +271,14 @@ Input read_identification(const std::string& path, const std::vector<std::string
     if (const io::Entry* title = document.find("title"))
         io::read_field(*io::find_key("title"), *title, &input.title);
     check_find(input, find, document);
+    check_laws(input, find, document);
     check_models(input, document);
     // Of several tables each needs a row that is left for its own error.
     const std::size_t least_rows = input.tables.size() == 1 ? find.size() + 1 : 2;
     for (Table& table : input.tables)
         io::told_at(document, std::string(key_of(table.measurement)),
                     [&] { read_measured_table(table, least_rows + table.has_free_origin()); });
+    check_loads(input, document);
     input.rig = rig_of(input, find, document);
     input.rig.title = input.title;
     input.unread = unread_keys(document);
@@ -264,6 +288,7 @@ Input read_identification(const std::string& path, const std::vector<std::string
                    "omit it");
     input.parameters =
         io::told_at(document, "measurement.find", [&] { return free_parameters(input, find); });
+    check_rows_of_laws(input, document);
     check_friction(input, document);
     input.rig_errors = read_rig_errors(input, document);
     const auto of_rig = [&](const char* key) -> std::optional<double> {

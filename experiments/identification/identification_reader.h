@@ -21,7 +21,8 @@ struct IdentificationInput {
         contact_radius,
         force_relaxation,
         indentation_creep,
-        rolling_shift
+        rolling_shift,
+        sliding_force
     };
 
     /// A known input whose standard error shall be carried into the result.
@@ -36,9 +37,10 @@ struct IdentificationInput {
         std::string reading;                  ///< what of it was taken; empty: all its columns
         double held = 0;                      ///< of a history: indentation [m] or force [N]
         bool has_free_zero = false;           ///< depths count from anywhere, see zero_depth_key
-        std::vector<double> given;            ///< [SI] F_T, d, F_N, t or W of each row
-        std::vector<double> observed;         ///< [SI] U, F_N, a, F_N, d or U
+        std::vector<double> given;            ///< [SI] F_T, d, F_N, t, W or F_N of each row
+        std::vector<double> observed;         ///< [SI] U, F_N, a, F_N, d, U or F_lim
         std::vector<double> standard_errors;  ///< [SI] of the observed; empty: not stated
+        std::vector<double> normal_forces;    ///< [N] of static_shift; empty: the rig's
 
         /// Over the time.
         bool is_history() const {
@@ -54,6 +56,7 @@ struct IdentificationInput {
     std::vector<Table> tables;
     std::vector<FreeParameter> parameters;
     std::vector<std::string> models;  ///< see io::measurement_models
+    std::vector<std::string> laws;    ///< see io::measurement_laws; empty: the rig's
     double confidence = 0.95;
     /// The rig; free parameters at their guesses. A free E is a guess by Hertz' theory, whatever
     /// the file says. The normal force is that of the file, or the largest of the measurement.

@@ -8,6 +8,7 @@
 
 #include "experiments/identification/identification.h"
 #include "experiments/identification/identification_reader.h"
+#include "experiments/identification/law_comparison.h"
 #include "experiments/identification/posterior.h"
 #include "report/document.h"
 
@@ -61,6 +62,9 @@ struct IdentificationStudy {
     std::string title;
     std::vector<std::vector<double>> curve_points;  ///< [SI], increasing, of each table
     std::vector<IdentifiedModel> models;
+    /// Laws of friction on the half-space: those of measurement.laws, of which the models have the
+    /// best one; without these a strength beside Coulomb's law, where the half-space's mu is found.
+    std::optional<LawComparison> laws;
     /// Layer's thickness over the width of Hertz' contact for the values of the reference model.
     std::optional<double> thickness_ratio;
     std::vector<std::pair<std::string, std::string>> settings;  ///< name, value with unit
@@ -79,6 +83,14 @@ std::string shown(const IdentifiedModel& model, std::size_t k);
 /// The answer in sentences: the values, the half-space's bias, whether the models explain what
 /// was measured, which one is to be used, what cannot be told apart or at all.
 std::vector<report::Verdict> identification_verdicts(const IdentificationStudy& study);
+
+/// Which laws of friction the data support, cannot tell apart and exclude; empty if none were
+/// compared.
+std::vector<report::Verdict> law_verdicts(const IdentificationStudy& study);
+report::DocumentTable law_table(const LawComparison& laws);
+/// A table for terminals.
+std::string law_lines(const LawComparison& laws);
+nlohmann::ordered_json law_json(const LawComparison& laws);
 
 /// Whether the intervals of a parameter of two models overlap, beside the errors of inputs that
 /// both share.

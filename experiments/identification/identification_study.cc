@@ -10,6 +10,7 @@
 #include "contact/base/error.h"
 #include "experiments/identification/identification_checks.h"
 #include "experiments/identification/identification_models.h"
+#include "io/case/measurement_laws.h"
 #include "io/case/measurement_models.h"
 #include "report/format.h"
 
@@ -28,17 +29,6 @@ constexpr int n_points = 41, n_points_of_many = 21;
 // of a table; ten times what the tables are made for, where grid cells make a curve rough.
 constexpr double largest_interpolation_error = 5e-3;
 
-IdentificationTask task_of(const IdentificationInput& input, const std::string& model) {
-    IdentificationTask task{.parameters = parameters_of(input, model),
-                            .confidence = input.confidence};
-    for (const auto& table : input.tables)
-        // A period of rolling passes each offset twice: neighbours are those in time.
-        task.tables.push_back({std::string(name_of(table.measurement)), table.observed,
-                               table.standard_errors, table.has_free_origin(),
-                               table.has_free_origin() ? std::vector<double>() : table.given});
-    return task;
-}
-
 std::vector<double> equal_steps(double from, double to, int n) {
     std::vector<double> values;
     for (int i = 0; i < n; ++i) values.push_back(from + (to - from) * i / (n - 1));
@@ -47,6 +37,7 @@ std::vector<double> equal_steps(double from, double to, int n) {
 
 /// Where the curves of a table are drawn: times at equal ratios.
 std::vector<double> curve_points_of(const IdentificationInput::Table& table) {
+    if (!table.normal_forces.empty()) return table.given;  // a curve under each load: by the rows
     const auto [least, largest] = std::ranges::minmax(table.given);
     if (table.measurement == Measurement::rolling_shift)
         return equal_steps(least, largest, n_curve_points);
@@ -154,6 +145,53 @@ struct Identifier {
     }
 };
 
+/// The law of friction with its numbers, of the found ones their symbols.
+std::string law_text(const IdentificationInput& input) {
+    const contact::Friction& friction = input.rig.friction;
+    if (input.laws.empty()) return friction.formula();
+    std::string text;
+    for (const auto& law : io::measurement_laws())
+        if (law.has_strength == friction.shear_strength.has_value() &&
+            law.has_coefficient == friction.coefficient.has_value() &&
+            law.has_exponent == friction.pressure_exponent.has_value() &&
+            law.has_limit == friction.strength_limit.has_value())
+            text = law.formula;
+    if (friction.reference_pressure)
+        text += ", p_r = " + report::given_quantity(*friction.reference_pressure, "Pa");
+    return text;
+}
+
+/// A half-space that finds mu alone is laid beside one with a strength.
+std::vector<std::string> laws_to_compare(const IdentificationInput& input) {
+    if (!input.laws.empty()) return input.laws;
+    const bool has_half_space =
+        !std::ranges::all_of(input.models, &io::MeasurementModel::is_layer, io::measurement_model);
+    if (!has_half_space || !input.is_free("friction.coefficient")) return {};
+    return {"coulomb", "shear-strength"};
+}
+
+/// The input without its coefficient of friction, where laws bring their own.
+IdentificationInput without_friction(IdentificationInput input) {
+    std::erase_if(input.parameters, [](const FreeParameter& p) {
+        return p.key == "friction.coefficient" || p.key == "substrate.thickness";
+    });
+    return input;
+}
+
+std::optional<LawComparison> compared_laws(const IdentificationInput& input,
+                                           const contact::ModelRunner& runner,
+                                           const contact::Say& say) {
+    const auto laws = laws_to_compare(input);
+    if (laws.empty()) return {};
+    say("laws of friction");
+    try {
+        return compare_laws(without_friction(input), laws, runner);
+    } catch (const contact::NotConverged&) {
+        if (!input.laws.empty()) throw;
+        return {};  // nobody asked, and the models will say what is wrong with Coulomb's law
+    }
+}
+
 std::vector<std::pair<std::string, std::string>> settings_of(const IdentificationInput& input) {
     const Case& rig = input.rig;
     std::vector<std::pair<std::string, std::string>> settings;
@@ -174,18 +212,27 @@ std::vector<std::pair<std::string, std::string>> settings_of(const Identificatio
     add("substrate.young", "E", report::given_quantity(rig.substrate.young, "Pa"));
     if (!input.find(Measurement::static_shift) && !input.find(Measurement::rolling_shift))
         return settings;
-    settings.emplace_back("F_N", report::given_quantity(*rig.load.normal_force, "N"));
+    const auto* shifts = input.find(Measurement::static_shift);
+    if (!shifts || shifts->normal_forces.empty())
+        settings.emplace_back("F_N", report::given_quantity(*rig.load.normal_force, "N"));
+    if (!rig.friction.is_coulomb()) {
+        settings.emplace_back("tau", law_text(input));
+        return settings;
+    }
     add("friction.coefficient", "mu", report::as_given(rig.friction_coefficient()));
     return settings;
 }
 
 }  // namespace
 
-IdentificationStudy identification_study(const IdentificationInput& input, bool draws_posterior,
+IdentificationStudy identification_study(const IdentificationInput& said, bool draws_posterior,
                                          const contact::ModelRunner& runner,
                                          const contact::Say& say) {
     IdentificationStudy study;
-    study.input = input;
+    study.input = said;
+    study.laws = compared_laws(said, runner, say);
+    if (!said.laws.empty()) study.input = study.laws->laws[study.laws->best].input;
+    const IdentificationInput& input = study.input;
     study.title =
         input.title.empty() ? std::filesystem::path(input.name).stem().string() : input.title;
     for (const auto& table : input.tables) study.curve_points.push_back(curve_points_of(table));

@@ -22,7 +22,8 @@ std::span<const TableKey> table_keys() {
          "measurement.held_indentation"},
         {Measurement::indentation_creep, "indentation-creep", "measurement.indentation_creep",
          "measurement.held_force"},
-        {Measurement::rolling_shift, "rolling-shift", "measurement.rolling_shift", ""}};
+        {Measurement::rolling_shift, "rolling-shift", "measurement.rolling_shift", ""},
+        {Measurement::sliding_force, "sliding-force", "measurement.sliding_force", ""}};
     return keys;
 }
 
@@ -55,7 +56,10 @@ const MeasuredColumns& columns_of(Measurement measurement) {
          "time [s], indentation [um], indentation_error [um]"},
         {{"offset", "rolling offset W", length},
          {"shift", "shift U", length},
-         "offset [mm], shift [um], shift_error [um]"}};
+         "offset [mm], shift [um], shift_error [um]"},
+        {{"normal_force", "normal force F_N", force},
+         {"sliding_force", "sliding force F_lim", force},
+         "normal_force [N], sliding_force [N], sliding_force_error [N]"}};
     return columns[static_cast<int>(measurement)];
 }
 
@@ -121,7 +125,14 @@ void read_measured_table(IdentificationInput::Table& measured, std::size_t least
                               .header = std::string(example),
                               .most_rows = most_rows,
                               .thinning = "thin it out, or take means"});
-    table.check_names({given.name, observed.name, error_column});
+    // Shifts may be those under several loads.
+    const bool is_shift = measured.measurement == Measurement::static_shift;
+    const std::string_view load_column = is_shift ? "normal_force" : given.name;
+    table.check_names({given.name, observed.name, error_column, load_column});
+    if (is_shift && table.has(load_column)) {
+        measured.normal_forces = table.values(load_column, io::Dimension::force);
+        table.check_positive(load_column);
+    }
     measured.given = table.values(given.name, given.dimension);
     measured.observed = table.values(observed.name, observed.dimension);
     const bool is_rolled = measured.measurement == Measurement::rolling_shift;
@@ -130,8 +141,7 @@ void read_measured_table(IdentificationInput::Table& measured, std::size_t least
     if (!is_rolled && !measured.has_free_zero) table.check_positive(given.name);
     // A shift may be lost in noise, and so may forces before contact; a force or radius that is not
     // there was not measured.
-    if (!is_rolled && !measured.has_free_zero && measured.measurement != Measurement::static_shift)
-        table.check_positive(observed.name);
+    if (!is_rolled && !measured.has_free_zero && !is_shift) table.check_positive(observed.name);
     if (table.has(error_column)) {
         measured.standard_errors = table.values(error_column, observed.dimension);
         table.check_positive(error_column);

@@ -218,14 +218,17 @@ Interval full_interval(const IdentifiedModel& model, std::size_t k) {
     const auto [low, high] = estimate.likelihood;
     const double above = estimate.value + std::hypot(high - estimate.value, half);
     const double below = estimate.value - std::hypot(estimate.value - low, half);
+    const bool is_bounded = p.scale == FreeParameter::Scale::linear ||
+                            (p.scale == FreeParameter::Scale::from_zero && high <= p.high);
     return {p.scale == FreeParameter::Scale::either_sign ? below : std::max(0., below),
-            p.scale == FreeParameter::Scale::linear ? std::min(above, p.high) : above};
+            is_bounded ? std::min(above, p.high) : above};
 }
 
 std::vector<Verdict> identification_verdicts(const IdentificationStudy& study) {
     std::vector<Verdict> verdicts;
     const IdentifiedModel& reference = reference_model(study);
     verdicts.push_back(values_found(study, reference));
+    std::ranges::move(law_verdicts(study), std::back_inserter(verdicts));
     if (auto verdict = bias(study)) verdicts.push_back(std::move(*verdict));
     if (auto verdict = bias_of_small_strains(study)) verdicts.push_back(std::move(*verdict));
     for (const IdentifiedModel& model : study.models) {

@@ -9,6 +9,7 @@
 #include "comparisons/quantities/quantities.h"
 #include "contact/larger_grids.h"
 #include "contact/load_path.h"
+#include "experiments/identification/friction_values.h"
 #include "experiments/identification/identification_models.h"
 #include "experiments/records/experiment_evaluation.h"
 #include "io/case/measurement_models.h"
@@ -37,19 +38,11 @@ void press(contact::Model& model, const Case& c) {
     for (const auto& pressing : path.pressing) model.advance(pressing);
 }
 
-std::vector<double> half_space_shifts(const Case& rig, const std::vector<double>& forces) {
-    const contact::HalfSpaceScales hertz = contact::half_space_scales(rig);
-    const double limit = rig.friction_coefficient() * hertz.normal_force;
-    std::vector<double> shifts;
-    for (const double force : forces)  // rounding may make the largest one reach the limit
-        shifts.push_back(hertz.unit_shift *
-                         theory::static_shift_ratio(std::min(1., force / limit)));
-    return shifts;
-}
-
 /// The rig pressed without friction by a force, or to a depth.
 Case pressed(const Case& rig, const NormalControl& control) {
     Case c = rig;
+    // Scales of other laws cost integrals, and nothing asks for them.
+    if (!c.friction.is_coulomb()) c.friction = {.coefficient = 1};
     c.load.normal_force.reset();
     c.load.indentation.reset();
     (control.kind == NormalControl::Kind::force ? c.load.normal_force : c.load.indentation) =
@@ -286,10 +279,13 @@ std::vector<double> measured_values(const std::string& model,
         return rolled_shifts(
             identified, own_wobble(shift_model(model), slow, largest_offset(table.given), runner),
             given);
+    if (table.measurement == Measurement::sliding_force) return sliding_forces(slow, given);
     if (table.measurement == Measurement::static_shift)
-        return !io::measurement_model(model).is_layer
-                   ? half_space_shifts(slow, given)
-                   : static_shifts(shift_model(model), slow, given, runner);
+        return by_load(table, slow, given, [&](const Case& loaded, const auto& forces) {
+            return !io::measurement_model(model).is_layer
+                       ? half_space_shifts(loaded, forces)
+                       : static_shifts(shift_model(model), loaded, forces, runner);
+        });
     return from_zero_depth(table, identified, given, [&](const std::vector<double>& pressed_to) {
         return values_of_presses(table, rig, pressed_to,
                                  presses(model, slow, controls_of(table, rig, pressed_to), runner));

@@ -74,7 +74,8 @@ std::vector<double> from_zero_depth(
 
 /// What one of the models of an identification (see io::measurement_models)
 /// says about a table's measurement on the rig, one value [SI] for each of those `given`. A
-/// substrate of the rig that relaxes is relaxed but in histories. Throws InputError, NotConverged.
+/// substrate of the rig that relaxes is relaxed but in histories. `given` are the table's own where
+/// it states normal forces. Throws InputError, NotConverged.
 std::vector<double> measured_values(const std::string& model,
                                     const IdentificationInput::Table& table,
                                     const IdentifiedRig& rig, const std::vector<double>& given,

@@ -3,6 +3,7 @@
 
 #include "contact/base/error.h"
 #include "experiments/identification/identification_reader.h"
+#include "experiments/identification/law_parameters.h"
 #include "io/case/measurement_models.h"
 
 namespace tricontact::experiments {
@@ -135,9 +136,7 @@ std::vector<FreeParameter> free_parameters(const IdentificationInput& input,
                                   .high = .5,
                                   .start = rig.substrate.poisson});
         } else if (key == "friction.coefficient") {
-            parameters.push_back(
-                friction_parameter(std::ranges::max(input.find(Measurement::static_shift)->given) /
-                                   *rig.load.normal_force));
+            parameters.push_back(coulomb_parameter(input));
         } else if (key == "indenter.radius") {
             parameters.push_back(length(key, "indenter_radius_m", "R", rig.indenter.radius));
         } else if (key == "substrate.thickness") {

@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "io/case/measurement_laws.h"
 #include "io/case/measurement_models.h"
 
 namespace tricontact::io {
@@ -54,11 +55,20 @@ std::vector<Choice> measurement_model_choices() {
     return choices;
 }
 
+std::vector<Choice> measurement_law_choices() {
+    std::vector<Choice> choices;
+    for (const MeasurementLaw& law : measurement_laws()) choices.push_back({law.name});
+    return choices;
+}
+
 std::vector<Key> measurement_keys() {
     return {
         text_key("measurement.static_shift", R"("shift.csv")",
                  "table of tangential forces and the shifts they caused under load.normal_force, "
-                 "before any rolling"),
+                 "before any rolling; with a column normal_force, under several"),
+        text_key("measurement.sliding_force", R"("sliding.csv")",
+                 "table of normal forces and the tangential forces at which the contact slid as a "
+                 "whole"),
         text_key("measurement.force_indentation", R"("indentation.csv")",
                  "table of indentations and the normal forces they took"),
         text_key("measurement.contact_radius", R"("radius.csv")",
@@ -100,6 +110,11 @@ std::vector<Key> measurement_keys() {
                            "models that explain the tables: closed forms of the half-space, the "
                            "theory of the layer, the shipped maps, or a model that computes",
                            {.required = true})),
+        list_of(choice_key("measurement.laws", measurement_law_choices(),
+                           R"(["coulomb", "shear-strength"])",
+                           "laws of friction that are compared on a half-space, each with the "
+                           "numbers of its own that explain the tables best; without it that of "
+                           "[friction]")),
         number_key("measurement.confidence", {0.5, 0.9999}, "0.95", "level of the intervals",
                    {.default_value = "0.95"})};
 }

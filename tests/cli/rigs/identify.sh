@@ -349,8 +349,8 @@ refused 'shift_error = 0: must be positive' '' "${header}${rows}4, 90, 0\n"
 refused 'shift = nan: must be a finite number' '' "${header}${rows}4, nan, 1\n"
 refused 'no value is positive' '' "${header}1, -20, 1\n2, -45, 1\n3, -70, 1\n"
 refused 'unknown column "shift_eror"' '' "tangential_force [N], shift [um], shift_eror [um]\n${rows}"
-refused 'unknown column "normal_force"; known are tangential_force, shift, shift_error' '' \
-    "normal_force [N], shift [um]\n1, 20\n2, 45\n3, 70\n"
+refused 'unknown column "force"; known are tangential_force, shift, shift_error, normal_force' '' \
+    "force [N], shift [um]\n1, 20\n2, 45\n3, 70\n"
 refused 'the column shift is missing' '' "tangential_force [N]\n1\n2\n3\n"
 refused 'shift reaches 340 m' '' 'tangential_force [N], shift [m]\n1, 20\n5, 120\n11, 340\n'
 refused 'the contact would slide: F_T of the table reaches 11 N, mu F_N is 10.55 N' \

@@ -76,6 +76,23 @@ tells small.txt 'free sides add 2\.[5-9] to 5\.[0-9] % to the indentation'
 tells small.txt '^holds: The surface of the substrate is level'
 tells small.txt 'changes F_T by up to 1\.2 %'
 
+# The law of friction, by forces of full sliding: F_N^(2/3) of a constant shear strength, F_N of Coulomb's law.
+sed '/^\[printed\]/,$d; /^\[measurement\]/,/^$/d' "$source_dir/examples/rigs/sphere_parallel.toml" >slides.toml
+printf '[measurement]\nsliding_force = "sliding.csv"\n' >>slides.toml
+cp "$source_dir/examples/measurements/lens_sliding.csv" sliding.csv
+"$program" rig slides.toml >slides.txt || complain "$(cat slides.txt)"
+tells slides.txt '^violated: Friction grows in proportion to the pressure'
+tells slides.txt 'grow with F_N\^m, m = 0\.6[0-9]* \(95 %: 0\.6'
+printf 'normal_force [N], sliding_force [N]\n1, 0.51\n3, 1.49\n10, 5.02\n30, 14.9\n' >sliding.csv
+"$program" rig slides.toml >slides.txt || complain "$(cat slides.txt)"
+tells slides.txt '^holds: Friction grows in proportion to the pressure'
+printf 'normal_force [N], sliding_force [N]\n1, 0.5\n1.2, 0.66\n1.4, 0.65\n' >sliding.csv
+"$program" rig slides.toml >slides.txt || complain "$(cat slides.txt)"
+tells slides.txt '^not testable: Friction grows in proportion to the pressure'
+tells slides.txt '^    not given: measurement\.sliding_force over a wider range of loads$'
+printf 'normal_force [N], sliding_force [N]\n1, 0.5\n1, 0.6\n2, 1\n' >sliding.csv
+refused 'sliding.csv:1: a slope and its error need three different loads at least' rig "$PWD/slides.toml"
+
 # A plain case lacks the layer that a rig is held against.
 refused "missing key substrate.thickness" rig "$source_dir/examples/cases/rig_sphere_parallel.toml"
 refused "this is a study, not a contact case; tricontact sweep computes it" rig \

@@ -81,6 +81,27 @@ TEST(OutlyingRows, AreAsRareAsStated) {
     }
 }
 
+// Rows of another table hold the mean at 0: the scatter is that of the other rows about 0, and what
+// the row would move the mean by, were it alone, is not taken off it.
+TEST(OutlyingRows, OfATableWhoseMeanAnotherOneHolds) {
+    const std::vector<double> values{.1, -.1, .1, -.1, .05, 1};
+    const double error = std::sqrt((4 * .01 + .0025 + 1) / 6);
+    std::vector<double> residuals, column;
+    for (const double value : values) {
+        residuals.push_back(value / error);
+        column.push_back(-1 / error);
+    }
+    for (int i = 0; i < 10; ++i) {
+        residuals.push_back(0);
+        column.push_back(-1e3);
+    }
+    const auto rows =
+        outlying_rows(residuals, {column}, {{.n_rows = 6, .is_known = false}, {.n_rows = 10}}, .05);
+    ASSERT_EQ(rows.size(), 1u);
+    // The mean is 1e-6 off 0.
+    EXPECT_NEAR(rows[0].deviation, 1 / std::sqrt((4 * .01 + .0025) / 5), 1e-3);
+}
+
 // Exact values have rounding for residuals: no row of these is an outlier.
 TEST(OutlyingRows, FitsToRoundingHaveNone) {
     const std::vector<double> values{1, 1, 1, 1 + 1e-15, 1, 1};

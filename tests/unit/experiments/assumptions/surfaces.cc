@@ -59,6 +59,52 @@ TEST(UnsaturatedContact, IsAThirdOfTheSquareOfSmallPressures) {
     EXPECT_NE(pressed.consequence.find("lower there"), std::string::npos) << pressed.consequence;
 }
 
+/// With limits of sliding whose slope has this 95 % interval.
+Rig sliding(double slope, double half_width) {
+    Rig rig = sphere();
+    rig.sliding = experiments::SlidingSlope{.slope = slope,
+                                            .standard_error = half_width / 2.2,
+                                            .quantile = 2.2,
+                                            .n_forces = 12,
+                                            .least_load = 1,
+                                            .largest_load = 20};
+    return rig;
+}
+
+// Slope 1 of mu F_N, 2/3 of tau_0 pi a^2 under a sphere.
+TEST(FrictionInProportionToPressure, IsJudgedByTheForcesOfFullSliding) {
+    const auto coulomb = experiments::unsaturated_contact(sliding(.98, .05));
+    EXPECT_EQ(coulomb.standing(), Standing::holds);
+    EXPECT_TRUE(coulomb.missing.empty());
+    const auto strength = experiments::unsaturated_contact(sliding(.68, .05));
+    EXPECT_EQ(strength.standing(), Standing::violated);
+    EXPECT_NEAR(strength.deciding_value(), .27, 1e-12);
+    // n = 3 m - 2.
+    EXPECT_NE(strength.consequence.find("n = 0.040 ± 0.15"), std::string::npos)
+        << strength.consequence;
+    const auto unclear = experiments::unsaturated_contact(sliding(.84, .2));
+    EXPECT_EQ(unclear.standing(), Standing::not_testable);
+    EXPECT_NE(unclear.consequence.find("The interval holds both"), std::string::npos);
+    // A difference that nobody would notice is none.
+    EXPECT_EQ(experiments::unsaturated_contact(sliding(.99, .001)).standing(), Standing::holds);
+    // Of a cylinder a shear strength has the slope 1/2: n = 2 m - 1.
+    Rig line = sliding(.5, .05);
+    line.L = 20e-3;
+    line.kind = Rig::Kind::cylinder;
+    const auto of_line = experiments::unsaturated_contact(line);
+    EXPECT_NE(of_line.consequence.find("n = 0 ± 0.10"), std::string::npos) << of_line.consequence;
+}
+
+// Both reasons count: a strength is one where the real area of contact is not saturated.
+TEST(FrictionInProportionToPressure, IsViolatedByOneOfBothReasons) {
+    Rig rig = sliding(.68, .05);
+    rig.s_rms = 2;
+    EXPECT_EQ(experiments::unsaturated_contact(rig).standing(), Standing::violated);
+    rig = sliding(1, .05);
+    rig.s_rms = .1;
+    EXPECT_EQ(experiments::unsaturated_contact(rig).standing(), Standing::violated);
+}
+
 // A uniform disc source of the power Q: Q/(pi a k), Q = mu F_N v_slip, v_slip = mu a v/R.
 TEST(NoHeating, IsBoundedByADiscSourceAtRest) {
     const auto slow = experiments::no_heating(with({{&Rig::k_th, .2}, {&Rig::c_T, 3e-3}}));

@@ -1,0 +1,109 @@
+// What the reader of an identification refuses about friction and the loads that it grows with.
+
+#include <algorithm>
+
+#include "experiments/identification/friction_values.h"
+#include "experiments/identification/identification_checks.h"
+#include "io/case/measurement_laws.h"
+#include "io/case/measurement_models.h"
+#include "io/keys/key_checks.h"
+#include "io/keys/messages.h"
+
+namespace tricontact::experiments {
+
+using Input = IdentificationInput;
+using Measurement = Input::Measurement;
+
+bool tells_young(Measurement measurement) {
+    return measurement != Measurement::rolling_shift && measurement != Measurement::sliding_force;
+}
+
+void check_laws(const Input& input, const std::vector<std::string>& find,
+                const io::Document& document) {
+    const bool finds_coefficient = std::ranges::count(find, "friction.coefficient") > 0;
+    if (input.find(Measurement::rolling_shift) && !input.find(Measurement::static_shift) &&
+        input.find(Measurement::sliding_force))
+        io::refuse(document, "measurement.sliding_force",
+                   "beside rolling_shift friction follows from static shifts",
+                   "add static_shift, or leave out one of both");
+    if (input.laws.empty()) {
+        for (const char* key :
+             {"friction.shear_strength", "friction.pressure_exponent", "friction.strength_limit"})
+            if (finds_coefficient && document.find(key))
+                io::refuse(document, key,
+                           "measurement.find has friction.coefficient, that of Coulomb's law",
+                           "name laws in measurement.laws instead, and leave out [friction]");
+        return;
+    }
+    if (!input.find(Measurement::static_shift) && !input.find(Measurement::sliding_force))
+        io::refuse(document, "measurement.laws", "no table has friction",
+                   "add static_shift or sliding_force, or leave measurement.laws out");
+    if (finds_coefficient)
+        io::refuse(document, "measurement.find",
+                   "has friction.coefficient beside measurement.laws, each of which finds its own "
+                   "numbers",
+                   "leave out friction.coefficient");
+    if (const auto* friction = document.find_section("friction"))
+        io::fail(friction->place, "[friction]",
+                 "measurement.laws names the laws whose numbers are found", "omit it");
+    for (const std::string& model : input.models)
+        if (io::measurement_model(model).is_layer)
+            io::refuse(
+                document, "measurement.models",
+                "laws of friction are compared by closed forms of the half-space, not by " + model,
+                "take models = [\"half-space\"], or leave measurement.laws out");
+}
+
+void check_loads(const Input& input, const io::Document& document) {
+    const auto* shifts = input.find(Measurement::static_shift);
+    if (!shifts || shifts->normal_forces.empty()) return;
+    if (document.find("load.normal_force"))
+        io::refuse(document, "load.normal_force",
+                   "the rows of static_shift state their own normal forces", "omit it");
+    if (input.find(Measurement::rolling_shift))
+        io::refuse(document, "measurement.rolling_shift",
+                   "was measured under one load, and the rows of static_shift state several",
+                   "leave out the column normal_force, or rolling_shift");
+}
+
+void check_rows_of_laws(const Input& input, const io::Document& document) {
+    std::size_t n_rows = 0, n_numbers = 0;
+    for (const auto& table : input.tables)
+        n_rows += table.observed.size() - table.has_free_origin();
+    for (const std::string& law : input.laws)
+        n_numbers = std::max<std::size_t>(n_numbers, io::measurement_law(law).n_numbers());
+    n_numbers += input.parameters.size();
+    if (!input.laws.empty() && n_rows <= n_numbers)
+        io::refuse(document, "measurement.laws",
+                   std::to_string(n_rows) + " rows do not determine " + std::to_string(n_numbers) +
+                       " values and how well they are known",
+                   "measure more, or leave out the laws of two numbers");
+}
+
+void check_friction(const Input& input, const io::Document& document) {
+    const auto* shifts = input.find(Measurement::static_shift);
+    const contact::Friction& friction = input.rig.friction;
+    if (!friction.is_coulomb())
+        for (const std::string& model : input.models)
+            if (io::measurement_model(model).is_layer)
+                io::refuse(document, "measurement.models",
+                           model + " identifies under Coulomb's law, and the case has tau = " +
+                               friction.formula(),
+                           "take models = [\"half-space\"], or give friction.coefficient alone");
+    if (!shifts || input.is_free("friction.coefficient") || !input.laws.empty()) return;
+    // Of other laws what the contact carries depends on its area, thus on E.
+    if (!friction.is_coulomb() && input.is_free("substrate.young")) return;
+    for (const LoadedRows& load : rows_by_load(*shifts, input.rig, shifts->given)) {
+        const double largest = std::ranges::max(load.given);
+        const double limit = sliding_forces(input.rig, {load.normal_force}).front();
+        if (largest >= limit)
+            io::refuse(
+                document, friction.coefficient ? "friction.coefficient" : "friction.shear_strength",
+                "the contact would slide: F_T of the table reaches " + io::shortest(largest) +
+                    (friction.is_coulomb() ? " N, mu F_N is " : " N, friction carries ") +
+                    io::shortest(limit) + " N",
+                "correct it, or name it in measurement.find");
+    }
+}
+
+}  // namespace tricontact::experiments

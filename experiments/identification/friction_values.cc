@@ -1,0 +1,88 @@
+#include "experiments/identification/friction_values.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "contact/half_space_scales.h"
+#include "theory/cattaneo_mindlin.h"
+#include "theory/hertz_under_law.h"
+
+namespace tricontact::experiments {
+
+namespace {
+
+using contact::Case;
+using Table = IdentificationInput::Table;
+
+theory::HertzUnderLaw under_law(const Case& rig, double normal_force) {
+    const contact::HalfSpaceScales hertz =
+        contact::hertz_scales(rig.materials(), rig.indenter.radius, normal_force, 1);
+    return {rig.friction, hertz.contact_radius, hertz.peak_pressure,
+            rig.materials().effective_shear_modulus()};
+}
+
+}  // namespace
+
+std::vector<LoadedRows> rows_by_load(const Table& table, const Case& rig,
+                                     const std::vector<double>& given) {
+    std::map<double, LoadedRows> loads;
+    for (std::size_t row = 0; row < given.size(); ++row) {
+        const double force =
+            table.normal_forces.empty() ? *rig.load.normal_force : table.normal_forces.at(row);
+        LoadedRows& one = loads[force];
+        one.normal_force = force;
+        one.rows.push_back(row);
+        one.given.push_back(given[row]);
+    }
+    std::vector<LoadedRows> all;
+    for (auto& [force, one] : loads) all.push_back(std::move(one));
+    return all;
+}
+
+std::vector<double> by_load(
+    const Table& table, const Case& rig, const std::vector<double>& given,
+    const std::function<std::vector<double>(const Case&, const std::vector<double>&)>& values) {
+    if (table.normal_forces.empty()) return values(rig, given);
+    std::vector<double> all(given.size());
+    for (const LoadedRows& load : rows_by_load(table, rig, given)) {
+        Case c = rig;
+        c.load.normal_force = load.normal_force;
+        const std::vector<double> of_load = values(c, load.given);
+        if (of_load.empty()) return {};
+        for (std::size_t i = 0; i < of_load.size(); ++i) all[load.rows[i]] = of_load[i];
+    }
+    return all;
+}
+
+std::vector<double> half_space_shifts(const Case& rig, const std::vector<double>& forces) {
+    std::vector<double> shifts;
+    if (rig.friction.is_coulomb()) {
+        const contact::HalfSpaceScales hertz = contact::half_space_scales(rig);
+        const double limit = rig.friction_coefficient() * hertz.normal_force;
+        for (const double force : forces)  // rounding may make the largest one reach the limit
+            shifts.push_back(hertz.unit_shift *
+                             theory::static_shift_ratio(std::min(1., force / limit)));
+        return shifts;
+    }
+    const theory::HertzUnderLaw law = under_law(rig, *rig.load.normal_force);
+    const double limit = law.friction_limit();
+    // Below the limit the way to U_max goes with this power of the force's: Coulomb's and a
+    // strength's.
+    constexpr double power = 2. / 3;
+    for (const double force : forces)
+        shifts.push_back(force <= limit
+                             ? law.shift(force)
+                             : law.unit_shift() * (1 + std::pow(force / limit - 1, power)));
+    return shifts;
+}
+
+std::vector<double> sliding_forces(const Case& rig, const std::vector<double>& normal_forces) {
+    std::vector<double> forces;
+    for (const double force : normal_forces)
+        forces.push_back(rig.friction.is_coulomb() ? rig.friction_coefficient() * force
+                                                   : under_law(rig, force).friction_limit());
+    return forces;
+}
+
+}  // namespace tricontact::experiments

@@ -1,0 +1,242 @@
+#include "experiments/identification/law_comparison.h"
+
+#include <fmt/format.h>
+#include <gsl/gsl_cdf.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "contact/base/special_values.h"
+#include "experiments/identification/friction_values.h"
+#include "experiments/identification/identification_models.h"
+#include "experiments/identification/identification_report.h"
+#include "io/case/measurement_models.h"
+#include "report/format.h"
+
+namespace tricontact::experiments {
+
+namespace {
+
+using io::MeasurementLaw;
+using Measurement = IdentificationInput::Measurement;
+
+// Of the largest value of a table: exact data have rounding for an error.
+constexpr double least_relative_rms = 1e-12;
+
+const char* half_space_name() {
+    return std::ranges::find(io::measurement_models(), false, &io::MeasurementModel::is_layer)
+        ->name;
+}
+
+/// Rows and degrees of freedom of the tables whose errors are not stated.
+struct EstimatedRows {
+    double n = 0, degrees = 0;
+    int n_tables = 0;
+    bool are_all = true;
+};
+
+EstimatedRows estimated_rows(const LawFit& fit) {
+    EstimatedRows rows;
+    for (std::size_t t = 0; t < fit.input.tables.size(); ++t) {
+        if (!fit.input.tables[t].standard_errors.empty()) {
+            rows.are_all = false;
+            continue;
+        }
+        ++rows.n_tables;
+        rows.n += static_cast<double>(fit.input.tables[t].observed.size());
+        rows.degrees += fit.found.tables[t].degrees_of_freedom;
+    }
+    return rows;
+}
+
+void add_likelihood(LawFit& fit) {
+    double n = 0;
+    for (std::size_t t = 0; t < fit.input.tables.size(); ++t) {
+        const TableFit& table = fit.found.tables[t];
+        const auto rows = static_cast<double>(table.residuals.size());
+        n += rows - fit.input.tables[t].has_free_origin();
+        if (!fit.input.tables[t].standard_errors.empty()) {
+            fit.minus_two_log_likelihood += table.sum_of_squares;
+            continue;
+        }
+        double squares = 0, largest = 0;
+        for (const double r : table.residuals) squares += r * r;
+        for (const double y : fit.input.tables[t].observed)
+            largest = std::max(largest, std::abs(y));
+        fit.minus_two_log_likelihood +=
+            rows * std::log(std::max(squares / rows, std::pow(least_relative_rms * largest, 2)));
+    }
+    fit.n_fitted = static_cast<int>(fit.input.parameters.size()) + estimated_rows(fit).n_tables;
+    const double k = fit.n_fitted;
+    fit.aicc =
+        n > k + 1 ? fit.minus_two_log_likelihood + 2 * k * n / (n - k - 1) : contact::infinity;
+}
+
+double chance_of(double ratio, double n_more, const LawFit& wider) {
+    const EstimatedRows rows = estimated_rows(wider);
+    if (rows.n_tables == 0) return gsl_cdf_chisq_Q(ratio, n_more);
+    // Exact for one table and a linear model; of both kinds of tables the known ones count as if
+    // their errors were estimated, too.
+    const double f =
+        rows.are_all ? std::expm1(ratio / rows.n) * rows.degrees / n_more : ratio / n_more;
+    return gsl_cdf_fdist_Q(f, n_more, rows.degrees);
+}
+
+void add_nested(LawComparison& comparison) {
+    for (LawFit& fit : comparison.laws)
+        for (const LawFit& wider : comparison.laws) {
+            if (!wider.law->contains(*fit.law)) continue;
+            const double ratio =
+                std::max(0., fit.minus_two_log_likelihood - wider.minus_two_log_likelihood);
+            const int n_more = wider.n_fitted - fit.n_fitted;
+            fit.wider.push_back({wider.law, ratio, chance_of(ratio, n_more, wider)});
+        }
+}
+
+/// "AICc 23.4 above that of shear-strength".
+void exclude(LawComparison& comparison) {
+    const LawFit& least = *std::ranges::min_element(comparison.laws, {}, &LawFit::aicc);
+    for (LawFit& fit : comparison.laws) {
+        fit.aicc_difference = std::isfinite(fit.aicc) ? fit.aicc - least.aicc : contact::undefined;
+        const auto test = std::ranges::min_element(fit.wider, {}, &NestedTest::chance);
+        const double n_tests = static_cast<double>(fit.wider.size());
+        if (test != fit.wider.end() && test->chance * n_tests < excluded_chance)
+            fit.why_excluded = fmt::format("likelihood ratio {} beside {}, {}",
+                                           report::significant(test->likelihood_ratio, 3),
+                                           test->wider->name, report::p_value(test->chance));
+        else if (fit.aicc_difference > excluded_aicc)
+            fit.why_excluded =
+                fmt::format("AICc {} above that of {}", report::significant(fit.aicc_difference, 3),
+                            least.law->name);
+        else if (fit.found.goodness && *fit.found.goodness < excluded_chance)
+            fit.why_excluded = "chi^2, " + report::p_value(*fit.found.goodness);
+        else if (!fit.found.goodness && fit.found.has_strong_pattern())
+            fit.why_excluded = "its residuals show a pattern";
+    }
+}
+
+double found_number(const LawFit& fit, const char* key) {
+    return fit.found.parameters[*fit.found.find(key)].value;
+}
+
+Interval found_interval(const LawFit& fit, const char* key) {
+    return fit.found.parameters[*fit.found.find(key)].likelihood;
+}
+
+std::string part_text(const char* what, const std::string& end, double part) {
+    return fmt::format("{} {}, {} % of friction", what, end,
+                       report::significant(100 * std::min(part, 1.), 2));
+}
+
+/// What the wider law may be beside the narrower one, empty if that is little.
+std::string what_is_left(const LawFit& narrow, const LawFit& wide) {
+    const bool is_coulomb = narrow.law->has_coefficient;
+    const contact::Case rig = rig_with(wide.input, wide.found.free, wide.found.best()).as_case;
+    const LoadRange loads = loads_of_friction(wide.input);
+    const auto parameter = [&](const char* key) { return wide.found.free[*wide.found.find(key)]; };
+    if (wide.law->has_exponent) {
+        const Interval n = found_interval(wide, "friction.pressure_exponent");
+        const double target = is_coulomb ? 1 : 0;
+        const double off = std::max(std::abs(n.low - target), std::abs(n.high - target));
+        return off <= negligible_part
+                   ? ""
+                   : fmt::format("n from {} to {}", report::significant(n.low, 2),
+                                 report::significant(n.high, 2));
+    }
+    if (wide.law->has_strength) {
+        const char* key = is_coulomb ? "friction.shear_strength" : "friction.coefficient";
+        const double end = found_interval(wide, key).high, force = loads.middle();
+        const double part = is_coulomb ? end / mean_friction(rig, force)
+                                       : end * force / sliding_forces(rig, {force}).front();
+        return part <= negligible_part ? ""
+                                       : part_text(is_coulomb ? "tau_0 up to" : "mu up to",
+                                                   parameter(key).shown(end), part);
+    }
+    // What the cap takes from mu p, or mu p from the cap.
+    const char* key = is_coulomb ? "friction.strength_limit" : "friction.coefficient";
+    const double end = found_interval(wide, key).low;
+    contact::Case at_end = rig, without = rig;
+    (is_coulomb ? at_end.friction.strength_limit : at_end.friction.coefficient) = end;
+    if (is_coulomb)
+        without.friction.strength_limit.reset();
+    else
+        without.friction = {.shear_strength = found_number(wide, "friction.strength_limit")};
+    const double force = loads.middle();
+    const double part =
+        1 - sliding_forces(at_end, {force}).front() / sliding_forces(without, {force}).front();
+    return part <= negligible_part ? ""
+                                   : part_text(is_coulomb ? "tau_cap down to" : "mu down to",
+                                               parameter(key).shown(end), part);
+}
+
+void name(LawComparison& comparison) {
+    const auto supported = comparison.supported();
+    for (const std::size_t i : supported) {
+        LawFit& fit = comparison.laws[i];
+        bool is_told = true;
+        for (const std::size_t k : supported) {
+            const LawFit& other = comparison.laws[k];
+            if (k == i) continue;
+            if (!other.law->contains(*fit.law)) {
+                is_told = false;
+                continue;
+            }
+            const std::string left = what_is_left(fit, other);
+            if (left.empty()) continue;
+            fit.not_told_from += (fit.not_told_from.empty() ? "" : "; ") + left;
+            is_told = false;
+        }
+        if (is_told) comparison.named = i;
+    }
+    double least = contact::infinity;
+    for (std::size_t i = 0; i < comparison.laws.size(); ++i) {
+        const bool counts = supported.empty() || !comparison.laws[i].is_excluded();
+        if (counts && comparison.laws[i].aicc < least) {
+            least = comparison.laws[i].aicc;
+            comparison.best = i;
+        }
+    }
+    if (comparison.named) comparison.best = *comparison.named;
+}
+
+double largest_held_share(const LawFit& fit) {
+    double share = 0;
+    const auto* shifts = fit.input.find(Measurement::static_shift);
+    if (!shifts) return 0;
+    const contact::Case rig = rig_with(fit.input, fit.found.free, fit.found.best()).as_case;
+    for (const LoadedRows& load : rows_by_load(*shifts, rig, shifts->given))
+        share = std::max(
+            share, std::ranges::max(load.given) / sliding_forces(rig, {load.normal_force}).front());
+    return share;
+}
+
+}  // namespace
+
+std::vector<std::size_t> LawComparison::supported() const {
+    std::vector<std::size_t> places;
+    for (std::size_t i = 0; i < laws.size(); ++i)
+        if (!laws[i].is_excluded()) places.push_back(i);
+    return places;
+}
+
+LawComparison compare_laws(const IdentificationInput& input, const std::vector<std::string>& laws,
+                           const contact::ModelRunner& runner) {
+    LawComparison comparison;
+    const std::string model = half_space_name();
+    for (const MeasurementLaw& law : io::measurement_laws()) {
+        if (!std::ranges::count(laws, law.name)) continue;
+        LawFit fit{.law = &law, .input = with_law(input, law)};
+        IdentificationTask task = task_of(fit.input, model);
+        task.model = prediction_of(model, fit.input, runner);
+        fit.found = identify(task);
+        fit.largest_held_share = largest_held_share(fit);
+        add_likelihood(fit);
+        comparison.laws.push_back(std::move(fit));
+    }
+    add_nested(comparison);
+    exclude(comparison);
+    name(comparison);
+    return comparison;
+}
+
+}  // namespace tricontact::experiments

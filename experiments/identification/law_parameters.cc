@@ -1,0 +1,169 @@
+#include "experiments/identification/law_parameters.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "contact/half_space_scales.h"
+#include "experiments/identification/friction_values.h"
+
+namespace tricontact::experiments {
+
+namespace {
+
+using Measurement = IdentificationInput::Measurement;
+using Scale = FreeParameter::Scale;
+
+// Of a number around its guess; of one that may be zero, over it.
+constexpr double widest_number = 1e3, widest_from_zero = 100;
+constexpr double largest_exponent = 2;  // as [friction] has it
+// Whatever held was this far from sliding, until more is known.
+constexpr double guessed_margin = 1.3;
+
+/// Hertz' contact of the guessed rig under a force.
+contact::HalfSpaceScales hertz_under(const contact::Case& rig, double force) {
+    return contact::hertz_scales(rig.materials(), rig.indenter.radius, force, 1);
+}
+
+/// What friction may carry under the largest load.
+struct Guess {
+    double normal_force = 0, friction = 0;  // [N]
+};
+
+Guess guess_of(const IdentificationInput& input) {
+    Guess guess;
+    const auto take = [&](double normal_force, double friction) {
+        if (normal_force < guess.normal_force) return;
+        if (normal_force > guess.normal_force) guess.friction = 0;
+        guess.normal_force = normal_force;
+        guess.friction = std::max(guess.friction, friction);
+    };
+    if (const auto* shifts = input.find(Measurement::static_shift))
+        for (const LoadedRows& load : rows_by_load(*shifts, input.rig, shifts->given))
+            take(load.normal_force, guessed_margin * std::ranges::max(load.given));
+    if (const auto* sliding = input.find(Measurement::sliding_force)) {
+        guess = {};  // which shows it
+        for (std::size_t row = 0; row < sliding->given.size(); ++row)
+            take(sliding->given[row], sliding->observed[row]);
+    }
+    return guess;
+}
+
+double one_digit(double value) {
+    const double power = std::pow(10., std::floor(std::log10(value)));
+    return std::round(value / power) * power;
+}
+
+FreeParameter sized(FreeParameter p, double guess) {
+    p.scale = Scale::from_zero;
+    p.size = guess;
+    p.low = 0;
+    p.high = widest_from_zero * guess;
+    p.start = .2 * guess;
+    p.further_starts = {.8 * guess};
+    return p;
+}
+
+FreeParameter around(FreeParameter p, double guess) {
+    p.scale = Scale::logarithmic;
+    p.low = guess / widest_number;
+    p.high = guess * widest_number;
+    p.start = guess;
+    return p;
+}
+
+/// Of a law whose other number only lessens what this one gives: its guess is the least one, but
+/// for noise, and it may be infinite.
+FreeParameter above(FreeParameter p, double guess) {
+    constexpr double least = .3;
+    p.scale = Scale::reciprocal;
+    p.low = least * guess;
+    p.high = guess * widest_number;
+    p.start = guessed_margin * guess;
+    return p;
+}
+
+FreeParameter strength_of(std::string key, std::string name, std::string symbol) {
+    return {
+        .key = std::move(key), .name = std::move(name), .symbol = std::move(symbol), .unit = "Pa"};
+}
+
+FreeParameter unnamed_coefficient() {
+    return {.key = "friction.coefficient", .name = "friction_coefficient", .symbol = "mu"};
+}
+
+}  // namespace
+
+double largest_held_ratio(const IdentificationInput& input) {
+    double ratio = 0;
+    if (const auto* shifts = input.find(Measurement::static_shift))
+        for (const LoadedRows& load : rows_by_load(*shifts, input.rig, shifts->given))
+            ratio = std::max(ratio, std::ranges::max(load.given) / load.normal_force);
+    return ratio;
+}
+
+FreeParameter coulomb_parameter(const IdentificationInput& input) {
+    const double held = largest_held_ratio(input);
+    if (held > 0) return friction_parameter(held);
+    const Guess guess = guess_of(input);
+    return around(unnamed_coefficient(), guess.friction / guess.normal_force);
+}
+
+IdentificationInput with_law(const IdentificationInput& input, const io::MeasurementLaw& law) {
+    IdentificationInput result = input;
+    const Guess guess = guess_of(input);
+    const contact::HalfSpaceScales hertz = hertz_under(input.rig, guess.normal_force);
+    const double area = std::numbers::pi * std::pow(hertz.contact_radius, 2);
+    const double mean = guess.friction / area, ratio = guess.friction / guess.normal_force;
+    contact::Friction friction;
+    auto& parameters = result.parameters;
+    if (law.has_strength) {
+        friction.shear_strength = mean;
+        const auto p = strength_of("friction.shear_strength", "shear_strength_Pa", "tau_0");
+        parameters.push_back(law.has_coefficient ? sized(p, mean) : around(p, mean));
+    }
+    if (law.has_coefficient) {
+        friction.coefficient = ratio;
+        parameters.push_back(law.n_numbers() == 1 ? coulomb_parameter(input)
+                             : law.has_strength   ? sized(unnamed_coefficient(), ratio)
+                             : law.has_limit      ? above(unnamed_coefficient(), ratio)
+                                                  : around(unnamed_coefficient(), ratio));
+    }
+    if (law.has_exponent) {
+        friction.reference_pressure = one_digit(guess.normal_force / area);
+        friction.pressure_exponent = .8;
+        parameters.push_back({.key = "friction.pressure_exponent",
+                              .name = "pressure_exponent",
+                              .symbol = "n",
+                              .scale = Scale::from_zero,
+                              .low = 0,
+                              .high = largest_exponent,
+                              .start = .8,
+                              .size = 1,
+                              .further_starts = {.3}});
+    }
+    if (law.has_limit) {
+        friction.strength_limit = guessed_margin * mean;
+        parameters.push_back(
+            above(strength_of("friction.strength_limit", "strength_limit_Pa", "tau_cap"), mean));
+    }
+    result.rig.friction = friction;
+    return result;
+}
+
+double mean_friction(const contact::Case& rig, double normal_force) {
+    const double radius = hertz_under(rig, normal_force).contact_radius;
+    return sliding_forces(rig, {normal_force}).front() / (std::numbers::pi * radius * radius);
+}
+
+LoadRange loads_of_friction(const IdentificationInput& input) {
+    std::vector<double> loads;
+    if (const auto* sliding = input.find(Measurement::sliding_force)) loads = sliding->given;
+    if (const auto* shifts = input.find(Measurement::static_shift))
+        for (const LoadedRows& load : rows_by_load(*shifts, input.rig, shifts->given))
+            loads.push_back(load.normal_force);
+    const auto [least, largest] = std::ranges::minmax(loads);
+    return {least, largest};
+}
+
+}  // namespace tricontact::experiments

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <span>
+#include <string_view>
+
+namespace tricontact::io {
+
+/// A law of friction that may explain measured tables, a word of `measurement.laws`: which numbers
+/// of tau = min(tau_0 + mu p_r (p/p_r)^n, tau_cap) are found, the others being 0, 1 or none.
+struct MeasurementLaw {
+    std::string_view name;     ///< "shear-strength"
+    std::string_view formula;  ///< for people: "tau_0"
+    bool has_strength = false, has_coefficient = false, has_exponent = false, has_limit = false;
+
+    int n_numbers() const { return has_strength + has_coefficient + has_exponent + has_limit; }
+    /// Whether the other one is this with one of its numbers at an end of its range or at 1.
+    bool contains(const MeasurementLaw& other) const;
+};
+
+/// Those of few numbers first.
+std::span<const MeasurementLaw> measurement_laws();
+/// Throws std::out_of_range.
+const MeasurementLaw& measurement_law(std::string_view name);
+
+}  // namespace tricontact::io
