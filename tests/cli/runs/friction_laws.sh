@@ -41,6 +41,8 @@ near "$(value mdr-layer static_shift_m power/summary.json)" \
     "$(value bem-layer static_shift_m power/summary.json)" 0.005 "static shift of mdr-layer"
 near "$(value mdr-layer limit_tangential_ratio power/summary.json)" \
     "$(value bem-layer limit_tangential_ratio power/summary.json)" 0.002 "limit of mdr-layer"
+near "$(value mdr-layer limit_amplitude_ratio power/summary.json)" \
+    "$(value bem-layer limit_amplitude_ratio power/summary.json)" 0.005 "amplitude of mdr-layer"
 near "$(value fem settled_shift_m power/summary.json)" \
     "$(value bem-layer settled_shift_m power/summary.json)" 0.02 "settled shift of fem"
 

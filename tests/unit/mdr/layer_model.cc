@@ -144,6 +144,21 @@ TEST(MdrLayerModel, AngleOfRollingIsOfNoConsequence) {
     EXPECT_GT(b.steps[4].offset[1], 0);
 }
 
+// The least bounds since start_limit() are part of the state.
+TEST(MdrLayerModel, LeastBoundsOfOtherLawsGoOnFromItsBytes) {
+    Case c = layer_case();
+    c.friction = {.shear_strength = 1e5};
+    const auto model = mdr::make_layer_model(c, 25), other = mdr::make_layer_model(c, 25);
+    model->advance(step(0, 0));
+    model->start_limit();
+    EXPECT_EQ(model->limit_tangential_ratio(), 1);
+    model->advance(step(.8e-3, 1));
+    other->read_state(model->write_state());
+    for (const auto* one : {&model, &other}) (*one)->advance(step(-.8e-3, 1));
+    EXPECT_EQ(model->limit_tangential_ratio(), other->limit_tangential_ratio());
+    EXPECT_LT(model->limit_tangential_ratio(), .95);
+}
+
 TEST(MdrLayerModel, GoesOnFromItsBytes) {
     const auto model = mdr::make_layer_model(layer_case(), 25),
                other = mdr::make_layer_model(layer_case(), 25);
