@@ -26,7 +26,10 @@ def shift(load, force):
     low, high = 0.0, 1.0
     for _ in range(60):
         u = (low + high) / 2
-        low, high = (u, high) if 2 / math.pi * (u * math.sqrt(1 - u * u) + math.asin(u)) < force / limit(load) else (low, u)
+        if 2 / math.pi * (u * math.sqrt(1 - u * u) + math.asin(u)) < force / limit(load):
+            low = u
+        else:
+            high = u
     return 2 * strength * contact_radius(load) / shear * low
 
 
