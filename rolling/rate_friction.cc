@@ -78,7 +78,8 @@ double solve_steady_rated(const contact::Compliance& compliance, const SteadyPro
     }
     throw contact::NotConverged(
         fmt::format("steady rolling: after {} iterations friction still follows the slip from one "
-                    "state to another; smaller cells, or a friction.rate.memory_length, may help",
+                    "state to another: it falls too steeply with the speed of slip for single "
+                    "cells; give it a friction.rate.memory_length, or fall less",
                     most_iterations));
 }
 

@@ -30,7 +30,9 @@ awk -v xi="$(value force longitudinal_creepage)" 'BEGIN { exit (xi / -0.0015 - 1
 [ "$(value force from_fast_slip)" = None ] || complain "under a force there is no other state"
 "$program" run force.toml --set load.tangential_ratio=-0.808 --points 0 --no-report --quiet --output peak >told.txt 2>&1 ||
     complain "just below the peak: $(cat told.txt)"
-refused "N is more than friction carries that falls with the speed of slip" run "$PWD/force.toml" --set load.tangential_ratio=-0.81 \
-    --points 0 --no-report --quiet --output none
+"$program" run force.toml --set load.tangential_ratio=-0.81 --points 0 --no-report --quiet --output none >told.txt 2>&1
+[ $? = 2 ] || complain "a force beyond the peak: $(cat told.txt)"
+grep -q "N is more than friction carries that falls with the speed of slip (186665 N at rest)" told.txt || complain "$(cat told.txt)"
+[ ! -e none/summary.json ] || complain "a summary of no state"
 
 finish

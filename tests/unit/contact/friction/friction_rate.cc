@@ -55,7 +55,8 @@ TEST(FrictionRate, IsNoCoulombFriction) {
     friction.rate = FrictionRate{Law::exponential, {.12}, {.1}};
     EXPECT_FALSE(friction.is_coulomb());
     EXPECT_EQ(friction.law()->coulomb(), .3);
-    EXPECT_EQ(friction.formula(), "0.3 p at rest, falling by 0.12 p (half of it at 0.1 m/s), exponentially");
+    EXPECT_EQ(friction.formula(),
+              "0.3 p at rest, falling by 0.12 p (half of it at 0.1 m/s), exponentially");
 }
 
 }  // namespace
