@@ -270,6 +270,7 @@ bool is_coupled(const contact::MaterialPair& materials) {
 std::unique_ptr<GridCompliance> half_space_compliance(const contact::MaterialPair& materials,
                                                       contact::ContactPoints grid, int n_threads,
                                                       const contact::Interface& interface) {
+    grid.on_springs = interface.is_elastic();
     const RectangleInfluence cell(materials, grid.spacing[0], grid.spacing[1]);
     return std::make_unique<GridCompliance>(
         on_interface([cell](double x, double y) { return cell.at(x, y); }, interface),
@@ -280,6 +281,7 @@ std::unique_ptr<GridCompliance> layer_compliance(const theory::LayerStack& layer
                                                  const std::optional<contact::Material>& indenter,
                                                  contact::ContactPoints grid, int n_threads,
                                                  const contact::Interface& interface) {
+    grid.on_springs = interface.is_elastic();
     const auto cell = std::make_shared<const LayerInfluence>(
         layers, indenter, grid.spacing[0], grid.spacing[1],
         std::hypot(positions(grid.n_x) * grid.spacing[0],
@@ -292,6 +294,7 @@ std::unique_ptr<GridCompliance> layer_compliance(const theory::LayerStack& layer
 std::unique_ptr<GridCompliance> plane_layer_compliance(
     const theory::LayerStack& layers, const std::optional<contact::Material>& indenter,
     contact::ContactPoints grid, int n_threads, const contact::Interface& interface) {
+    grid.on_springs = interface.is_elastic();
     const auto strip = std::make_shared<const PlaneLayerInfluence>(
         layers, indenter, grid.spacing[0], grid.spacing[1], positions(grid.n_x) * grid.spacing[0]);
     // Beside the only row there is nothing.
@@ -306,6 +309,7 @@ std::unique_ptr<GridCompliance> tabulated_compliance(InfluenceTable table, const
                                                      bool coupled, contact::ContactPoints grid,
                                                      int n_threads,
                                                      const contact::Interface& interface) {
+    grid.on_springs = interface.is_elastic();
     const double h = grid.spacing[0];
     check_spacing(table, name, h);
     const int n_x = grid.n_x, n_y = all_rows(grid, grid.n_y);

@@ -180,6 +180,7 @@ MakeCompliance periodic_cells(const contact::Case& c, const contact::ContactPoin
                 "neighbouring contacts would merge; enlarge bem.period or reduce the load",
                 period));
         require_memory(grid, predicted_bytes(c, Body::layer, Surroundings::free, grid));
+        grid.on_springs = c.interface.is_elastic();
         return std::make_unique<GridCompliance>(
             [table, n, h](double x, double y) {
                 return table->at(static_cast<int>(std::lround(x / h)) % n,

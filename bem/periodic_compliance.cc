@@ -219,6 +219,7 @@ PeriodicCompliance::PeriodicCompliance(const PeriodicInfluence& influence,
                                        const contact::Interface& interface)
     : ConvolvedCompliance(std::move(grid), coupled, n_threads) {
     grid_.periodic = true;
+    grid_.on_springs = interface.is_elastic();
     GridConvolution convolution(grid_.n_x, grid_.n_y, grid_.n_x, grid_.n_y, n_threads_);
     const InfluenceCoefficients springs{.xx = interface.tangential_compliance(),
                                         .xy = 0,

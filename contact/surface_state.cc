@@ -51,7 +51,7 @@ Scales SurfaceModel::scales() const {
            })
             .point;
     return {.normal_force = now().normal->force,
-            .contact_radius = indenter_->presses_like_a_ball()
+            .contact_radius = indenter_->presses_like_a_ball() && !points.on_springs
                                   ? contact_radius(points, now().normal->pressure, now().offset)
                                   : counted_radius(points, now().normal->pressure),
             .indentation = now().normal->indentation,

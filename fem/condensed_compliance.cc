@@ -46,7 +46,8 @@ contact::ContactPoints points_of(const CondensedLayer& layer, const LayerProblem
     contact::ContactPoints points = layer.points;
     points.line_length = problem.line_length;
     points.local_ratio = elastic_ratio(problem);
-    if (interface.is_elastic()) {
+    points.on_springs = interface.is_elastic();
+    if (points.on_springs) {
         const double down = local_normal(layer);
         points.local_ratio = (points.local_ratio * down + interface.tangential_compliance()) /
                              (down + interface.normal_compliance());

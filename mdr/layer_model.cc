@@ -107,7 +107,7 @@ std::shared_ptr<const LayerSprings> springs_of(const contact::Case& c, double ha
                             2 * 9 * sizeof(double) * n * n,
                             "shorten the rolling path or take bem-layer");
     return std::make_shared<LayerSprings>(held_layers_of(c), c.indenter.material,
-                                          static_cast<int>(beside), spacing);
+                                          static_cast<int>(beside), spacing, c.interface);
 }
 
 /// Half width of the contact [m]; infinite if it reaches the last element.

@@ -66,6 +66,13 @@ std::vector<double> coefficients(double springs, double layer, const std::vector
     return row;
 }
 
+/// Adds springs of the compliance 1/k [m/Pa] at each point of the surface.
+void add_interface(double compliance, double spacing, std::vector<double>& row) {
+    const double unit = compliance / (2 * std::numbers::pi * spacing * spacing);
+    const int n = (static_cast<int>(row.size()) + 1) / 2;
+    for (int m = 1 - n; m < n; ++m) row[n - 1 + m] += unit / (.25 - static_cast<double>(m) * m);
+}
+
 }  // namespace
 
 LayerKernel layer_kernel(const theory::LayerStack& stack, double spacing, int n) {
@@ -89,7 +96,7 @@ LayerKernel layer_kernel(const theory::LayerStack& stack, double spacing, int n)
 
 LayerSprings::LayerSprings(const theory::LayerStack& stack,
                            const std::optional<contact::Material>& indenter, int n_beside,
-                           double spacing) {
+                           double spacing, const contact::Interface& interface) {
     theory::check(stack);
     const auto& top = stack.sheets.front();
     if (!(spacing <= longest_element * top.thickness))
@@ -105,13 +112,16 @@ LayerSprings::LayerSprings(const theory::LayerStack& stack,
     points_.mirrored = true;
 
     const contact::MaterialPair both(indenter, top.material), layer({}, top.material);
-    effective_modulus_ = both.effective_modulus();
+    effective_modulus_ = interface.normal_stiffness ? 0 : both.effective_modulus();
     const LayerKernel kernel = layer_kernel(stack, spacing, n);
     normal_ = coefficients(1 / both.effective_modulus(), 1 / layer.effective_modulus(),
                            kernel.normal, spacing);
     if (!kernel.tangential.empty())
         tangential_ = coefficients(1 / both.effective_shear_modulus(),
                                    1 / layer.effective_shear_modulus(), kernel.tangential, spacing);
+    add_interface(interface.normal_compliance(), spacing, normal_);
+    if (!tangential_.empty())
+        add_interface(interface.tangential_compliance(), spacing, tangential_);
     dense_.assign(9 * static_cast<std::size_t>(n) * n, 0.0);
     fill_block(0, tangential_);
     fill_block(2, normal_);

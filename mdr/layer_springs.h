@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "contact/compliances/compliance.h"
+#include "contact/interface.h"
 #include "contact/substrates/material.h"
 #include "mdr/line_surface.h"
 #include "theory/layer/layer_stack.h"
@@ -30,7 +31,9 @@ LayerKernel layer_kernel(const theory::LayerStack& stack, double spacing, int n)
 /// elements of length h: with line loads q,
 ///   u_i = 1/E* [q_i - sum_j K(x_i - x_j) q_j h],   tangentially 1/G* and K_t (layer_kernel.h).
 /// K varies over the layer's thickness: the midpoint rule is of the order h^2 as long as h is
-/// shorter. An elastic indenter adds its own independent springs.
+/// shorter. An elastic indenter adds its own independent springs. Those of an elastic interface
+/// have C33 = 1/k_n, which on the line is k/(2 k_n): u(x) gets 1/(2 pi k_n) times the principal
+/// value of ∫ q'(s)/(x - s) ds, of elements 1/(2 pi k_n h) sum_j q_j/(1/4 - (i - j)^2).
 ///
 /// As a contact::Compliance it has a tributary area of h times 1 m per element, so that tractions
 /// [Pa] are line loads [N/m] over 1 m. The line is the plane of symmetry of a mirrored surface:
@@ -41,14 +44,16 @@ class LayerSprings final : public contact::Compliance {
     /// contact::InputError for layers out of range and for elements longer than a quarter of the
     /// top layer, which do not resolve K.
     LayerSprings(const theory::LayerStack& stack, const std::optional<contact::Material>& indenter,
-                 int n_beside, double spacing);
+                 int n_beside, double spacing, const contact::Interface& interface = {});
 
     static constexpr double width = 1;              ///< of the line [m]
     static constexpr double longest_element = .25;  ///< over the thickness of the top layer
 
     const contact::ContactPoints& points() const override { return points_; }
     const PointRow& row() const { return row_; }
-    double effective_modulus() const { return effective_modulus_; }  ///< E* of both bodies [Pa]
+    double effective_modulus() const {
+        return effective_modulus_;
+    }  ///< E* at a tip [Pa]; 0: an interface rounds it
     bool is_coupled() const override { return false; }
     void normal(std::span<const double> p, std::span<double> u_z) const override {
         multiply(normal_, p, u_z);

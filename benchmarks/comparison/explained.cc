@@ -46,6 +46,14 @@ std::optional<Explained> displaced_surface(const std::string& key, const Referen
     return e;
 }
 
+double added_compliance(const std::optional<double>& stiffness,
+                        const std::optional<double>& of_interface) {
+    constexpr double rounding = 1e-9;  // of units
+    if (!stiffness) return 0;
+    const double own = 1 / *stiffness, given = of_interface ? 1 / *of_interface : 0;
+    return std::abs(own - given) <= rounding * own ? 0 : own - given;
+}
+
 std::vector<Explained> explained(const std::string& key, const Submission& submission,
                                  const Reference& reference, double strain_of_area) {
     const ReferenceValue* value = reference.find(key);
@@ -54,17 +62,20 @@ std::vector<Explained> explained(const std::string& key, const Submission& submi
     const ContactMethod& contact = submission.contact;
     const FirstOrderEffects& effects = reference.effects;
     const auto add_compliance = [&](const char* id, const char* title,
-                                    const std::optional<ReferenceValue>& effect, double stiffness) {
-        if (!effect) return;
-        Explained e = relative(id, title, *effect, 1 / stiffness, value->value);
+                                    const std::optional<ReferenceValue>& effect,
+                                    double compliance) {
+        if (!effect || compliance == 0) return;
+        Explained e = relative(id, title, *effect, compliance, value->value);
         e.bar = std::hypot(e.bar, e.change * e.change);
         all.push_back(e);
     };
-    if (contact.stiffness && acts_on(key, reference, keys::normal_force, keys::indentation))
-        add_compliance("penalty", "normal penalty", effects.normal_compliance, *contact.stiffness);
-    if (contact.stick_slope && acts_on(key, reference, keys::tangential_force, keys::shift))
+    const contact::Interface& interface = reference.c.interface;
+    if (acts_on(key, reference, keys::normal_force, keys::indentation))
+        add_compliance("penalty", "normal penalty", effects.normal_compliance,
+                       added_compliance(contact.stiffness, interface.normal_stiffness));
+    if (acts_on(key, reference, keys::tangential_force, keys::shift))
         add_compliance("stick_slope", "elastic slip of the penalty", effects.tangential_compliance,
-                       *contact.stick_slope);
+                       added_compliance(contact.stick_slope, interface.tangential_stiffness));
     if (contact.kinematics == ContactMethod::Kinematics::displaced ||
         contact.kinematics == ContactMethod::Kinematics::finite)
         if (auto e = displaced_surface(key, reference)) all.push_back(*e);

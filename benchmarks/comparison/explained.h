@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,11 @@ std::vector<Explained> explained(const std::string& key, const Submission& submi
 /// Slope h'(a) of the indenter at the contact's edge [-]: a/R of a paraboloid. The size of what
 /// kinematics change.
 double edge_slope(const Reference& reference);
+
+/// What springs of a method [Pa/m] yield beyond those of the case's interface, 1/K - 1/k_n or 1/K_T
+/// - 1/k_t [m/Pa]; 0 without any: a penalty that the case has is part of the problem.
+double added_compliance(const std::optional<double>& stiffness,
+                        const std::optional<double>& of_interface);
 
 /// Change of the normal force by contact on the displaced surface, over the force; empty where it
 /// is not known. Also for those who do not say how they do it.

@@ -58,6 +58,8 @@ struct ContactPoints {
     /// E*/G*, where the response of one point does not tell it, as of a node of elements; 0: it
     /// does.
     double local_ratio = 0;
+    /// On the springs of an elastic interface: pressures need not end as a root at the edge.
+    bool on_springs = false;
     /// Nine-node quadrilaterals between the points where the surface is one of elements (corners,
     /// edges, centre; VTK's order of a biquadratic quadrilateral); else empty.
     std::vector<std::array<int, 9>> quads;

@@ -17,7 +17,7 @@ void check_interface(const contact::Case& c, const Document& document) {
                kind.is_on_line()
                    ? "springs at each point of the surface couple the springs of " + model
                    : model + " knows rigid interfaces alone",
-               "leave out " + model + ", or leave out [interface]");
+               "leave out " + model + " (mdr-layer knows them), or leave out [interface]");
     }
 }
 

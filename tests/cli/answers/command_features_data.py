@@ -99,6 +99,8 @@ features = [
             "friction|Coulomb", {}, {"friction.pressure_exponent": "0.7", "friction.reference_pressure": '"0.1 MPa"'}),
     feature("friction up to a limit", "friction.strength_limit", "friction|Coulomb", {},
             {"friction.strength_limit": '"0.1 MPa"'}),
+    feature("friction over the substrate", "friction.map", "friction|Coulomb", {"friction.map": '"friction.csv"'},
+            {"friction.map": '"friction_2.csv"'}),
     feature("springs of the interface", "interface.normal_stiffness interface.tangential_stiffness", "interface", {},
             {"interface.normal_stiffness": '"20 MPa/mm"', "interface.tangential_stiffness": '"10 MPa/mm"'}),
     feature("friction falling with the slip", "friction.rate.*", "friction.rate|friction|Coulomb", {}, falling,
@@ -197,4 +199,5 @@ def files():
         return "r [mm], h [um]\n" + "".join(f"{r / 10}, {5 * r * r / radius:.6g}\n" for r in range(0, 81, 2))
 
     shift = "tangential_force [N], shift [um]\n" + "".join(f"{f}, {f * 6 * (1 + f / 60):.4g}\n" for f in range(1, 8))
-    return {"map.txt": height_map, "profile.csv": profile(40), "profile_2.csv": profile(60), "shift.csv": shift}
+    stripes = "x [mm], factor\n-90, 1\n-0.5, 1\n0.5, {}\n90, {}\n"
+    return {"friction.csv": stripes.format(1.1, 1.1), "friction_2.csv": stripes.format(0.9, 0.9), "map.txt": height_map, "profile.csv": profile(40), "profile_2.csv": profile(60), "shift.csv": shift}

@@ -42,11 +42,17 @@ std::vector<const Key*> with_companions(const Key& key) {
 /// The case whose body or motion has keys that others have not; empty: any will do.
 std::string case_of(std::string_view path) {
     static const std::map<std::string_view, std::string> cases = {
-        {"indenter.length", "rig_cylinder"},         {"indenter.chamfer", "rig_cylinder_roller"},
-        {"indenter.radius_y", "body_ellipsoid"},     {"indenter.angle", "body_cone"},
-        {"indenter.exponent", "body_power_law"},     {"indenter.flat_radius", "body_rounded_punch"},
-        {"indenter.roughness", "rough_plane"},       {"path", "path_twist"},
-        {"tractive_rolling", "rolling_spin"},        {"tractive_rolling.speed", "rolling_relaxing"},
+        {"indenter.length", "rig_cylinder"},
+        {"indenter.chamfer", "rig_cylinder_roller"},
+        {"indenter.radius_y", "body_ellipsoid"},
+        {"indenter.angle", "body_cone"},
+        {"indenter.exponent", "body_power_law"},
+        {"indenter.flat_radius", "body_rounded_punch"},
+        {"indenter.roughness", "rough_plane"},
+        {"path", "path_twist"},
+        {"friction.rate", "rolling_falling_friction"},
+        {"tractive_rolling", "rolling_spin"},
+        {"tractive_rolling.speed", "rolling_relaxing"},
         {"output.volume_depth", "rig_sphere_inside"}};
     for (const std::string_view key : {path, section_of(path)})
         if (const auto found = cases.find(key); found != cases.end()) return found->second;
@@ -62,7 +68,8 @@ TEST(CaseKeys, EveryKeyHasAMeaningAndAnExampleThatIsAccepted) {
         if (key.path == "indenter.file" || key.path == "indenter.spacing" ||
             key.path == "indenter.unit" || key.path == "indenter.heights")
             continue;  // files: cli/runs/bodies.sh, cli/input/height_maps.sh
-        if (key.path == "path.file") continue;  // a file: cli/runs/path.sh
+        if (key.path == "friction.map") continue;  // a file: cli/runs/friction_map.sh
+        if (key.path == "path.file") continue;     // a file: cli/runs/path.sh
         if (const std::string name = case_of(key.path); !name.empty()) {
             const std::string example = std::string(key.path) + '=' + std::string(key.example);
             EXPECT_NO_THROW(

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <limits>
+#include <nlohmann/json.hpp>
 
 #include "tests/unit/walking/sets.h"
 #include "walking/run/walk.h"
