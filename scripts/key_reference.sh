@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Writes the tables of keys in docs/reference/case-file.md, docs/reference/walking.md and docs/reference/quantities.md again, from
-# the declarations of keys and results; whoever adds one runs it.
+# the declarations of keys and results, and the stubs of the module for Python; whoever adds one builds all and runs it.
 # usage: key_reference.sh [PROGRAM]   (build/release/app/tricontact)
 set -euo pipefail
 root=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." >/dev/null && pwd)
@@ -38,5 +38,11 @@ between() {
 }
 "$program" keys summary >"$tables"
 between "$root/docs/reference/quantities.md" '<!-- results:' '<!-- end of results'
-"$program" keys results | sed -n '/^### Of comparisons/q; s/^| `\([^`]*\)`.*/    @property\n    def \1(self) -> _Quantity: .../p' >"$tables"
-between "$root/python/tricontact/_core.pyi" 'class Results:' '# end of Results'
+# Results are properties in Python, too.
+for module in "$(dirname -- "$program")"/../python/_core*.so; do
+    if [ -e "$module" ]; then
+        /usr/bin/python3 "$root/scripts/python_stubs.py" "$module"
+    else
+        echo "the module for Python is not built: python/tricontact/_core.pyi is left as it is"
+    fi
+done

@@ -1,24 +1,93 @@
-"""The stub of the compiled module beside the module: names, parameters, defaults, results."""
+"""The stub of the compiled module: what scripts/python_stubs.py writes, and complete."""
 
-import ast
+import importlib.util
 import inspect
 import os
-import re
 import subprocess
 import sys
+import types
 from pathlib import Path
 
 import pytest
 
 import tricontact
-from tricontact import _core, saved
+from tricontact import _core
 
 FOLDER = Path(tricontact.__file__).parent
 STUB = (FOLDER / "_core.pyi").read_text()
-# Results as pybind11 names them, and as the stub does.
-RESULTS = {"None": "None", "str": "str", "float": "float", "int": "int", "bool": "bool", "List[str]": "list[str]",
-           "tuple": "tuple", "dict": "dict", "list": "list"}
-SIGNATURE = re.compile(r"^\w*\((.*?)\)(?: -> (.*))?$")
+SCRIPT = Path(__file__).parents[2] / "scripts" / "python_stubs.py"
+
+
+def script():
+    spec = importlib.util.spec_from_file_location("python_stubs", SCRIPT)
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module
+
+
+stubs = script()
+
+
+def test_stub_is_what_the_script_writes():
+    assert stubs.stubs_of(_core) == STUB, "scripts/python_stubs.py writes python/tricontact/_core.pyi anew"
+
+
+def test_script_checks_the_sources():
+    done = subprocess.run([sys.executable, SCRIPT, "--check", _core.__file__], capture_output=True, text=True)
+    assert (done.returncode, done.stdout, done.stderr) == (0, "", "")
+
+
+def told(text):
+    """What pybind11 makes of a function, as far as the script looks at it."""
+    return types.SimpleNamespace(__doc__=text + "\n")
+
+
+def written(place, text):
+    return "\n".join(stubs.Writer(_core).function(place, told(text)))
+
+
+@pytest.mark.parametrize(("place", "text", "stub"), [
+    ("_new", "_new() -> List[str]", "def _new() -> list[str]: ..."),
+    ("_new", "_new(names: List[str], n: Optional[int] = None) -> Dict[str, Tuple[int, float]]",
+     "def _new(names: Sequence[str], n: Optional[int] = ...) -> dict[str, tuple[int, float]]: ..."),
+    ("Case.new", "new(arg0: tricontact._core.Case, other: tricontact._core.Case) -> tricontact._core.Scales",
+     "def new(self, other: Case) -> Scales: ..."),
+    ("_new", "_new(path: str) -> numpy.ndarray", "def _new(path: bytes) -> NDArray[Any]: ..."),
+    ("new", "new(x: numpy.ndarray[numpy.float64], y: numpy.ndarray[numpy.float64] = 0.0) -> object",
+     "@overload\ndef new(x: float, y: float = ...) -> float: ...\n"
+     "@overload\ndef new(x: _Array, y: _Any = ...) -> _Numbers: ...\n"
+     "@overload\ndef new(x: float, y: _Array) -> _Numbers: ..."),
+    ("Surface.plot", "plot(self: object, *args, **kwargs) -> object",
+     "def plot(self, field: str = ..., ax: Any = ...) -> Any: ..."),
+])
+def test_signatures_become_those_of_python(place, text, stub):
+    assert written(place, text) == stub
+
+
+def test_long_signatures_are_broken():
+    parameters = ", ".join(f"parameter_{k}: float" for k in range(8))
+    lines = written("_new", f"_new({parameters}) -> None").split("\n")
+    assert lines[0] == "def _new(" and lines[-1] == ") -> None: ..." and len(lines) == 10
+    assert max(map(len, STUB.split("\n"))) <= 120
+
+
+@pytest.mark.parametrize(("place", "text", "fault"), [
+    ("_new", "_new() -> object", "_new: pybind11 calls its result object"),
+    ("_new", "_new() -> tuple", "_new: pybind11 calls its result tuple"),
+    ("_new", "_new(one: List[object]) -> None", "_new: pybind11 calls its one List"),
+    ("Case.new", "new(self: object, *args, **kwargs) -> object", "Case.new: written in Python"),
+    ("_new", "A text without a signature.", "_new: no signature"),
+    ("_new", "_new(text: str = 'a, (b', x: float = 1.0) -> None", "brackets in a default"),
+])
+def test_types_that_nothing_tells_are_asked_for(place, text, fault):
+    with pytest.raises(stubs.Unknown, match=f"^{fault}"):
+        written(place, text)
+
+
+def test_rows_that_nothing_asks_for_are_found(monkeypatch):
+    monkeypatch.setitem(stubs.RESULTS, "Case.gone", "int")
+    with pytest.raises(stubs.Unknown, match="Case.gone"):
+        stubs.stubs_of(_core)
 
 
 def stubtest(text, folder):
@@ -56,109 +125,3 @@ def test_stubtest_finds_a_name_left_out(tmp_path):
     assert len(found) == 3, found
     for name in ("History.__len__", "History.to_pandas", "BenchmarkReference.digest"):
         assert any(line.startswith(f"tricontact._core.{name} is not present in stub") for line in found), found
-
-
-def pieces(text):
-    """Parameters, split at commas outside of brackets."""
-    found, depth, piece = [], 0, ""
-    for c in text:
-        depth += (c in "[({") - (c in "])}")
-        if c == "," and depth == 0:
-            found.append(piece)
-            piece = ""
-        else:
-            piece += c
-    return [one.strip() for one in [*found, piece] if one.strip()]
-
-
-def parameters_of(function):
-    """Of a function of Python its parameters, each with whether it has a default."""
-    signature = inspect.signature(function)
-    return [(one.name, one.default is not one.empty) for one in signature.parameters.values()]
-
-
-def compiled(function):
-    """The same of a compiled one, and its result, from the first line of its text by pybind11."""
-    match = SIGNATURE.match((function.__doc__ or "").partition("\n")[0])
-    if not match:
-        return None, None
-    return [(re.split("[:=]", one)[0].strip(), "=" in one) for one in pieces(match[1])], match[2]
-
-
-def in_module(owner, name):
-    """Parameters and result of what the module has."""
-    function = getattr(owner, name)
-    if inspect.isfunction(function):  # saved.py gives it to the class
-        return parameters_of(function), None
-    parameters, result = compiled(function)
-    if parameters and ("*args", False) in parameters:  # handed on; a kept result has the same method
-        kept = {computed: other for computed, other, *_ in saved._PAIRS}.get(owner)
-        method = getattr(kept, name, None)
-        return (parameters_of(method) if inspect.isfunction(method) else None), None
-    return parameters, result
-
-
-def in_stub(node):
-    names = node.args.args
-    first_default = len(names) - len(node.args.defaults)
-    return [(one.arg, i >= first_default) for i, one in enumerate(names)], ast.unparse(node.returns)
-
-
-def is_other(told, stated):
-    """Whether a result is another one than the stub's, as far as pybind11 tells it."""
-    if told is not None and told.startswith("tricontact._core."):
-        return stated != told.removeprefix("tricontact._core.")
-    return told in RESULTS and stated != RESULTS[told] and stated.split("[")[0] != RESULTS[told]
-
-
-def faults(text):
-    """Where stub and module differ."""
-    stub = ast.parse(text)
-    places = [("", _core, stub.body)]
-    places += [(node.name + ".", getattr(_core, node.name), node.body)
-               for node in stub.body if isinstance(node, ast.ClassDef) and not node.name.startswith("_")]
-    for before, owner, body in places:
-        overloads = {}
-        for node in body:
-            if isinstance(node, ast.FunctionDef):
-                overloads.setdefault(node.name, []).append(node)
-        for name, nodes in overloads.items():
-            stated = [in_stub(node) for node in nodes]
-            if isinstance(inspect.getattr_static(owner, name), property):
-                result = compiled(getattr(owner, name).fget)[1]
-                if is_other(result, stated[0][1]):
-                    yield f"{before}{name}: {result}, in the stub {stated[0][1]}"
-                continue
-            parameters, result = in_module(owner, name)
-            for there, returned in stated:
-                if is_other(result, returned):
-                    yield f"{before}{name}: {result}, in the stub {returned}"
-                names = [one for one, _ in there]
-                if parameters is not None and names != [one for one, _ in parameters]:
-                    yield f"{before}{name}: parameters {parameters}, in the stub {names}"
-            if parameters is not None and len({len(there) for there, _ in stated} | {len(parameters)}) == 1:
-                # A default stands in one of the overloads at least: another may ask for what decides between them.
-                for i, (parameter, has_default) in enumerate(parameters):
-                    if has_default != any(there[i][1] for there, _ in stated):
-                        yield f"{before}{name}: {parameter} {'has a' if has_default else 'has no'} default"
-
-
-def test_signatures_are_those_of_the_module():
-    assert list(faults(STUB)) == []
-
-
-@pytest.mark.parametrize(("old", "new", "fault"), [
-    ("def to_toml(self) -> str", "def to_toml(self) -> int", "Case.to_toml: str, in the stub int"),
-    ("def contact_radius(self) -> float", "def contact_radius(self) -> str", "HalfSpaceScales.contact_radius: float"),
-    ("def _label(name: str)", "def _label(key: str)", "_label: parameters"),
-    ("def results(self, model: str)", "def results(self, model: str, of: str)", "Result.results: parameters"),
-    ("kappa: float = ...", "kappa: float", None),  # its other overload still has it
-    ("    case: Case,\n    models", "    models", "_run: parameters"),
-    ("field: str = ..., ax: Any = ...", "field: str = ..., axes: Any = ...", "Surface.plot: parameters"),
-    ("column: str = ..., ax: Any = ...", "column: str, ax: Any = ...", "History.plot: column has a default"),
-    ("def __getitem__(self, name: str)", "def __getitem__(self, key: str)", "Surface.__getitem__: parameters"),
-])
-def test_other_signatures_are_found(old, new, fault):
-    assert old in STUB
-    found = list(faults(STUB.replace(old, new, 1)))
-    assert len(found) == (fault is not None) and all(one.startswith(fault) for one in found), found
