@@ -138,6 +138,11 @@ Settings settings_of(const Case& c) {
         {"rolled way", report::as_given(c.tractive_rolling->distance) + " a"},
         {"unit of creepage", report::significant(creepage_unit(c), 4)},
         {"spin φ", report::as_given(c.tractive_rolling->spin) + " rad/m"}};
+    if (c.interface.normal_stiffness)
+        settings.emplace_back("k_n", report::given_quantity(*c.interface.normal_stiffness, "Pa/m"));
+    if (c.interface.tangential_stiffness)
+        settings.emplace_back("k_t",
+                              report::given_quantity(*c.interface.tangential_stiffness, "Pa/m"));
     if (c.friction.rate) {
         std::erase_if(settings, [](const auto& one) { return one.first == "rolled way"; });
         settings.emplace_back("friction", c.friction.formula());

@@ -146,8 +146,10 @@ class StaggeredIteration {
         coupling_.update_displacement(normal_.pressure);
         if (drive_.force_ratio)
             drive_.force[0] = problem_.friction->limit(total_friction(), *drive_.force_ratio);
+        const double half_length = contact::counted_radius(points_, normal_.pressure);
         const SteadyProblem problem{bound_, coupling_.displacement(), drive_,
-                                    problem_.indenter->lowest_point()};
+                                    problem_.indenter->lowest_point(),
+                                    sliding_creepage(half_length)};
         if (problem_.rate)
             solve_rated(problem);
         else

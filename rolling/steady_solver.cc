@@ -44,6 +44,11 @@ class Newton {
         for (const std::size_t i : active_) total_bound_ += points_.area[i] * problem_.bound[i];
         check_force_is_carried();
         for (const std::size_t i : active_) mean_bound_ += problem_.bound[i] / active_.size();
+        // On half-spaces both are of one size.
+        constexpr double alike = 4;
+        const double alone = alpha_ * mean_bound_;
+        if (problem.slip_unit > 0 && alone > alike * problem.slip_unit)
+            tolerance_ *= alike * problem.slip_unit / alone;
     }
 
     void run(int most_steps = max_newton_steps) {
@@ -204,7 +209,7 @@ class Newton {
     const contact::Compliance& compliance_;
     const contact::ContactPoints& points_;
     const SteadyProblem& problem_;
-    const double tolerance_;
+    double tolerance_;
     SteadySolution& solution_;
     const std::vector<std::size_t> active_;
     const std::array<bool, 2> force_controlled_;
@@ -222,7 +227,8 @@ class Newton {
 void bracket(const contact::Compliance& compliance, const SteadyProblem& problem, double tolerance,
              double unit, SteadySolution& solution) {
     Drive drive = problem.drive;  // creepage along x in place of the force
-    const SteadyProblem at_creepage{problem.bound, problem.displacement, drive, problem.centre};
+    const SteadyProblem at_creepage{problem.bound, problem.displacement, drive, problem.centre,
+                                    problem.slip_unit};
     const auto missing_force = [&](double creepage) {
         drive.creepage[0] = creepage;
         Newton(compliance, at_creepage, tolerance, solution).run();

@@ -84,6 +84,10 @@ struct SteadyProblem {
     const contact::TangentialField& displacement;  ///< by all but t [m]
     const Drive& drive;
     contact::Vector2 centre{};  ///< of the spin [m]
+    /// What slip is measured by, about the creepage of full sliding [-]: where a traction makes a
+    /// point alone slip by far more, as on a soft interface, tractions are solved as much more
+    /// exactly. 0: they are not.
+    double slip_unit = 0;
 };
 
 struct SteadySolution {

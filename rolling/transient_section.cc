@@ -99,9 +99,10 @@ report::Figure line_figure(const RollingReport& report, const RollingRun& run) {
     report::Figure figure{
         .id = "centre_" + report::id_of_model(run.model),
         .title = fmt::format("{}: {}",
-                             report.c.friction.rate           ? "Tractions"
-                             : report.c.friction.is_coulomb() ? "From Cattaneo to Carter"
-                                                              : "From rest to steady rolling",
+                             report.c.friction.rate ? "Tractions"
+                             : report.c.friction.is_coulomb() && !report.c.interface.is_elastic()
+                                 ? "From Cattaneo to Carter"
+                                 : "From rest to steady rolling",
                              report::display_name(run.model)),
         .caption = fmt::format(
             "{} along x on the contact's centre line, over the largest bound. The contact rolls to "

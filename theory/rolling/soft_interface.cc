@@ -40,4 +40,9 @@ double soft_interface_settled_force(double w, double u) {
     return shared_part(w) - (left > 0 ? left * left * shared_part(w / std::sqrt(left)) : 0);
 }
 
+double soft_interface_creep_force(double theta) {
+    check_ratio("theta = k_t xi a/(2 mu k_n d)", theta);
+    return 1 - (1 - theta) * (1 - theta) * (1 - theta);
+}
+
 }  // namespace tricontact::theory

@@ -100,7 +100,36 @@ for pair in 26:-0.0403 2600:-0.00031; do
         "$(awk -v x="${pair#*:}" 'BEGIN { print 16.48962 * (1 + x) }')" 1e-3 "penalty of ${pair%:*} MPa/mm"
 done
 
-# 3. Refused by name, before anything is computed.
+# 3. Rolling on over springs much softer than the body: the brush model of tyres, 1 - (1 - theta)^3 with
+# theta = k_t xi a/(2 mu k_n d) = 0.621447. The body's own compliance is 5e-3 of that of the springs.
+cat >brush.toml <<'TOML'
+title = "brush"
+models = ["bem"]
+[indenter]
+shape = "cylinder"
+radius = "300 mm"
+length = "200 mm"
+[substrate]
+young = "1 GPa"
+poisson = 0.5
+[friction]
+coefficient = 0.8
+[interface]
+normal_stiffness = "1 GPa/m"
+tangential_stiffness = "2 GPa/m"
+[load]
+normal_force = "400 N"
+[tractive_rolling]
+longitudinal_creepage = 0.008
+[bem]
+cells_per_radius = 20
+TOML
+"$program" run brush.toml --points 0 --quiet --output brush || complain "the brush does not roll"
+near "$("$python" -c "import json; print(json.load(open('brush/summary.json'))['models'][0]['steady']['force_ratio'])")" \
+    0.945752 5e-3 "force of the brush"
+grep -q "2 GPa/m" brush/report.html || complain "the page of rolling does not say the springs"
+
+# 4. Refused by name, before anything is computed.
 refuses() { # WORDS COMMAND...
     local words=$1
     shift
