@@ -15,8 +15,8 @@ double soft_interface_limit(double w);
 /// f at the settled shift u: limit(w) - (1 - u)^2 limit(w/(1 - u)^(1/2)), the limit 0 above w = 1.
 double soft_interface_settled_force(double w, double u);
 
-/// f of a cylinder (p as above along x) that rolls on at the creepage xi, theta = k_t xi a/(2 mu k_n
-/// d): 1 - (1 - theta)^3, the brush model of tyres (Fromm 1927; Pacejka 2012, section 3.2).
+/// f of a cylinder (p as above along x) that rolls on at the creepage xi, theta = k_t xi a/(2 mu
+/// k_n d): 1 - (1 - theta)^3, the brush model of tyres (Fromm 1927; Pacejka 2012, section 3.2).
 double soft_interface_creep_force(double theta);
 
 }  // namespace tricontact::theory
