@@ -12,14 +12,13 @@ namespace tricontact::io {
 
 namespace {
 
-constexpr std::size_t most_rows = 1'000'000;
-const CsvForm map_form{"friction map", "x [mm], y [mm], factor", most_rows, "take a coarser grid",
+constexpr std::size_t most_places = 1'000'000;
+const CsvForm map_form{"friction map", "x [mm], y [mm], factor", most_places, "take a coarser grid",
                        64};
 
 std::vector<double> sorted(std::vector<double> values) {
     std::ranges::sort(values);
-    const auto repeated = std::ranges::unique(values);
-    values.erase(repeated.begin(), repeated.end());
+    values.erase(std::unique(values.begin(), values.end()), values.end());
     return values;
 }
 
