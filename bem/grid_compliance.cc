@@ -117,10 +117,11 @@ void ConvolvedCompliance::normal_from_tangential(const contact::TangentialField&
 }
 
 GridCompliance::GridCompliance(CellInfluence influence, contact::ContactPoints grid, bool coupled,
-                               int n_threads)
+                               int n_threads, const contact::Interface& interface)
     : ConvolvedCompliance(std::move(grid), coupled, n_threads),
-      quadrants_(std::move(influence), positions(grid_.n_x), positions(all_rows(grid_, grid_.n_y)),
-                 grid_.spacing, n_threads_) {
+      quadrants_(on_interface(std::move(influence), interface), positions(grid_.n_x),
+                 positions(all_rows(grid_, grid_.n_y)), grid_.spacing, n_threads_) {
+    grid_.on_springs = interface.is_elastic();
     const Size whole{grid_.n_x, grid_.n_y};
     products_ = grid_.mirrored ? make_products<MirroredConvolution>(whole, false)
                                : make_products<GridConvolution>(whole, false);
@@ -270,46 +271,39 @@ bool is_coupled(const contact::MaterialPair& materials) {
 std::unique_ptr<GridCompliance> half_space_compliance(const contact::MaterialPair& materials,
                                                       contact::ContactPoints grid, int n_threads,
                                                       const contact::Interface& interface) {
-    grid.on_springs = interface.is_elastic();
     const RectangleInfluence cell(materials, grid.spacing[0], grid.spacing[1]);
-    return std::make_unique<GridCompliance>(
-        on_interface([cell](double x, double y) { return cell.at(x, y); }, interface),
-        std::move(grid), is_coupled(materials), n_threads);
+    return std::make_unique<GridCompliance>([cell](double x, double y) { return cell.at(x, y); },
+                                            std::move(grid), is_coupled(materials), n_threads,
+                                            interface);
 }
 
 std::unique_ptr<GridCompliance> layer_compliance(const theory::LayerStack& layers,
                                                  const std::optional<contact::Material>& indenter,
                                                  contact::ContactPoints grid, int n_threads,
                                                  const contact::Interface& interface) {
-    grid.on_springs = interface.is_elastic();
     const auto cell = std::make_shared<const LayerInfluence>(
         layers, indenter, grid.spacing[0], grid.spacing[1],
         std::hypot(positions(grid.n_x) * grid.spacing[0],
                    positions(all_rows(grid, grid.n_y)) * grid.spacing[1]));
-    return std::make_unique<GridCompliance>(
-        on_interface([cell](double x, double y) { return cell->at(x, y); }, interface),
-        std::move(grid), true, n_threads);
+    return std::make_unique<GridCompliance>([cell](double x, double y) { return cell->at(x, y); },
+                                            std::move(grid), true, n_threads, interface);
 }
 
 std::unique_ptr<GridCompliance> plane_layer_compliance(
     const theory::LayerStack& layers, const std::optional<contact::Material>& indenter,
     contact::ContactPoints grid, int n_threads, const contact::Interface& interface) {
-    grid.on_springs = interface.is_elastic();
     const auto strip = std::make_shared<const PlaneLayerInfluence>(
         layers, indenter, grid.spacing[0], grid.spacing[1], positions(grid.n_x) * grid.spacing[0]);
     // Beside the only row there is nothing.
     return std::make_unique<GridCompliance>(
-        on_interface(
-            [strip](double x, double y) { return y == 0 ? strip->at(x) : InfluenceCoefficients{}; },
-            interface),
-        std::move(grid), true, n_threads);
+        [strip](double x, double y) { return y == 0 ? strip->at(x) : InfluenceCoefficients{}; },
+        std::move(grid), true, n_threads, interface);
 }
 
 std::unique_ptr<GridCompliance> tabulated_compliance(InfluenceTable table, const std::string& name,
                                                      bool coupled, contact::ContactPoints grid,
                                                      int n_threads,
                                                      const contact::Interface& interface) {
-    grid.on_springs = interface.is_elastic();
     const double h = grid.spacing[0];
     check_spacing(table, name, h);
     const int n_x = grid.n_x, n_y = all_rows(grid, grid.n_y);
@@ -321,13 +315,11 @@ std::unique_ptr<GridCompliance> tabulated_compliance(InfluenceTable table, const
     const auto shared = std::make_shared<const InfluenceTable>(std::move(table));
     return std::make_unique<GridCompliance>(
         // Farther than the cells lie apart are positions of the padding alone, which nothing reads.
-        on_interface(
-            [shared, h](double x, double y) {
-                return shared->at(std::min(static_cast<int>(std::lround(x / h)), shared->n_x - 1),
-                                  std::min(static_cast<int>(std::lround(y / h)), shared->n_y - 1));
-            },
-            interface),
-        std::move(grid), coupled, n_threads);
+        [shared, h](double x, double y) {
+            return shared->at(std::min(static_cast<int>(std::lround(x / h)), shared->n_x - 1),
+                              std::min(static_cast<int>(std::lround(y / h)), shared->n_y - 1));
+        },
+        std::move(grid), coupled, n_threads, interface);
 }
 
 }  // namespace tricontact::bem

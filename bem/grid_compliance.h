@@ -60,9 +60,9 @@ class ConvolvedCompliance : public contact::Compliance {
 class GridCompliance final : public ConvolvedCompliance {
   public:
     /// `influence` is asked for x, y >= 0 only; of isotropic bodies the rest follows by symmetry.
-    /// `coupled`: use the coefficients between normal and tangential.
+    /// `coupled`: use the coefficients between normal and tangential. `interface`: beside them.
     GridCompliance(CellInfluence influence, contact::ContactPoints grid, bool coupled,
-                   int n_threads);
+                   int n_threads, const contact::Interface& interface = {});
 
     double local_tangential() const override { return quadrants_.at(0, 0).xx; }
     /// Products on the smallest box around them, where it is much smaller than the grid.

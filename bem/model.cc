@@ -170,8 +170,7 @@ MakeCompliance periodic_cells(const contact::Case& c, const contact::ContactPoin
     const double h = whole.spacing[0], period = *c.period;
     require_memory(whole, influence_bytes(whole));
     const auto table = std::make_shared<const InfluenceTable>(
-        PeriodicCompliance(theory::layers_of(contact::models::bem_layer, c), whole, n_threads,
-                           c.interface)
+        PeriodicCompliance(theory::layers_of(contact::models::bem_layer, c), whole, n_threads)
             .influence());
     return [=](contact::ContactPoints grid) {
         if (std::max(grid.n_x, grid.n_y) >= n)
@@ -180,13 +179,12 @@ MakeCompliance periodic_cells(const contact::Case& c, const contact::ContactPoin
                 "neighbouring contacts would merge; enlarge bem.period or reduce the load",
                 period));
         require_memory(grid, predicted_bytes(c, Body::layer, Surroundings::free, grid));
-        grid.on_springs = c.interface.is_elastic();
         return std::make_unique<GridCompliance>(
             [table, n, h](double x, double y) {
                 return table->at(static_cast<int>(std::lround(x / h)) % n,
                                  static_cast<int>(std::lround(y / h)) % n);
             },
-            std::move(grid), true, n_threads);
+            std::move(grid), true, n_threads, c.interface);
     };
 }
 

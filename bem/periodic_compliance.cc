@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <numbers>
 
+#include "bem/quadrants.h"
 #include "contact/base/error.h"
 
 // Periodic contact, docs/explanation/models/bem-layer.md ("Periodic"). A traction uniform on a cell
@@ -221,12 +222,7 @@ PeriodicCompliance::PeriodicCompliance(const PeriodicInfluence& influence,
     grid_.periodic = true;
     grid_.on_springs = interface.is_elastic();
     GridConvolution convolution(grid_.n_x, grid_.n_y, grid_.n_x, grid_.n_y, n_threads_);
-    const InfluenceCoefficients springs{.xx = interface.tangential_compliance(),
-                                        .xy = 0,
-                                        .yy = interface.tangential_compliance(),
-                                        .xz = 0,
-                                        .yz = 0,
-                                        .zz = interface.normal_compliance()};
+    const InfluenceCoefficients springs = springs_of(interface);
     const auto symbol = [&](double InfluenceCoefficients::*which) {
         return convolution.symbol_of_coefficients(
             [&](int m_x, int m_y) { return influence.at(m_x, m_y).*which + springs.*which; });

@@ -8,14 +8,20 @@
 
 namespace tricontact::bem {
 
+InfluenceCoefficients springs_of(const contact::Interface& interface) {
+    const double along = interface.tangential_compliance();
+    return {
+        .xx = along, .xy = 0, .yy = along, .xz = 0, .yz = 0, .zz = interface.normal_compliance()};
+}
+
 CellInfluence on_interface(CellInfluence bodies, const contact::Interface& interface) {
     if (!interface.is_elastic()) return bodies;
-    return [bodies = std::move(bodies), interface](double x, double y) {
+    return [bodies = std::move(bodies), springs = springs_of(interface)](double x, double y) {
         InfluenceCoefficients k = bodies(x, y);
         if (x != 0 || y != 0) return k;
-        k.xx += interface.tangential_compliance();
-        k.yy += interface.tangential_compliance();
-        k.zz += interface.normal_compliance();
+        k.xx += springs.xx;
+        k.yy += springs.yy;
+        k.zz += springs.zz;
         return k;
     };
 }

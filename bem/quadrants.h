@@ -14,7 +14,9 @@ namespace tricontact::bem {
 /// The coefficients of one cell at a relative position [m].
 using CellInfluence = std::function<InfluenceCoefficients(double x, double y)>;
 
-/// The same with the springs of an interface, which a cell presses on its own.
+/// What the springs of an interface add to the coefficients of a cell on itself.
+InfluenceCoefficients springs_of(const contact::Interface& interface);
+/// The coefficients of bodies with these springs.
 CellInfluence on_interface(CellInfluence bodies, const contact::Interface& interface);
 
 /// Influence coefficients of cells at all relative positions of i, j >= 0 cells.

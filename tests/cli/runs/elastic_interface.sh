@@ -1,18 +1,8 @@
 #!/usr/bin/env bash
 # Springs between the surfaces: models beside each other, what a penalty is, refusals, pages.
 # usage: elastic_interface.sh PROGRAM SOURCE_DIR
-source "$(dirname -- "${BASH_SOURCE[0]}")/../prepare.bash"
+source "$(dirname -- "${BASH_SOURCE[0]}")/../summaries.bash"
 foreign=$source_dir/tests/benchmarks/foreign
-
-# value MODEL KEY FILE: of a summary.
-value() {
-    "$python" -c "import json; print(json.load(open('$3'))['models']['$1']['$2'])"
-}
-# near VALUE EXPECTED TOLERANCE WHAT
-near() {
-    awk -v a="$1" -v b="$2" -v t="$3" 'BEGIN { exit !(a / b - 1 <= t && 1 - a / b <= t) }' ||
-        complain "$4: $1 instead of $2, allowed $3"
-}
 
 cat >springs.toml <<'TOML'
 title = "springs"

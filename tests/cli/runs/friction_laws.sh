@@ -1,18 +1,8 @@
 #!/usr/bin/env bash
 # Other laws of friction than Coulomb's: closed forms, models beside each other, refusals, pages.
 # usage: friction_laws.sh PROGRAM SOURCE_DIR
-source "$(dirname -- "${BASH_SOURCE[0]}")/../prepare.bash"
+source "$(dirname -- "${BASH_SOURCE[0]}")/../summaries.bash"
 lens=$source_dir/examples/cases/lens_on_silicone.toml
-
-# value MODEL KEY FILE: of a summary.
-value() {
-    "$python" -c "import json; print(json.load(open('$3'))['models']['$1']['$2'])"
-}
-# near VALUE EXPECTED TOLERANCE WHAT
-near() {
-    awk -v a="$1" -v b="$2" -v t="$3" 'BEGIN { exit !(a / b - 1 <= t && 1 - a / b <= t) }' ||
-        complain "$4: $1 instead of $2, allowed $3"
-}
 
 # 1. A shear strength: springs settle where the closed form does (five digits of it), and the limit
 # is the lens of both extreme contacts. Nothing on the page speaks of Coulomb's formulas.

@@ -1,9 +1,7 @@
 #!/usr/bin/env bash
 # friction.map: friction that varies over the substrate. Refusals, tables, a run beside its mirror image.
 # usage: friction_map.sh PROGRAM SOURCE_DIR
-source "$(dirname -- "${BASH_SOURCE[0]}")/../prepare.bash"
-
-value() { "$python" -c "import json; print(json.load(open('$3'))['models']['$1']['$2'])"; }
+source "$(dirname -- "${BASH_SOURCE[0]}")/../summaries.bash"
 
 cat >case.toml <<'TOML'
 title = "stripes"
@@ -40,9 +38,6 @@ for name in stripes mirrored same same_in_plane; do
 done
 grep -v '^map' case.toml >plain.toml
 "$program" run plain.toml --quiet --no-studies --output plain || complain "the plain case does not run"
-near() { # A B TOLERANCE WHAT
-    awk -v a="$1" -v b="$2" -v t="$3" 'BEGIN { exit !(a / b - 1 <= t && 1 - a / b <= t) }' || complain "$4: $1, $2"
-}
 for name in stripes mirrored; do
     "$program" run case.toml --set "friction.map=$name.csv" --set contact.coupling=false --quiet --no-studies \
         --output "$name-uncoupled"
