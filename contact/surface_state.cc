@@ -135,7 +135,7 @@ namespace {
 template <class Archive, class Solution, class Normal>
 void transfer_solution(Archive& archive, Solution& s, Normal& normal) {
     archive(s.offset, s.control.kind, s.control.value, s.shift, s.tangential.shift_increment,
-            normal.pressure, normal.displacement, s.bound);
+            normal.pressure, normal.displacement, s.bound, s.way);
     for (auto* field :
          {&s.tangential.traction, &s.tangential.displacement, &s.displacement.in_surface})
         archive(field->x, field->y);
@@ -150,7 +150,7 @@ void transfer_solution(Archive& archive, Solution& s, Normal& normal) {
 template <class Archive, class Self>
 void SurfaceModel::transfer_rest(Archive& archive, Self& m) {
     archive(m.slip_.x, m.slip_.y, m.least_pressure_, m.slip_path_, m.friction_work_, m.phase_,
-            m.rotation_, m.limit_start_, m.energy_, m.contact_state_);
+            m.rotation_, m.limit_start_, m.energy_, m.contact_state_, m.work_);
     m.substrate_->transfer(archive);
 }
 

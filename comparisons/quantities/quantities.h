@@ -28,7 +28,7 @@ extern const Quantity steps, wall_time;  // cost.cc
 
 /// The declarations of each file.
 using List = std::vector<const Quantity*>;
-List of_contact(), of_shift(), of_limit(), of_mapping(), of_dissipation(), of_relaxation(),
-    of_roller(), of_subsurface(), of_strain(), of_end_of_run(), of_cost();
+List of_contact(), of_shift(), of_limit(), of_mapping(), of_dissipation(), of_jumps(),
+    of_relaxation(), of_roller(), of_subsurface(), of_strain(), of_end_of_run(), of_cost();
 
 }  // namespace tricontact::comparisons::quantities
