@@ -139,14 +139,14 @@ void SurfaceModel::update_memory(const StepStart& before) {
     }
     std::vector<double> bound(way.size());
     friction_->bounds({s.normal->pressure, points().x, points().y, expected}, bound);
-    double misfit = 0, sum = 0, area = 0;
+    double misfit = 0, area = 0;
     for (std::size_t i = 0; i < bound.size(); ++i) {
-        if (contact_state_[i] != ContactState::slip || !(s.bound[i] > 0)) continue;
-        misfit = std::max(misfit, std::abs(bound[i] - s.bound[i]));
-        sum += points().area[i] * s.bound[i];
-        area += points().area[i];
+        if (s.normal->pressure[i] > 0) area += points().area[i];
+        if (contact_state_[i] == ContactState::slip && s.bound[i] > 0)
+            misfit = std::max(misfit, std::abs(bound[i] - s.bound[i]));
     }
-    if (area > 0) audit_.record("friction_follows_slip", misfit * area / sum, 10 * tolerance_);
+    if (misfit > 0)
+        audit_.record("friction_follows_slip", misfit * area / s.total_bound, 10 * tolerance_);
     solver_->remember(std::move(way));
 }
 

@@ -37,9 +37,9 @@ constinit const Quantity steps_of_other_states{
     .defined = where_it_remembers,
     .of = [](const Subject& s) -> QuantityValue {
         if (!s.c.friction.remembers()) return {};
-        int steps = 0;
-        for (const auto& step : s.history.steps) steps += step.may_differ;
-        return steps;
+        int found = 0;
+        for (const auto& step : s.history.steps) found += step.may_differ;
+        return found;
     },
     .part = Part::end_of_run};
 
