@@ -59,6 +59,7 @@ class SurfaceModel final : public Model {
     double limit_tangential_ratio() const override;
     void start_limit() override {
         least_pressure_ = now().normal->pressure;
+        least_share_ = now().normal->share;
         limit_start_ = solver_->total_friction();
     }
     std::unique_ptr<const Interior> interior() override;
@@ -108,7 +109,7 @@ class SurfaceModel final : public Model {
     TangentialField slip_;                           // of the last step [m]
     std::vector<double> slip_path_, friction_work_;  // since start_period(), see Surface
     std::vector<ContactState> contact_state_;
-    std::vector<double> least_pressure_;  // since start_limit()
+    std::vector<double> least_pressure_, least_share_;  // since start_limit()
     FrictionLaw::Total limit_start_{};    // at start_limit()
     double energy_ = 0;                   // stored, of the present state [J]
     double material_dissipation_ = 0;     // of the last step [J]
