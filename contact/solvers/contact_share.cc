@@ -8,12 +8,14 @@ namespace tricontact::contact {
 
 namespace {
 
-constexpr double reach = 3.6;      // of the gaps that a point looks at, in distances of neighbours
-constexpr std::size_t fewest = 6;  // of them
-constexpr double roughest =
-    .6;  // mean deviation from the fit, in what a neighbour's gap differs by
-// Beside a point that touches the gap is that of a traction which ends with a point's surface.
-constexpr double weight_beside = .1;
+// Of the gaps that a point looks at: how far away, in distances of neighbours, and how many.
+constexpr double reach = 4.6;
+constexpr std::size_t fewest = 6;
+// Mean deviation from the fit, in what the gaps of neighbours differ by.
+constexpr double roughest = .6;
+// Beside a point that touches, the gap is that of a traction which ends with that point's surface.
+// It counts where there is little else.
+constexpr double weight_beside = .03;
 constexpr double no_pressure = 1e-300;
 
 /// Solves m x = r by elimination with pivots; false if m is singular to rounding.
