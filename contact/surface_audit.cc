@@ -126,8 +126,15 @@ StepRecord SurfaceModel::record(const LoadStep& step) const {
     r.tangential_force = {forces[1], forces[2]};
     r.torque = forces[3];
     r.dissipation = forces[4];
+    const auto& share = now().normal->share;
     const auto areas = all.sum_points<Areas>([&](Areas& sum, std::size_t i) {
-                              sum[static_cast<std::size_t>(contact_state_[i])] += area[i];
+                              const auto state = static_cast<std::size_t>(contact_state_[i]);
+                              if (share.empty()) {
+                                  sum[state] += area[i];
+                                  return;
+                              }
+                              sum[state] += share[i] * area[i];
+                              sum[0] += (1 - share[i]) * area[i];
                           })
                            .values;
     r.open_area = areas[0];

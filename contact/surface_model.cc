@@ -56,8 +56,8 @@ void SurfaceModel::release() {
     solver_->release();
     slip_ = TangentialField(n, substrate_->compliance().n_threads());
     contact_state_.assign(n, ContactState::open);
-    for (auto* kept : {&least_pressure_, &slip_path_, &friction_work_}) kept->clear();
-    work_.clear();
+    for (auto* kept : {&least_pressure_, &least_share_, &slip_path_, &friction_work_, &work_})
+        kept->clear();
     energy_ = material_dissipation_ = rotation_ = released_ = 0;
     substrate_->forget();
 }
@@ -93,6 +93,8 @@ StepRecord SurfaceModel::take(const LoadStep& step, const StepStart& before) {
     blocks(least_pressure_.size()).for_points([&](std::size_t i) {
         least_pressure_[i] = std::min(least_pressure_[i], now().normal->pressure[i]);
     });
+    for (std::size_t i = 0; i < least_share_.size(); ++i)
+        least_share_[i] = std::min(least_share_[i], now().normal->share[i]);
     return record(step);
 }
 
@@ -102,7 +104,7 @@ void SurfaceModel::update_slip(const StepStart& before) {
     const Vector2 moved = s.shift - before.shift;
     const TangentialField &u = s.displacement.in_surface, &old = before.displacement.in_surface;
     blocks(s.bound.size()).for_points([&](std::size_t i) {
-        if (!(s.normal->pressure[i] > 0)) {
+        if (!(s.normal->pressure[i] > 0) && !(s.bound[i] > 0)) {
             slip_.set(i, {0, 0});
             contact_state_[i] = ContactState::open;
             return;
@@ -153,7 +155,7 @@ void SurfaceModel::update_memory(const StepStart& before) {
 double SurfaceModel::limit_tangential_ratio() const {
     const auto& area = points().area;
     std::vector<double> bound(least_pressure_.size());
-    friction_->bounds({least_pressure_, points().x, points().y}, bound);
+    bounds_on_shares(*friction_, {least_pressure_, points().x, points().y}, least_share_, bound);
     const auto least = blocks(bound.size()).sum_points<Sums<2>>([&](Sums<2>& sum, std::size_t i) {
         sum[0] += area[i] * least_pressure_[i];
         sum[1] += area[i] * bound[i];

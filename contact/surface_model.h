@@ -59,6 +59,7 @@ class SurfaceModel final : public Model {
     double limit_tangential_ratio() const override;
     void start_limit() override {
         least_pressure_ = now().normal->pressure;
+        least_share_ = now().normal->share;
         limit_start_ = solver_->total_friction();
     }
     std::unique_ptr<const Interior> interior() override;
@@ -115,7 +116,7 @@ class SurfaceModel final : public Model {
     // tractions' work on the slip exceeds it by [J].
     std::vector<double> work_;
     double released_ = 0;
-    std::vector<double> least_pressure_;  // since start_limit()
+    std::vector<double> least_pressure_, least_share_;  // since start_limit()
     FrictionLaw::Total limit_start_{};    // at start_limit()
     double energy_ = 0;                   // stored, of the present state [J]
     double material_dissipation_ = 0;     // of the last step [J]

@@ -35,9 +35,12 @@ Scales SurfaceModel::scales() const {
     const double sliding_force =
         all.sum<double>([&](std::size_t, std::size_t begin, std::size_t end) {
             const std::size_t n = end - begin;
-            friction_->bounds(
+            const std::span<const double> share = now().normal->share;
+            bounds_on_shares(
+                *friction_,
                 {std::span(now().normal->pressure).subspan(begin, n),
                  std::span(points.x).subspan(begin, n), std::span(points.y).subspan(begin, n)},
+                share.empty() ? share : share.subspan(begin, n),
                 std::span(sliding.x).subspan(begin, n));
             double sum = 0;
             for (std::size_t i = begin; i < end; ++i) sum += points.area[i] * sliding.x[i];
@@ -135,7 +138,7 @@ namespace {
 template <class Archive, class Solution, class Normal>
 void transfer_solution(Archive& archive, Solution& s, Normal& normal) {
     archive(s.offset, s.control.kind, s.control.value, s.shift, s.tangential.shift_increment,
-            normal.pressure, normal.displacement, s.bound, s.way);
+            normal.pressure, normal.displacement, normal.share, s.bound, s.way);
     for (auto* field :
          {&s.tangential.traction, &s.tangential.displacement, &s.displacement.in_surface})
         archive(field->x, field->y);
@@ -149,8 +152,8 @@ void transfer_solution(Archive& archive, Solution& s, Normal& normal) {
 /// The same of all else.
 template <class Archive, class Self>
 void SurfaceModel::transfer_rest(Archive& archive, Self& m) {
-    archive(m.slip_.x, m.slip_.y, m.least_pressure_, m.slip_path_, m.friction_work_, m.phase_,
-            m.rotation_, m.limit_start_, m.energy_, m.contact_state_, m.work_);
+    archive(m.slip_.x, m.slip_.y, m.least_pressure_, m.least_share_, m.slip_path_, m.friction_work_,
+            m.phase_, m.rotation_, m.limit_start_, m.energy_, m.contact_state_, m.work_);
     m.substrate_->transfer(archive);
 }
 

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "contact/compliances/wide_vectors.h"
+
 namespace tricontact::mdr {
 
 namespace {
@@ -14,6 +16,15 @@ constexpr std::size_t most_tables = 2048;
 
 double depth_of(int depth_class) {
     return std::exp2(static_cast<double>(depth_class) / depths_per_octave);
+}
+
+TRICONTACT_WIDEST_VECTORS
+void sample_chords(const double* table, double first, double spacing, int n, double* out) {
+#pragma omp simd
+    for (int i = 0; i < n; ++i) {
+        const double x = first + i * spacing;
+        out[i] = contact::at_depth_of_chord(table, pieces, std::sqrt(std::max(1 - x * x, 0.)));
+    }
 }
 
 }  // namespace
@@ -55,15 +66,8 @@ void LineBound::press(const PlaneProfile& profile, double depth) {
 }
 
 void LineBound::sample(double first, double spacing, std::span<double> bound) const {
-    const int n = static_cast<int>(bound.size());
-    double* const out = bound.data();
-    const double* const table = now_.data();
-    const double scaled_first = first / half_width_, scaled_spacing = spacing / half_width_;
-#pragma omp simd
-    for (int i = 0; i < n; ++i) {
-        const double x = scaled_first + i * scaled_spacing;
-        out[i] = contact::at_depth_of_chord(table, pieces, std::sqrt(std::max(1 - x * x, 0.)));
-    }
+    sample_chords(now_.data(), first / half_width_, spacing / half_width_,
+                  static_cast<int>(bound.size()), bound.data());
 }
 
 }  // namespace tricontact::mdr

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "contact/compliances/wide_vectors.h"
+
 namespace tricontact::mdr {
 
 namespace {
@@ -75,6 +77,61 @@ class LoadAboutMiddle {
     double tip_slope_, middle_, half_width_ = 0;
 };
 
+/// The load at the mirror image about `middle` of each point of the span, linear between points.
+std::vector<double> mirror_image(const PointRow& row, std::span<const double> load,
+                                 const LoadSpan& span, double middle) {
+    // The image of point i lies between the points whole - i and whole - i + 1.
+    const double turned = (middle - row.first) / row.spacing * 2;
+    const int whole = static_cast<int>(std::floor(turned));
+    const double part = turned - whole;
+    std::vector<double> image(span.last - span.first + 1, 0.);
+    const double* const q = load.data();
+    double* const out = image.data() - span.first;
+    const int first = std::max(span.first, whole + 1 - span.last);
+    const int last = std::min(span.last, whole - span.first);
+#pragma omp simd
+    for (int i = first; i <= last; ++i)
+        out[i] = (1 - part) * q[whole - i] + part * q[whole - i + 1];
+    if (first - 1 >= span.first && whole - first + 1 <= span.last)
+        out[first - 1] = (1 - part) * q[whole - first + 1];
+    if (last + 1 <= span.last && whole - last >= span.first) out[last + 1] = part * q[whole - last];
+    return image;
+}
+
+/// Where the chords of equally spaced points lie, over the half width, and a table of them all.
+struct Chords {
+    double from, step;
+    int pieces;
+    const double* even;
+};
+
+TRICONTACT_WIDEST_VECTORS
+void even_bounds(const Chords& at, double a, int count, const double* q, double* out) {
+    const Chords c = at;
+#pragma omp simd
+    for (int i = 0; i < count; ++i) {
+        const double x = c.from + i * c.step;
+        const double y = std::sqrt(std::max(1 - x * x, 0.));
+        out[i] = q[i] > 0 ? a * contact::at_depth_of_chord(c.even, c.pieces, y) : 0.;
+    }
+}
+
+/// Each point leans by what its load q is over that of its image.
+TRICONTACT_WIDEST_VECTORS
+void leaning_bounds(const Chords& at, double a, const double* factor, int first, int end,
+                    const double* q, const double* image, double* out) {
+    const Chords c = at;
+#pragma omp simd
+    for (int i = first; i < end; ++i) {
+        const double x = c.from + i * c.step;
+        const double y = std::sqrt(std::max(1 - x * x, 0.));
+        const double lean = (q[i] - image[i]) / (q[i] + image[i]);
+        const double bound = a * contact::at_depth_of_chord(c.even, c.pieces, y) *
+                             (1 + lean * contact::at_depth_of_chord(factor, c.pieces, y));
+        out[i] = q[i] > 0 ? bound : 0.;
+    }
+}
+
 }  // namespace
 
 LoadBound::LoadBound(std::shared_ptr<const contact::FrictionLaw> law, bool may_lean,
@@ -132,31 +189,24 @@ void LoadBound::bounds(const PointRow& row, std::span<const double> load,
     for (double& p : pressure) p = std::max(p, least);
 
     const std::vector<double> line = even_bound(pressure);
-    std::array<std::vector<double>, 2> factors;
-    for (int side : {0, 1})
-        if (may_lean_) factors[side] = lean_factors(pressure, line, shares[side]);
-    const int first = about.span().first, last = about.span().last;
-    const double from = (row.position(first) - about.middle()) / a, step = row.spacing / a;
-    double* const out = bound.data();
-    const double *const q = load.data(), *const even = line.data();
-#pragma omp simd
-    for (int i = first; i <= last; ++i) {
-        const double x = from + (i - first) * step;
-        const double y = std::sqrt(std::max(1 - x * x, 0.));
-        out[i] = q[i] > 0 ? a * contact::at_depth_of_chord(even, n, y) : 0.;
+    const LoadSpan& span = about.span();
+    const double from = (row.position(span.first) - about.middle()) / a, step = row.spacing / a;
+    const Chords chords{.from = from, .step = step, .pieces = n, .even = line.data()};
+    if (!may_lean_) {
+        const int count = span.last - span.first + 1;
+        even_bounds(chords, a, count, load.data() + span.first, bound.data() + span.first);
+        return;
     }
-    if (!may_lean_) return;
-    // The mirror image of a point lies a part of the spacing beside another.
-    const double turned = (about.middle() - row.first) / row.spacing * 2;
-    const int whole = static_cast<int>(std::floor(turned));
-    const double part = turned - whole;
-    const auto at = [&](int i) { return i >= first && i <= last ? q[i] : 0.; };
-    for (int i = first; i <= last; ++i) {
-        const double x = from + (i - first) * step;
-        const double y = std::sqrt(std::max(1 - x * x, 0.));
-        const double other = (1 - part) * at(whole - i) + part * at(whole - i + 1);
-        const double lean = q[i] > 0 ? (q[i] - other) / (q[i] + other) : 0;
-        out[i] *= 1 + lean * contact::at_depth_of_chord(factors[x < 0 ? 0 : 1].data(), n, y);
+    const std::vector<double> mirrored = mirror_image(row, load, span, about.middle());
+    const int n_before =
+        std::clamp(static_cast<int>(std::ceil((about.middle() - row.first) / row.spacing)),
+                   span.first, span.last + 1) -
+        span.first;
+    for (int side : {0, 1}) {
+        const std::vector<double> factors = lean_factors(pressure, line, shares[side]);
+        leaning_bounds(chords, a, factors.data(), side == 0 ? 0 : n_before,
+                       side == 0 ? n_before : static_cast<int>(mirrored.size()),
+                       load.data() + span.first, mirrored.data(), bound.data() + span.first);
     }
 }
 

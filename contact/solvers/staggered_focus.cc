@@ -11,6 +11,8 @@ namespace {
 
 // Points that may touch lie higher than those that did by this part of the indentation at most.
 constexpr double higher = .05;
+// Where the gap beside the contact tells its edge, some points of it have to be there.
+constexpr double higher_beside = .25;
 // A focus on more of the points is not worth gathering them.
 constexpr double most_focused = .7;
 
@@ -24,7 +26,8 @@ std::vector<std::uint8_t> StaggeredSolver::may_touch() const {
     const double grown =
         now_.control.value /
         (now_.control.kind == NormalControl::Kind::force ? start.force : start.indentation);
-    const double level = std::max(1., grown) * (highest_ + higher * start.indentation);
+    const double level =
+        std::max(1., grown) * (highest_ + (share_ ? higher_beside : higher) * start.indentation);
     for (const double height : coupling_.bare_height()) points.push_back(height <= level);
     return points;
 }

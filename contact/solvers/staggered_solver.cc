@@ -47,8 +47,16 @@ StaggeredSolver::StaggeredSolver(std::string name, Substrate& substrate, const I
                    ? std::make_optional<FocusedCompliance>(substrate.compliance())
                    : std::nullopt),
       coupling_(compliance(), indenter, options) {
+    // What remembers its slip does so by whole points.
+    if (ContactShare::is_known(points()) && jumps_at_edge() && !friction_->remembers())
+        share_.emplace(points());
     make_solvers();
     release();
+}
+
+/// Whether a point carries something as soon as it touches, whatever small pressures are.
+bool StaggeredSolver::jumps_at_edge() const {
+    return friction_->bound(1e-300) > .5 * friction_->bound(1e-200);
 }
 
 void StaggeredSolver::release() {
@@ -83,7 +91,7 @@ SurfaceField StaggeredSolver::tractions() const {
 }
 
 void StaggeredSolver::solve(const LoadStep& step, const StepStart& before) {
-    now_.normal_iterations = now_.tangential_iterations = 0;
+    now_.normal_iterations = now_.tangential_iterations = n_shared_ = 0;
     keep_gap(step, before);
     now_.offset = step.offset;
     now_.control = step.normal;
@@ -128,9 +136,7 @@ void StaggeredSolver::solve_uncoupled(const LoadStep& step, const StepStart& bef
 
 void StaggeredSolver::solve_coupled(const LoadStep& step, const StepStart& before) {
     recall_start(step.recurs ? step.phase : 0);
-    // Whether a point carries something as soon as it touches, whatever small pressures are.
-    const bool jumps = friction_->bound(1e-300) > .5 * friction_->bound(1e-200);
-    chatter_.begin(jumps ? points().size() : 0);
+    chatter_.begin(jumps_at_edge() ? points().size() : 0);
     focus(may_touch());
     do iterate(step, before);
     while (!look_at_all());
@@ -167,8 +173,24 @@ void StaggeredSolver::solve_normal(NormalControl control, const std::vector<doub
         height, control, warm ? now_.normal->pressure : std::vector<double>{}, looseness_ == 1);
     solution.indentation /= substrate_.stiffness();
     solution.length /= substrate_.stiffness();
+    share_points(height, solution);
     now_.normal = std::make_shared<const NormalSolution>(std::move(solution));
     now_.normal_iterations += now_.normal->iterations;
+}
+
+/// In effective lengths, whose unit is no matter. A point that touches in one iteration and not in
+/// the next moves the edge beside it a little: after some iterations of a step it stays.
+void StaggeredSolver::share_points(const std::vector<double>& height, NormalSolution& solution) {
+    constexpr int most_shared = 8;
+    if (!share_) return;
+    if (n_shared_++ >= most_shared) {
+        solution.share = now_.normal->share;
+        return;
+    }
+    std::vector<double> gap = solution.displacement;
+    const double depth = substrate_.stiffness() * solution.indentation;
+    for (std::size_t i = 0; i < gap.size(); ++i) gap[i] += height[i] - depth;
+    solution.share = share_->of(solution.pressure, gap);
 }
 
 std::array<TangentialControl, 2> StaggeredSolver::forces_and_shifts(const LoadStep& step) const {
@@ -188,10 +210,13 @@ double StaggeredSolver::update_bounds() {
         blocks()
             .sum<Sums<2>>([&](std::size_t, std::size_t begin, std::size_t end) {
                 const std::size_t n = end - begin;
-                friction_->bounds({std::span(now_.normal->pressure).subspan(begin, n),
-                                   std::span(points().x).subspan(begin, n),
-                                   std::span(points().y).subspan(begin, n)},
-                                  std::span(now_.bound).subspan(begin, n));
+                const std::span<const double> share = now_.normal->share;
+                bounds_on_shares(*friction_,
+                                 {std::span(now_.normal->pressure).subspan(begin, n),
+                                  std::span(points().x).subspan(begin, n),
+                                  std::span(points().y).subspan(begin, n)},
+                                 share.empty() ? share : share.subspan(begin, n),
+                                 std::span(now_.bound).subspan(begin, n));
                 Sums<2> sum;
                 for (std::size_t i = begin; i < end; ++i) {
                     if (chatter_.is_watched() && chatter_.lets_go(i, now_.normal->pressure[i] > 0))

@@ -10,6 +10,7 @@
 #include "contact/compliances/blocks.h"
 #include "contact/compliances/focused_compliance.h"
 #include "contact/friction/friction_law.h"
+#include "contact/solvers/contact_share.h"
 #include "contact/solvers/coupling.h"
 #include "contact/solvers/edge_chatter.h"
 #include "contact/solvers/load_step.h"
@@ -105,6 +106,7 @@ class StaggeredSolver {
     const ContactPoints& points() const { return substrate_.compliance().points(); }
     int n_threads() const { return substrate_.compliance().n_threads(); }
     Blocks blocks() const { return {points().size(), n_threads()}; }
+    bool jumps_at_edge() const;
     void make_solvers();
     std::vector<double> update_height();
     void recall_start(double phase);
@@ -120,6 +122,7 @@ class StaggeredSolver {
     void find_highest();
     void solve_normal(NormalControl control, const std::vector<double>& height);
     double update_bounds();
+    void share_points(const std::vector<double>& height, NormalSolution& solution);
     void solve_friction(const LoadStep& step, const StepStart& before);
     void solve_tangential(const LoadStep& step, const StepStart& before);
     void solve_under_bounds(const LoadStep& step, const StepStart& before, double contact_area);
@@ -148,6 +151,8 @@ class StaggeredSolver {
     double tolerance_;
     std::optional<FocusedCompliance> focused_;  // of a dense one that is coupled
     Coupling coupling_;
+    std::optional<ContactShare> share_;  // where the law jumps at the edge of the contact
+    int n_shared_ = 0;                   // times in this step
     std::vector<std::uint8_t> focus_;  // per point, empty: all
     double highest_ = 0;               // the indenter over the points in contact, undeformed [m]
     double looseness_ = 1;             // of the tangential contact in this staggered iteration

@@ -72,9 +72,9 @@ double force_at(double u) {
 
 constexpr std::array poissons{0., .5};
 
-// Cells count whole or not, and the traction of what sticks next to them falls from tau_0: first
-// order, about h/a of u. Across the load friction is not along x once nu > 0 (Johnson 1985, section
-// 7.2): .1 % more is left at nu = 1/2 than at 0.
+// The traction of what sticks falls from tau_0 beside the last cell that slips: first order, less
+// than .1 h/a of u. Across the load friction is not along x once nu > 0 (Johnson 1985,
+// section 7.2): .15 % more is left at nu = 1/2 than at 0.
 TEST(BemShearStrength, ShiftsAsSpringsThatCarryTheirChord) {
     for (const double poisson : poissons) {
         Rig rig(.2, poisson);
@@ -91,7 +91,8 @@ TEST(BemShearStrength, ShiftsAsSpringsThatCarryTheirChord) {
     }
 }
 
-// What is left at nu = 1/2 is that traction across the load, most of it where little sticks.
+// Cells at the edge carry tau_0 on the part of them that is in contact; counted whole, .13 h/a were
+// left, and twice that at a third of the grids. What is left at nu = 1/2 is that traction across.
 TEST(BemShearStrength, ShiftsConvergeAtFirstOrder) {
     for (const double poisson : poissons)
         for (const double f : {.3, .8}) {
@@ -99,20 +100,21 @@ TEST(BemShearStrength, ShiftsConvergeAtFirstOrder) {
             for (const double cells : {20., 40., 80.}) {
                 Rig rig(.2, poisson, cells);
                 error.push_back(force_at(rig.reduced(rig.load(f).shift[0])) / f - 1);
+                EXPECT_LT(std::abs(error.back()), .1 / cells + (poisson == 0 ? 0 : 1.5e-3))
+                    << poisson << ' ' << f << ' ' << cells;
             }
-            // Edges that fall anywhere between cells leave it first order in the mean only.
-            EXPECT_NEAR((error[0] - error[2]) / (error[0] - error[1]), 1.5, .2) << poisson << f;
-            EXPECT_LT(std::abs(error[2]), 2e-3) << poisson << ' ' << f;
-            EXPECT_NEAR(2 * error[2] - error[1], 0, 1.2e-3) << poisson << ' ' << f;
+            if (poisson > 0) continue;
+            EXPECT_LT(std::abs(error[2]), std::abs(error[0]) / 2) << f;
         }
 }
 
-// The lens that both extreme contacts share, to 1e-3 of F_lim: counted by cells it is off by less
-// than .06 h/a, here at 60 cells in a.
+// The lens that both extreme contacts share, to 1e-3 of F_lim from 15 cells in a on; counted by
+// whole cells that takes 60.
 TEST(BemShearStrength, RolledContactCarriesTheLensOfItsExtremes) {
     for (const double poisson : poissons)
-        for (const double w : {.2, .4}) {
-            Rig rig(w, poisson, 60);
+        for (const auto& [w, cells] :
+             {std::array{.2, 15.}, {.2, 20.}, {.2, 30.}, {.4, 15.}, {.4, 25.}}) {
+            Rig rig(w, poisson, cells);
             rig.model.start_limit();
             for (const double side : {1., -1.}) {
                 contact::LoadStep step = contact::press_step(rig.c);
@@ -122,7 +124,7 @@ TEST(BemShearStrength, RolledContactCarriesTheLensOfItsExtremes) {
             }
             EXPECT_NEAR(rig.model.limit_tangential_ratio(),
                         2 / pi * (std::acos(w) - w * std::sqrt(1 - w * w)), 1e-3)
-                << poisson << ' ' << w;
+                << poisson << ' ' << w << ' ' << cells;
         }
 }
 
