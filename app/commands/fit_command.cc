@@ -11,6 +11,7 @@
 #include "contact/load_path.h"
 #include "io/keys/messages.h"
 #include "studies/study_kind.h"
+#include "theory/rolling/rolled_law.h"
 #include "walking/input/walk_keys.h"
 
 namespace tricontact::app {
@@ -30,12 +31,23 @@ constexpr std::array<std::string_view, 3> step_keys{"rolling.steps", "rolling.st
                                                     "rolling.increment"};
 constexpr const char* angle_key = "rolling.angle";
 
+/// The law of the study's cases, all of them.
+void require_law(const FitOptions& options, const Case& c, const theory::RolledLaw& law) {
+    const std::string place = options.file + ": friction", what = "a fit of kappa and eta";
+    const theory::RolledLaw& own = theory::require_rolled_law(c, what, place);
+    if (&own != &law)
+        options.refuse(
+            fmt::format("a fit is that of one law of friction, and there are points under {} and "
+                        "under {}; give one of them",
+                        law.name, own.name));
+    if (c.is_line_contact()) contact::require_coulomb(c, "a fit of line contacts", place);
+}
+
 void require_constant_rolling(const FitOptions& options, const Case& c) {
     if (!c.rolling)
         options.refuse(
             "a case without [rolling] has neither kappa nor eta; give it "
             "rolling.amplitude_ratio, or vary it");
-    contact::require_coulomb(c, "a fit of kappa and eta", options.file + ": friction");
     c.require_rigid_interface("kappa and eta");
     if (!contact::is_hertz_round(c) && !c.is_line_contact())
         options.refuse(
@@ -157,10 +169,15 @@ void fit_study(FitOptions options) {
             "the report of tricontact sweep");
     const std::vector<studies::StudyPoint> points =
         studies::contact_kind().points(study, *options.makers);
-    for (const studies::StudyPoint& point : points)
+    const theory::RolledLaw& law = theory::require_rolled_law(
+        points.front().contact(), "a fit of kappa and eta", options.file + ": friction");
+    for (const studies::StudyPoint& point : points) {
+        require_law(options, point.contact(), law);
         require_constant_rolling(options, point.contact());
+    }
 
     comparisons::StudyFit fit;
+    fit.law = &law;
     fit.title = study.title.empty() ? study.name : study.title;
     fit.command = command;
     fit.version = files::version;

@@ -87,7 +87,7 @@ Reference reference(const contact::Case& c) {
         r.amplitude_ratio =
             contact::rolling_amplitude(*c.rolling, r.hertz.contact_radius) / r.hertz.contact_radius;
     if (c.load.is_by_limit()) r.tangential_ratio = ratio_by_limit(c, r.amplitude_ratio);
-    r.has_mapping = contact::is_coulomb_round(c);
+    if (const theory::RolledLaw* law = mapped_law(c)) r.mdr_mapping = law->mdr_mapping;
     if (contact::pressure_falls(c) && !contact::has_conical_tip(c))
         r.peak_pressure = r.hertz.peak_pressure;
     if (!in_unit_range(r.tangential_ratio) || c.interface.is_elastic()) return r;
@@ -96,6 +96,11 @@ Reference reference(const contact::Case& c) {
     else
         add_point_contact(c, r);
     return r;
+}
+
+const theory::RolledLaw* mapped_law(const contact::Case& c) {
+    const bool is_round = contact::is_hertz_round(c) && !c.interface.is_elastic();
+    return is_round ? theory::rolled_law(c.friction) : nullptr;
 }
 
 std::string size_name(const contact::Case& c) {

@@ -54,21 +54,25 @@ std::optional<double> strength_shift(double w, double f, double kappa) {
 
 constinit const RolledLaw coulomb_rolling{
     .name = "Coulomb's law",
-    .form = "1 - (1 - u_sd)^(3/2)",
+    .form = {"1", " - (1 - u_sd)^(3/2)"},
+    .limit_form = "1 - k w (1 - w^2) - w^3",
     .mdr_mapping = theory::mdr_mapping,
     .mdr_text = "3/2",
     .static_force = static_force_ratio,
     .static_slope = [](double u) { return 1.5 * std::sqrt(1 - u); },
+    .bound = [](double w) { return (1 - w) * (1 + w); },
     .shakedown_limit = theory::shakedown_limit,
     .settled_shift_ratio = theory::settled_shift_ratio};
 
 constinit const RolledLaw strength_rolling{
     .name = "a shear strength",
-    .form = "2/pi [arcsin u_sd + u_sd (1 - u_sd^2)^(1/2)]",
+    .form = {"2/pi [arcsin u_sd + u_sd (1 - u_sd^2)^(1/2)]", ""},
+    .limit_form = "2/pi [arccos w + w (1 - w^2)^(1/2)] - k w (1 - w^2)^(1/2)",
     .mdr_mapping = 2 * inverse_quarter_turn,
     .mdr_text = "4/pi",
     .static_force = strength_force,
     .static_slope = [](double u) { return 2 * inverse_quarter_turn * root_beside(u); },
+    .bound = root_beside,
     .shakedown_limit = strength_limit,
     .settled_shift_ratio = strength_shift};
 
@@ -89,6 +93,10 @@ const RolledLaw& require_rolled_law(const contact::Case& c, const std::string& w
                         "friction.shear_strength alone",
                         place, what, c.friction.formula()));
     return *law;
+}
+
+bool RolledLaw::is_coulomb() const {
+    return this == &coulomb_rolling;
 }
 
 double RolledLaw::mapping_parameter(double w, double f, double u) const {

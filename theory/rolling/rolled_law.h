@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "contact/case.h"
 
@@ -15,22 +16,27 @@ namespace tricontact::theory {
 /// shift u: kappa = 2 a b(0)/F_lim, a constant. In three dimensions it is smaller, and none: see
 /// mapped_shakedown.h and mapped_strength.h.
 struct RolledLaw {
-    const char* name;      ///< "Coulomb's law"
-    const char* form;      ///< f_static for people: "1 - (1 - u)^(3/2)", with u named u_sd
-    double mdr_mapping;    ///< kappa of MDR
-    const char* mdr_text;  ///< "3/2"
+    const char* name;  ///< "Coulomb's law"
+    /// f_static of u_sd for people, what of it stands before and after - kappa w u_sd.
+    std::pair<const char*, const char*> form;
+    const char* limit_form;  ///< the largest f likewise, k for kappa
+    double mdr_mapping;      ///< kappa of MDR
+    const char* mdr_text;    ///< "3/2"
     double (*static_force)(double u);
     double (*static_slope)(double u);  ///< d f_static/du
-    /// Largest f that settles by the formula, f_static - kappa w u where springs beside W carry no
-    /// more. That of MDR's kappa is exact in three dimensions too.
+    /// u at which the springs beside W carry no more, b(W)/b(0).
+    double (*bound)(double w);
+    /// Largest f that settles by the formula, f_static - kappa w u at that bound. The one of MDR's
+    /// kappa is exact in three dimensions too.
     double (*shakedown_limit)(double w, double kappa);
     /// u of f; empty above the limit.
     std::optional<double> (*settled_shift_ratio)(double w, double f, double kappa);
-    // These two throw std::domain_error for arguments out of [0, 1], or kappa out of (0,
-    // mdr_mapping].
+    // These two, and the next, throw std::domain_error for arguments out of [0, 1], or kappa out of
+    // (0, mdr_mapping].
 
     /// kappa of u, w and u in (0, 1]. Ill-conditioned where w u is small; may lie anywhere.
     double mapping_parameter(double w, double f, double u) const;
+    bool is_coulomb() const;
     double exact_limit(double w) const { return shakedown_limit(w, mdr_mapping); }
 };
 
