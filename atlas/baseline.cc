@@ -128,7 +128,7 @@ theory::MappedRolling Baseline::mapped(const Point& p, std::span<const double> v
 
 void Baseline::add_strong(Point& p, std::span<const double> values) const {
     const theory::RolledLaw& law = theory::strength_rolling;
-    p.u_stat = law.settled_shift_ratio(0, p.f, law.mdr_mapping).value_or(contact::undefined);
+    p.u_stat = law.static_shift(p.f);
     if (p.f >= p.limit) return;
     p.mapping = body_ == Body::strong_springs ? law.mdr_mapping
                                               : theory::strength_mapping(mapped(p, values));

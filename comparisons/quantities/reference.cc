@@ -57,11 +57,12 @@ void add_line_contact(const contact::Case& c, Reference& r) {
 void add_point_contact(const contact::Case& c, Reference& r) {
     const double f = r.tangential_ratio, w = r.amplitude_ratio;
     if (!theory::has_body_theory(c)) return;
-    r.static_shift_ratio = theory::static_shift_ratio(c, f);
+    const theory::BodyRolling body(c);
+    r.static_shift_ratio = body.static_shift_ratio(f);
     if (!c.rolling || !constant_loads(c) || !in_unit_range(w)) return;
-    r.limit_tangential_ratio = theory::shakedown_limit(c, w);
-    r.limit_amplitude_ratio = theory::amplitude_limit(c, f);
-    r.shakedown_shift_ratio = theory::bed_settled_shift_ratio(c, w, f);
+    r.limit_tangential_ratio = body.shakedown_limit(w);
+    r.limit_amplitude_ratio = body.amplitude_limit(f);
+    r.shakedown_shift_ratio = body.bed_settled_shift_ratio(w, f);
 }
 
 /// f_T of a load that is said by the limit; NaN where theory has none.

@@ -10,6 +10,7 @@
 #include "contact/base/error.h"
 #include "contact/base/root.h"
 #include "theory/arguments.h"
+#include "theory/cattaneo_mindlin.h"
 #include "theory/rolling/oscillating_rolling.h"
 
 namespace tricontact::theory {
@@ -40,6 +41,11 @@ double strength_limit(double w, double kappa) {
     return inverse_quarter_turn * (std::acos(w) + w * root) - kappa * w * root;
 }
 
+double strength_amplitude(double f, double kappa) {
+    check_unit_interval(rolling, "f = F_T/F_lim", f);
+    return contact::bracketed_root([=](double w) { return strength_limit(w, kappa) - f; }, 0., 1.);
+}
+
 std::optional<double> strength_shift(double w, double f, double kappa) {
     check_unit_interval(rolling, "f = F_T/F_lim", f);
     if (f > strength_limit(w, kappa)) return std::nullopt;
@@ -60,8 +66,10 @@ constinit const RolledLaw coulomb_rolling{
     .mdr_text = "3/2",
     .static_force = static_force_ratio,
     .static_slope = [](double u) { return 1.5 * std::sqrt(1 - u); },
+    .static_shift = static_shift_ratio,
     .bound = [](double w) { return (1 - w) * (1 + w); },
     .shakedown_limit = theory::shakedown_limit,
+    .amplitude_limit = theory::amplitude_limit,
     .settled_shift_ratio = theory::settled_shift_ratio};
 
 constinit const RolledLaw strength_rolling{
@@ -72,8 +80,10 @@ constinit const RolledLaw strength_rolling{
     .mdr_text = "4/pi",
     .static_force = strength_force,
     .static_slope = [](double u) { return 2 * inverse_quarter_turn * root_beside(u); },
+    .static_shift = [](double f) { return *strength_shift(0, f, strength_rolling.mdr_mapping); },
     .bound = root_beside,
     .shakedown_limit = strength_limit,
+    .amplitude_limit = strength_amplitude,
     .settled_shift_ratio = strength_shift};
 
 const RolledLaw* rolled_law(const contact::Friction& friction) {

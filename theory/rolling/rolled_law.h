@@ -24,14 +24,16 @@ struct RolledLaw {
     const char* mdr_text;    ///< "3/2"
     double (*static_force)(double u);
     double (*static_slope)(double u);  ///< d f_static/du
+    double (*static_shift)(double f);  ///< u of f_static
     /// u at which the springs beside W carry no more, b(W)/b(0).
     double (*bound)(double w);
     /// Largest f that settles by the formula, f_static - kappa w u at that bound. The one of MDR's
     /// kappa is exact in three dimensions too.
     double (*shakedown_limit)(double w, double kappa);
+    double (*amplitude_limit)(double f, double kappa);  ///< its inverse, the largest w
     /// u of f; empty above the limit.
     std::optional<double> (*settled_shift_ratio)(double w, double f, double kappa);
-    // These two, and the next, throw std::domain_error for arguments out of [0, 1], or kappa out of
+    // From static_shift on all throw std::domain_error for arguments out of [0, 1], or kappa out of
     // (0, mdr_mapping].
 
     /// kappa of u, w and u in (0, 1]. Ill-conditioned where w u is small; may lie anywhere.
