@@ -91,8 +91,7 @@ class AtlasBuild {
     AtlasBuild(const AtlasOptions& options, const io::Study& study)
         : options_(options), study_(study), plan_(study), quantities_(mapped_quantities(study)) {
         for (const studies::StudyPoint& run : studies::runs_of(plan_.design(1))) {
-            run.contact().require_rigid_interface("maps");
-            theory::require_rolled_law(run.contact(), "a map", study.name + ": friction");
+            theory::require_rolled_law(run.contact(), "maps", study.name + ": friction");
         }
     }
 

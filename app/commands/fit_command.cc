@@ -31,16 +31,11 @@ constexpr std::array<std::string_view, 3> step_keys{"rolling.steps", "rolling.st
                                                     "rolling.increment"};
 constexpr const char* angle_key = "rolling.angle";
 
-/// The law of the study's cases, all of them.
-void require_law(const FitOptions& options, const Case& c, const theory::RolledLaw& law) {
-    const std::string place = options.file + ": friction", what = "a fit of kappa and eta";
-    const theory::RolledLaw& own = theory::require_rolled_law(c, what, place);
-    if (&own != &law)
-        options.refuse(
-            fmt::format("a fit is that of one law of friction, and there are points under {} and "
-                        "under {}; give one of them",
-                        law.name, own.name));
+/// The law of friction of a case. No study varies it: keys can be varied, but not left out.
+const theory::RolledLaw& law_of(const FitOptions& options, const Case& c) {
+    const std::string place = options.file + ": friction";
     if (c.is_line_contact()) contact::require_coulomb(c, "a fit of line contacts", place);
+    return theory::require_rolled_law(c, "kappa and eta", place);
 }
 
 void require_constant_rolling(const FitOptions& options, const Case& c) {
@@ -48,7 +43,6 @@ void require_constant_rolling(const FitOptions& options, const Case& c) {
         options.refuse(
             "a case without [rolling] has neither kappa nor eta; give it "
             "rolling.amplitude_ratio, or vary it");
-    c.require_rigid_interface("kappa and eta");
     if (!contact::is_hertz_round(c) && !c.is_line_contact())
         options.refuse(
             "kappa and eta are those of a paraboloid or sphere, the line contact's figures "
@@ -169,15 +163,13 @@ void fit_study(FitOptions options) {
             "the report of tricontact sweep");
     const std::vector<studies::StudyPoint> points =
         studies::contact_kind().points(study, *options.makers);
-    const theory::RolledLaw& law = theory::require_rolled_law(
-        points.front().contact(), "a fit of kappa and eta", options.file + ": friction");
     for (const studies::StudyPoint& point : points) {
-        require_law(options, point.contact(), law);
+        law_of(options, point.contact());
         require_constant_rolling(options, point.contact());
     }
 
     comparisons::StudyFit fit;
-    fit.law = &law;
+    fit.law = &law_of(options, points.front().contact());
     fit.title = study.title.empty() ? study.name : study.title;
     fit.command = command;
     fit.version = files::version;

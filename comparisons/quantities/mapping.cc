@@ -4,6 +4,7 @@
 #include "contact/base/number_text.h"
 #include "contact/half_space_scales.h"
 #include "contact/load_path.h"
+#include "theory/rolling/rolled_law.h"
 
 namespace tricontact::comparisons {
 

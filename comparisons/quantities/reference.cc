@@ -10,6 +10,7 @@
 #include "contact/substrates/normal_tangential.h"
 #include "theory/oscillating_cylinder.h"
 #include "theory/rolling/body_rolling.h"
+#include "theory/rolling/rolled_law.h"
 
 namespace tricontact::comparisons {
 

@@ -6,7 +6,10 @@
 
 #include "contact/case.h"
 #include "contact/history.h"
-#include "theory/rolling/rolled_law.h"
+
+namespace tricontact::theory {
+struct RolledLaw;
+}
 
 namespace tricontact::comparisons {
 

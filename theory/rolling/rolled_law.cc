@@ -95,10 +95,11 @@ const RolledLaw* rolled_law(const contact::Friction& friction) {
 
 const RolledLaw& require_rolled_law(const contact::Case& c, const std::string& what,
                                     const std::string& place) {
+    c.require_rigid_interface(what);
     const RolledLaw* law = rolled_law(c.friction);
     if (!law)
         throw contact::InputError(
-            fmt::format("{}: {} presumes Coulomb's law, tau = mu p, or a shear strength, tau = "
+            fmt::format("{}: {} presume Coulomb's law, tau = mu p, or a shear strength, tau = "
                         "tau_0, and the case has tau = {}; give friction.coefficient or "
                         "friction.shear_strength alone",
                         place, what, c.friction.formula()));

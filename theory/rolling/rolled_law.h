@@ -49,8 +49,8 @@ extern const RolledLaw strength_rolling;
 
 /// That of a case's friction; null if it is neither mu p nor tau_0 alone.
 const RolledLaw* rolled_law(const contact::Friction& friction);
-/// That of what presumes one: `what` ("a map") and `place` of the message. Throws
-/// contact::InputError if there is none.
+/// That of what presumes one, and a rigid interface: `what` ("maps") and `place` of the message.
+/// Throws contact::InputError if there is none.
 const RolledLaw& require_rolled_law(const contact::Case& c, const std::string& what,
                                     const std::string& place = "friction");
 

@@ -75,10 +75,10 @@ TEST(RolledLaw, OfACase) {
         contact::Case c;
         c.friction = other;
         try {
-            theory::require_rolled_law(c, "a map");
+            theory::require_rolled_law(c, "maps");
             ADD_FAILURE();
         } catch (const contact::InputError& error) {
-            EXPECT_NE(std::string(error.what()).find("friction: a map presumes Coulomb's law"),
+            EXPECT_NE(std::string(error.what()).find("friction: maps presume Coulomb's law"),
                       std::string::npos)
                 << error.what();
         }
