@@ -14,6 +14,7 @@
 #include "theory/oscillating_cylinder.h"
 #include "theory/rolling/mapped_ratcheting.h"
 #include "theory/rolling/mapped_shakedown.h"
+#include "theory/rolling/mapped_strength.h"
 #include "theory/rolling/oscillating_rolling.h"
 
 namespace tricontact::atlas {
@@ -33,31 +34,36 @@ constexpr const char* cattaneo = "u_stat of Cattaneo and Mindlin";
 constexpr const char* line_static = "u_stat of a line contact";
 constexpr const char* line_settled = "u_sd of a line contact";
 constexpr const char* limit_of_hertz = "f_T,lim of Hertz' pressure";
+constexpr const char* limit_of_lens = "the common contact's share of the area";
+constexpr const char* strong_static = "u_stat of springs under a shear strength";
 constexpr const char* beyond_limit = "w - w_lim";
 constexpr const char* increment = "Delta u of the formula";
 constexpr const char* slope = "eta of the formula";
 
 }  // namespace
 
-// Columns: springs, round, round_layer, line, line_layer.
+// Columns: springs, round, round_layer, line, line_layer, springs and round of a shear strength.
 const Baseline::Formula Baseline::formulas[] = {
     {&quantities::static_shift_ratio,
      &Point::u_stat,
-     {cattaneo, cattaneo, "u_stat of a lifted contact", line_static, line_static}},
+     {cattaneo, cattaneo, "u_stat of a lifted contact", line_static, line_static, strong_static,
+      strong_static}},
     {&quantities::settled_shift_ratio,
      &Point::u_sd,
      {"u_sd of MDR", "u_sd of the mapped formula", "u_sd of a lifted contact", line_settled,
-      line_settled}},
+      line_settled, "u_sd of MDR", "u_sd of the mapped formula"}},
     {&quantities::kappa,
      &Point::mapping,
-     {nullptr, "kappa of the mapped formula", "1/w", nullptr, nullptr}},
+     {nullptr, "kappa of the mapped formula", "1/w", nullptr, nullptr, nullptr,
+      "kappa of the mapped formula"}},
     {&quantities::limit_tangential_ratio,
      &Point::limit,
-     {limit_of_hertz, limit_of_hertz, limit_of_hertz, limit_of_hertz, limit_of_hertz}},
+     {limit_of_hertz, limit_of_hertz, limit_of_hertz, limit_of_hertz, limit_of_hertz, limit_of_lens,
+      limit_of_lens}},
     {&quantities::shift_increment_ratio,
      &Point::increment,
-     {beyond_limit, beyond_limit, increment, increment, increment}},
-    {&quantities::eta, &Point::slope, {nullptr, nullptr, slope, slope, slope}}};
+     {beyond_limit, beyond_limit, increment, increment, increment, nullptr, nullptr}},
+    {&quantities::eta, &Point::slope, {nullptr, nullptr, slope, slope, slope, nullptr, nullptr}}};
 
 Baseline::Baseline(const Case& base, const std::string& model,
                    const std::vector<std::string>& keys) {
@@ -90,12 +96,17 @@ Baseline::Baseline(const Case& base, const std::string& model,
     }
     const double radius = half_space_scales(base).contact_radius;
     poisson_ = source("substrate.poisson", base.substrate.poisson);
-    friction_ = source("friction.coefficient", base.friction_coefficient());
+    friction_ = source("friction.coefficient", base.friction.coefficient.value_or(0));
     const contact::ModelKind& kind = contact::model_kind(model);
     const bool has_layer = !kind.is_half_space() && base.layer.thickness;
     if (has_layer)
         thickness_ = source("substrate.thickness_ratio", *base.layer.thickness / (2 * radius));
-    if (is_line) {
+    const theory::RolledLaw* law = theory::rolled_law(base.friction);
+    if (!law) return;
+    if (!law->is_coulomb()) {
+        if (is_line || has_layer) return;
+        body_ = kind.is_on_line() ? Body::strong_springs : Body::strong_round;
+    } else if (is_line) {
         body_ = has_layer ? Body::line_layer : Body::line;
         lambda_ = contact::line_shift_factor(base);
     } else {
@@ -108,11 +119,24 @@ double Baseline::load_ratio(double limit, double load) const {
     return kind_ == Load::fraction ? load * limit : limit + load * (1 - limit);
 }
 
+theory::MappedRolling Baseline::mapped(const Point& p, std::span<const double> values) const {
+    return {.amplitude_ratio = std::min(p.w, largest_amplitude),
+            .tangential_ratio = p.f,
+            .angle = angle_.at(values),
+            .poisson = std::clamp(poisson_.at(values), 0., .5)};
+}
+
+void Baseline::add_strong(Point& p, std::span<const double> values) const {
+    const theory::RolledLaw& law = theory::strength_rolling;
+    p.u_stat = law.static_shift(p.f);
+    if (p.f >= p.limit) return;
+    p.mapping = body_ == Body::strong_springs ? law.mdr_mapping
+                                              : theory::strength_mapping(mapped(p, values));
+    p.u_sd = law.settled_shift_ratio(p.w, p.f, p.mapping).value_or(contact::undefined);
+}
+
 void Baseline::add_round(Point& p, std::span<const double> values) const {
-    const theory::MappedRolling own{.amplitude_ratio = std::min(p.w, largest_amplitude),
-                                    .tangential_ratio = p.f,
-                                    .angle = angle_.at(values),
-                                    .poisson = std::clamp(poisson_.at(values), 0., .5)};
+    const theory::MappedRolling own = mapped(p, values);
     p.u_stat = theory::static_shift_ratio(p.f);
     if (p.f >= p.limit) {
         p.increment = p.w - theory::amplitude_limit(p.f);
@@ -175,13 +199,17 @@ Baseline::Point Baseline::at(std::span<const double> values) const {
     p.w = w_.at(values);
     if (!(p.w >= 0 && p.w <= 1)) return p;
     const bool is_line = body_ == Body::line || body_ == Body::line_layer;
-    p.limit = is_line ? theory::line_shakedown_limit(p.w) : theory::shakedown_limit(p.w);
+    p.limit = is_line       ? theory::line_shakedown_limit(p.w)
+              : is_strong() ? theory::strength_rolling.exact_limit(p.w)
+                            : theory::shakedown_limit(p.w);
     p.f = load_ratio(p.limit, load_.at(values));
     if (!(p.f >= 0 && p.f <= 1)) return p;
     if (is_line)
         add_line(p, line_lambda(values));
     else if (body_ == Body::round_layer)
         add_layer(p, values);
+    else if (is_strong())
+        add_strong(p, values);
     else
         add_round(p, values);
     return p;

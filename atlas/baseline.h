@@ -8,6 +8,7 @@
 
 #include "comparisons/quantities/quantity.h"
 #include "contact/case.h"
+#include "theory/rolling/mapped_shakedown.h"
 
 namespace tricontact::atlas {
 
@@ -19,7 +20,7 @@ class Baseline {
     /// NaN where the keys say nothing of it.
     struct Point {
         double w = 0;      ///< W/a
-        double f = 0;      ///< F_T/(mu F_N)
+        double f = 0;      ///< F_T/(mu F_N), or over F_lim of another law
         double limit = 0;  ///< f_T,lim
         double u_stat = 0, u_sd = 0, mapping = 0;
         double increment = 0;  ///< what Delta u is a multiple of: w - w_lim, or a formula for it
@@ -30,6 +31,7 @@ class Baseline {
     Baseline() = default;
     /// Of the case that a model is computed for over these keys; without formulas for a body that
     /// is no paraboloid, sphere or cylinder, and where w is no ratio to the model's own radius.
+    /// Under a shear strength there are formulas of the paraboloid on a half-space only.
     Baseline(const contact::Case& base, const std::string& model,
              const std::vector<std::string>& keys);
 
@@ -41,7 +43,17 @@ class Baseline {
     std::string name_of(const comparisons::Quantity& q) const;
 
   private:
-    enum class Body { none, springs, round, round_layer, line, line_layer };
+    /// In the order of the formulas' names; the last two under a shear strength.
+    enum class Body {
+        none,
+        springs,
+        round,
+        round_layer,
+        line,
+        line_layer,
+        strong_springs,
+        strong_round
+    };
     enum class Load { ratio, fraction, excess };
     /// Place among the keys, or the value of the case.
     struct Source {
@@ -52,7 +64,7 @@ class Baseline {
     struct Formula {
         const comparisons::Quantity* quantity;
         double Point::*value;
-        std::array<const char*, 5> names;  ///< from Body::springs on; null: none
+        std::array<const char*, 7> names;  ///< from Body::springs on; null: none
     };
     static const Formula formulas[];
 
@@ -60,6 +72,9 @@ class Baseline {
     const char* name(const Formula& formula) const;
     double load_ratio(double limit, double load) const;
     void add_round(Point& p, std::span<const double> values) const;
+    void add_strong(Point& p, std::span<const double> values) const;
+    theory::MappedRolling mapped(const Point& p, std::span<const double> values) const;
+    bool is_strong() const { return body_ >= Body::strong_springs; }
     void add_layer(Point& p, std::span<const double> values) const;
     void add_line(Point& p, double lambda) const;
     double line_lambda(std::span<const double> values) const;

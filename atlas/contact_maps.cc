@@ -15,6 +15,7 @@
 #include "contact/base/root.h"
 #include "contact/base/special_values.h"
 #include "theory/rolling/oscillating_rolling.h"
+#include "theory/rolling/rolled_law.h"
 
 namespace tricontact::atlas {
 
@@ -31,6 +32,13 @@ double half_space_limit(double w) {
 Value on_half_space(const Quantity& q, double w, double f, double angle, double poisson) {
     return maps_of<"sphere_half_space">().read_at(
         q, std::array{w, f / half_space_limit(w), folded_angle(angle), poisson});
+}
+
+Value under_strength(const Quantity& q, double w, double f, double angle, double poisson) {
+    const double limit =
+        w >= 0 && w <= 1 ? theory::strength_rolling.exact_limit(w) : contact::undefined;
+    return maps_of<"sphere_half_space_strength">().read_at(
+        q, std::array{w, f / limit, folded_angle(angle), poisson});
 }
 
 /// The same beyond the limit, of which `f` has the share of the way to 1. The atlas of ratcheting
@@ -75,6 +83,19 @@ Value settled_shift_ratio(double w, double f, double angle, double poisson) {
 
 Value mapping_parameter(double w, double f, double angle, double poisson) {
     return on_half_space(quantities::kappa, w, f, angle, poisson);
+}
+
+Value strength_static_shift_ratio(double f, double poisson) {
+    return maps_of<"sphere_half_space_strength_static">().read_at(quantities::static_shift_ratio,
+                                                                  std::array{f, poisson});
+}
+
+Value strength_settled_shift_ratio(double w, double f, double angle, double poisson) {
+    return under_strength(quantities::settled_shift_ratio, w, f, angle, poisson);
+}
+
+Value strength_mapping_parameter(double w, double f, double angle, double poisson) {
+    return under_strength(quantities::kappa, w, f, angle, poisson);
 }
 
 Value shift_increment_ratio(double w, double f, double angle, double poisson) {

@@ -26,6 +26,17 @@ Value settled_shift_ratio(double w, double f, double angle, double poisson);
 /// kappa of the settled shift: f = 1 - kappa w u_sd - (1 - u_sd)^(3/2).
 Value mapping_parameter(double w, double f, double angle, double poisson);
 
+// The same where the interface carries a shear strength alone, f = F_T/(pi tau_0 a^2) (atlases
+// sphere_half_space_strength_static and sphere_half_space_strength); the limit is
+// theory::strength_rolling.exact_limit.
+
+/// u_stat; of nu = 0 theory::strength_rolling.static_shift.
+Value strength_static_shift_ratio(double f, double poisson);
+/// u_sd after shakedown.
+Value strength_settled_shift_ratio(double w, double f, double angle, double poisson);
+/// kappa of it: f = 2/pi [arcsin u_sd + u_sd sqrt(1 - u_sd^2)] - kappa w u_sd, 4/pi of MDR.
+Value strength_mapping_parameter(double w, double f, double angle, double poisson);
+
 /// Shift of each period while ratcheting, Delta u = Delta U/U_max, once it is steady (atlas
 /// sphere_half_space_ratcheting). f above the limit of shakedown.
 Value shift_increment_ratio(double w, double f, double angle, double poisson);

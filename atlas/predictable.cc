@@ -4,6 +4,7 @@
 #include "comparisons/quantities/reference.h"
 #include "contact/base/error.h"
 #include "contact/models/model_kind.h"
+#include "theory/rolling/rolled_law.h"
 
 namespace tricontact::atlas {
 
@@ -23,8 +24,11 @@ std::string what_is_not_mapped(const Case& c) {
     if (c.relaxation) return "relaxing substrates";
     if (c.law != Case::Law::linear) return "finite strains";
     if (!comparisons::constant_loads(c)) return "oscillating loads";
-    if (!c.friction.is_coulomb()) return "laws of friction other than Coulomb's";
+    const theory::RolledLaw* law = theory::rolled_law(c.friction);
+    if (!law) return "laws of friction other than Coulomb's and a shear strength alone";
     if (c.interface.is_elastic()) return "interfaces with springs";
+    if (!law->is_coulomb())
+        return c.is_line_contact() ? "line contacts under a shear strength" : "";
     if (c.friction_coefficient() <= 0) return "contacts without friction";
     return "";
 }
@@ -32,6 +36,7 @@ std::string what_is_not_mapped(const Case& c) {
 std::string what_layer_is_not_mapped(const Case& c) {
     const auto& [thickness, base, width, depth, lower, ground] = c.layer;
     if (!thickness) return "a half-space as a layer";
+    if (!c.friction.is_coulomb()) return "layers under a shear strength";
     if (base != Case::Base::bonded || !lower.empty())
         return "layers that are not bonded to a rigid base";
     if (width || depth) return "layers of finite width or depth";

@@ -21,7 +21,7 @@
 #include "contact/half_space_scales.h"
 #include "contact/load_path.h"
 #include "contact/models/model_kind.h"
-#include "theory/rolling/oscillating_rolling.h"
+#include "theory/rolling/rolled_law.h"
 
 namespace tricontact::atlas {
 
@@ -78,11 +78,12 @@ class Predictor {
             set(quantities::static_shift_ratio, exact(r.static_shift_ratio));
         if (r.shakedown_shift_ratio && r.limit_tangential_ratio) {
             set(quantities::settled_shift_ratio, exact(*r.shakedown_shift_ratio));
-            set(quantities::kappa, exact(theory::mdr_mapping));
+            set(quantities::kappa, exact(law().mdr_mapping));
         }
         if (p_.state == State::ratcheting) {
             const double excess = excess_of(r.tangential_ratio, *r.limit_tangential_ratio);
-            add_maps("sphere_springs_ratcheting", {{r.amplitude_ratio, excess}, {}}, {});
+            add_maps("sphere_springs" + suffix() + "_ratcheting", {{r.amplitude_ratio, excess}, {}},
+                     {});
         }
         return finish();
     }
@@ -90,10 +91,10 @@ class Predictor {
     Prediction of_half_space() {
         if (c_.is_line_contact()) return of_line();
         const comparisons::Reference r = on_half_space("Hertz' closed forms");
-        add_maps({.atlas = "sphere_half_space",
+        add_maps({.atlas = "sphere_half_space" + suffix(),
                   .w = exact(c_.rolling ? r.amplitude_ratio : 0),
                   .f = exact(r.tangential_ratio),
-                  .limit = [](double w) { return exact(theory::shakedown_limit(w)); },
+                  .limit = [this](double w) { return exact(law().exact_limit(w)); },
                   .rest = {{angle_key, angle_of(c_)}, {poisson_key, common_poisson(c_)}}});
         return finish();
     }
@@ -108,6 +109,10 @@ class Predictor {
     }
 
   private:
+    const theory::RolledLaw& law() const { return *theory::rolled_law(c_.friction); }
+    /// Of names of atlases.
+    std::string suffix() const { return law().is_coulomb() ? "" : "_strength"; }
+
     /// Its settled shift has a closed form; what ratcheting adds to it, divided by lambda, has a
     /// map.
     Prediction of_line() {

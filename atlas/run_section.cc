@@ -87,7 +87,9 @@ report::Figure figure_of(const Case& c, const Prediction& here) {
                 "without colour where they do not reach. Above the limit contacts ratchet.",
                 model, fmt::join(here.rests_on, ", ")),
             .x = {.label = "w = W/a", .low = 0, .high = right_end},
-            .y = {.label = "f_T = F_T/(mu F_N)", .low = 0, .high = 1},
+            .y = {.label = c.friction.is_coulomb() ? "f_T = F_T/(mu F_N)" : "f_T = F_T/F_lim",
+                  .low = 0,
+                  .high = 1},
             .curves = {limit, point},
             .map = map};
 }

@@ -90,3 +90,6 @@ small "$gallery/design.png" design
 computed thesis sweep examples/studies/cylinder_shakedown.toml
 computed thesis fit examples/studies/cylinder_shakedown.toml
 figure thesis figure_3_43 fit.html
+computed shear_strength sweep examples/studies/shear_strength_shakedown.toml
+computed shear_strength fit examples/studies/shear_strength_shakedown.toml
+figure shear_strength kappa_4 fit.html

@@ -1,6 +1,7 @@
 #include "studies/atlas_points.h"
 
 #include <algorithm>
+#include <numbers>
 #include <random>
 
 #include "files/version.h"
@@ -18,8 +19,11 @@ using io::Study;
 constexpr const char* steps_key = "rolling.steps_per_quarter";
 
 /// Results converge with the square of the cells' size (docs/explanation/models/bem.md), and levels
-/// differ by the square root of two.
-constexpr double factor_of_level = 1;
+/// differ by the square root of two. Under a bound that does not vanish at the edge, whose cells
+/// count whole or not, with the first power (docs/explanation/friction-laws.md).
+double factor_of_level(const contact::Case& c) {
+    return c.friction.is_coulomb() ? 1 : 1 / (std::numbers::sqrt2 - 1);
+}
 
 /// Shifts of ratcheting converge with the length of the steps.
 double factor_of_steps(const Study::Axis& steps) {
@@ -96,7 +100,7 @@ AtlasPoint AtlasStudy::point(const std::vector<double>& fractions, int finer) co
     const int finest = study_.levels - 1 + finer;
     point.finest = run(finest, 1);
     if (study_.levels > 1 && finer == 0)
-        point.coarser.emplace_back(run(finest - 1, 1), factor_of_level);
+        point.coarser.emplace_back(run(finest - 1, 1), factor_of_level(point.finest.contact()));
     if (steps_) point.coarser.emplace_back(run(finest, 2), factor_of_steps(*steps_));
     return point;
 }

@@ -106,6 +106,14 @@ double HertzUnderLaw::force(double angle) const {
     return 4 * radius_ * radius_ * (std::cos(angle) * bound(sine) + slipping);
 }
 
+double HertzUnderLaw::bound_ratio(double angle) const {
+    return bound(std::sin(angle)) / bound(1);
+}
+
+double HertzUnderLaw::force_ratio(double angle) const {
+    return force(angle) / (2 * radius_ * radius_ * bound(1));
+}
+
 double HertzUnderLaw::friction_limit() const {
     // ∫ tau 2 pi r dr, r dr = -a^2 y dy.
     const double y = capped_from_;

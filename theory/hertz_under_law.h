@@ -18,6 +18,14 @@ class HertzUnderLaw {
     /// Of a sphere or paraboloid on a half-space, under its normal force or depth.
     explicit HertzUnderLaw(const contact::Case& c);
 
+    // Over the bound of the middle, b(0), and a: at the edge of stick x = a sqrt(1 - Y^2), Y =
+    // sin(angle), angle in [0, pi/2],
+
+    /// b,
+    double bound_ratio(double angle) const;
+    /// and the force that lets all beyond slip.
+    double force_ratio(double angle) const;
+
     /// Force at which all slides [N].
     double friction_limit() const;
     /// U at that force [m].

@@ -14,6 +14,7 @@
 #include "report/json_number.h"
 #include "studies/atlas_points.h"
 #include "studies/shard.h"
+#include "theory/rolling/rolled_law.h"
 #include "walking/input/walk_keys.h"
 
 namespace tricontact::app {
@@ -90,8 +91,7 @@ class AtlasBuild {
     AtlasBuild(const AtlasOptions& options, const io::Study& study)
         : options_(options), study_(study), plan_(study), quantities_(mapped_quantities(study)) {
         for (const studies::StudyPoint& run : studies::runs_of(plan_.design(1))) {
-            run.contact().require_rigid_interface("maps");
-            contact::require_coulomb(run.contact(), "a map", study.name + ": friction");
+            theory::require_rolled_law(run.contact(), "maps", study.name + ": friction");
         }
     }
 

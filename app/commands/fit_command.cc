@@ -11,6 +11,7 @@
 #include "contact/load_path.h"
 #include "io/keys/messages.h"
 #include "studies/study_kind.h"
+#include "theory/rolling/rolled_law.h"
 #include "walking/input/walk_keys.h"
 
 namespace tricontact::app {
@@ -30,13 +31,18 @@ constexpr std::array<std::string_view, 3> step_keys{"rolling.steps", "rolling.st
                                                     "rolling.increment"};
 constexpr const char* angle_key = "rolling.angle";
 
+/// The law of friction of a case. No study varies it: keys can be varied, but not left out.
+const theory::RolledLaw& law_of(const FitOptions& options, const Case& c) {
+    const std::string place = options.file + ": friction";
+    if (c.is_line_contact()) contact::require_coulomb(c, "a fit of line contacts", place);
+    return theory::require_rolled_law(c, "kappa and eta", place);
+}
+
 void require_constant_rolling(const FitOptions& options, const Case& c) {
     if (!c.rolling)
         options.refuse(
             "a case without [rolling] has neither kappa nor eta; give it "
             "rolling.amplitude_ratio, or vary it");
-    contact::require_coulomb(c, "a fit of kappa and eta", options.file + ": friction");
-    c.require_rigid_interface("kappa and eta");
     if (!contact::is_hertz_round(c) && !c.is_line_contact())
         options.refuse(
             "kappa and eta are those of a paraboloid or sphere, the line contact's figures "
@@ -157,10 +163,13 @@ void fit_study(FitOptions options) {
             "the report of tricontact sweep");
     const std::vector<studies::StudyPoint> points =
         studies::contact_kind().points(study, *options.makers);
-    for (const studies::StudyPoint& point : points)
+    for (const studies::StudyPoint& point : points) {
+        law_of(options, point.contact());
         require_constant_rolling(options, point.contact());
+    }
 
     comparisons::StudyFit fit;
+    fit.law = &law_of(options, points.front().contact());
     fit.title = study.title.empty() ? study.name : study.title;
     fit.command = command;
     fit.version = files::version;

@@ -113,9 +113,9 @@ std::string json_text(const Case& c, const std::vector<Prediction>& predictions,
            '\n';
 }
 
-/// The page is about spheres.
+/// The page is about spheres and Coulomb's law.
 bool has_page(const Case& c) {
-    return !c.is_line_contact();
+    return !c.is_line_contact() && c.friction.is_coulomb();
 }
 
 void write_files(const PredictOptions& options, const Case& c, const std::string& json) {
@@ -166,7 +166,7 @@ void predict_case(PredictOptions& options) {
     write_files(options, c, json);
     if (options.json) return;
     options.out() << (has_page(c) ? "page: " + options.output + '/' + page_name
-                                  : std::string("no page: it is about spheres"))
+                                  : std::string("no page: it is about spheres under Coulomb's law"))
                   << '\n';
 }
 

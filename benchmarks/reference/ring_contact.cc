@@ -66,7 +66,17 @@ void RingContact::set_rings(const contact::Case& c) {
     tangential_ = on_half_space(has_layer ? 4 * g / (2 - nu) : pair.effective_shear_modulus());
     if (!has_layer) return;
     const theory::ElasticLayer layer = comparisons::elastic_layer(c);
-    add_layer(layer.thickness, edges_.back(), [&](double k) -> Lacks {
+    // 1/2 p A p gets pi ∫ (C33 - that of the half-space) p^^2 k dk, p^ = ∫ p J0(k r) r dr; u_r gets
+    // -∫ k (C13 - that of the half-space) p^ J1(k r) dk. A panel may hold a phase of 48 of two
+    // waves, see theory/layer/wave_numbers.cc.
+    const Waves waves{.last = last_wave,
+                      .panel = std::min(2., 24 * layer.thickness / edges_.back()),
+                      .points = points_of_waves,
+                      .stiff = [](double k) { return 2 * pi * k; },
+                      .along = [](double k) { return -k; },
+                      .within = [](double k, double r) { return r * ::j1(k * r) / k; },
+                      .beside = [](double k, double r) { return ::j1(k * r); }};
+    add_layer(layer.thickness, waves, [&](double k) -> Lacks {
         const auto compliance = theory::layer_compliance(layer, k);
         return {compliance.normal - (1 - nu) / (g * k),
                 (compliance.along + compliance.across) / 2 - (2 - nu) / (2 * g * k),
@@ -92,36 +102,31 @@ Eigen::MatrixXd RingContact::on_half_space(double modulus) const {
     return 2 / modulus * (loads.transpose() * weights.asDiagonal() * loads);
 }
 
-// 1/2 p A p gets pi ∫ (C33 - that of the half-space) p^^2 k dk, p^ = ∫ p J0(k r) r dr; u_r gets
-// -∫ k (C13 - that of the half-space) p^ J1(k r) dk.
-template <class Lacking>
-void RingContact::add_layer(double thickness, double widest, const Lacking& lacks) {
+void RingContact::add_layer(double thickness, const Waves& waves,
+                            const std::function<Lacks(double k)>& lacks) {
     const Eigen::Index n = areas_.size();
-    // A panel may hold a phase of 48 of two waves, see theory/layer/wave_numbers.cc.
-    const int n_panels =
-        static_cast<int>(std::ceil(last_wave / std::min(2., 24 / (2 * widest / (2 * thickness)))));
-    const double width = last_wave / n_panels;
-    const theory::QuadratureRule& rule = theory::gauss_legendre(points_of_waves);
-    const Eigen::Index n_waves = Eigen::Index{n_panels} * points_of_waves;
-    Eigen::MatrixXd transforms(n_waves, n), bessel(n_waves, n);
+    const int n_panels = static_cast<int>(std::ceil(waves.last / waves.panel));
+    const double width = waves.last / n_panels;
+    const theory::QuadratureRule& rule = theory::gauss_legendre(waves.points);
+    const Eigen::Index n_waves = Eigen::Index{n_panels} * waves.points;
+    Eigen::MatrixXd transforms(n_waves, n), slopes(n_waves, n);
     Eigen::VectorXd normal(n_waves), tangential(n_waves), along(n_waves);
     for (Eigen::Index m = 0; m < n_waves; ++m) {
-        const auto i = static_cast<std::size_t>(m % points_of_waves);
-        const double x = width * (static_cast<double>(m / points_of_waves) + rule.points[i]);
+        const auto i = static_cast<std::size_t>(m % waves.points);
+        const double x = width * (static_cast<double>(m / waves.points) + rule.points[i]);
         const double k = x / thickness, weight = width * rule.weights[i] / thickness;
         const Lacks lacking = lacks(k);
-        normal[m] = 2 * pi * weight * k * lacking.normal;
-        tangential[m] = 2 * pi * weight * k * lacking.along;
-        along[m] = -weight * k * lacking.coupling;
-        const auto within = [&](double r) { return r * ::j1(k * r) / k; };
+        normal[m] = weight * waves.stiff(k) * lacking.normal;
+        tangential[m] = weight * waves.stiff(k) * lacking.along;
+        along[m] = weight * waves.along(k) * lacking.coupling;
         for (Eigen::Index j = 0; j < n; ++j) {
-            transforms(m, j) = within(edges_[j + 1]) - within(edges_[j]);
-            bessel(m, j) = ::j1(k * middles_[j]);
+            transforms(m, j) = waves.within(k, edges_[j + 1]) - waves.within(k, edges_[j]);
+            slopes(m, j) = waves.beside(k, middles_[j]);
         }
     }
     stiff_ += transforms.transpose() * normal.asDiagonal() * transforms;
     tangential_ += transforms.transpose() * tangential.asDiagonal() * transforms;
-    along_ += bessel.transpose() * along.asDiagonal() * transforms;
+    along_ += slopes.transpose() * along.asDiagonal() * transforms;
 }
 
 Eigen::MatrixXd RingContact::operator_of(const InterfaceLaw& law) const {

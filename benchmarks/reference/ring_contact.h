@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Dense>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -66,15 +67,22 @@ class RingContact {
     struct Lacks {
         double normal, along, coupling;  ///< at a wave number [m/Pa]
     };
+    /// How rings or strips see waves of the number k.
+    struct Waves {
+        double last, panel;                    ///< k b: the end of the sum, the widest panel of it
+        int points;                            ///< of a panel
+        double (*stiff)(double k);             ///< what a wave counts in p A p, per dk,
+        double (*along)(double k);             ///< and in u_r
+        double (*within)(double k, double r);  ///< the wave's sum over all within r
+        double (*beside)(double k, double r);  ///< its slope at r
+    };
 
     void set_rings(const contact::Case& c);
     void set_strips(const contact::Case& c);
     Eigen::MatrixXd on_half_space(double modulus) const;
-    template <class Lacking>
-    void add_layer(double thickness, double widest, const Lacking& lacks);
+    void add_layer(double thickness, const Waves& waves,
+                   const std::function<Lacks(double k)>& lacks);
     Eigen::MatrixXd strips_matrix(double modulus, std::optional<double> thickness) const;
-    template <class Lacking>
-    void add_plane_layer(double thickness, const Lacking& lacks);
     Eigen::MatrixXd operator_of(const InterfaceLaw& law) const;
     std::optional<State> solve_disc(const Eigen::MatrixXd& matrix,
                                     const contact::NormalControl& control, int n) const;

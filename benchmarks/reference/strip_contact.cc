@@ -49,7 +49,14 @@ void RingContact::set_strips(const contact::Case& c) {
     tangential_ = stiff_;  // C11 of the half-space is its C33
     if (!thickness) return;
     const theory::ElasticLayer layer = comparisons::elastic_layer(c);
-    add_plane_layer(*thickness, [&](double k) -> Lacks {
+    const Waves waves{.last = last_strip_wave,
+                      .panel = std::min(1., 12 * *thickness / (2 * edges_.back())),
+                      .points = points_of_strip_waves,
+                      .stiff = [](double) { return 1 / pi; },
+                      .along = [](double) { return -1 / pi; },
+                      .within = [](double k, double x) { return 2 * std::sin(k * x) / k; },
+                      .beside = [](double k, double x) { return std::sin(k * x); }};
+    add_layer(*thickness, waves, [&](double k) -> Lacks {
         const auto compliance = theory::layer_compliance(layer, k);
         const double taken = (1 - nu) / (g * k) * -std::expm1(-k * *thickness);
         return {compliance.normal - taken, compliance.along - taken,
@@ -76,34 +83,6 @@ Eigen::MatrixXd RingContact::strips_matrix(double modulus, std::optional<double>
             matrix(i, j) = 2 * (pair(edges_[i], edges_[i + 1], edges_[j], edges_[j + 1]) +
                                 pair(edges_[i], edges_[i + 1], -edges_[j + 1], -edges_[j]));
     return matrix;
-}
-
-template <class Lacking>
-void RingContact::add_plane_layer(double thickness, const Lacking& lacks) {
-    const Eigen::Index n = areas_.size();
-    const double widest = std::min(1., 12 * thickness / (2 * edges_.back()));
-    const int n_panels = static_cast<int>(std::ceil(last_strip_wave / widest));
-    const double width = last_strip_wave / n_panels;
-    const theory::QuadratureRule& rule = theory::gauss_legendre(points_of_strip_waves);
-    const Eigen::Index n_waves = Eigen::Index{n_panels} * points_of_strip_waves;
-    Eigen::MatrixXd transforms(n_waves, n), sines(n_waves, n);
-    Eigen::VectorXd normal(n_waves), tangential(n_waves), along(n_waves);
-    for (Eigen::Index m = 0; m < n_waves; ++m) {
-        const auto i = static_cast<std::size_t>(m % points_of_strip_waves);
-        const double x = width * (static_cast<double>(m / points_of_strip_waves) + rule.points[i]);
-        const double k = x / thickness, weight = width * rule.weights[i] / (thickness * pi);
-        const Lacks lacking = lacks(k);
-        normal[m] = weight * lacking.normal;
-        tangential[m] = weight * lacking.along;
-        along[m] = -weight * lacking.coupling;
-        for (Eigen::Index j = 0; j < n; ++j) {
-            transforms(m, j) = 2 * (std::sin(k * edges_[j + 1]) - std::sin(k * edges_[j])) / k;
-            sines(m, j) = std::sin(k * middles_[j]);
-        }
-    }
-    stiff_ += transforms.transpose() * normal.asDiagonal() * transforms;
-    tangential_ += transforms.transpose() * tangential.asDiagonal() * transforms;
-    along_ += sines.transpose() * along.asDiagonal() * transforms;
 }
 
 }  // namespace tricontact::benchmarks

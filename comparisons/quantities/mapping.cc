@@ -4,14 +4,15 @@
 #include "contact/base/number_text.h"
 #include "contact/half_space_scales.h"
 #include "contact/load_path.h"
-#include "theory/rolling/oscillating_rolling.h"
+#include "theory/rolling/rolled_law.h"
 
 namespace tricontact::comparisons {
 
-std::optional<double> mapping_parameter(double w, double f, double u) {
+std::optional<double> mapping_parameter(const theory::RolledLaw& law, double w, double f,
+                                        double u) {
     if (!in_unit_range(w) || !in_unit_range(f) || !in_unit_range(u)) return {};
     if (!(w * u > least_mapping_product)) return {};
-    return theory::mapping_parameter(w, f, u);
+    return law.mapping_parameter(w, f, u);
 }
 
 std::optional<double> ratcheting_slope(double increment_ratio, double w, double w_lim) {
@@ -28,10 +29,11 @@ bool follows_period(const contact::Case& c) {
 }
 
 std::string why_no_kappa(const contact::Case& c, const Results& r) {
-    if (!c.friction.is_coulomb()) return "the map is that of Coulomb's law of friction";
+    if (!theory::rolled_law(c.friction))
+        return "the map is that of Coulomb's law of friction, or of a shear strength alone";
     if (c.interface.is_elastic()) return "the map is that of a rigid interface";
     if (!contact::is_hertz_round(c))
-        return "the map is that of a smooth paraboloid or sphere, (1 - u)^(3/2) being theirs";
+        return "the map is that of a smooth paraboloid or sphere, whose static shift it holds";
     if (!constant_loads(c)) return "the loads oscillate";
     const double w = r.number(quantities::amplitude_ratio).value_or(0);
     const double u = r.number(quantities::settled_shift_ratio).value_or(0);
@@ -72,21 +74,23 @@ constinit const Quantity kappa{
     .name = "mapping parameter",
     .meaning =
         "kappa of f_T = 1 - kappa w u_sd - (1 - u_sd)^(3/2), which maps the method of "
-        "dimensionality reduction (kappa = 3/2) to the model.",
+        "dimensionality reduction (kappa = 3/2) to the model; of a shear strength alone f_T = 2/pi "
+        "[arcsin u_sd + u_sd (1 - u_sd^2)^(1/2)] - kappa w u_sd (kappa = 4/pi).",
     .defined =
-        "where the settled shift of a paraboloid or sphere is, under Coulomb's law and constant "
-        "loads, with "
+        "where the settled shift of a paraboloid or sphere is, under Coulomb's law or a shear "
+        "strength alone and constant loads, with "
         "0 <= w, f_T, u_sd <= 1 and w u_sd > 1e-5, by which an error of f_T is divided",
-    .source = "Wetter (2016), 3.2.16",
+    .source = "Wetter (2016), 3.2.16, of Coulomb's law",
     .of = [](const Subject& s) -> QuantityValue {
         const auto u = number_of(settled_shift_ratio.of(s));
-        if (!u || !contact::is_coulomb_round(s.c) || !constant_loads(s.c)) return {};
-        return finite(mapping_parameter(comparisons::amplitude_ratio(s.history),
+        const theory::RolledLaw* law = mapped_law(s.c);
+        if (!u || !law || !constant_loads(s.c)) return {};
+        return finite(mapping_parameter(*law, comparisons::amplitude_ratio(s.history),
                                         comparisons::tangential_ratio(s.history), *u));
     },
     .exact =
         [](const Reference& r) {
-            return r.shakedown_shift_ratio && r.has_mapping ? finite(theory::mdr_mapping)
+            return r.shakedown_shift_ratio && r.mdr_mapping ? finite(*r.mdr_mapping)
                                                             : QuantityValue();
         },
     .part = Part::rolled,

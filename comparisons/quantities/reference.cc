@@ -10,6 +10,7 @@
 #include "contact/substrates/normal_tangential.h"
 #include "theory/oscillating_cylinder.h"
 #include "theory/rolling/body_rolling.h"
+#include "theory/rolling/rolled_law.h"
 
 namespace tricontact::comparisons {
 
@@ -57,11 +58,12 @@ void add_line_contact(const contact::Case& c, Reference& r) {
 void add_point_contact(const contact::Case& c, Reference& r) {
     const double f = r.tangential_ratio, w = r.amplitude_ratio;
     if (!theory::has_body_theory(c)) return;
-    r.static_shift_ratio = theory::static_shift_ratio(c, f);
+    const theory::BodyRolling body(c);
+    r.static_shift_ratio = body.static_shift_ratio(f);
     if (!c.rolling || !constant_loads(c) || !in_unit_range(w)) return;
-    r.limit_tangential_ratio = theory::shakedown_limit(c, w);
-    r.limit_amplitude_ratio = theory::amplitude_limit(c, f);
-    r.shakedown_shift_ratio = theory::bed_settled_shift_ratio(c, w, f);
+    r.limit_tangential_ratio = body.shakedown_limit(w);
+    r.limit_amplitude_ratio = body.amplitude_limit(f);
+    r.shakedown_shift_ratio = body.bed_settled_shift_ratio(w, f);
 }
 
 /// f_T of a load that is said by the limit; NaN where theory has none.
@@ -87,7 +89,7 @@ Reference reference(const contact::Case& c) {
         r.amplitude_ratio =
             contact::rolling_amplitude(*c.rolling, r.hertz.contact_radius) / r.hertz.contact_radius;
     if (c.load.is_by_limit()) r.tangential_ratio = ratio_by_limit(c, r.amplitude_ratio);
-    r.has_mapping = contact::is_coulomb_round(c);
+    if (const theory::RolledLaw* law = mapped_law(c)) r.mdr_mapping = law->mdr_mapping;
     if (contact::pressure_falls(c) && !contact::has_conical_tip(c))
         r.peak_pressure = r.hertz.peak_pressure;
     if (!in_unit_range(r.tangential_ratio) || c.interface.is_elastic()) return r;
@@ -96,6 +98,11 @@ Reference reference(const contact::Case& c) {
     else
         add_point_contact(c, r);
     return r;
+}
+
+const theory::RolledLaw* mapped_law(const contact::Case& c) {
+    const bool is_round = contact::is_hertz_round(c) && !c.interface.is_elastic();
+    return is_round ? theory::rolled_law(c.friction) : nullptr;
 }
 
 std::string size_name(const contact::Case& c) {

@@ -7,6 +7,10 @@
 #include "contact/case.h"
 #include "contact/history.h"
 
+namespace tricontact::theory {
+struct RolledLaw;
+}
+
 namespace tricontact::comparisons {
 
 /// True when F_N (or d) and F_T stay constant while rolling: what all closed forms assume.
@@ -39,7 +43,7 @@ struct Reference {
     double static_shift_ratio = 0;  ///< u_stat; 0 if f_T is out of range or it is unavailable
     bool static_shift_is_relaxed = true;  ///< see there
     std::optional<double> peak_pressure;  ///< [Pa], where the pressure is largest at the centre
-    bool has_mapping = false;             ///< kappa (3.2.16) is defined: paraboloid and sphere
+    std::optional<double> mdr_mapping;    ///< kappa of MDR; empty where kappa is undefined
     /// Below: with rolling at constant loads and w <= 1 only.
     std::optional<double> limit_tangential_ratio;  ///< f_T,lim of the body's pressure
     std::optional<double> limit_amplitude_ratio;   ///< w_lim at this f_T
@@ -58,9 +62,13 @@ std::string size_name(const contact::Case& c);
 /// kappa carries the error of f_T divided by w u; below this product only noise is left of it.
 inline constexpr double least_mapping_product = 1e-5;
 
-/// Mapping parameter kappa of f = 1 - kappa w u - (1 - u)^(3/2) (Wetter (2016), 3.2.16). Empty
-/// unless 0 <= w, f, u <= 1 and w u > least_mapping_product.
-std::optional<double> mapping_parameter(double w, double f, double u);
+/// The law of friction by which the case's rolled body has a kappa: of smooth paraboloids and
+/// spheres on rigid interfaces, see theory::RolledLaw. Null for others.
+const theory::RolledLaw* mapped_law(const contact::Case& c);
+
+/// Mapping parameter kappa of f = f_static(u) - kappa w u (Wetter (2016), 3.2.16, of Coulomb's
+/// law). Empty unless 0 <= w, f, u <= 1 and w u > least_mapping_product.
+std::optional<double> mapping_parameter(const theory::RolledLaw& law, double w, double f, double u);
 
 /// Ratcheting slope eta = Du/(w - w_lim) (Wetter (2016), 3.3.1); empty unless w > w_lim.
 std::optional<double> ratcheting_slope(double increment_ratio, double w, double w_lim);

@@ -13,6 +13,13 @@ void add(report::Document& document, report::DocumentSection section) {
         document.sections.push_back(std::move(section));
 }
 
+std::string with_minus_signs(std::string formula) {
+    constexpr std::string_view plain = " - ";
+    for (std::size_t at = 0; (at = formula.find(plain, at)) != std::string::npos;)
+        formula.replace(at, plain.size(), " − ");
+    return formula;
+}
+
 constexpr std::size_t most_named = 4;  // a longer list is the table once more
 
 /// How many of the assumptions and comparisons do not hold.
@@ -38,29 +45,33 @@ std::optional<report::Verdict> fit_answer(const std::vector<report::Verdict>& ve
 }  // namespace
 
 report::Document fit_document(const StudyFit& fit) {
+    const bool is_coulomb = fit.law->is_coulomb();
     report::Document document{
         .kind = "Fits to a sweep",
         .title = fit.title,
-        .lead =
-            "Which κ and η each model has, how far one constant holds, and how the models "
-            "differ from each other and from the formulas of the thesis. w, f_T and u are "
-            "ratios to each model's own contact radius, friction limit and U_max.",
+        .lead = std::string("Which κ and η each model has, how far one constant holds, and how the "
+                            "models differ from each other") +
+                (is_coulomb ? " and from the formulas of the thesis" : "") +
+                ". w, f_T and u are ratios to each model's own contact radius, friction limit and "
+                "U_max.",
         .verdicts = fit_verdicts(fit),
         .settings = fit.settings,
         .files = {{"all numbers (JSON)", "fit.json"}, {"fits (CSV)", "fits.csv"}},
         .command = fit.command,
         .version = fit.version};
     document.answer = fit_answer(document.verdicts);
-    add(document, {.id = "thesis",
-                   .heading = "Figures of the thesis",
-                   .paragraphs = {"Its formulas are dashed. Bars are numerical errors."},
-                   .figures = thesis_figures(fit)});
+    if (is_coulomb)
+        add(document, {.id = "thesis",
+                       .heading = "Figures of the thesis",
+                       .paragraphs = {"Its formulas are dashed. Bars are numerical errors."},
+                       .figures = thesis_figures(fit)});
     add(document,
         {.id = "mapping",
          .heading = "Settled shifts: the mapping parameter κ",
-         .paragraphs = {"f_T = 1 − κ w u_sd − (1 − u_sd)^(3/2), which MDR fulfils with κ = 3/2. At "
-                        "small w u_sd small errors of u_sd are large ones of κ: what counts is how "
-                        "far off u_sd a κ is."},
+         .paragraphs = {fmt::format(
+             "{}, which MDR fulfils with κ = {}. At small w u_sd small errors of u_sd are large "
+             "ones of κ: what counts is how far off u_sd a κ is.",
+             with_minus_signs(settled_form(*fit.law, "κ")), fit.law->mdr_text)},
          .figures = mapping_figures(fit),
          .tables = {mapping_use_table(fit),
                     form_table("kappa_fits", "Fits of κ", mapping_rows(fit))}});

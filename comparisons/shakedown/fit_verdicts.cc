@@ -72,7 +72,7 @@ std::string finding_of(const MappingGroup& group) {
                        points);
 }
 
-report::Verdict constant_verdict(const MappingGroup& group) {
+report::Verdict constant_verdict(const MappingGroup& group, const theory::RolledLaw& law) {
     if (!group.constant)
         return {Standing::not_testable, fmt::format("{}: κ cannot be fitted to {} settled points",
                                                     name_of(group), group.points.size())};
@@ -80,8 +80,8 @@ report::Verdict constant_verdict(const MappingGroup& group) {
     const MappingUse* use = use_named(group, "fitted");
     if (!use)
         return {Standing::violated,
-                fmt::format("{}: {} lies beyond what the formula takes (0 to 3/2)", name_of(group),
-                            value)};
+                fmt::format("{}: {} lies beyond what the formula takes (0 to {})", name_of(group),
+                            value, law.mdr_text)};
     const bool is_negligible = group.one.is_negligible;
     return {
         .standing = group.one.finding,
@@ -121,7 +121,8 @@ void add_thesis_mapping(std::vector<report::Verdict>& verdicts, const MappingGro
     verdict.effect = miss_text(*use);
 }
 
-void add_root(std::vector<report::Verdict>& verdicts, const RatchetingGroup& group, bool elastic) {
+void add_root(std::vector<report::Verdict>& verdicts, const RatchetingGroup& group,
+              bool has_thesis) {
     if (!group.root) {
         if (group.n_turning_points_only == 0 && group.points.empty()) return;
         const std::string why =
@@ -139,14 +140,15 @@ void add_root(std::vector<report::Verdict>& verdicts, const RatchetingGroup& gro
     const double r_squared = group.root->of_left_side.r_squared;
     verdicts.push_back(
         {Standing::finding,
-         fmt::format("{}: Δu = {} u_stat^(1/2) (w − w_lim){}; the thesis has 4.77 for MDR, "
-                     "2^(1/2) = 1.41 parallel, 5^(1/2) = 2.24 perpendicular",
-                     name_of(group), interval(c),
-                     std::isnan(r_squared) ? "" : ", R² = " + report::significant(r_squared, 3))});
+         fmt::format("{}: Δu = {} u_stat^(1/2) (w − w_lim){}{}", name_of(group), interval(c),
+                     std::isnan(r_squared) ? "" : ", R² = " + report::significant(r_squared, 3),
+                     has_thesis ? "; the thesis has 4.77 for MDR, 2^(1/2) = 1.41 parallel, "
+                                  "5^(1/2) = 2.24 perpendicular"
+                                : "")});
     std::vector<double> ratios;
     for (const RatchetingPoint& p : group.points)
         if (!std::isnan(p.thesis_ratio)) ratios.push_back(p.thesis_ratio);
-    if (ratios.empty() || contact::model_kind(group.model).is_on_line() || !elastic) return;
+    if (ratios.empty() || contact::model_kind(group.model).is_on_line() || !has_thesis) return;
     const auto [least, most] = std::ranges::minmax_element(ratios);
     report::Verdict& verdict = verdicts.emplace_back(report::Verdict{
         *least > 0.9 && *most < 1.1 ? Standing::pass : Standing::fail,
@@ -196,16 +198,16 @@ void add_limit(std::vector<report::Verdict>& verdicts, const StudyFit& fit,
 
 std::vector<report::Verdict> fit_verdicts(const StudyFit& fit) {
     std::vector<report::Verdict> verdicts;
-    // What the thesis' formulas are about is elastic.
-    const bool elastic = fit.caveat.empty();
-    if (!elastic) verdicts.push_back({Standing::not_testable, fit.caveat});
+    // What the thesis' formulas are about is elastic and rubs by Coulomb's law.
+    const bool has_thesis = fit.caveat.empty() && fit.law->is_coulomb();
+    if (!fit.caveat.empty()) verdicts.push_back({Standing::not_testable, fit.caveat});
     for (const MappingGroup& group : fit.mapping) {
-        verdicts.push_back(constant_verdict(group));
-        if (elastic) add_thesis_mapping(verdicts, group);
+        verdicts.push_back(constant_verdict(group, *fit.law));
+        if (has_thesis) add_thesis_mapping(verdicts, group);
     }
     for (const RatchetingGroup& group : fit.ratcheting) {
-        if (elastic) add_limit(verdicts, fit, group);
-        add_root(verdicts, group, elastic);
+        if (has_thesis) add_limit(verdicts, fit, group);
+        add_root(verdicts, group, has_thesis);
     }
     for (const ModelDifference& d : fit.differences)
         if (d.quantity == &quantities::settled_shift || d.quantity == &quantities::shift_increment)

@@ -18,14 +18,16 @@ constexpr std::size_t least_points_of_plane = 6;
 constexpr double negligible_miss = 1e-3;
 /// A point knows its kappa if its bar leaves this part of it open.
 constexpr double telling = 0.1;
-/// By which a fitted kappa may exceed 3/2, MDR's own value and the largest that theory takes.
+/// By which a fitted kappa may exceed MDR's own value, the largest that theory takes.
 constexpr double rounding_of_kappa = 1e-6;
 
-MappingPoint mapping_point(const RollingPoint& p) {
+using theory::RolledLaw;
+
+MappingPoint mapping_point(const RolledLaw& law, const RollingPoint& p) {
     const double w = p.amplitude_ratio, f = p.tangential_ratio;
     const Computed& u = p.at(quantities::settled_shift_ratio);
-    const double kappa = theory::mapping_parameter(w, f, u.value);
-    const double slope = (1.5 * std::sqrt(1 - u.value) - kappa * w) / (w * u.value);
+    const double kappa = law.mapping_parameter(w, f, u.value);
+    const double slope = (law.static_slope(u.value) - kappa * w) / (w * u.value);
     MappingPoint point{.at = p,
                        .limit_ratio = f / p.at(quantities::limit_tangential_ratio).value,
                        .low = std::nan(""),
@@ -33,41 +35,42 @@ MappingPoint mapping_point(const RollingPoint& p) {
                        .kappa = {kappa, std::abs(slope) * u.error}};
     if (!u.has_bar()) return point;
     const double below = u.value - u.error, above = std::min(1., u.value + u.error);
-    const double lower = below > 0 ? theory::mapping_parameter(w, f, below) : -contact::infinity;
+    const double lower = below > 0 ? law.mapping_parameter(w, f, below) : -contact::infinity;
     point.low = std::min(lower, point.kappa.value);
-    point.high = std::max(theory::mapping_parameter(w, f, above), point.kappa.value);
+    point.high = std::max(law.mapping_parameter(w, f, above), point.kappa.value);
     return point;
 }
 
-bool has_mapping(const RollingPoint& p) {
+bool has_mapping(const RolledLaw& law, const RollingPoint& p) {
     const Computed* u = p.find(quantities::settled_shift_ratio);
-    return u && mapping_parameter(p.amplitude_ratio, p.tangential_ratio, u->value);
+    return u && mapping_parameter(law, p.amplitude_ratio, p.tangential_ratio, u->value);
 }
 
-void fit(MappingGroup& group, double confidence) {
+void fit(MappingGroup& group, const RolledLaw& law, double confidence) {
     std::vector<double> f, offset, product, times_w, times_f;
     for (const MappingPoint& p : group.points) {
         const double u = p.at.at(quantities::settled_shift_ratio).value, w = p.at.amplitude_ratio;
         f.push_back(p.at.tangential_ratio);
-        offset.push_back(1 - std::pow(1 - u, 1.5));
+        offset.push_back(law.static_force(u));
         product.push_back(-w * u);
         times_w.push_back(-w * u * w);
         times_f.push_back(-w * u * p.limit_ratio);
     }
-    group.constant = fit_form("f_T = 1 - kappa w u_sd - (1 - u_sd)^(3/2)", {"kappa"}, {product}, f,
-                              confidence, least_points_of_constant, offset);
-    group.plane = fit_form("f_T = 1 - (k_0 + k_w w + k_f f_T/f_T,lim) w u_sd - (1 - u_sd)^(3/2)",
-                           {"k_0", "k_w", "k_f"}, {product, times_w, times_f}, f, confidence,
-                           least_points_of_plane, offset);
+    group.constant = fit_form(settled_form(law, "kappa"), {"kappa"}, {product}, f, confidence,
+                              least_points_of_constant, offset);
+    group.plane =
+        fit_form(settled_form(law, "(k_0 + k_w w + k_f f_T/f_T,lim)"), {"k_0", "k_w", "k_f"},
+                 {product, times_w, times_f}, f, confidence, least_points_of_plane, offset);
 }
 
-MappingUse use_of(const MappingGroup& group, const std::string& name, double kappa) {
-    MappingUse use{.name = name, .kappa = std::min(kappa, theory::mdr_mapping)};
+MappingUse use_of(const MappingGroup& group, const RolledLaw& law, const std::string& name,
+                  double kappa) {
+    MappingUse use{.name = name, .kappa = std::min(kappa, law.mdr_mapping)};
     std::vector<double> magnitudes;
     for (const MappingPoint& p : group.points) {
         const double w = p.at.amplitude_ratio, f = p.at.tangential_ratio;
         const Computed& u = p.at.at(quantities::settled_shift_ratio);
-        const auto predicted = theory::settled_shift_ratio(w, f, use.kappa);
+        const auto predicted = law.settled_shift_ratio(w, f, use.kappa);
         if (!predicted) {
             ++use.n_ratcheting;
             continue;
@@ -87,17 +90,18 @@ MappingUse use_of(const MappingGroup& group, const std::string& name, double kap
     return use;
 }
 
-void add_uses(MappingGroup& group) {
+void add_uses(MappingGroup& group, const RolledLaw& law) {
     if (group.constant) {
         const double kappa = group.constant->fit.parameters.front().value;
-        if (kappa > 0 && kappa <= theory::mdr_mapping + rounding_of_kappa)
-            group.uses.push_back(use_of(group, "fitted", kappa));
+        if (kappa > 0 && kappa <= law.mdr_mapping + rounding_of_kappa)
+            group.uses.push_back(use_of(group, law, "fitted", kappa));
     }
-    if (is_parallel(group.angle))
-        group.uses.push_back(use_of(group, "thesis", theory::thesis_mapping_parallel));
-    if (is_perpendicular(group.angle))
-        group.uses.push_back(use_of(group, "thesis", theory::thesis_mapping_perpendicular));
-    group.uses.push_back(use_of(group, contact::models::mdr, theory::mdr_mapping));
+    const bool has_thesis = law.is_coulomb();
+    if (has_thesis && is_parallel(group.angle))
+        group.uses.push_back(use_of(group, law, "thesis", theory::thesis_mapping_parallel));
+    if (has_thesis && is_perpendicular(group.angle))
+        group.uses.push_back(use_of(group, law, "thesis", theory::thesis_mapping_perpendicular));
+    group.uses.push_back(use_of(group, law, contact::models::mdr, law.mdr_mapping));
 }
 
 OneMapping one_of(const MappingGroup& group) {
@@ -129,13 +133,19 @@ OneMapping one_of(const MappingGroup& group) {
 
 }  // namespace
 
-std::vector<MappingGroup> mapping_fits(const std::vector<RollingPoint>& points, double confidence) {
+std::string settled_form(const RolledLaw& law, const std::string& kappa) {
+    const auto [before, after] = law.form;
+    return "f_T = " + std::string(before) + " - " + kappa + " w u_sd" + after;
+}
+
+std::vector<MappingGroup> mapping_fits(const std::vector<RollingPoint>& points, double confidence,
+                                       const RolledLaw& law) {
     auto groups = groups_of<MappingGroup>(points);
     for (MappingGroup& group : groups) {
         for (const RollingPoint* p : points_of(points, group))
-            if (has_mapping(*p)) group.points.push_back(mapping_point(*p));
-        fit(group, confidence);
-        add_uses(group);
+            if (has_mapping(law, *p)) group.points.push_back(mapping_point(law, *p));
+        fit(group, law, confidence);
+        add_uses(group, law);
         group.one = one_of(group);
     }
     return groups;

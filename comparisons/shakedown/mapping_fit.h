@@ -7,24 +7,25 @@
 #include "comparisons/shakedown/fitted_form.h"
 #include "comparisons/shakedown/rolling_points.h"
 #include "report/document.h"
+#include "theory/rolling/rolled_law.h"
 
 namespace tricontact::comparisons {
 
-/// A settled point with its mapping parameter kappa of f_T = 1 - kappa w u - (1 - u)^(3/2)
-/// (3.2.16).
+/// A settled point with its mapping parameter kappa of f_T = f_static(u) - kappa w u, of Coulomb's
+/// law 1 - kappa w u - (1 - u)^(3/2) (3.2.16).
 struct MappingPoint {
     RollingPoint at;
     double limit_ratio = 0;    ///< f_T/f_T,lim, the limit being the model's own
     double low = 0, high = 0;  ///< all kappas that give u_sd within its bar; NaN without one
-    /// Bar: that of u_sd times |dkappa/du| = |3/2 (1 - u)^(1/2) - kappa w|/(w u), which grows
-    /// without bound where w u is small. Shifts are what to compare, not kappa.
+    /// Bar: that of u_sd times |dkappa/du| = |f_static'(u) - kappa w|/(w u), which grows without
+    /// bound where w u is small. Shifts are what to compare, not kappa.
     Computed kappa;
 };
 
 /// How well one kappa for all points gives the shifts back.
 struct MappingUse {
     std::string name;              ///< "fitted", "thesis", "mdr"
-    double kappa = 0;              ///< in (0, 3/2]
+    double kappa = 0;              ///< in (0, that of MDR]
     double median = 0, worst = 0;  ///< u by kappa over u_sd, minus 1; median of magnitudes
     double worst_amplitude_ratio = 0, worst_tangential_ratio = 0;  ///< where
     int n = 0;                                                     ///< points compared
@@ -58,9 +59,13 @@ struct MappingGroup {
     OneMapping one;
 };
 
-/// Groups in the order of the points. Fits are linear regressions through the origin of
-/// 1 - f_T - (1-u)^(3/2) on w u: least squares of f_T. Points that have not settled, and those
-/// with w u below least_mapping_product or u beyond 1, are left out.
-std::vector<MappingGroup> mapping_fits(const std::vector<RollingPoint>& points, double confidence);
+/// "f_T = 1 - kappa w u_sd - (1 - u_sd)^(3/2)", with this text for kappa.
+std::string settled_form(const theory::RolledLaw& law, const std::string& kappa);
+
+/// Groups in the order of the points, all under one law. Fits are linear regressions through the
+/// origin of f_static(u) - f_T on w u: least squares of f_T. Points that have not settled, and
+/// those with w u below least_mapping_product or u beyond 1, are left out.
+std::vector<MappingGroup> mapping_fits(const std::vector<RollingPoint>& points, double confidence,
+                                       const theory::RolledLaw& law = theory::coulomb_rolling);
 
 }  // namespace tricontact::comparisons

@@ -16,8 +16,9 @@ constexpr std::size_t least_amplitudes = 2, least_points = 3;
 
 const Quantity& increment = quantities::shift_increment_ratio;
 
-double thesis_ratio(const RollingPoint& p) {
+double thesis_ratio(const RollingPoint& p, const theory::RolledLaw& law) {
     const double w = p.amplitude_ratio, f = p.tangential_ratio;
+    if (!law.is_coulomb()) return std::numeric_limits<double>::quiet_NaN();
     if (is_parallel(p.angle))
         return theory::thesis_increment_parallel(w, f) / p.at(increment).value;
     if (is_perpendicular(p.angle))
@@ -49,13 +50,16 @@ std::optional<FittedForm> eta_form(const std::vector<RatchetingLoad>& loads, dou
     return fit_form("eta = c u_stat^(1/2)", {"c"}, {column}, observed, confidence, least_points);
 }
 
-void add_point(RatchetingGroup& group, const RollingPoint& p, const Computed& limit) {
+void add_point(RatchetingGroup& group, const RollingPoint& p, const Computed& limit,
+               const theory::RolledLaw& law) {
     const auto eta = ratcheting_slope(p.at(increment).value, p.amplitude_ratio, limit.value);
     if (!eta) return;
     const double error =
         (p.at(increment).error + *eta * limit.error) / (p.amplitude_ratio - limit.value);
-    group.points.push_back(
-        {.at = p, .amplitude_limit = limit, .eta = {*eta, error}, .thesis_ratio = thesis_ratio(p)});
+    group.points.push_back({.at = p,
+                            .amplitude_limit = limit,
+                            .eta = {*eta, error},
+                            .thesis_ratio = thesis_ratio(p, law)});
 }
 
 void add_loads(RatchetingGroup& group, double confidence) {
@@ -74,14 +78,14 @@ void add_loads(RatchetingGroup& group, double confidence) {
 /// Below it the limit is nearly 1, or 0, whatever k is.
 constexpr double least_weight = 0.01;
 
-double weight_of(const LimitPoint& p) {
-    return p.amplitude_ratio * (1 - p.amplitude_ratio) * (1 + p.amplitude_ratio);
+double weight_of(const LimitPoint& p, const theory::RolledLaw& law) {
+    return p.amplitude_ratio * law.bound(p.amplitude_ratio);
 }
 
 }  // namespace
 
 std::vector<RatchetingGroup> ratcheting_fits(const std::vector<RollingPoint>& points,
-                                             double confidence) {
+                                             double confidence, const theory::RolledLaw& law) {
     auto groups = groups_of<RatchetingGroup>(points);
     for (RatchetingGroup& group : groups) {
         std::vector<LimitPoint> limits;
@@ -91,9 +95,9 @@ std::vector<RatchetingGroup> ratcheting_fits(const std::vector<RollingPoint>& po
             const Computed* limit = p->find(quantities::limit_amplitude_ratio);
             const bool followed = p->find(increment);
             group.n_turning_points_only += !followed;
-            if (followed && limit) add_point(group, *p, *limit);
+            if (followed && limit) add_point(group, *p, *limit, law);
         }
-        group.limit = fit_limit(limits, confidence);
+        group.limit = fit_limit(limits, confidence, law);
         add_loads(group, confidence);
         group.root = slope_form(group.points, true, confidence, least_points);
         group.root_of_eta = eta_form(group.loads, confidence);
@@ -101,17 +105,18 @@ std::vector<RatchetingGroup> ratcheting_fits(const std::vector<RollingPoint>& po
     return groups;
 }
 
-std::optional<FittedForm> fit_limit(std::vector<LimitPoint> limits, double confidence) {
-    std::erase_if(limits, [](const LimitPoint& p) { return weight_of(p) < least_weight; });
+std::optional<FittedForm> fit_limit(std::vector<LimitPoint> limits, double confidence,
+                                    const theory::RolledLaw& law) {
+    std::erase_if(limits, [&](const LimitPoint& p) { return weight_of(p, law) < least_weight; });
     std::ranges::sort(limits, {}, &LimitPoint::amplitude_ratio);
     std::vector<double> column, observed, offset;
     for (const LimitPoint& p : limits) {
-        column.push_back(-weight_of(p));
+        column.push_back(-weight_of(p, law));
         observed.push_back(p.limit.value);
-        offset.push_back(1 - std::pow(p.amplitude_ratio, 3));
+        offset.push_back(law.static_force(law.bound(p.amplitude_ratio)));
     }
-    return fit_form("f_T,lim = 1 - k w (1 - w^2) - w^3", {"k"}, {column}, observed, confidence, 2,
-                    offset);
+    return fit_form(std::string("f_T,lim = ") + law.limit_form, {"k"}, {column}, observed,
+                    confidence, 2, offset);
 }
 
 }  // namespace tricontact::comparisons

@@ -7,6 +7,7 @@
 #include "comparisons/resolution/refinement.h"
 #include "comparisons/shakedown/fitted_form.h"
 #include "comparisons/shakedown/rolling_points.h"
+#include "theory/rolling/rolled_law.h"
 
 namespace tricontact::comparisons {
 
@@ -18,8 +19,10 @@ struct LimitPoint {
 
 /// One number k for f_T,lim = 1 - k w (1 - w^2) - w^3, which has the ends right whatever the
 /// pressures: k = 3/2 for Hertz' (exact, see theory::shakedown_limit, which ends there), else a
-/// fit. Empty below two points.
-std::optional<FittedForm> fit_limit(std::vector<LimitPoint> limits, double confidence);
+/// fit. Of another law RolledLaw::limit_form, with MDR's kappa for round contacts. Empty below two
+/// points.
+std::optional<FittedForm> fit_limit(std::vector<LimitPoint> limits, double confidence,
+                                    const theory::RolledLaw& law = theory::coulomb_rolling);
 
 /// A ratcheting point with eta = Du/(w - w_lim) (3.3.1), w_lim being the model's own limit.
 struct RatchetingPoint {
@@ -27,7 +30,7 @@ struct RatchetingPoint {
     Computed amplitude_limit;  ///< w_lim at this f_T
     Computed eta;              ///< ill-conditioned near the limit: its bar says how much
     /// Du of the thesis' formula (3.3.4 parallel, 3.4.15 perpendicular) with its own limit, over
-    /// the model's; NaN in other directions.
+    /// the model's; NaN in other directions, and under another law than Coulomb's.
     double thesis_ratio = 0;
 };
 
@@ -52,7 +55,8 @@ struct RatchetingGroup {
 };
 
 /// Groups in the order of the points.
-std::vector<RatchetingGroup> ratcheting_fits(const std::vector<RollingPoint>& points,
-                                             double confidence);
+std::vector<RatchetingGroup> ratcheting_fits(
+    const std::vector<RollingPoint>& points, double confidence,
+    const theory::RolledLaw& law = theory::coulomb_rolling);
 
 }  // namespace tricontact::comparisons

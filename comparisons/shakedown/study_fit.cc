@@ -127,8 +127,8 @@ static void to_json(json& out, const ModelDifference& d) {
 }
 
 void evaluate(StudyFit& fit) {
-    fit.mapping = mapping_fits(fit.points, fit.confidence);
-    fit.ratcheting = ratcheting_fits(fit.points, fit.confidence);
+    fit.mapping = mapping_fits(fit.points, fit.confidence, *fit.law);
+    fit.ratcheting = ratcheting_fits(fit.points, fit.confidence, *fit.law);
     fit.differences = model_differences(fit.points);
 }
 
@@ -142,6 +142,7 @@ std::string fit_json(const StudyFit& fit) {
     const json all = {{"tricontact", fit.version},
                       {"title", fit.title},
                       {"confidence", fit.confidence},
+                      {"friction", fit.law->name},
                       {"caveat", fit.caveat.empty() ? json() : json(fit.caveat)},
                       {"points", fit.points},
                       {quantities::kappa.key, fit.mapping},

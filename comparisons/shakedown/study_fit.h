@@ -19,6 +19,7 @@ struct StudyFit {
     std::string version;                                        ///< of the program
     std::vector<std::pair<std::string, std::string>> settings;  ///< name, value with unit
     double confidence = 0.95;
+    const theory::RolledLaw* law = &theory::coulomb_rolling;  ///< of friction, of all points
     std::string caveat;  ///< why the fits are not those of the theory; empty: they are
     std::vector<RollingPoint> points;
     std::vector<MappingGroup> mapping;

@@ -26,8 +26,29 @@ class SavedScales(NamedTuple):
     unit_shift: Optional[float]
 
 
-class SavedSurface:
+class _Labelled:
+    """What is labelled, drawn and shown as the computed one of its kind, a name in these modules."""
+
+    _kind = ""
+
+    def to_xarray(self) -> Any:
+        """All of it as a Dataset with named dimensions. Raises ImportError."""
+        return getattr(labelled, self._kind)(self)
+
+
+class _Shown(_Labelled):
+    def plot(self, column: str = "shift_x_m", ax: Any = None) -> Any:
+        """A column over the rolling periods with matplotlib. Raises ImportError."""
+        return getattr(plots, self._kind)(self, column, ax)
+
+    def _repr_html_(self) -> str:
+        return str(getattr(shown, self._kind)(self))
+
+
+class SavedSurface(_Labelled):
     """Fields of a contact surface by their names; see Surface for shapes, units and signs."""
+
+    _kind = "surface"
 
     def __init__(self, fields: dict[str, Any], layout: str, shape: tuple[int, ...], x: Any, y: Any,
                  offset: tuple[float, float]) -> None:
@@ -46,10 +67,6 @@ class SavedSurface:
     def __getitem__(self, name: str) -> Any:
         """A field. Raises KeyError."""
         return entry(self._fields, "field", name)
-
-    def to_xarray(self) -> Any:
-        """All fields as a Dataset. Raises ImportError."""
-        return labelled.surface(self)  # type: ignore[arg-type]
 
     def plot(self, field: str = "normal_traction_Pa", ax: Any = None) -> Any:
         """A field as a map with matplotlib. Raises ImportError."""
@@ -77,8 +94,10 @@ class SavedSnapshot:
         return SavedSnapshot, (self.phase, self.surface)
 
 
-class SavedHistory:
+class SavedHistory(_Shown):
     """What one model came to, step by step; see History for units and shapes."""
+
+    _kind = "history"
 
     def __init__(self, columns: dict[str, Any], values: dict[str, Any], snapshots: list[Any]) -> None:
         self._columns = columns
@@ -108,17 +127,6 @@ class SavedHistory:
         """All columns as a DataFrame. Raises ImportError."""
         return Table(self._columns).to_pandas()
 
-    def to_xarray(self) -> Any:
-        """All columns as a Dataset along `step`. Raises ImportError."""
-        return labelled.history(self)  # type: ignore[arg-type]
-
-    def plot(self, column: str = "shift_x_m", ax: Any = None) -> Any:
-        """A column over the rolling periods with matplotlib. Raises ImportError."""
-        return plots.history(self, column, ax)  # type: ignore[arg-type]
-
-    def _repr_html_(self) -> str:
-        return shown.history(self)  # type: ignore[arg-type]
-
 
 class SavedQuantities:
     """The quantities of a model in SI units, None where undefined; see Results."""
@@ -127,8 +135,10 @@ class SavedQuantities:
         self.__dict__.update(values)
 
 
-class SavedResult:
+class SavedResult(_Shown):
     """What the models of a case came to: histories by name, as of Result."""
+
+    _kind = "result"
 
     def __init__(self, case: Any, summary: dict[str, Any], histories: dict[str, Any],
                  surfaces: dict[str, list[Any]]) -> None:
@@ -155,17 +165,6 @@ class SavedResult:
     def results(self, model: str) -> SavedQuantities:
         """The quantities of a model. Raises KeyError."""
         return SavedQuantities(quantities_of(entry(self.summary["models"], "model", model)))
-
-    def to_xarray(self) -> Any:
-        """The quantities of all models along `model`. Raises ImportError."""
-        return labelled.result(self)  # type: ignore[arg-type]
-
-    def plot(self, column: str = "shift_x_m", ax: Any = None) -> Any:
-        """A column of all models over the periods with matplotlib. Raises ImportError."""
-        return plots.result(self, column, ax)  # type: ignore[arg-type]
-
-    def _repr_html_(self) -> str:
-        return shown.result(self)  # type: ignore[arg-type]
 
 
 def quantities_of(numbers: dict[str, Any]) -> dict[str, Any]:

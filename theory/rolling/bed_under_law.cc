@@ -14,16 +14,29 @@ namespace tricontact::theory {
 namespace {
 
 constexpr int table_pieces = 512;
-constexpr int quadrature_points = 4096;
+constexpr int angle_pieces = 1024;
 constexpr int law_ratio_bits = 40;
+constexpr double middle = std::numbers::pi / 2, angle_step = middle / angle_pieces;
 
 void check_law_ratio(const char* name, double value) {
     check_unit_interval("rolling under a law of friction", name, value);
 }
 
+/// Simpson's rule.
+template <typename Function>
+double piece(Function f, double from, double to) {
+    return (to - from) / 6 * (f(from) + 4 * f((from + to) / 2) + f(to));
+}
+
 }  // namespace
 
 BedUnderLaw::BedUnderLaw(const contact::Case& c) {
+    if (contact::is_hertz_round(c)) {
+        round_.emplace(c);
+        friction_limit_ = round_->friction_limit();
+        whole_ = static_force(middle);
+        return;
+    }
     const auto radial = contact::RadialBound::of(table_pieces);
     const auto body = c.make_axisymmetric_indenter();
     const double a = contact::half_space_scales(c).contact_radius;
@@ -33,29 +46,40 @@ BedUnderLaw::BedUnderLaw(const contact::Case& c) {
     bound_ = radial->line(contact::bounds_inside(*c.friction.law(), std::move(pressure)), a);
     const double centre = bound_.back();
     for (double& b : bound_) b /= centre;
-    whole_ = force_ratio(0, 1);
+    beyond_.push_back(0);
+    for (int i = 0; i < angle_pieces; ++i)
+        beyond_.push_back(beyond_.back() + piece([&](double t) { return bound(t) * std::sin(t); },
+                                                 i * angle_step, (i + 1) * angle_step));
+    whole_ = static_force(middle);
     friction_limit_ = whole_ * centre * a;
 }
 
-double BedUnderLaw::bound(double x) const {
-    return contact::at_depth_of_chord(bound_.data(), table_pieces,
-                                      std::sqrt(std::max(0., (1 - x) * (1 + x))));
+double BedUnderLaw::bound(double angle) const {
+    if (round_) return round_->bound_ratio(angle);
+    return contact::at_depth_of_chord(bound_.data(), table_pieces, std::sin(angle));
 }
 
-/// 2 ∫_w^1 min(u, b) dx; x = cos t takes the root at the edge away. Midpoint rule.
-double BedUnderLaw::force_ratio(double w, double u) const {
-    const double end = std::acos(w);
-    double sum = 0;
-    for (int i = 0; i < quadrature_points; ++i) {
-        const double t = end * (i + .5) / quadrature_points;
-        sum += std::min(u, bound(std::cos(t))) * std::sin(t);
-    }
-    return 2 * sum * end / quadrature_points;
+/// x = cos t takes the root at the edge away.
+double BedUnderLaw::beyond(double angle) const {
+    const auto i =
+        std::min<std::size_t>(angle_pieces - 1, static_cast<std::size_t>(angle / angle_step));
+    return beyond_[i] + piece([&](double t) { return bound(t) * std::sin(t); },
+                              static_cast<double>(i) * angle_step, angle);
+}
+
+double BedUnderLaw::static_force(double angle) const {
+    if (round_) return round_->force_ratio(angle);
+    return 2 * (std::cos(angle) * bound(angle) + beyond(angle));
+}
+
+/// 2 ∫_w^1 min(u, b) dx over the whole, u = b at the edge of stick, which lies beyond w.
+double BedUnderLaw::rolled_force(double w, double angle) const {
+    return (static_force(angle) - 2 * w * bound(angle)) / whole_;
 }
 
 double BedUnderLaw::shakedown_limit(double w) const {
     check_law_ratio("w = W/a", w);
-    return force_ratio(w, 1) / whole_;
+    return rolled_force(w, std::acos(w));
 }
 
 double BedUnderLaw::amplitude_limit(double f) const {
@@ -69,8 +93,9 @@ std::optional<double> BedUnderLaw::settled_shift_ratio(double w, double f) const
     check_law_ratio("f = F_T/F_lim", f);
     const double limit = shakedown_limit(w);
     if (f > limit) return {};
-    return contact::bracketed_root([&](double u) { return force_ratio(w, u) / whole_ - f; }, 0.,
-                                   bound(w), -f, limit - f, law_ratio_bits);
+    const double angle = contact::bracketed_root([&](double t) { return rolled_force(w, t) - f; },
+                                                 0., std::acos(w), -f, limit - f, law_ratio_bits);
+    return bound(angle);
 }
 
 }  // namespace tricontact::theory

@@ -16,6 +16,7 @@
 #include "theory/cattaneo_mindlin.h"
 #include "theory/rolling/bed_under_law.h"
 #include "theory/rolling/oscillating_rolling.h"
+#include "theory/rolling/rolled_law.h"
 
 namespace tricontact::theory {
 
@@ -155,52 +156,88 @@ bool has_body_theory(const Case& c) {
            (c.friction.is_coulomb() || (!is_ellipsoid(c) && contact::pressure_falls(c)));
 }
 
-double static_shift_ratio(const Case& c, double f) {
+struct BodyRolling::Parts {
+    explicit Parts(const Case& its_case)
+        : c(its_case), law(contact::is_hertz_round(c) ? rolled_law(c.friction) : nullptr) {
+        if (law) return;
+        if (!c.friction.is_coulomb())
+            bed.emplace(c);
+        else if (!is_ellipsoid(c))
+            pressed.emplace(c);
+    }
+
+    const Case& c;
+    const RolledLaw* law;            ///< closed forms of a round body, or
+    std::optional<BedUnderLaw> bed;  ///< another law than Coulomb's, or
+    std::optional<Pressed> pressed;  ///< Coulomb's law and another body; none of an ellipsoid
+};
+
+BodyRolling::BodyRolling(const Case& c) : parts_(std::make_unique<const Parts>(c)) {}
+BodyRolling::~BodyRolling() = default;
+
+double BodyRolling::static_shift_ratio(double f) const {
     check_unit_interval("rolling of a body", "f = F_T/(mu F_N)", f);
-    if (!c.friction.is_coulomb()) return BedUnderLaw(c).static_shift_ratio(f);
-    if (contact::is_hertz_round(c) || is_ellipsoid(c)) return static_shift_ratio(f);
-    const Pressed pressed(c);
-    const double stick =
-        contact::bracketed_root([&](double rho) { return pressed.force_ratio(rho) - (1 - f); }, 0.,
-                                1., f - 1, f, ratio_bits);
-    return 1 - pressed.depth_ratio(stick);
+    const auto& [c, law, bed, pressed] = *parts_;
+    if (law) return law->static_shift(f);
+    if (bed) return bed->static_shift_ratio(f);
+    if (!pressed) return theory::static_shift_ratio(f);
+    const Pressed& body = *pressed;
+    const double stick = contact::bracketed_root(
+        [&](double rho) { return body.force_ratio(rho) - (1 - f); }, 0., 1., f - 1, f, ratio_bits);
+    return 1 - body.depth_ratio(stick);
+}
+
+std::optional<double> BodyRolling::shakedown_limit(double w) const {
+    check_unit_interval("rolling of a body", "w = W/a", w);
+    const auto& [c, law, bed, pressed] = *parts_;
+    if (law) return law->exact_limit(w);
+    if (bed) return bed->shakedown_limit(w);
+    if (!pressed) return theory::shakedown_limit(std::min(1., stretched_amplitude(c, w)));
+    const auto less = deficit_of(c, *pressed, w);
+    if (!less) return {};
+    return pressed->bed_limit(w) - *less;
+}
+
+std::optional<double> BodyRolling::amplitude_limit(double f) const {
+    check_unit_interval("rolling of a body", "f = F_T/(mu F_N)", f);
+    const auto& [c, law, bed, pressed] = *parts_;
+    if (law) return law->amplitude_limit(f, law->mdr_mapping);
+    if (bed) return bed->amplitude_limit(f);
+    if (!pressed) return theory::amplitude_limit(f) / stretched_amplitude(c, 1);
+    if (!shakedown_limit(0)) return {};
+    return contact::bracketed_root([&](double w) { return *shakedown_limit(w) - f; }, 0., 1., 1 - f,
+                                   -f, ratio_bits);
+}
+
+std::optional<double> BodyRolling::bed_settled_shift_ratio(double w, double f) const {
+    check_unit_interval("rolling of a body", "w = W/a", w);
+    check_unit_interval("rolling of a body", "f = F_T/(mu F_N)", f);
+    const auto& [c, law, bed, pressed] = *parts_;
+    if (law) return law->settled_shift_ratio(w, f, law->mdr_mapping);
+    if (bed) return bed->settled_shift_ratio(w, f);
+    if (!pressed) return {};
+    const Pressed& body = *pressed;
+    const double limit = body.bed_limit(w);
+    if (f > limit) return {};
+    auto excess = [&](double part) { return f - body.bed_force_ratio(std::lerp(w, 1., part), w); };
+    const double part = contact::bracketed_root(excess, 0., 1., f - limit, f, ratio_bits);
+    return 1 - body.depth_ratio(std::lerp(w, 1., part));
+}
+
+double static_shift_ratio(const Case& c, double f) {
+    return BodyRolling(c).static_shift_ratio(f);
 }
 
 std::optional<double> shakedown_limit(const Case& c, double w) {
-    check_unit_interval("rolling of a body", "w = W/a", w);
-    if (!c.friction.is_coulomb()) return BedUnderLaw(c).shakedown_limit(w);
-    if (contact::is_hertz_round(c)) return shakedown_limit(w);
-    if (is_ellipsoid(c)) return shakedown_limit(std::min(1., stretched_amplitude(c, w)));
-    const Pressed pressed(c);
-    const auto less = deficit_of(c, pressed, w);
-    if (!less) return {};
-    return pressed.bed_limit(w) - *less;
+    return BodyRolling(c).shakedown_limit(w);
 }
 
 std::optional<double> amplitude_limit(const Case& c, double f) {
-    check_unit_interval("rolling of a body", "f = F_T/(mu F_N)", f);
-    if (!c.friction.is_coulomb()) return BedUnderLaw(c).amplitude_limit(f);
-    if (contact::is_hertz_round(c)) return amplitude_limit(f);
-    if (is_ellipsoid(c)) return amplitude_limit(f) / stretched_amplitude(c, 1);
-    if (!shakedown_limit(c, 0)) return {};
-    return contact::bracketed_root([&](double w) { return *shakedown_limit(c, w) - f; }, 0., 1.,
-                                   1 - f, -f, ratio_bits);
+    return BodyRolling(c).amplitude_limit(f);
 }
 
 std::optional<double> bed_settled_shift_ratio(const Case& c, double w, double f) {
-    check_unit_interval("rolling of a body", "w = W/a", w);
-    check_unit_interval("rolling of a body", "f = F_T/(mu F_N)", f);
-    if (is_ellipsoid(c)) return {};
-    if (!c.friction.is_coulomb()) return BedUnderLaw(c).settled_shift_ratio(w, f);
-    if (contact::is_hertz_round(c)) return settled_shift_ratio(w, f);
-    const Pressed pressed(c);
-    const double limit = pressed.bed_limit(w);
-    if (f > limit) return {};
-    auto excess = [&](double part) {
-        return f - pressed.bed_force_ratio(std::lerp(w, 1., part), w);
-    };
-    const double part = contact::bracketed_root(excess, 0., 1., f - limit, f, ratio_bits);
-    return 1 - pressed.depth_ratio(std::lerp(w, 1., part));
+    return BodyRolling(c).bed_settled_shift_ratio(w, f);
 }
 
 }  // namespace tricontact::theory

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 
 #include "contact/bodies/indenter.h"
@@ -31,26 +32,45 @@ double rounded_punch_pressure(double flat_ratio, double rho);
 /// under another law than Coulomb's one of revolution whose pressure falls with r.
 bool has_body_theory(const contact::Case& c);
 
-/// Shift under F_T applied once, 1 - d((1-f) F_N)/d(F_N): the traction is mu p less that of the
-/// smaller load whose contact is the stick zone. Jaeger (1995), Ciavarella (1998); of ellipses
-/// Vermeulen and Johnson (1964). Neglects a transverse traction as Cattaneo and Mindlin do.
+/// The theory of a case's body, which stays with the caller. Built once for several questions: what
+/// it rests on, but for round bodies, are tables.
+class BodyRolling {
+  public:
+    /// Of a case that has_body_theory.
+    explicit BodyRolling(const contact::Case& c);
+    ~BodyRolling();
+
+    /// Shift under F_T applied once, 1 - d((1-f) F_N)/d(F_N): the traction is mu p less that of the
+    /// smaller load whose contact is the stick zone. Jaeger (1995), Ciavarella (1998); of ellipses
+    /// Vermeulen and Johnson (1964). Neglects a transverse traction as Cattaneo and Mindlin do.
+    double static_shift_ratio(double f) const;
+
+    /// Largest f that shakes down: (1/F_N) ∫ min p dA over the path of the case's direction. Where
+    /// the pressure falls with r it is that of the bed; where it does not (power laws of n > 2,
+    /// punches), the middle of the path counts too: quadrature to 1e-4. Of ellipses that of a
+    /// paraboloid, W over their half axis in the direction of rolling. Empty for the profile of a
+    /// table.
+    std::optional<double> shakedown_limit(double w) const;
+    /// Its inverse, the largest w that shakes down; along the longer axis of an ellipse it may
+    /// exceed 1.
+    std::optional<double> amplitude_limit(double f) const;
+
+    /// The method of dimensionality reduction (MDR), P(x) being the force and g(x) the indentation
+    /// at which the contact has the radius x; bodies of revolution only. Shift of the bed after
+    /// shakedown; the stick zone has the radius x - W, where u = 1 - g(x)/d and
+    ///   f = 1 - P(x)/F_N - 2 E* W d u/F_N;
+    /// of h ~ r^n: f = 1 - (1 - u)^((n+1)/n) - (n + 1)/n w u. Empty above the limit, that of x = W.
+    std::optional<double> bed_settled_shift_ratio(double w, double f) const;
+
+  private:
+    struct Parts;
+    std::unique_ptr<const Parts> parts_;
+};
+
+// One question each.
 double static_shift_ratio(const contact::Case& c, double f);
-
-/// Largest f that shakes down: (1/F_N) ∫ min p dA over the path of the case's direction. Where the
-/// pressure falls with r it is that of the bed; where it does not (power laws of n > 2, punches),
-/// the middle of the path counts too: quadrature to 1e-4. Of ellipses that of a paraboloid, W over
-/// their half axis in the direction of rolling. Empty for the profile of a table.
 std::optional<double> shakedown_limit(const contact::Case& c, double w);
-/// Its inverse, the largest w that shakes down; along the longer axis of an ellipse it may
-/// exceed 1.
 std::optional<double> amplitude_limit(const contact::Case& c, double f);
-
-// The method of dimensionality reduction (MDR), P(x) being the force and g(x) the indentation at
-// which the contact has the radius x; bodies of revolution only.
-
-/// Shift of the bed after shakedown; the stick zone has the radius x - W, where u = 1 - g(x)/d and
-///   f = 1 - P(x)/F_N - 2 E* W d u/F_N;
-/// of h ~ r^n: f = 1 - (1 - u)^((n+1)/n) - (n + 1)/n w u. Empty above the limit, that of x = W.
 std::optional<double> bed_settled_shift_ratio(const contact::Case& c, double w, double f);
 
 }  // namespace tricontact::theory

@@ -21,11 +21,6 @@ using std::numbers::pi;
 constexpr double largest_mapped_amplitude = .85;
 constexpr double small_mapping = 3 / pi;  // kappa of small loads and amplitudes, nu = 0
 
-// nu/(2 - nu) cos(2 angle): three times n.
-double orientation(const MappedRolling& p) {
-    return p.poisson / (2 - p.poisson) * std::cos(2 * p.angle);
-}
-
 // Of small loads and amplitudes below that of MDR.
 double largest_deficit(const MappedRolling& p) {
     return mdr_mapping - small_mapping * (1 - orientation(p) / 3);
@@ -55,6 +50,10 @@ void check(const MappedRolling& p) {
         throw std::domain_error("mapped rolling: the angle must be finite");
     if (!(p.poisson >= 0 && p.poisson <= .5))
         throw std::domain_error("mapped rolling: nu must lie in [0, 1/2]");
+}
+
+double orientation(const MappedRolling& p) {
+    return p.poisson / (2 - p.poisson) * std::cos(2 * p.angle);
 }
 
 double half_space_mapping(const MappedRolling& p) {
@@ -90,13 +89,13 @@ double small_amplitude_mapping(const MappedRolling& p) {
     return 12 / (pi * pi) * (taken - orientation(p) / 3 * c * rest) / ((1 - c) * (1 + c));
 }
 
-double small_load_mapping(double w) {
+double small_load_mapping(double w, const RolledLaw& law) {
     if (!(w > 0 && w < 1)) throw std::domain_error("small_load_mapping: w must lie in (0, 1)");
     // The lens has the semi-axes 1 - w and sqrt(1 - w^2).
     const double area = 2 / pi * (std::acos(w) - w * std::sqrt((1 - w) * (1 + w)));
     const double aspect = std::pow((1 + w) / (1 - w), .25);
     const double radius = std::sqrt(area) * arithmetic_geometric_mean(aspect, 1 / aspect);
-    return mdr_mapping * (1 - radius) / w;
+    return law.mdr_mapping * (1 - radius) / w;
 }
 
 double largest_settled_shift_ratio(const MappedRolling& p) {

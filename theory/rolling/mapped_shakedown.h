@@ -2,6 +2,8 @@
 
 #include <optional>
 
+#include "theory/rolling/rolled_law.h"
+
 namespace tricontact::theory {
 
 // Settled shift of a paraboloid that rolls back and forth on an uncoupled half-space, by the mapped
@@ -30,6 +32,8 @@ struct MappedRolling {
 
 /// Throws std::domain_error that names what is out of its range.
 void check(const MappedRolling& point);
+/// nu/(2 - nu) cos(2 angle) = 3 n.
+double orientation(const MappedRolling& point);
 
 /// kappa = 3/2 - [3/2 - (3/pi)(1 - n)] (1 - w)^0.42 [1 - phi (1 - 0.06 w)]^(0.19 + 0.05 w),
 /// phi = f/f_T,lim; the same at phi = 1 for larger loads. Its u_sd differs from the atlas of
@@ -52,11 +56,11 @@ std::optional<double> half_space_settled_shift_ratio(const MappedRolling& point)
 /// Cattaneo and Mindlin neglect. The point's amplitude is not used.
 double small_amplitude_mapping(const MappedRolling& point);
 
-/// kappa for f -> 0 at nu = 0 or over the mean of the angles: (3/2)(1 - a_c/a)/w with a_c the
-/// radius of a round punch of the compliance of the common contact, for w in (0, 1). The lens is
-/// replaced by the ellipse of its area and aspect ratio, whose a_c is the arithmetic-geometric mean
-/// of its semi-axes.
-double small_load_mapping(double w);
+/// kappa for f -> 0 at nu = 0 or over the mean of the angles: kappa_MDR (1 - a_c/a)/w with a_c the
+/// radius of a round punch of the compliance of the common contact, for w in (0, 1); that of
+/// Coulomb's law unless told. The lens is replaced by the ellipse of its area and aspect ratio,
+/// whose a_c is the arithmetic-geometric mean of its semi-axes.
+double small_load_mapping(double w, const RolledLaw& law = coulomb_rolling);
 
 /// u_sd at f = f_T,lim, exact: the shift at the centre under the least traction of each point's
 /// path,

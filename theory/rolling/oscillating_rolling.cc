@@ -18,11 +18,6 @@ void check_mapping(double kappa) {
         throw std::domain_error("oscillating rolling: kappa must lie in (0, 3/2]");
 }
 
-// 1 - (1 - u)^(3/2) without cancellation at small u.
-double static_force_ratio(double u) {
-    return u < 1 ? -std::expm1(1.5 * std::log1p(-u)) : 1;
-}
-
 double thesis_increment(double w, double f, double kappa, double factor) {
     const double excess = w - amplitude_limit(f, kappa);
     check_unit_interval("oscillating rolling", "w = W/a", w);
@@ -30,6 +25,11 @@ double thesis_increment(double w, double f, double kappa, double factor) {
 }
 
 }  // namespace
+
+// Without cancellation at small u.
+double static_force_ratio(double u) {
+    return u < 1 ? -std::expm1(1.5 * std::log1p(-u)) : 1;
+}
 
 std::optional<double> settled_shift_ratio(double w, double f, double kappa) {
     check_unit_interval("oscillating rolling", "w = W/a", w);

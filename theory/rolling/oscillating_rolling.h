@@ -18,6 +18,9 @@ inline constexpr double mdr_mapping = 1.5;                   ///< exact for MDR
 inline constexpr double thesis_mapping_parallel = 1.0;       ///< fit, load along the rolling
 inline constexpr double thesis_mapping_perpendicular = 1.1;  ///< fit, load across the rolling
 
+/// Force that shifts by u in [0, 1] when applied once, 1 - (1 - u)^(3/2).
+double static_force_ratio(double u);
+
 /// Shift u_sd after shakedown, solving f = 1 - kappa w u - (1 - u)^(3/2) (3.2.15, 3.2.16) in
 /// [0, 1 - w^2]; empty if f exceeds the limit (ratcheting).
 std::optional<double> settled_shift_ratio(double w, double f, double kappa = mdr_mapping);

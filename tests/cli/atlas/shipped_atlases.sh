@@ -31,6 +31,8 @@ cylinder_layer_static 5
 sphere_half_space 4
 sphere_half_space_ratcheting 1
 sphere_half_space_static 4
+sphere_half_space_strength 4
+sphere_half_space_strength_static 2
 sphere_layer 6
 sphere_layer_pressed 10
 sphere_layer_ratcheting 1

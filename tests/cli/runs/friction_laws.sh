@@ -66,6 +66,18 @@ refused "is Coulomb's law" check "$lens" --set friction.coefficient=0.5 \
     --set friction.pressure_exponent=1 --set friction.reference_pressure=1MPa
 refused "is not above friction.shear_strength" check "$lens" --set friction.coefficient=0.5 \
     --set friction.strength_limit=0.3MPa
-refused "no atlas is about laws of friction" predict "$lens"
+refused "no atlas is about laws of friction other than Coulomb's and a shear strength alone" predict "$lens" \
+    --set friction.strength_limit=0.5MPa
+refused "no atlas is about layers under a shear strength" predict "$lens" --set substrate.thickness=4mm
+"$program" predict "$lens" --json >maps.json || complain "no prediction under a strength"
+"$python" - maps.json <<'END' || complain "predicted: $(cat maps.json)"
+import json, math, sys
+models = json.load(open(sys.argv[1]))["models"]
+springs, bem = models["mdr"], models["bem"]
+assert abs(springs["kappa"] - 4 / math.pi) < 1e-12
+assert abs(springs["settled_shift_ratio"] - .30024) < 1e-5  # w = 0.2, f = 0.3
+assert .72 < bem["kappa"] - bem["kappa_error"] < bem["kappa"] + bem["kappa_error"] < .82
+assert bem["static_shift_ratio"] < bem["settled_shift_ratio"] < springs["settled_shift_ratio"]
+END
 refused "friction: a deviation presumes Coulomb's law, tau = mu p, and the case has tau = 350 kPa" deviation "$lens" --set substrate.thickness=4mm
 finish

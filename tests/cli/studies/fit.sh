@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # tricontact fit: MDR's kappa from a sweep, files and groups; a sweep that is missing or not finished,
 # and cases without kappa, are refused and nothing is written.
+# Under a shear strength likewise, with 4/pi.
 # usage: fit.sh PROGRAM SOURCE_DIR
 source "$(dirname -- "${BASH_SOURCE[0]}")/../prepare.bash"
 
@@ -52,5 +53,18 @@ study c.toml "$rig" 'load.tangential_ratio = [0.1, 0.2]'
 sed -i 's/rolling.steps = "turning-points"/load.normal_amplitude_ratio = 0.1/' c.toml
 refused "under constant loads" fit c.toml --output a
 refused "confidence" fit a.toml --output a --confidence 2
+
+# 4. Under a shear strength MDR's kappa is 4/pi, whatever the direction, and nothing of the thesis is said.
+silicone=$source_dir/examples/cases/shear_strength_rolled.toml
+study d.toml "$silicone" 'rolling.amplitude_ratio = [0.2, 0.4]' 'load.tangential_ratio = [0.1, 0.2, 0.3]' \
+    'rolling.angle = ["0 deg", "90 deg"]'
+"$program" sweep d.toml --output d --quiet --no-report || complain "the sweep under a strength"
+"$program" fit d.toml --output d --quiet || complain "the fit under a strength"
+awk -F, '$4 == "kappa" { n++; if (($5 - 1.2732395447)^2 > 1e-10) bad = 1 } END { exit bad || n != 2 }' \
+    d/fits.csv || complain "kappa of a strength: $(cat d/fits.csv)"
+! grep -q "thesis" d/fit.html || complain "the thesis under a strength"
+study e.toml "$silicone" 'load.tangential_ratio = [0.1, 0.2]'
+sed -i 's/^rolling.steps = .*/friction.coefficient = 0.4/' e.toml
+refused "kappa and eta presume Coulomb's law, tau = mu p, or a shear strength, tau = tau_0, and the case has" fit e.toml --output d
 
 finish

@@ -15,6 +15,7 @@
 #include "contact/bodies/indenter.h"
 #include "theory/cattaneo_mindlin.h"
 #include "theory/layer/elastic_layer.h"
+#include "theory/rolling/mapped_strength.h"
 #include "theory/rolling/oscillating_rolling.h"
 
 namespace tricontact::atlas::contact_maps_test {
@@ -80,6 +81,35 @@ TEST(ContactMaps, HalfSpaceHasItsLimits) {
     EXPECT_LT(least, settled_shift_ratio(.3, .4, across, .5).value);
     // MDR, whose springs are independent, settles farther.
     EXPECT_LT(least, *theory::settled_shift_ratio(.3, .4));
+}
+
+// Where closed forms are exact: nu = 0 at rest, the ends of the load, and between kappa and u_sd.
+TEST(ContactMaps, AShearStrengthHasItsLimits) {
+    const auto& law = theory::strength_rolling;
+    for (const double f : {.1, .4, .8}) {
+        const Value u = strength_static_shift_ratio(f, 0);
+        EXPECT_NEAR(u.value, law.static_shift(f), u.error + 1e-3 * u.value) << f;
+    }
+    for (const double w : {.15, .4, .7}) {
+        const double limit = law.exact_limit(w);
+        // The flat punch of a lens, whose ellipse stands for it within 5e-3.
+        const Value small = strength_mapping_parameter(w, .08 * limit, along, 0);
+        EXPECT_NEAR(small.value, theory::small_load_mapping(w, law), small.error + 8e-3) << w;
+        for (const double angle : {along, across}) {
+            const double f = .96 * limit;
+            const Value u = strength_settled_shift_ratio(w, f, angle, .5);
+            EXPECT_LT(u.value, theory::largest_strength_shift_ratio({w, 0, angle, .5}) + u.error);
+            const Value kappa = strength_mapping_parameter(w, f, angle, .5);
+            const double slope = law.mapping_parameter(w, f, u.value + u.error) -
+                                 law.mapping_parameter(w, f, u.value);
+            EXPECT_NEAR(kappa.value, law.mapping_parameter(w, f, u.value),
+                        kappa.error + std::abs(slope));
+            EXPECT_LT(kappa.value, law.mdr_mapping);
+        }
+    }
+    EXPECT_EQ(refusal_of([] { strength_settled_shift_ratio(.9, .01, along, .5); }),
+              "rolling.amplitude_ratio = 0.9: atlas sphere_half_space_strength goes from 0.1 to "
+              "0.85");
 }
 
 TEST(ContactMaps, RatchetingOnAThickLayerIsThatOfTheHalfSpace) {

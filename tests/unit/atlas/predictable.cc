@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "atlas/prediction.h"
+#include "comparisons/quantities/quantities.h"
 #include "contact/base/error.h"
 
 namespace tricontact::atlas::predictable_test {
@@ -61,6 +62,31 @@ TEST(Predictable, ALayerThatIsNotMappedIsRefused) {
     EXPECT_NE(refusal_of(glides).find("not bonded"), std::string::npos);
     EXPECT_NE(refusal_of(wide).find("mdr would leave the layer out"), std::string::npos);
     EXPECT_EQ(predict(wide, "mdr").left_out.size(), 1u);
+}
+
+// A strength has maps of the half-space; what has none is told by name.
+TEST(Predictable, AShearStrengthOnAHalfSpace) {
+    Case c = layer();
+    c.friction = {.shear_strength = 1e5};
+    EXPECT_NE(refusal_of(c).find("layers under a shear strength"), std::string::npos);
+    c.layer = {};
+    EXPECT_EQ(predictable_models(c), (std::vector<std::string>{"mdr", "bem"}));
+    const Prediction maps = predict(c, "bem"), springs = predict(c, "mdr");
+    const auto* kappa = maps.find(comparisons::quantities::kappa);
+    ASSERT_TRUE(kappa);
+    EXPECT_LT(kappa->value.value, .85);
+    EXPECT_EQ(maps.rests_on.back(), "sphere_half_space_strength");
+    EXPECT_NEAR(springs.find(comparisons::quantities::kappa)->value.value, 1.2732395447, 1e-9);
+    c.load.tangential_ratio = .95;  // ratchets
+    ASSERT_EQ(predict(c, "bem").gaps.size(), 1u);
+    EXPECT_EQ(predict(c, "bem").gaps.front(),
+              "no atlas sphere_half_space_strength_ratcheting: tricontact run computes it");
+    c.friction.coefficient = .3;
+    EXPECT_NE(refusal_of(c).find("laws of friction other than"), std::string::npos);
+    c.friction.coefficient.reset();
+    c.indenter.shape = Case::Shape::cylinder;
+    c.indenter.length = .01;
+    EXPECT_NE(refusal_of(c).find("line contacts under a shear strength"), std::string::npos);
 }
 
 }  // namespace

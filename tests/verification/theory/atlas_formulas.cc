@@ -10,6 +10,7 @@
 #include "theory/layer/layer_forms.h"
 #include "theory/rolling/mapped_ratcheting.h"
 #include "theory/rolling/mapped_shakedown.h"
+#include "theory/rolling/mapped_strength.h"
 #include "theory/rolling/oscillating_rolling.h"
 
 namespace tricontact::atlas_formulas_test {
@@ -66,6 +67,35 @@ TEST(AtlasFormulas, Kappa) {
     table.check({"kappa of two coefficients", {6.8, .36}, simple});
     table.check({"kappa of the thesis, 1 to 1.1", {27, 8.6}, thesis_mapping});
     table.check({"kappa of MDR, 3/2", {71, 31}, mdr});
+}
+
+// w, phi, angle, nu
+theory::MappedRolling strength_of(const Point& p) {
+    return {p[0], p[1] * theory::strength_rolling.exact_limit(p[0]), p[2], p[3]};
+}
+
+TEST(AtlasFormulas, ShearStrength) {
+    const Table settled("sphere_half_space_strength", quantities::settled_shift_ratio);
+    settled.check({"u_sd, shear strength", {2, .3}, [](const Point& p) {
+                       return *theory::strength_settled_shift_ratio(strength_of(p));
+                   }});
+    settled.check({"u_sd, shear strength, MDR", {150, 30}, [](const Point& p) {
+                       const auto at = strength_of(p);
+                       const auto& law = theory::strength_rolling;
+                       return *law.settled_shift_ratio(at.amplitude_ratio, at.tangential_ratio,
+                                                       law.mdr_mapping);
+                   }});
+    const Table mapping("sphere_half_space_strength", quantities::kappa);
+    mapping.check({"kappa, shear strength", {4, 1}, [](const Point& p) {
+                       return theory::strength_mapping(strength_of(p));
+                   }});
+    mapping.check({"kappa, shear strength, MDR", {80, 40}, [](const Point&) {
+                       return theory::strength_rolling.mdr_mapping;
+                   }});
+    const Table still("sphere_half_space_strength_static", quantities::static_shift_ratio);
+    still.check({"u_stat, shear strength", {1, .1}, [](const Point& p) {
+                     return theory::strength_rolling.static_shift(p[0]);
+                 }});
 }
 
 // w, b/D_c, nu

@@ -26,18 +26,24 @@ class ReadStates : public VtkFiles {
     }
     /// All of a state's points, and its fields, once the reader has been told to read them.
     vtkUnstructuredGrid* read(const std::string& name, double time, bool moved = false) {
+        auto* blocks = blocks_of(name, time, moved);
+        return blocks ? vtkUnstructuredGrid::SafeDownCast(blocks->GetBlock(0)) : nullptr;
+    }
+    /// The same of all element blocks; `by`: a factor of the displacements.
+    vtkMultiBlockDataSet* blocks_of(const std::string& name, double time, bool moved,
+                                    double by = 1) {
         reader_ = vtkSmartPointer<vtkExodusIIReader>::New();
         reader_->SetSqueezePoints(false);  // all points in the file's order
         reader_->SetFileName(at(name).c_str());
         reader_->SetApplyDisplacements(moved);
+        reader_->SetDisplacementMagnitude(by);
         reader_->UpdateInformation();
         for (const int kind :
              {vtkExodusIIReader::NODAL, vtkExodusIIReader::ELEM_BLOCK, vtkExodusIIReader::GLOBAL})
             for (int i = 0; i < reader_->GetNumberOfObjectArrays(kind); ++i)
                 reader_->SetObjectArrayStatus(kind, i, 1);
         reader_->UpdateTimeStep(time);
-        auto* blocks = vtkMultiBlockDataSet::SafeDownCast(reader_->GetOutput()->GetBlock(0));
-        return blocks ? vtkUnstructuredGrid::SafeDownCast(blocks->GetBlock(0)) : nullptr;
+        return vtkMultiBlockDataSet::SafeDownCast(reader_->GetOutput()->GetBlock(0));
     }
     std::vector<double> times() {
         auto* key = vtkStreamingDemandDrivenPipeline::TIME_STEPS();

@@ -2,16 +2,14 @@
 
 #include <vtkCell.h>
 #include <vtkCellData.h>
-#include <vtkExodusIIReader.h>
 #include <vtkMultiBlockDataSet.h>
-#include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkUnstructuredGrid.h>
 
 #include <cmath>
 #include <set>
 
-#include "tests/unit/io/results/vtk_files.h"
+#include "tests/unit/io/results/read_states.h"
 #include "tests/unit/walking/sets.h"
 #include "walking/machine/motion.h"
 
@@ -34,21 +32,11 @@ WalkCase dimensional_case() {
 
 enum WalkPart : unsigned { spots, spring, body, ground, ground_marked };
 
-class WalkAnimation : public io::VtkFiles {
+class WalkAnimation : public io::ReadStates {
   protected:
     /// Blocks of the file: spots, spring, body, ground, ground_marked; of all points, not moved.
     vtkUnstructuredGrid* read(WalkPart part, double time, bool moved = false, double by = 1) {
-        reader_->SetFileName(at("machine.ex2").c_str());
-        reader_->SetSqueezePoints(false);
-        reader_->SetApplyDisplacements(moved);
-        reader_->SetDisplacementMagnitude(by);
-        reader_->UpdateInformation();
-        for (const int kind :
-             {vtkExodusIIReader::NODAL, vtkExodusIIReader::ELEM_BLOCK, vtkExodusIIReader::GLOBAL})
-            for (int i = 0; i < reader_->GetNumberOfObjectArrays(kind); ++i)
-                reader_->SetObjectArrayStatus(kind, i, 1);
-        reader_->UpdateTimeStep(time);
-        auto* blocks = vtkMultiBlockDataSet::SafeDownCast(reader_->GetOutput()->GetBlock(0));
+        auto* blocks = blocks_of("machine.ex2", time, moved, by);
         EXPECT_EQ(blocks->GetNumberOfBlocks(), 5u);
         return vtkUnstructuredGrid::SafeDownCast(blocks->GetBlock(part));
     }
@@ -66,8 +54,6 @@ class WalkAnimation : public io::VtkFiles {
         EXPECT_TRUE(array) << name;
         return array ? array->GetTuple1(state) : 0;
     }
-
-    vtkNew<vtkExodusIIReader> reader_;
 };
 
 // By hand, kappa3 = 1/2: Phi = phi/kappa3 = 8e-5; a point at (x, z), centre of gravity at z = 1/2,
