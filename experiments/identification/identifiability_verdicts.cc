@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "experiments/identification/estimation/told_combination.h"
 #include "experiments/identification/identification_report.h"
-#include "experiments/identification/told_combination.h"
 
 namespace tricontact::experiments {
 

@@ -1,8 +1,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "experiments/identification/estimation/told_combination.h"
 #include "experiments/identification/identification_report.h"
-#include "experiments/identification/told_combination.h"
 #include "report/json_number.h"
 
 namespace tricontact::experiments {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "contact/case.h"
-#include "experiments/identification/free_parameter.h"
+#include "experiments/identification/estimation/free_parameter.h"
 #include "io/case/case_keys.h"
 #include "statistics/correlations.h"
 

@@ -6,10 +6,10 @@
 #include <utility>
 #include <vector>
 
-#include "experiments/identification/identification.h"
+#include "experiments/identification/estimation/identification.h"
+#include "experiments/identification/estimation/posterior.h"
 #include "experiments/identification/identification_reader.h"
 #include "experiments/identification/law_comparison.h"
-#include "experiments/identification/posterior.h"
 #include "report/document.h"
 
 namespace tricontact::experiments {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "contact/model_makers.h"
-#include "experiments/identification/identification.h"
+#include "experiments/identification/estimation/identification.h"
 #include "experiments/identification/law_parameters.h"
 
 namespace tricontact::experiments {
