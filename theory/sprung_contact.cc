@@ -122,15 +122,44 @@ Bound bound_of(const AbelElements& on, const contact::Friction& friction,
     return bound;
 }
 
-/// Curve of shifts over forces, with radii over a and g over a: at each node as the edge of stick
-/// u + t/k_t = U inside and t = bound outside. `soft`, `bodies`: 1/k_t and a/G* [m/Pa].
+/// A matrix by triangles L U, without pivots, so that its leading blocks are those of theirs.
+/// Springs add to a diagonal that is positive, below it are the bodies.
+class LeadingBlocks {
+  public:
+    explicit LeadingBlocks(Eigen::MatrixXd matrix) : both_(std::move(matrix)) {
+        const Index n = both_.rows();
+        for (Index k = 0; k + 1 < n; ++k) {
+            const Index left = n - k - 1;
+            both_.col(k).tail(left) /= both_(k, k);
+            both_.bottomRightCorner(left, left).noalias() -=
+                both_.col(k).tail(left) * both_.row(k).tail(left);
+        }
+    }
+
+    /// Of the leading block whose size is that of `right`.
+    VectorXd solve(VectorXd right) const {
+        const auto block = both_.topLeftCorner(right.size(), right.size());
+        block.triangularView<Eigen::UnitLower>().solveInPlace(right);
+        block.triangularView<Eigen::Upper>().solveInPlace(right);
+        return right;
+    }
+
+  private:
+    Eigen::MatrixXd both_;
+};
+
+/// Curve of shifts over forces, with radii over a and g over a: at each `stride`-th node as the
+/// edge of stick u + t/k_t = U inside and t = bound outside. `soft`, `bodies`: 1/k_t and a/G*
+/// [m/Pa].
 struct Curve {
     std::vector<double> forces, shifts;  // F_T/a^2 [Pa], U [m]
 };
 
-Curve curve_of(const AbelElements& on, const Bound& bound, double soft, double bodies) {
+Curve curve_of(const AbelElements& on, const Bound& bound, double soft, double bodies,
+               Index stride) {
     const Index n = on.n;
     const Eigen::MatrixXd matrix = bodies * on.displacements + soft * on.tractions;
+    const LeadingBlocks blocks(matrix.topRows(n));
     const VectorXd uniform = bodies * on.uniform + VectorXd::Constant(n + 1, soft);
     const VectorXd of_edge = bound.at_edge * uniform;
     Curve curve;
@@ -139,13 +168,12 @@ Curve curve_of(const AbelElements& on, const Bound& bound, double soft, double b
         curve.shifts.push_back(shift);
     };
     add(bound.g, bound.at_edge, matrix.row(0).dot(bound.g) + of_edge[0]);
-    for (Index j = 1; j < n; ++j) {
+    for (Index j = stride; j < n; j += stride) {
         // Inside: unknown g of the nodes before j; t at j is that of the ring that slips.
-        const auto inside = matrix.topLeftCorner(j, j).partialPivLu();
         const VectorXd ring =
             matrix.topRightCorner(j + 1, n - j) * bound.g.tail(n - j) + of_edge.head(j + 1);
-        const VectorXd per_shift = inside.solve(VectorXd::Ones(j));
-        const VectorXd by_ring = inside.solve(ring.head(j));
+        const VectorXd per_shift = blocks.solve(VectorXd::Ones(j));
+        const VectorXd by_ring = blocks.solve(ring.head(j));
         const auto row = matrix.row(j).head(j);
         const double shift = (ring[j] - row.dot(by_ring)) / (1 - row.dot(per_shift));
         VectorXd g = bound.g;
@@ -158,8 +186,8 @@ Curve curve_of(const AbelElements& on, const Bound& bound, double soft, double b
         curve.shifts.push_back(0);
         return curve;
     }
-    const auto all = matrix.topRows(n).partialPivLu();
-    const VectorXd per_shift = all.solve(VectorXd::Ones(n)), per_edge = all.solve(uniform.head(n));
+    const VectorXd per_shift = blocks.solve(VectorXd::Ones(n)),
+                   per_edge = blocks.solve(uniform.head(n));
     const auto row = matrix.row(n);
     const double edge = (1 - row.dot(per_shift)) / (uniform[n] - row.dot(per_edge));
     const double shift = bound.at_edge / edge;
@@ -204,18 +232,18 @@ SprungContact::SprungContact(const contact::Friction& friction, const contact::I
         contact_radius_ = std::cbrt(.75 * normal_force * radius / effective_modulus);
     }
     const double a = contact_radius_;
-    const auto curve_on = [&](int n) {
-        const AbelElements& on = abel_elements(n);
+    const auto curve_on = [&](int stride) {
+        const AbelElements& on = abel_elements(stride * n_curve_elements);
         const UnitPress press = unit_press(on, softness);
         // Under the force itself, which the elements miss by their error.
         const VectorXd pressing = press.g * (normal_force / (a * a) / press.force);
         return curve_of(on, bound_of(on, friction, pressing), interface.tangential_compliance(),
-                        a / effective_shear_modulus);
+                        a / effective_shear_modulus, stride);
     };
-    const Curve coarse = curve_on(n_curve_elements), fine = curve_on(2 * n_curve_elements);
+    const Curve coarse = curve_on(1), fine = curve_on(2);
     for (std::size_t i = 0; i < coarse.forces.size(); ++i) {
-        forces_.push_back(a * a * extrapolated(coarse.forces[i], fine.forces[2 * i]));
-        shifts_.push_back(extrapolated(coarse.shifts[i], fine.shifts[2 * i]));
+        forces_.push_back(a * a * extrapolated(coarse.forces[i], fine.forces[i]));
+        shifts_.push_back(extrapolated(coarse.shifts[i], fine.shifts[i]));
     }
 }
 

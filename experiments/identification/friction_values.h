@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "contact/solvers/control.h"
 #include "experiments/identification/identification_reader.h"
 
 namespace tricontact::experiments {
@@ -26,12 +27,20 @@ std::vector<double> by_load(
     const std::function<std::vector<double>(const contact::Case& rig,
                                             const std::vector<double>& given)>& values);
 
-/// Shifts [m] of a rig on a half-space under any law of friction, one force [N] after another
-/// applied to it. Above what the law carries they go on rising, as the law's do below it, so that a
-/// search comes back from there.
+/// A contact pressed without friction [N, m].
+struct Pressed {
+    double normal_force = 0, contact_radius = 0, indentation = 0;
+};
+/// On a half-space, with the springs of the rig's interface.
+Pressed half_space_press(const contact::Case& rig, const contact::NormalControl& control);
+
+/// Shifts [m] of a rig on a half-space under any law of friction and any interface, one force [N]
+/// after another applied to it. Above what the law carries they go on rising, as the law's do below
+/// it, so that a search comes back from there.
 std::vector<double> half_space_shifts(const contact::Case& rig, const std::vector<double>& forces);
 
-/// Forces [N] at which all slides: mu F_N, of other laws than Coulomb's on a half-space.
+/// Forces [N] at which all slides: mu F_N, of other laws than Coulomb's on a half-space, under the
+/// pressure that the springs of the interface leave.
 std::vector<double> sliding_forces(const contact::Case& rig,
                                    const std::vector<double>& normal_forces);
 

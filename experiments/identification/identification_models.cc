@@ -170,6 +170,11 @@ void check_lengths_scale(const IdentificationInput& input) {
                 "base; find the modulus and friction, or take the model half-space");
 }
 
+const char* half_space_model() {
+    return std::ranges::find(io::measurement_models(), false, &io::MeasurementModel::is_layer)
+        ->name;
+}
+
 IdentificationTask task_of(const IdentificationInput& input, const std::string& model) {
     IdentificationTask task{.parameters = parameters_of(input, model),
                             .confidence = input.confidence};

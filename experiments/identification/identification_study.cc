@@ -10,6 +10,7 @@
 #include "contact/base/error.h"
 #include "experiments/identification/identification_checks.h"
 #include "experiments/identification/identification_models.h"
+#include "experiments/identification/interface_parameters.h"
 #include "io/case/measurement_laws.h"
 #include "io/case/measurement_models.h"
 #include "report/format.h"
@@ -210,6 +211,12 @@ std::vector<std::pair<std::string, std::string>> settings_of(const Identificatio
     if (rig.layer.thickness)
         add("substrate.thickness", "b", report::given_quantity(*rig.layer.thickness, "m"));
     add("substrate.young", "E", report::given_quantity(rig.substrate.young, "Pa"));
+    if (rig.interface.normal_stiffness)
+        add(normal_stiffness_key, "k_n",
+            report::given_quantity(*rig.interface.normal_stiffness, "Pa/m"));
+    if (rig.interface.tangential_stiffness)
+        add(tangential_stiffness_key, "k_t",
+            report::given_quantity(*rig.interface.tangential_stiffness, "Pa/m"));
     if (!input.find(Measurement::static_shift) && !input.find(Measurement::rolling_shift))
         return settings;
     const auto* shifts = input.find(Measurement::static_shift);
@@ -233,6 +240,11 @@ IdentificationStudy identification_study(const IdentificationInput& said, bool d
     study.laws = compared_laws(said, runner, say);
     if (!said.laws.empty()) study.input = study.laws->laws[study.laws->best].input;
     const IdentificationInput& input = study.input;
+    if (std::ranges::any_of(input.parameters,
+                            [](const FreeParameter& p) { return is_stiffness(p.key); })) {
+        say("springs of the interface");
+        study.interfaces = compare_interfaces(input, runner);
+    }
     study.title =
         input.title.empty() ? std::filesystem::path(input.name).stem().string() : input.title;
     for (const auto& table : input.tables) study.curve_points.push_back(curve_points_of(table));

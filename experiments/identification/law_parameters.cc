@@ -152,7 +152,8 @@ IdentificationInput with_law(const IdentificationInput& input, const io::Measure
 }
 
 double mean_friction(const contact::Case& rig, double normal_force) {
-    const double radius = hertz_under(rig, normal_force).contact_radius;
+    const double radius =
+        half_space_press(rig, {contact::NormalControl::Kind::force, normal_force}).contact_radius;
     return sliding_forces(rig, {normal_force}).front() / (std::numbers::pi * radius * radius);
 }
 

@@ -98,6 +98,8 @@ std::vector<Key> measurement_keys() {
                             {"substrate.relaxation.times"},
                             {"indenter.radius"},
                             {"friction.coefficient"},
+                            {"interface.normal_stiffness"},
+                            {"interface.tangential_stiffness"},
                             {"rig.pivot_height"},
                             {"zero_depth"}},
                            R"(["substrate.young"])",
