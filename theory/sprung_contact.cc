@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <boost/math/interpolators/cardinal_cubic_b_spline.hpp>
 #include <cmath>
@@ -11,36 +10,11 @@
 
 #include "contact/base/error.h"
 #include "contact/base/root.h"
-#include "contact/base/special_values.h"
-#include "theory/abel_elements.h"
+#include "theory/sprung_curves.h"
 
 namespace tricontact::theory {
 
 namespace {
-
-using Eigen::Index;
-using Eigen::VectorXd;
-
-constexpr int n_curve_elements = 24;
-
-/// p/k_n + u = d - r^2/(2 R) with radii over a, heights over a^2/R, g over E* a^2/R and the force
-/// over E* a^3/R: a function of E*/(k_n a).
-struct UnitPress {
-    VectorXd g;
-    double force = 0, indentation = 0;
-};
-
-UnitPress unit_press(const AbelElements& on, double softness) {
-    Eigen::MatrixXd matrix(on.n + 1, on.n + 1);
-    matrix.leftCols(on.n) = on.displacements + softness * on.tractions;
-    matrix.col(on.n).setConstant(-1);
-    VectorXd heights(on.n + 1);
-    for (Index i = 0; i <= on.n; ++i) heights[i] = -on.nodes[i] * on.nodes[i] / 2;
-    const VectorXd found = matrix.partialPivLu().solve(heights);
-    UnitPress press{found.head(on.n), 0, found[on.n]};
-    press.force = on.force.dot(press.g);
-    return press;
-}
 
 /// Both, over their sums of stiff and soft limits, which are smooth in ln of the softness.
 class PressFamily {
@@ -93,108 +67,6 @@ void check_positive(double value, const char* what) {
             fmt::format("contact on springs: {} = {} is not positive", what, value));
 }
 
-/// The law's bound as a function of the pressure.
-double bound_of(const contact::Friction& f, double pressure) {
-    const double p = std::max(0., pressure);
-    double rising = f.coefficient.value_or(0) * p;
-    if (f.pressure_exponent && f.coefficient)
-        rising = *f.coefficient * *f.reference_pressure *
-                 std::pow(p / *f.reference_pressure, *f.pressure_exponent);
-    return std::min(f.shear_strength.value_or(0) + rising,
-                    f.strength_limit.value_or(contact::infinity));
-}
-
-/// Of the pressure p: what the law carries at the edge, and g of what it carries above that.
-struct Bound {
-    double at_edge = 0;
-    VectorXd g;
-};
-
-Bound bound_of(const AbelElements& on, const contact::Friction& friction,
-               const VectorXd& pressing) {
-    Bound bound{.at_edge = bound_of(friction, 0.)};
-    const bool is_linear = friction.pressure_exponent.value_or(1) == 1 && !friction.strength_limit;
-    if (is_linear)
-        bound.g = friction.coefficient.value_or(0) * pressing;
-    else
-        bound.g = on.of_function(pressing,
-                                 [&](double p) { return bound_of(friction, p) - bound.at_edge; });
-    return bound;
-}
-
-/// A matrix by triangles L U, without pivots, so that its leading blocks are those of theirs.
-/// Springs add to a diagonal that is positive, below it are the bodies.
-class LeadingBlocks {
-  public:
-    explicit LeadingBlocks(Eigen::MatrixXd matrix) : both_(std::move(matrix)) {
-        const Index n = both_.rows();
-        for (Index k = 0; k + 1 < n; ++k) {
-            const Index left = n - k - 1;
-            both_.col(k).tail(left) /= both_(k, k);
-            both_.bottomRightCorner(left, left).noalias() -=
-                both_.col(k).tail(left) * both_.row(k).tail(left);
-        }
-    }
-
-    /// Of the leading block whose size is that of `right`.
-    VectorXd solve(VectorXd right) const {
-        const auto block = both_.topLeftCorner(right.size(), right.size());
-        block.triangularView<Eigen::UnitLower>().solveInPlace(right);
-        block.triangularView<Eigen::Upper>().solveInPlace(right);
-        return right;
-    }
-
-  private:
-    Eigen::MatrixXd both_;
-};
-
-/// Curve of shifts over forces, with radii over a and g over a: at each `stride`-th node as the
-/// edge of stick u + t/k_t = U inside and t = bound outside. `soft`, `bodies`: 1/k_t and a/G*
-/// [m/Pa].
-struct Curve {
-    std::vector<double> forces, shifts;  // F_T/a^2 [Pa], U [m]
-};
-
-Curve curve_of(const AbelElements& on, const Bound& bound, double soft, double bodies,
-               Index stride) {
-    const Index n = on.n;
-    const Eigen::MatrixXd matrix = bodies * on.displacements + soft * on.tractions;
-    const LeadingBlocks blocks(matrix.topRows(n));
-    const VectorXd uniform = bodies * on.uniform + VectorXd::Constant(n + 1, soft);
-    const VectorXd of_edge = bound.at_edge * uniform;
-    Curve curve;
-    const auto add = [&](const VectorXd& g, double edge, double shift) {
-        curve.forces.push_back(on.force.dot(g) + std::numbers::pi * edge);
-        curve.shifts.push_back(shift);
-    };
-    add(bound.g, bound.at_edge, matrix.row(0).dot(bound.g) + of_edge[0]);
-    for (Index j = stride; j < n; j += stride) {
-        // Inside: unknown g of the nodes before j; t at j is that of the ring that slips.
-        const VectorXd ring =
-            matrix.topRightCorner(j + 1, n - j) * bound.g.tail(n - j) + of_edge.head(j + 1);
-        const VectorXd per_shift = blocks.solve(VectorXd::Ones(j));
-        const VectorXd by_ring = blocks.solve(ring.head(j));
-        const auto row = matrix.row(j).head(j);
-        const double shift = (ring[j] - row.dot(by_ring)) / (1 - row.dot(per_shift));
-        VectorXd g = bound.g;
-        g.head(j) = shift * per_shift - by_ring;
-        add(g, bound.at_edge, shift);
-    }
-    // All sticks until the edge's traction is what the law carries there.
-    if (!(bound.at_edge > 0 && soft > 0)) {
-        curve.forces.push_back(0);
-        curve.shifts.push_back(0);
-        return curve;
-    }
-    const VectorXd per_shift = blocks.solve(VectorXd::Ones(n)),
-                   per_edge = blocks.solve(uniform.head(n));
-    const auto row = matrix.row(n);
-    const double edge = (1 - row.dot(per_shift)) / (uniform[n] - row.dot(per_edge));
-    const double shift = bound.at_edge / edge;
-    add(shift * per_shift - bound.at_edge * per_edge, bound.at_edge, shift);
-    return curve;
-}
-
 }  // namespace
 
 SprungPress press_on_springs(double radius, double modulus, double normal_stiffness,
@@ -231,20 +103,20 @@ SprungContact::SprungContact(const contact::Friction& friction, const contact::I
     } else {
         contact_radius_ = std::cbrt(.75 * normal_force * radius / effective_modulus);
     }
-    const double a = contact_radius_;
-    const auto curve_on = [&](int stride) {
-        const AbelElements& on = abel_elements(stride * n_curve_elements);
-        const UnitPress press = unit_press(on, softness);
-        // Under the force itself, which the elements miss by their error.
-        const VectorXd pressing = press.g * (normal_force / (a * a) / press.force);
-        return curve_of(on, bound_of(on, friction, pressing), interface.tangential_compliance(),
-                        a / effective_shear_modulus, stride);
-    };
-    const Curve coarse = curve_on(1), fine = curve_on(2);
-    for (std::size_t i = 0; i < coarse.forces.size(); ++i) {
-        forces_.push_back(a * a * extrapolated(coarse.forces[i], fine.forces[i]));
-        shifts_.push_back(extrapolated(coarse.shifts[i], fine.shifts[i]));
+    const double a = contact_radius_, area = a * a;
+    SprungCurve curve;
+    double force_unit = area, shift_unit = 1;
+    if (friction.is_coulomb()) {
+        curve = coulomb_sprung_curve(
+            softness, interface.tangential_compliance() * effective_shear_modulus / a);
+        force_unit = *friction.coefficient * normal_force;
+        shift_unit = force_unit / (effective_shear_modulus * a);
+    } else {
+        curve = sprung_curve(friction, softness, normal_force / area,
+                             interface.tangential_compliance(), a / effective_shear_modulus);
     }
+    for (const double force : curve.forces) forces_.push_back(force_unit * force);
+    for (const double shift : curve.shifts) shifts_.push_back(shift_unit * shift);
 }
 
 double SprungContact::stuck_stiffness() const {
