@@ -10,6 +10,7 @@
 
 #include "contact/base/error.h"
 #include "contact/base/root.h"
+#include "theory/abel_layer.h"
 #include "theory/sprung_curves.h"
 
 namespace tricontact::theory {
@@ -61,6 +62,11 @@ const PressFamily& press_family() {
     return family;
 }
 
+bool is_strength_alone(const contact::Friction& friction) {
+    return friction.shear_strength.value_or(0) > 0 && friction.coefficient.value_or(0) == 0 &&
+           !friction.strength_limit;
+}
+
 void check_positive(double value, const char* what) {
     if (!(value > 0) || !std::isfinite(value))
         throw std::domain_error(
@@ -68,6 +74,10 @@ void check_positive(double value, const char* what) {
 }
 
 }  // namespace
+
+std::shared_ptr<AbelLayer> make_abel_layer(double poisson) {
+    return std::make_shared<AbelLayer>(poisson);
+}
 
 SprungPress press_on_springs(double radius, double modulus, double normal_stiffness,
                              const contact::NormalControl& control) {
@@ -90,6 +100,65 @@ SprungPress press_on_springs(double radius, double modulus, double normal_stiffn
             height * family.depth(softness) / (softness * softness)};
 }
 
+namespace {
+
+constexpr int coarse_elements = 24;
+
+/// d R/a^2 and F R/(E* a^3) of a layer's contact of the radius a.
+UnitPress layer_press(double softness, double ratio, AbelLayer& layer) {
+    const LayerCorrection on_coarse = layer.at(coarse_elements, ratio),
+                          on_fine = layer.at(2 * coarse_elements, ratio);
+    UnitPress coarse = unit_press(abel_elements(coarse_elements), softness, &on_coarse);
+    const UnitPress fine = unit_press(abel_elements(2 * coarse_elements), softness, &on_fine);
+    return {coarse.g, extrapolated(coarse.force, fine.force),
+            extrapolated(coarse.indentation, fine.indentation)};
+}
+
+}  // namespace
+
+SprungPress press_on_layer(double radius, double modulus, double normal_compliance,
+                           const contact::NormalControl& control, double thickness,
+                           AbelLayer& layer) {
+    check_positive(control.value, "force or depth");
+    const bool is_force = control.kind == contact::NormalControl::Kind::force;
+    const auto press_at = [&](double a) {
+        const UnitPress unit = layer_press(modulus * normal_compliance / a, a / thickness, layer);
+        return SprungPress{unit.force * modulus * a * a * a / radius, a,
+                           unit.indentation * a * a / radius};
+    };
+    // In logarithms, in which both go nearly straight, from Hertz' radius without springs.
+    const auto beyond = [&](double x) {
+        const SprungPress press = press_at(std::exp(x));
+        return std::log((is_force ? press.normal_force : press.indentation) / control.value);
+    };
+    double low = std::log(is_force ? std::cbrt(.75 * control.value * radius / modulus)
+                                   : std::sqrt(control.value * radius));
+    double at_low = beyond(low);
+    while (at_low > 0) at_low = beyond(low -= .3);
+    double high = low + .3, at_high = beyond(high);
+    while (at_high < 0) {
+        low = high;
+        at_low = at_high;
+        at_high = beyond(high += .3);
+    }
+    constexpr int radius_bits = 30;
+    return press_at(
+        std::exp(contact::bracketed_root(beyond, low, high, at_low, at_high, radius_bits)));
+}
+
+SprungContact::SprungContact(const contact::Friction& friction, const contact::Interface& interface,
+                             double contact_radius, double normal_force, double effective_modulus,
+                             double effective_shear_modulus, double thickness, AbelLayer& layer)
+    : contact_radius_(contact_radius) {
+    const double a = contact_radius_;
+    SprungCurve curve = sprung_curve(
+        friction, effective_modulus * interface.normal_compliance() / a, normal_force / (a * a),
+        interface.tangential_compliance(), a / effective_shear_modulus, {&layer, a / thickness});
+    forces_ = std::move(curve.forces);
+    for (double& force : forces_) force *= a * a;
+    shifts_ = std::move(curve.shifts);
+}
+
 SprungContact::SprungContact(const contact::Friction& friction, const contact::Interface& interface,
                              double radius, double normal_force, double effective_modulus,
                              double effective_shear_modulus)
@@ -106,9 +175,14 @@ SprungContact::SprungContact(const contact::Friction& friction, const contact::I
     const double a = contact_radius_, area = a * a;
     SprungCurve curve;
     double force_unit = area, shift_unit = 1;
-    if (friction.is_coulomb()) {
-        curve = coulomb_sprung_curve(
-            softness, interface.tangential_compliance() * effective_shear_modulus / a);
+    const double tangential_softness =
+        interface.tangential_compliance() * effective_shear_modulus / a;
+    if (is_strength_alone(friction)) {
+        curve = strength_sprung_curve(tangential_softness);
+        force_unit = *friction.shear_strength * area;
+        shift_unit = *friction.shear_strength * a / effective_shear_modulus;
+    } else if (friction.is_coulomb()) {
+        curve = coulomb_sprung_curve(softness, tangential_softness);
         force_unit = *friction.coefficient * normal_force;
         shift_unit = force_unit / (effective_shear_modulus * a);
     } else {

@@ -1,11 +1,18 @@
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "contact/case.h"
 #include "contact/solvers/control.h"
 
 namespace tricontact::theory {
+
+/// A bonded layer's influence on round contacts (theory/abel_layer.h), which keeps what it
+/// computed.
+class AbelLayer;
+/// Throws contact::InputError unless -1 < nu <= 1/2.
+std::shared_ptr<AbelLayer> make_abel_layer(double poisson);
 
 /// A paraboloid of the radius R on a half-space, both joined by springs k_n [Pa/m] at each point,
 /// pressed without friction.
@@ -16,6 +23,13 @@ struct SprungPress {
 /// of the force. `modulus`: E* of the pair [Pa]. Throws std::domain_error unless all are positive.
 SprungPress press_on_springs(double radius, double modulus, double normal_stiffness,
                              const contact::NormalControl& control);
+
+/// The same on a bonded layer of the thickness b, by as many equations as it takes. `layer`: of its
+/// Poisson's ratio; `modulus`: E* of the layer, under a rigid body. Throws contact::InputError
+/// where the contact is too wide.
+SprungPress press_on_layer(double radius, double modulus, double normal_compliance,
+                           const contact::NormalControl& control, double thickness,
+                           AbelLayer& layer);
 
 /// The same contact under one force F_T along the surface, applied once: springs k_t shear, and a
 /// point carries tau = min(tau_0 + mu p_r (p/p_r)^n, tau_cap) at most. As in Cattaneo and Mindlin's
@@ -28,6 +42,10 @@ class SprungContact {
     SprungContact(const contact::Friction& friction, const contact::Interface& interface,
                   double radius, double normal_force, double effective_modulus,
                   double effective_shear_modulus);
+    /// On a layer, whose contact has the radius a under F_N (press_on_layer).
+    SprungContact(const contact::Friction& friction, const contact::Interface& interface,
+                  double contact_radius, double normal_force, double effective_modulus,
+                  double effective_shear_modulus, double thickness, AbelLayer& layer);
 
     /// Force at which all slides [N].
     double friction_limit() const { return forces_.front(); }

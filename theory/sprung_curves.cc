@@ -6,6 +6,7 @@
 #include <map>
 #include <mutex>
 #include <numbers>
+#include <optional>
 #include <utility>
 
 #include "contact/base/special_values.h"
@@ -78,11 +79,15 @@ class LeadingBlocks {
 /// edge of stick u + t/k_t = U inside and t = bound outside. `soft`, `bodies`: 1/k_t and a/G*
 /// [m/Pa].
 SprungCurve curve_of(const AbelElements& on, const Bound& bound, double soft, double bodies,
-                     Index stride) {
+                     const LayerCorrection* layer, Index stride) {
     const Index n = on.n;
-    const Eigen::MatrixXd matrix = bodies * on.displacements + soft * on.tractions;
+    Eigen::MatrixXd matrix = bodies * on.displacements + soft * on.tractions;
+    VectorXd uniform = bodies * on.uniform + VectorXd::Constant(n + 1, soft);
+    if (layer) {
+        matrix += bodies * layer->tangential;
+        uniform += bodies * layer->uniform;
+    }
     const LeadingBlocks blocks(matrix.topRows(n));
-    const VectorXd uniform = bodies * on.uniform + VectorXd::Constant(n + 1, soft);
     const VectorXd of_edge = bound.at_edge * uniform;
     SprungCurve curve;
     const auto add = [&](const VectorXd& g, double edge, double shift) {
@@ -146,12 +151,15 @@ double softness_at(int place) {
     return place == rigid_place ? 0 : std::exp(log_step * place);
 }
 
-SprungCurve unit_coulomb(double softness, double tangential_softness) {
-    return sprung_curve({.coefficient = 1}, softness, 1, tangential_softness, 1);
-}
-
-class CoulombCurves {
+/// Of a law whose one number is a factor of all tractions.
+class UnitCurves {
   public:
+    explicit UnitCurves(const contact::Friction& friction) : friction_(friction) {}
+
+    SprungCurve computed(double softness, double tangential_softness) const {
+        return sprung_curve(friction_, softness, 1, tangential_softness, 1);
+    }
+
     SprungCurve at(double softness, double tangential_softness) {
         const std::scoped_lock lock(mutex_);
         const Neighbours normal = neighbours_of(softness),
@@ -174,19 +182,21 @@ class CoulombCurves {
   private:
     const SprungCurve& node(int i, int k) {
         const auto [found, is_new] = nodes_.try_emplace({i, k});
-        if (is_new) found->second = unit_coulomb(softness_at(i), softness_at(k));
+        if (is_new) found->second = computed(softness_at(i), softness_at(k));
         return found->second;
     }
 
+    contact::Friction friction_;
     std::mutex mutex_;
     std::map<std::pair<int, int>, SprungCurve> nodes_;
 };
 
 }  // namespace
 
-UnitPress unit_press(const AbelElements& on, double softness) {
+UnitPress unit_press(const AbelElements& on, double softness, const LayerCorrection* layer) {
     Eigen::MatrixXd matrix(on.n + 1, on.n + 1);
     matrix.leftCols(on.n) = on.displacements + softness * on.tractions;
+    if (layer) matrix.leftCols(on.n) += layer->normal;
     matrix.col(on.n).setConstant(-1);
     VectorXd heights(on.n + 1);
     for (Index i = 0; i <= on.n; ++i) heights[i] = -on.nodes[i] * on.nodes[i] / 2;
@@ -197,13 +207,16 @@ UnitPress unit_press(const AbelElements& on, double softness) {
 }
 
 SprungCurve sprung_curve(const contact::Friction& friction, double softness, double mean,
-                         double springs, double bodies) {
+                         double springs, double bodies, const PressedBody& body) {
     const auto curve_on = [&](int stride) {
         const AbelElements& on = abel_elements(stride * n_curve_elements);
-        const UnitPress press = unit_press(on, softness);
+        std::optional<LayerCorrection> layer;
+        if (body.layer) layer = body.layer->at(on.n, body.ratio);
+        const LayerCorrection* const correction = layer ? &*layer : nullptr;
+        const UnitPress press = unit_press(on, softness, correction);
         // Under the force itself, which the elements miss by their error.
         const VectorXd pressing = press.g * (mean / press.force);
-        return curve_of(on, bound_of(on, friction, pressing), springs, bodies, stride);
+        return curve_of(on, bound_of(on, friction, pressing), springs, bodies, correction, stride);
     };
     SprungCurve curve = curve_on(1);
     const SprungCurve fine = curve_on(2);
@@ -215,10 +228,16 @@ SprungCurve sprung_curve(const contact::Friction& friction, double softness, dou
 }
 
 SprungCurve coulomb_sprung_curve(double softness, double tangential_softness) {
-    static CoulombCurves curves;
-    if (std::max(softness, tangential_softness) > std::exp(softest))
-        return unit_coulomb(softness, tangential_softness);
-    return curves.at(softness, tangential_softness);
+    static UnitCurves curves({.coefficient = 1});
+    return std::max(softness, tangential_softness) > std::exp(softest)
+               ? curves.computed(softness, tangential_softness)
+               : curves.at(softness, tangential_softness);
+}
+
+SprungCurve strength_sprung_curve(double tangential_softness) {
+    static UnitCurves curves({.shear_strength = 1});
+    return tangential_softness > std::exp(softest) ? curves.computed(0, tangential_softness)
+                                                   : curves.at(0, tangential_softness);
 }
 
 }  // namespace tricontact::theory

@@ -5,6 +5,7 @@
 #include <map>
 
 #include "contact/half_space_scales.h"
+#include "experiments/identification/layer_contact.h"
 #include "theory/cattaneo_mindlin.h"
 #include "theory/hertz_under_law.h"
 #include "theory/sprung_contact.h"
@@ -80,7 +81,9 @@ std::vector<double> by_load(
     return all;
 }
 
-std::vector<double> half_space_shifts(const Case& rig, const std::vector<double>& forces) {
+std::vector<double> theory_shifts(bool on_layer, const Case& rig,
+                                  const std::vector<double>& forces) {
+    if (on_layer) return shifts_of(layer_contact(rig, *rig.load.normal_force), forces);
     if (rig.interface.is_elastic())
         return shifts_of(on_springs(rig, *rig.load.normal_force), forces);
     if (!rig.friction.is_coulomb())
@@ -94,10 +97,12 @@ std::vector<double> half_space_shifts(const Case& rig, const std::vector<double>
     return shifts;
 }
 
-std::vector<double> sliding_forces(const Case& rig, const std::vector<double>& normal_forces) {
+std::vector<double> sliding_forces(bool on_layer, const Case& rig,
+                                   const std::vector<double>& normal_forces) {
     std::vector<double> forces;
     for (const double force : normal_forces)
-        forces.push_back(rig.friction.is_coulomb()        ? rig.friction_coefficient() * force
+        forces.push_back(rig.friction.is_coulomb() ? rig.friction_coefficient() * force
+                         : on_layer                ? layer_contact(rig, force).friction_limit()
                          : rig.interface.normal_stiffness ? on_springs(rig, force).friction_limit()
                                                           : under_law(rig, force).friction_limit());
     return forces;

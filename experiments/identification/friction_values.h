@@ -34,14 +34,15 @@ struct Pressed {
 /// On a half-space, with the springs of the rig's interface.
 Pressed half_space_press(const contact::Case& rig, const contact::NormalControl& control);
 
-/// Shifts [m] of a rig on a half-space under any law of friction and any interface, one force [N]
-/// after another applied to it. Above what the law carries they go on rising, as the law's do below
-/// it, so that a search comes back from there.
-std::vector<double> half_space_shifts(const contact::Case& rig, const std::vector<double>& forces);
+/// Shifts [m] of a rig under any law of friction and any interface, one force [N] after another
+/// applied to it: on a half-space, or on a layer where is_beyond_coulomb(). Above what the law
+/// carries they go on rising, as the law's do below it, so that a search comes back from there.
+std::vector<double> theory_shifts(bool on_layer, const contact::Case& rig,
+                                  const std::vector<double>& forces);
 
-/// Forces [N] at which all slides: mu F_N, of other laws than Coulomb's on a half-space, under the
-/// pressure that the springs of the interface leave.
-std::vector<double> sliding_forces(const contact::Case& rig,
+/// Forces [N] at which all slides: mu F_N, of other laws than Coulomb's under the pressure on a
+/// half-space or a layer, with the springs of the interface.
+std::vector<double> sliding_forces(bool on_layer, const contact::Case& rig,
                                    const std::vector<double>& normal_forces);
 
 }  // namespace tricontact::experiments

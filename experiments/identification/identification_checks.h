@@ -40,6 +40,8 @@ bool tells_young(IdentificationInput::Measurement measurement);
 /// Springs of the interface, known or to be found: who knows them, and what determines them.
 void check_interface(const IdentificationInput& input, const std::vector<std::string>& find,
                      const io::Document& document);
+/// What laws and springs presume of a layer.
+void check_layer_theory(const IdentificationInput& input, const io::Document& document);
 /// Sliding contacts have no static shift.
 void check_friction(const IdentificationInput& input, const io::Document& document);
 

@@ -12,9 +12,6 @@ namespace tricontact::experiments {
 /// proportion to them.
 void check_lengths_scale(const IdentificationInput& input);
 
-/// Name of the half-space among io::measurement_models.
-const char* half_space_model();
-
 /// The tables and what a model finds of them, without its prediction.
 IdentificationTask task_of(const IdentificationInput& input, const std::string& model);
 

@@ -73,6 +73,9 @@ struct IdentificationInput {
     bool is_free(std::string_view key) const;
 };
 
+/// Name of the half-space among io::measurement_models.
+const char* half_space_model();
+
 /// What a model can find of them: the half-space has no thickness.
 std::vector<FreeParameter> parameters_of(const IdentificationInput& input,
                                          const std::string& model);

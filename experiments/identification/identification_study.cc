@@ -172,11 +172,18 @@ std::vector<std::string> laws_to_compare(const IdentificationInput& input) {
 }
 
 /// The input without its coefficient of friction, where laws bring their own.
-IdentificationInput without_friction(IdentificationInput input) {
-    std::erase_if(input.parameters, [](const FreeParameter& p) {
-        return p.key == "friction.coefficient" || p.key == "substrate.thickness";
-    });
+IdentificationInput without_friction(IdentificationInput input, const std::string& model) {
+    input.parameters = parameters_of(input, model);
+    std::erase_if(input.parameters,
+                  [](const FreeParameter& p) { return p.key == "friction.coefficient"; });
     return input;
+}
+
+/// The most complete model, all of which know laws and springs where these are asked for.
+std::string model_of_laws(const IdentificationInput& input) {
+    const auto layer =
+        std::ranges::find_if(input.models, &io::MeasurementModel::is_layer, io::measurement_model);
+    return layer != input.models.end() ? *layer : half_space_model();
 }
 
 std::optional<LawComparison> compared_laws(const IdentificationInput& input,
@@ -186,7 +193,8 @@ std::optional<LawComparison> compared_laws(const IdentificationInput& input,
     if (laws.empty()) return {};
     say("laws of friction");
     try {
-        return compare_laws(without_friction(input), laws, runner);
+        const std::string model = input.laws.empty() ? half_space_model() : model_of_laws(input);
+        return compare_laws(without_friction(input, model), laws, runner, model);
     } catch (const contact::NotConverged&) {
         if (!input.laws.empty()) throw;
         return {};  // nobody asked, and the models will say what is wrong with Coulomb's law
@@ -243,7 +251,10 @@ IdentificationStudy identification_study(const IdentificationInput& said, bool d
     if (std::ranges::any_of(input.parameters,
                             [](const FreeParameter& p) { return is_stiffness(p.key); })) {
         say("springs of the interface");
-        study.interfaces = compare_interfaces(input, runner);
+        const std::string model = model_of_laws(input);
+        IdentificationInput of_model = input;
+        of_model.parameters = parameters_of(input, model);
+        study.interfaces = compare_interfaces(of_model, runner, model);
     }
     study.title =
         input.title.empty() ? std::filesystem::path(input.name).stem().string() : input.title;

@@ -22,8 +22,8 @@ IdentificationInput without_springs(IdentificationInput input,
     return input;
 }
 
-InterfaceFit fit_of(IdentificationInput input, const contact::ModelRunner& runner) {
-    const std::string model = half_space_model();
+InterfaceFit fit_of(IdentificationInput input, const contact::ModelRunner& runner,
+                    const std::string& model) {
     InterfaceFit fit;
     for (const FreeParameter& p : input.parameters)
         if (is_stiffness(p.key)) fit.name += (fit.name.empty() ? "" : ", ") + p.symbol;
@@ -39,7 +39,8 @@ InterfaceFit fit_of(IdentificationInput input, const contact::ModelRunner& runne
 }  // namespace
 
 InterfaceComparison compare_interfaces(const IdentificationInput& input,
-                                       const contact::ModelRunner& runner) {
+                                       const contact::ModelRunner& runner,
+                                       const std::string& model) {
     std::vector<std::string> keys;
     for (const FreeParameter& p : input.parameters)
         if (is_stiffness(p.key)) keys.push_back(p.key);
@@ -48,7 +49,7 @@ InterfaceComparison compare_interfaces(const IdentificationInput& input,
     rigid.emplace_back();
     InterfaceComparison comparison;
     for (const auto& held : rigid)
-        comparison.fits.push_back(fit_of(without_springs(input, held), runner));
+        comparison.fits.push_back(fit_of(without_springs(input, held), runner, model));
     const InterfaceFit& all = comparison.fits.back();
     double least = contact::infinity;
     for (std::size_t i = 0; i < comparison.fits.size(); ++i)

@@ -30,10 +30,11 @@ struct InterfaceComparison {
     std::size_t best = 0;            ///< the least AICc
 };
 
-/// On a half-space. `input` finds springs; its law of friction has its numbers among what is found.
-/// A fit is excluded as a law of friction is (law_comparison.h). Throws contact::InputError,
-/// contact::NotConverged.
+/// By one of io::measurement_models. `input` finds springs; its law of friction has its numbers
+/// among what is found. A fit is excluded as a law of friction is (law_comparison.h). Throws
+/// contact::InputError, contact::NotConverged.
 InterfaceComparison compare_interfaces(const IdentificationInput& input,
-                                       const contact::ModelRunner& runner);
+                                       const contact::ModelRunner& runner,
+                                       const std::string& model = half_space_model());
 
 }  // namespace tricontact::experiments

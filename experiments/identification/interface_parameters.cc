@@ -8,6 +8,7 @@
 
 #include "contact/base/special_values.h"
 #include "experiments/identification/identification_checks.h"
+#include "experiments/identification/layer_contact.h"
 #include "io/case/measurement_models.h"
 #include "io/keys/messages.h"
 
@@ -110,12 +111,13 @@ void check_interface(const Input& input, const std::vector<std::string>& find,
     }
     if (place.empty()) return;
     for (const std::string& model : input.models)
-        if (io::measurement_model(model).is_layer)
-            io::refuse(document, "measurement.models",
-                       "springs of the interface are identified on a half-space, not by " + model,
-                       "take models = [\"half-space\"], or leave out " +
-                           (place == "measurement.find" ? "them of measurement.find"
-                                                        : std::string("[interface]")));
+        if (!io::measurement_model(model).knows_laws)
+            io::refuse(
+                document, "measurement.models",
+                "springs of the interface are identified by half-space and layer, not by " + model,
+                "leave out " + model + ", or " +
+                    (place == "measurement.find" ? "the springs of measurement.find"
+                                                 : std::string("[interface]")));
     for (const Input::Table& table : input.tables)
         if (table.is_history())
             io::refuse(document, place,
@@ -134,6 +136,30 @@ void check_interface(const Input& input, const std::vector<std::string>& find,
         io::refuse(document, "measurement.find", "no table determines interface.normal_stiffness",
                    "add force_indentation or contact_radius, or leave out "
                    "interface.normal_stiffness");
+}
+
+void check_layer_theory(const Input& input, const io::Document& document) {
+    // The rules of the models that know springs let these pass.
+    if (input.rig.interface.is_elastic() && input.rig.indenter.roughness)
+        io::refuse(document, "indenter.roughness.hurst",
+                   "springs of the interface stand for the roughness of a smooth body",
+                   "leave out [indenter.roughness], or the springs");
+    if (input.rig.interface.is_elastic() && input.rig.period)
+        io::refuse(document, "bem.period", "springs are identified under one indenter",
+                   "leave it out, or the springs");
+    const bool has_layer =
+        std::ranges::any_of(input.models, &io::MeasurementModel::is_layer, io::measurement_model);
+    if (!has_layer || (input.laws.empty() && !is_beyond_coulomb(input.rig))) return;
+    const std::string why = why_no_layer_contact(input.rig);
+    const auto colon = why.find(": ");
+    if (!why.empty())
+        io::refuse(document, why.substr(0, colon),
+                   "under other laws than Coulomb's, and on springs, " + why.substr(colon + 2),
+                   "change it, or take models = [\"half-space\"]");
+    if (input.is_free("substrate.poisson"))
+        io::refuse(document, "measurement.find",
+                   "laws of friction and springs on a layer are those of a known nu",
+                   "leave out substrate.poisson, or the model layer");
 }
 
 }  // namespace tricontact::experiments

@@ -20,6 +20,10 @@ namespace {
 using io::MeasurementLaw;
 using Measurement = IdentificationInput::Measurement;
 
+bool is_on_layer(const LawComparison& comparison) {
+    return io::measurement_model(comparison.model).is_layer;
+}
+
 void add_nested(LawComparison& comparison) {
     for (LawFit& fit : comparison.laws)
         for (const LawFit& wider : comparison.laws) {
@@ -68,7 +72,7 @@ std::string part_text(const char* what, const std::string& end, double part) {
 }
 
 /// What the wider law may be beside the narrower one, empty if that is little.
-std::string what_is_left(const LawFit& narrow, const LawFit& wide) {
+std::string what_is_left(bool on_layer, const LawFit& narrow, const LawFit& wide) {
     const bool is_coulomb = narrow.law->has_coefficient;
     const contact::Case rig = rig_with(wide.input, wide.found.free, wide.found.best()).as_case;
     const LoadRange loads = loads_of_friction(wide.input);
@@ -85,8 +89,9 @@ std::string what_is_left(const LawFit& narrow, const LawFit& wide) {
     if (wide.law->has_strength) {
         const char* key = is_coulomb ? "friction.shear_strength" : "friction.coefficient";
         const double end = found_interval(wide, key).high, force = loads.middle();
-        const double part = is_coulomb ? end / mean_friction(rig, force)
-                                       : end * force / sliding_forces(rig, {force}).front();
+        const double part = is_coulomb
+                                ? end / mean_friction(on_layer, rig, force)
+                                : end * force / sliding_forces(on_layer, rig, {force}).front();
         return part <= negligible_part ? ""
                                        : part_text(is_coulomb ? "tau_0 up to" : "mu up to",
                                                    parameter(key).shown(end), part);
@@ -101,8 +106,8 @@ std::string what_is_left(const LawFit& narrow, const LawFit& wide) {
     else
         without.friction = {.shear_strength = found_number(wide, "friction.strength_limit")};
     const double force = loads.middle();
-    const double part =
-        1 - sliding_forces(at_end, {force}).front() / sliding_forces(without, {force}).front();
+    const double part = 1 - sliding_forces(on_layer, at_end, {force}).front() /
+                                sliding_forces(on_layer, without, {force}).front();
     return part <= negligible_part ? ""
                                    : part_text(is_coulomb ? "tau_cap down to" : "mu down to",
                                                parameter(key).shown(end), part);
@@ -120,7 +125,7 @@ void name(LawComparison& comparison) {
                 is_told = false;
                 continue;
             }
-            const std::string left = what_is_left(fit, other);
+            const std::string left = what_is_left(is_on_layer(comparison), fit, other);
             if (left.empty()) continue;
             fit.not_told_from += (fit.not_told_from.empty() ? "" : "; ") + left;
             is_told = false;
@@ -138,14 +143,14 @@ void name(LawComparison& comparison) {
     if (comparison.named) comparison.best = *comparison.named;
 }
 
-double largest_held_share(const LawFit& fit) {
+double largest_held_share(bool on_layer, const LawFit& fit) {
     double share = 0;
     const auto* shifts = fit.input.find(Measurement::static_shift);
     if (!shifts) return 0;
     const contact::Case rig = rig_with(fit.input, fit.found.free, fit.found.best()).as_case;
     for (const LoadedRows& load : rows_by_load(*shifts, rig, shifts->given))
-        share = std::max(
-            share, std::ranges::max(load.given) / sliding_forces(rig, {load.normal_force}).front());
+        share = std::max(share, std::ranges::max(load.given) /
+                                    sliding_forces(on_layer, rig, {load.normal_force}).front());
     return share;
 }
 
@@ -159,16 +164,15 @@ std::vector<std::size_t> LawComparison::supported() const {
 }
 
 LawComparison compare_laws(const IdentificationInput& input, const std::vector<std::string>& laws,
-                           const contact::ModelRunner& runner) {
-    LawComparison comparison;
-    const std::string model = half_space_model();
+                           const contact::ModelRunner& runner, const std::string& model) {
+    LawComparison comparison{.model = model};
     for (const MeasurementLaw& law : io::measurement_laws()) {
         if (!std::ranges::count(laws, law.name)) continue;
         LawFit fit{.law = &law, .input = with_law(input, law)};
         IdentificationTask task = task_of(fit.input, model);
         task.model = prediction_of(model, fit.input, runner);
         fit.found = identify(task);
-        fit.largest_held_share = largest_held_share(fit);
+        fit.largest_held_share = largest_held_share(is_on_layer(comparison), fit);
         const Likelihood likelihood = likelihood_of(fit.input, fit.found);
         fit.n_fitted = likelihood.n_fitted;
         fit.minus_two_log_likelihood = likelihood.minus_two_log;

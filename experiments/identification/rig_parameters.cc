@@ -166,6 +166,11 @@ std::vector<FreeParameter> free_parameters(const IdentificationInput& input,
     return parameters;
 }
 
+const char* half_space_model() {
+    return std::ranges::find(io::measurement_models(), false, &io::MeasurementModel::is_layer)
+        ->name;
+}
+
 std::vector<FreeParameter> parameters_of(const IdentificationInput& input,
                                          const std::string& model) {
     std::vector<FreeParameter> parameters = input.parameters;

@@ -78,7 +78,7 @@ class SpringRig {
     }
 
   private:
-    static constexpr int n_rings = 64;
+    static constexpr int n_rings = 100;
     using Matrix = std::vector<std::vector<double>>;
     struct Rings {
         std::vector<double> middles, areas;
