@@ -47,6 +47,7 @@ void print(const IdentificationStudy& study, std::ostream& out) {
                            : "errors estimated");
     }
     if (study.laws) out << experiments::law_lines(*study.laws);
+    if (study.interfaces) out << experiments::interface_lines(*study.interfaces);
     for (const IdentifiedModel& model : study.models)
         if (model.posterior) out << experiments::posterior_sentence(model) << '\n';
     for (const auto& verdict : experiments::identification_verdicts(study))
@@ -56,7 +57,6 @@ void print(const IdentificationStudy& study, std::ostream& out) {
 void identify_properties(IdentifyOptions options) {
     const IdentificationInput input =
         experiments::read_identification(options.file, options.overrides);
-    input.rig.require_rigid_interface("identified properties");
     experiments::check_lengths_scale(input);
     options.choose_folder();
     IdentificationStudy study;

@@ -47,11 +47,10 @@ void check_laws(const Input& input, const std::vector<std::string>& find,
         io::fail(friction->place, "[friction]",
                  "measurement.laws names the laws whose numbers are found", "omit it");
     for (const std::string& model : input.models)
-        if (io::measurement_model(model).is_layer)
-            io::refuse(
-                document, "measurement.models",
-                "laws of friction are compared by closed forms of the half-space, not by " + model,
-                "take models = [\"half-space\"], or leave measurement.laws out");
+        if (!io::measurement_model(model).knows_laws)
+            io::refuse(document, "measurement.models",
+                       "laws of friction are compared by half-space and layer, not by " + model,
+                       "leave out " + model + ", or measurement.laws");
 }
 
 void check_loads(const Input& input, const io::Document& document) {
@@ -83,19 +82,28 @@ void check_rows_of_laws(const Input& input, const io::Document& document) {
 void check_friction(const Input& input, const io::Document& document) {
     const auto* shifts = input.find(Measurement::static_shift);
     const contact::Friction& friction = input.rig.friction;
+    if (friction.map)
+        io::refuse(document, "friction.map",
+                   "material constants are identified under friction that is the same all over",
+                   "leave it out");
+    if (friction.rate)
+        io::refuse(document, "friction.rate.law",
+                   "material constants are identified under friction that no speed changes",
+                   "leave out [friction.rate]");
     if (!friction.is_coulomb())
         for (const std::string& model : input.models)
-            if (io::measurement_model(model).is_layer)
+            if (!io::measurement_model(model).knows_laws)
                 io::refuse(document, "measurement.models",
                            model + " identifies under Coulomb's law, and the case has tau = " +
                                friction.formula(),
-                           "take models = [\"half-space\"], or give friction.coefficient alone");
+                           "take half-space or layer, or give friction.coefficient alone");
+    check_layer_theory(input, document);
     if (!shifts || input.is_free("friction.coefficient") || !input.laws.empty()) return;
     // Of other laws what the contact carries depends on its area, thus on E.
     if (!friction.is_coulomb() && input.is_free("substrate.young")) return;
     for (const LoadedRows& load : rows_by_load(*shifts, input.rig, shifts->given)) {
         const double largest = std::ranges::max(load.given);
-        const double limit = sliding_forces(input.rig, {load.normal_force}).front();
+        const double limit = sliding_forces(false, input.rig, {load.normal_force}).front();
         if (largest >= limit)
             io::refuse(
                 document, friction.coefficient ? "friction.coefficient" : "friction.shear_strength",

@@ -5,8 +5,10 @@
 #include <map>
 
 #include "contact/half_space_scales.h"
+#include "experiments/identification/layer_contact.h"
 #include "theory/cattaneo_mindlin.h"
 #include "theory/hertz_under_law.h"
+#include "theory/sprung_contact.h"
 
 namespace tricontact::experiments {
 
@@ -20,6 +22,30 @@ theory::HertzUnderLaw under_law(const Case& rig, double normal_force) {
         contact::hertz_scales(rig.materials(), rig.indenter.radius, normal_force, 1);
     return {rig.friction, hertz.contact_radius, hertz.peak_pressure,
             rig.materials().effective_shear_modulus()};
+}
+
+theory::SprungContact on_springs(const Case& rig, double normal_force) {
+    return {rig.friction,
+            rig.interface,
+            rig.indenter.radius,
+            normal_force,
+            rig.materials().effective_modulus(),
+            rig.materials().effective_shear_modulus()};
+}
+
+// Below the limit the way to U_max goes with this power of the force's: Coulomb's and a strength's.
+constexpr double power_of_sliding = 2. / 3;
+
+/// Above what the law carries shifts go on rising.
+template <typename Contact>
+std::vector<double> shifts_of(const Contact& contact, const std::vector<double>& forces) {
+    const double limit = contact.friction_limit();
+    std::vector<double> shifts;
+    for (const double force : forces)
+        shifts.push_back(force <= limit ? contact.shift(force)
+                                        : contact.unit_shift() *
+                                              (1 + std::pow(force / limit - 1, power_of_sliding)));
+    return shifts;
 }
 
 }  // namespace
@@ -55,34 +81,49 @@ std::vector<double> by_load(
     return all;
 }
 
-std::vector<double> half_space_shifts(const Case& rig, const std::vector<double>& forces) {
+std::vector<double> theory_shifts(bool on_layer, const Case& rig,
+                                  const std::vector<double>& forces) {
+    if (on_layer) return shifts_of(layer_contact(rig, *rig.load.normal_force), forces);
+    if (rig.interface.is_elastic())
+        return shifts_of(on_springs(rig, *rig.load.normal_force), forces);
+    if (!rig.friction.is_coulomb())
+        return shifts_of(under_law(rig, *rig.load.normal_force), forces);
+    const contact::HalfSpaceScales hertz = contact::half_space_scales(rig);
+    const double limit = rig.friction_coefficient() * hertz.normal_force;
     std::vector<double> shifts;
-    if (rig.friction.is_coulomb()) {
-        const contact::HalfSpaceScales hertz = contact::half_space_scales(rig);
-        const double limit = rig.friction_coefficient() * hertz.normal_force;
-        for (const double force : forces)  // rounding may make the largest one reach the limit
-            shifts.push_back(hertz.unit_shift *
-                             theory::static_shift_ratio(std::min(1., force / limit)));
-        return shifts;
-    }
-    const theory::HertzUnderLaw law = under_law(rig, *rig.load.normal_force);
-    const double limit = law.friction_limit();
-    // Below the limit the way to U_max goes with this power of the force's: Coulomb's and a
-    // strength's.
-    constexpr double power = 2. / 3;
-    for (const double force : forces)
-        shifts.push_back(force <= limit
-                             ? law.shift(force)
-                             : law.unit_shift() * (1 + std::pow(force / limit - 1, power)));
+    for (const double force : forces)  // rounding may make the largest one reach the limit
+        shifts.push_back(hertz.unit_shift *
+                         theory::static_shift_ratio(std::min(1., force / limit)));
     return shifts;
 }
 
-std::vector<double> sliding_forces(const Case& rig, const std::vector<double>& normal_forces) {
+std::vector<double> sliding_forces(bool on_layer, const Case& rig,
+                                   const std::vector<double>& normal_forces) {
     std::vector<double> forces;
     for (const double force : normal_forces)
         forces.push_back(rig.friction.is_coulomb() ? rig.friction_coefficient() * force
-                                                   : under_law(rig, force).friction_limit());
+                         : on_layer                ? layer_contact(rig, force).friction_limit()
+                         : rig.interface.normal_stiffness ? on_springs(rig, force).friction_limit()
+                                                          : under_law(rig, force).friction_limit());
     return forces;
+}
+
+Pressed half_space_press(const Case& rig, const contact::NormalControl& control) {
+    if (rig.interface.normal_stiffness) {
+        const theory::SprungPress press =
+            theory::press_on_springs(rig.indenter.radius, rig.materials().effective_modulus(),
+                                     *rig.interface.normal_stiffness, control);
+        return {press.normal_force, press.contact_radius, press.indentation};
+    }
+    Case c = rig;
+    // Scales of laws cost integrals, and nothing asks for them.
+    c.friction = {.coefficient = 1};
+    c.load.normal_force.reset();
+    c.load.indentation.reset();
+    (control.kind == contact::NormalControl::Kind::force ? c.load.normal_force
+                                                         : c.load.indentation) = control.value;
+    const contact::HalfSpaceScales hertz = contact::half_space_scales(c);
+    return {hertz.normal_force, hertz.contact_radius, hertz.indentation};
 }
 
 }  // namespace tricontact::experiments

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "contact/solvers/control.h"
 #include "experiments/identification/identification_reader.h"
 
 namespace tricontact::experiments {
@@ -26,13 +27,22 @@ std::vector<double> by_load(
     const std::function<std::vector<double>(const contact::Case& rig,
                                             const std::vector<double>& given)>& values);
 
-/// Shifts [m] of a rig on a half-space under any law of friction, one force [N] after another
-/// applied to it. Above what the law carries they go on rising, as the law's do below it, so that a
-/// search comes back from there.
-std::vector<double> half_space_shifts(const contact::Case& rig, const std::vector<double>& forces);
+/// A contact pressed without friction [N, m].
+struct Pressed {
+    double normal_force = 0, contact_radius = 0, indentation = 0;
+};
+/// On a half-space, with the springs of the rig's interface.
+Pressed half_space_press(const contact::Case& rig, const contact::NormalControl& control);
 
-/// Forces [N] at which all slides: mu F_N, of other laws than Coulomb's on a half-space.
-std::vector<double> sliding_forces(const contact::Case& rig,
+/// Shifts [m] of a rig under any law of friction and any interface, one force [N] after another
+/// applied to it: on a half-space, or on a layer where is_beyond_coulomb(). Above what the law
+/// carries they go on rising, as the law's do below it, so that a search comes back from there.
+std::vector<double> theory_shifts(bool on_layer, const contact::Case& rig,
+                                  const std::vector<double>& forces);
+
+/// Forces [N] at which all slides: mu F_N, of other laws than Coulomb's under the pressure on a
+/// half-space or a layer, with the springs of the interface.
+std::vector<double> sliding_forces(bool on_layer, const contact::Case& rig,
                                    const std::vector<double>& normal_forces);
 
 }  // namespace tricontact::experiments

@@ -5,8 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "experiments/identification/estimation/told_combination.h"
 #include "experiments/identification/identification_report.h"
-#include "experiments/identification/told_combination.h"
+#include "experiments/identification/interface_parameters.h"
 
 namespace tricontact::experiments {
 
@@ -55,6 +56,21 @@ std::optional<Verdict> not_identifiable(const IdentifiedModel& model, std::size_
                                p.shown(is_open_below ? high : low), remedy_for(p))};
 }
 
+/// Springs of any stiffness above a bound are as likely.
+std::optional<Verdict> rigid_as_likely(const IdentifiedModel& model, std::size_t k) {
+    const FreeParameter& p = model.found.free[k];
+    const Interval interval = model.found.parameters[k].likelihood;
+    if (std::isfinite(interval.high)) return {};
+    return Verdict{
+        not_resolved,
+        fmt::format(
+            "{}: {} is not identifiable: {} and a rigid interface are as "
+            "likely. Measure at smaller loads, where springs matter most, or "
+            "with smaller errors.",
+            model.name, p.symbol,
+            interval.low <= p.low ? "all values" : "all values above " + p.shown(interval.low))};
+}
+
 }  // namespace
 
 std::vector<Verdict> identifiability_verdicts(const IdentifiedModel& model) {
@@ -71,6 +87,8 @@ std::vector<Verdict> identifiability_verdicts(const IdentifiedModel& model) {
                     {not_resolved, model.name +
                                        ": mu is not identifiable: all larger values are as likely. "
                                        "Measure at larger forces, closer to sliding."});
+        } else if (is_stiffness(model.found.free[k].key)) {
+            if (auto verdict = rigid_as_likely(model, k)) verdicts.push_back(std::move(*verdict));
         } else if (!is_named[k]) {
             if (auto verdict = not_identifiable(model, k)) verdicts.push_back(std::move(*verdict));
         }

@@ -37,6 +37,11 @@ void check_loads(const IdentificationInput& input, const io::Document& document)
 void check_rows_of_laws(const IdentificationInput& input, const io::Document& document);
 /// Whether a table of the kind follows from E alone, beside mu.
 bool tells_young(IdentificationInput::Measurement measurement);
+/// Springs of the interface, known or to be found: who knows them, and what determines them.
+void check_interface(const IdentificationInput& input, const std::vector<std::string>& find,
+                     const io::Document& document);
+/// What laws and springs presume of a layer.
+void check_layer_theory(const IdentificationInput& input, const io::Document& document);
 /// Sliding contacts have no static shift.
 void check_friction(const IdentificationInput& input, const io::Document& document);
 

@@ -137,6 +137,7 @@ report::Document identification_document(const IdentificationStudy& study) {
                                 .figures = fit_figures(study),
                                 .tables = {goodness_table(study)}};
     if (study.laws) fit.tables.push_back(law_table(*study.laws));
+    if (study.interfaces) fit.tables.push_back(interface_table(*study.interfaces));
     report::DocumentSection values{.id = "values_section",
                                    .heading = "Values",
                                    .figures = parameter_figures(study),

@@ -1,8 +1,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "experiments/identification/estimation/told_combination.h"
 #include "experiments/identification/identification_report.h"
-#include "experiments/identification/told_combination.h"
 #include "report/json_number.h"
 
 namespace tricontact::experiments {
@@ -170,6 +170,7 @@ json identification_json(const IdentificationStudy& study) {
         result["models"][model.name] = std::move(values);
     }
     if (study.laws) result["laws_of_friction"] = law_json(*study.laws);
+    if (study.interfaces) result["interfaces"] = interface_json(*study.interfaces);
     result["verdicts"] = report::list_of(identification_verdicts(study),
                                          [](const auto& verdict) { return verdict.sentence; });
     return result;

@@ -9,6 +9,7 @@
 
 #include "experiments/identification/friction_values.h"
 #include "experiments/identification/identification_tables.h"
+#include "experiments/identification/layer_contact.h"
 #include "io/case/case_keys.h"
 #include "io/case/measurement_models.h"
 
@@ -80,8 +81,12 @@ TableModel table_model(const std::string& model, const IdentificationInput& inpu
         return rolling_model(model, input, table, runner);
     if (table.measurement == Measurement::sliding_force)
         return
-            [&table](const IdentifiedRig& rig) { return sliding_forces(rig.as_case, table.given); };
-    if (!io::measurement_model(model).is_layer || (is_sheared ? is_mapped : !presses_of))
+            [&table, on_layer = io::measurement_model(model).is_layer](const IdentifiedRig& rig) {
+                return sliding_forces(on_layer, rig.as_case, table.given);
+            };
+    const bool is_direct = is_sheared ? is_mapped || is_beyond_coulomb(input.rig)
+                                      : !presses_of || input.rig.interface.normal_stiffness;
+    if (!io::measurement_model(model).is_layer || is_direct)
         return [=, &table](const IdentifiedRig& rig) {
             return measured_values(model, table, rig, table.given, runner);
         };

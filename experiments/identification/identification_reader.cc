@@ -8,6 +8,7 @@
 
 #include "contact/base/error.h"
 #include "experiments/identification/identification_checks.h"
+#include "experiments/identification/interface_parameters.h"
 #include "io/case/case_reader.h"
 #include "io/case/measurement_models.h"
 #include "io/case/rig_file.h"
@@ -24,6 +25,7 @@ namespace {
 using Input = IdentificationInput;
 using Measurement = Input::Measurement;
 constexpr double guessed_poisson = .45;
+constexpr double guessed_plane_share = .75;  // E/E* of a rigid indenter
 
 using Table = Input::Table;
 
@@ -47,7 +49,7 @@ bool describes_rig(std::string_view path) {
 
 /// What the models of the case have to be so that its checks are those of the identification's. The
 /// closed forms of the half-space need none.
-std::vector<std::string> case_models(const Input& input) {
+std::vector<std::string> case_models(const Input& input, bool has_springs) {
     const bool sheared = is_sheared(input);
     std::set<std::string> models;
     for (const std::string& name : input.models) {
@@ -55,7 +57,7 @@ std::vector<std::string> case_models(const Input& input) {
         const std::string rules = sheared ? model.rules : model.pressed_rules;
         if (!rules.empty()) models.insert(rules);
     }
-    if (models.empty()) models.insert(contact::models::mdr);
+    if (models.empty()) models.insert(has_springs ? contact::models::bem : contact::models::mdr);
     return {models.begin(), models.end()};
 }
 
@@ -68,17 +70,16 @@ double zero_of(const Table& table) {
 double guessed_young(const Table& table, double radius, double normal_force) {
     const auto row = std::ranges::max_element(table.observed) - table.observed.begin();
     const double x = table.given[row] - zero_of(table), y = table.observed[row];
-    constexpr double over_plane = 0.75;            // E/E*
     constexpr double shear_over_plane = 2. / 3;    // G*/E*
     double cube = 3. / 4 * radius * normal_force;  // a^3 E*
     const auto of_depth = [&](double force, double depth) {
-        return over_plane * 3. / 4 * force / std::sqrt(radius * depth * depth * depth);
+        return guessed_plane_share * 3. / 4 * force / std::sqrt(radius * depth * depth * depth);
     };
     switch (table.measurement) {
         case Measurement::force_indentation:
             return of_depth(y, x);
         case Measurement::contact_radius:
-            return over_plane * 3. / 4 * radius * x / (y * y * y);
+            return guessed_plane_share * 3. / 4 * radius * x / (y * y * y);
         case Measurement::force_relaxation:
             return of_depth(std::ranges::min(table.observed), table.held);
         case Measurement::indentation_creep:
@@ -87,7 +88,7 @@ double guessed_young(const Table& table, double radius, double normal_force) {
             break;
     }
     if (!table.normal_forces.empty()) cube *= table.normal_forces[row] / normal_force;
-    return over_plane * std::pow(x / (2 * shear_over_plane * y * std::cbrt(cube)), 1.5);
+    return guessed_plane_share * std::pow(x / (2 * shear_over_plane * y * std::cbrt(cube)), 1.5);
 }
 
 /// Of a table without tangential forces [N].
@@ -142,8 +143,10 @@ contact::Case rig_of(const Input& input, const std::vector<std::string>& find,
     check_round(document);
     const double radius = quantity_of(document, "indenter.radius");
     for (const Table& table : input.tables) check_lengths(table, radius, document);
-    std::vector<io::Entry> guesses{
-        io::overriding("models", case_models(input), document.place_of("measurement.models"))};
+    const bool has_springs =
+        rig.find_section("interface") || std::ranges::any_of(find, is_stiffness);
+    std::vector<io::Entry> guesses{io::overriding("models", case_models(input, has_springs),
+                                                  document.place_of("measurement.models"))};
     const auto is_free = [&](std::string_view key) { return std::ranges::count(find, key) > 0; };
     const auto guess = [&](const char* path, io::Value value) {
         guesses.push_back(io::overriding(path, std::move(value), input.tables.front().data_file));
@@ -177,9 +180,15 @@ contact::Case rig_of(const Input& input, const std::vector<std::string>& find,
         !sheared ||
         std::ranges::none_of(input.models, &io::MeasurementModel::is_layer, io::measurement_model);
     if (is_uncoupled && !is_finite_strain(document)) guess("contact.coupling", false);
-    if (is_free("substrate.young"))
-        guess("substrate.young",
-              io::shortest(guessed_young(table_of_young(input), radius, normal_force)) + " Pa");
+    const double young = is_free("substrate.young")
+                             ? guessed_young(table_of_young(input), radius, normal_force)
+                             : quantity_of(document, "substrate.young");
+    if (is_free("substrate.young")) guess("substrate.young", io::shortest(young) + " Pa");
+    for (const char* key : {normal_stiffness_key, tangential_stiffness_key})
+        if (is_free(key) && !document.find(key))
+            guess(key, io::shortest(guessed_stiffness(softest_stiffness(
+                           input, key, radius, young / guessed_plane_share, normal_force))) +
+                           " Pa/m");
     if (is_free("substrate.poisson") && !rig.find("substrate.poisson"))
         guess("substrate.poisson", guessed_poisson);
     const bool finds_friction = is_free("friction.coefficient") || !input.laws.empty();
@@ -272,6 +281,7 @@ Input read_identification(const std::string& path, const std::vector<std::string
         io::read_field(*io::find_key("title"), *title, &input.title);
     check_find(input, find, document);
     check_laws(input, find, document);
+    check_interface(input, find, document);
     check_models(input, document);
     // Of several tables each needs a row that is left for its own error.
     const std::size_t least_rows = input.tables.size() == 1 ? find.size() + 1 : 2;

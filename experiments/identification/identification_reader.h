@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "contact/case.h"
-#include "experiments/identification/free_parameter.h"
+#include "experiments/identification/estimation/free_parameter.h"
 #include "io/case/case_keys.h"
 #include "statistics/correlations.h"
 
@@ -72,6 +72,9 @@ struct IdentificationInput {
     const Table* find(Measurement measurement) const;
     bool is_free(std::string_view key) const;
 };
+
+/// Name of the half-space among io::measurement_models.
+const char* half_space_model();
 
 /// What a model can find of them: the half-space has no thickness.
 std::vector<FreeParameter> parameters_of(const IdentificationInput& input,

@@ -6,10 +6,11 @@
 #include <utility>
 #include <vector>
 
-#include "experiments/identification/identification.h"
+#include "experiments/identification/estimation/identification.h"
+#include "experiments/identification/estimation/posterior.h"
 #include "experiments/identification/identification_reader.h"
+#include "experiments/identification/interface_comparison.h"
 #include "experiments/identification/law_comparison.h"
-#include "experiments/identification/posterior.h"
 #include "report/document.h"
 
 namespace tricontact::experiments {
@@ -65,6 +66,8 @@ struct IdentificationStudy {
     /// Laws of friction on the half-space: those of measurement.laws, of which the models have the
     /// best one; without these a strength beside Coulomb's law, where the half-space's mu is found.
     std::optional<LawComparison> laws;
+    /// Beside springs of the interface that were to be found: rigid ones.
+    std::optional<InterfaceComparison> interfaces;
     /// Layer's thickness over the width of Hertz' contact for the values of the reference model.
     std::optional<double> thickness_ratio;
     std::vector<std::pair<std::string, std::string>> settings;  ///< name, value with unit
@@ -91,6 +94,15 @@ report::DocumentTable law_table(const LawComparison& laws);
 /// A table for terminals.
 std::string law_lines(const LawComparison& laws);
 nlohmann::ordered_json law_json(const LawComparison& laws);
+
+/// Whether the data exclude a rigid interface; empty if no springs were to be found.
+std::vector<report::Verdict> interface_verdicts(const IdentificationStudy& study);
+report::DocumentTable interface_table(const InterfaceComparison& interfaces);
+/// A table for terminals.
+std::string interface_lines(const InterfaceComparison& interfaces);
+nlohmann::ordered_json interface_json(const InterfaceComparison& interfaces);
+/// "E = 1.80 MPa (1.76 MPa to 1.84 MPa)" of one of several fits, the interval of the likelihood.
+std::string found_text(const Identification& found, std::size_t k);
 
 /// Whether the intervals of a parameter of two models overlap, beside the errors of inputs that
 /// both share.

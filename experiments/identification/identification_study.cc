@@ -10,6 +10,7 @@
 #include "contact/base/error.h"
 #include "experiments/identification/identification_checks.h"
 #include "experiments/identification/identification_models.h"
+#include "experiments/identification/interface_parameters.h"
 #include "io/case/measurement_laws.h"
 #include "io/case/measurement_models.h"
 #include "report/format.h"
@@ -171,11 +172,18 @@ std::vector<std::string> laws_to_compare(const IdentificationInput& input) {
 }
 
 /// The input without its coefficient of friction, where laws bring their own.
-IdentificationInput without_friction(IdentificationInput input) {
-    std::erase_if(input.parameters, [](const FreeParameter& p) {
-        return p.key == "friction.coefficient" || p.key == "substrate.thickness";
-    });
+IdentificationInput without_friction(IdentificationInput input, const std::string& model) {
+    input.parameters = parameters_of(input, model);
+    std::erase_if(input.parameters,
+                  [](const FreeParameter& p) { return p.key == "friction.coefficient"; });
     return input;
+}
+
+/// The most complete model, all of which know laws and springs where these are asked for.
+std::string model_of_laws(const IdentificationInput& input) {
+    const auto layer =
+        std::ranges::find_if(input.models, &io::MeasurementModel::is_layer, io::measurement_model);
+    return layer != input.models.end() ? *layer : half_space_model();
 }
 
 std::optional<LawComparison> compared_laws(const IdentificationInput& input,
@@ -185,7 +193,8 @@ std::optional<LawComparison> compared_laws(const IdentificationInput& input,
     if (laws.empty()) return {};
     say("laws of friction");
     try {
-        return compare_laws(without_friction(input), laws, runner);
+        const std::string model = input.laws.empty() ? half_space_model() : model_of_laws(input);
+        return compare_laws(without_friction(input, model), laws, runner, model);
     } catch (const contact::NotConverged&) {
         if (!input.laws.empty()) throw;
         return {};  // nobody asked, and the models will say what is wrong with Coulomb's law
@@ -210,6 +219,12 @@ std::vector<std::pair<std::string, std::string>> settings_of(const Identificatio
     if (rig.layer.thickness)
         add("substrate.thickness", "b", report::given_quantity(*rig.layer.thickness, "m"));
     add("substrate.young", "E", report::given_quantity(rig.substrate.young, "Pa"));
+    if (rig.interface.normal_stiffness)
+        add(normal_stiffness_key, "k_n",
+            report::given_quantity(*rig.interface.normal_stiffness, "Pa/m"));
+    if (rig.interface.tangential_stiffness)
+        add(tangential_stiffness_key, "k_t",
+            report::given_quantity(*rig.interface.tangential_stiffness, "Pa/m"));
     if (!input.find(Measurement::static_shift) && !input.find(Measurement::rolling_shift))
         return settings;
     const auto* shifts = input.find(Measurement::static_shift);
@@ -233,6 +248,14 @@ IdentificationStudy identification_study(const IdentificationInput& said, bool d
     study.laws = compared_laws(said, runner, say);
     if (!said.laws.empty()) study.input = study.laws->laws[study.laws->best].input;
     const IdentificationInput& input = study.input;
+    if (std::ranges::any_of(input.parameters,
+                            [](const FreeParameter& p) { return is_stiffness(p.key); })) {
+        say("springs of the interface");
+        const std::string model = model_of_laws(input);
+        IdentificationInput of_model = input;
+        of_model.parameters = parameters_of(input, model);
+        study.interfaces = compare_interfaces(of_model, runner, model);
+    }
     study.title =
         input.title.empty() ? std::filesystem::path(input.name).stem().string() : input.title;
     for (const auto& table : input.tables) study.curve_points.push_back(curve_points_of(table));

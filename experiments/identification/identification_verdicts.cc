@@ -229,6 +229,7 @@ std::vector<Verdict> identification_verdicts(const IdentificationStudy& study) {
     const IdentifiedModel& reference = reference_model(study);
     verdicts.push_back(values_found(study, reference));
     std::ranges::move(law_verdicts(study), std::back_inserter(verdicts));
+    std::ranges::move(interface_verdicts(study), std::back_inserter(verdicts));
     if (auto verdict = bias(study)) verdicts.push_back(std::move(*verdict));
     if (auto verdict = bias_of_small_strains(study)) verdicts.push_back(std::move(*verdict));
     for (const IdentifiedModel& model : study.models) {

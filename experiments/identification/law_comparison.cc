@@ -1,7 +1,6 @@
 #include "experiments/identification/law_comparison.h"
 
 #include <fmt/format.h>
-#include <gsl/gsl_cdf.h>
 
 #include <algorithm>
 #include <cmath>
@@ -10,6 +9,7 @@
 #include "experiments/identification/friction_values.h"
 #include "experiments/identification/identification_models.h"
 #include "experiments/identification/identification_report.h"
+#include "experiments/identification/likelihood.h"
 #include "io/case/measurement_models.h"
 #include "report/format.h"
 
@@ -20,66 +20,8 @@ namespace {
 using io::MeasurementLaw;
 using Measurement = IdentificationInput::Measurement;
 
-// Of the largest value of a table: exact data have rounding for an error.
-constexpr double least_relative_rms = 1e-12;
-
-const char* half_space_name() {
-    return std::ranges::find(io::measurement_models(), false, &io::MeasurementModel::is_layer)
-        ->name;
-}
-
-/// Rows and degrees of freedom of the tables whose errors are not stated.
-struct EstimatedRows {
-    double n = 0, degrees = 0;
-    int n_tables = 0;
-    bool are_all = true;
-};
-
-EstimatedRows estimated_rows(const LawFit& fit) {
-    EstimatedRows rows;
-    for (std::size_t t = 0; t < fit.input.tables.size(); ++t) {
-        if (!fit.input.tables[t].standard_errors.empty()) {
-            rows.are_all = false;
-            continue;
-        }
-        ++rows.n_tables;
-        rows.n += static_cast<double>(fit.input.tables[t].observed.size());
-        rows.degrees += fit.found.tables[t].degrees_of_freedom;
-    }
-    return rows;
-}
-
-void add_likelihood(LawFit& fit) {
-    double n = 0;
-    for (std::size_t t = 0; t < fit.input.tables.size(); ++t) {
-        const TableFit& table = fit.found.tables[t];
-        const auto rows = static_cast<double>(table.residuals.size());
-        n += rows - fit.input.tables[t].has_free_origin();
-        if (!fit.input.tables[t].standard_errors.empty()) {
-            fit.minus_two_log_likelihood += table.sum_of_squares;
-            continue;
-        }
-        double squares = 0, largest = 0;
-        for (const double r : table.residuals) squares += r * r;
-        for (const double y : fit.input.tables[t].observed)
-            largest = std::max(largest, std::abs(y));
-        fit.minus_two_log_likelihood +=
-            rows * std::log(std::max(squares / rows, std::pow(least_relative_rms * largest, 2)));
-    }
-    fit.n_fitted = static_cast<int>(fit.input.parameters.size()) + estimated_rows(fit).n_tables;
-    const double k = fit.n_fitted;
-    fit.aicc =
-        n > k + 1 ? fit.minus_two_log_likelihood + 2 * k * n / (n - k - 1) : contact::infinity;
-}
-
-double chance_of(double ratio, double n_more, const LawFit& wider) {
-    const EstimatedRows rows = estimated_rows(wider);
-    if (rows.n_tables == 0) return gsl_cdf_chisq_Q(ratio, n_more);
-    // Exact for one table and a linear model; of both kinds of tables the known ones count as if
-    // their errors were estimated, too.
-    const double f =
-        rows.are_all ? std::expm1(ratio / rows.n) * rows.degrees / n_more : ratio / n_more;
-    return gsl_cdf_fdist_Q(f, n_more, rows.degrees);
+bool is_on_layer(const LawComparison& comparison) {
+    return io::measurement_model(comparison.model).is_layer;
 }
 
 void add_nested(LawComparison& comparison) {
@@ -89,7 +31,8 @@ void add_nested(LawComparison& comparison) {
             const double ratio =
                 std::max(0., fit.minus_two_log_likelihood - wider.minus_two_log_likelihood);
             const int n_more = wider.n_fitted - fit.n_fitted;
-            fit.wider.push_back({wider.law, ratio, chance_of(ratio, n_more, wider)});
+            fit.wider.push_back(
+                {wider.law, ratio, chance_of_ratio(ratio, n_more, wider.input, wider.found)});
         }
 }
 
@@ -129,7 +72,7 @@ std::string part_text(const char* what, const std::string& end, double part) {
 }
 
 /// What the wider law may be beside the narrower one, empty if that is little.
-std::string what_is_left(const LawFit& narrow, const LawFit& wide) {
+std::string what_is_left(bool on_layer, const LawFit& narrow, const LawFit& wide) {
     const bool is_coulomb = narrow.law->has_coefficient;
     const contact::Case rig = rig_with(wide.input, wide.found.free, wide.found.best()).as_case;
     const LoadRange loads = loads_of_friction(wide.input);
@@ -146,8 +89,9 @@ std::string what_is_left(const LawFit& narrow, const LawFit& wide) {
     if (wide.law->has_strength) {
         const char* key = is_coulomb ? "friction.shear_strength" : "friction.coefficient";
         const double end = found_interval(wide, key).high, force = loads.middle();
-        const double part = is_coulomb ? end / mean_friction(rig, force)
-                                       : end * force / sliding_forces(rig, {force}).front();
+        const double part = is_coulomb
+                                ? end / mean_friction(on_layer, rig, force)
+                                : end * force / sliding_forces(on_layer, rig, {force}).front();
         return part <= negligible_part ? ""
                                        : part_text(is_coulomb ? "tau_0 up to" : "mu up to",
                                                    parameter(key).shown(end), part);
@@ -162,8 +106,8 @@ std::string what_is_left(const LawFit& narrow, const LawFit& wide) {
     else
         without.friction = {.shear_strength = found_number(wide, "friction.strength_limit")};
     const double force = loads.middle();
-    const double part =
-        1 - sliding_forces(at_end, {force}).front() / sliding_forces(without, {force}).front();
+    const double part = 1 - sliding_forces(on_layer, at_end, {force}).front() /
+                                sliding_forces(on_layer, without, {force}).front();
     return part <= negligible_part ? ""
                                    : part_text(is_coulomb ? "tau_cap down to" : "mu down to",
                                                parameter(key).shown(end), part);
@@ -181,7 +125,7 @@ void name(LawComparison& comparison) {
                 is_told = false;
                 continue;
             }
-            const std::string left = what_is_left(fit, other);
+            const std::string left = what_is_left(is_on_layer(comparison), fit, other);
             if (left.empty()) continue;
             fit.not_told_from += (fit.not_told_from.empty() ? "" : "; ") + left;
             is_told = false;
@@ -199,14 +143,14 @@ void name(LawComparison& comparison) {
     if (comparison.named) comparison.best = *comparison.named;
 }
 
-double largest_held_share(const LawFit& fit) {
+double largest_held_share(bool on_layer, const LawFit& fit) {
     double share = 0;
     const auto* shifts = fit.input.find(Measurement::static_shift);
     if (!shifts) return 0;
     const contact::Case rig = rig_with(fit.input, fit.found.free, fit.found.best()).as_case;
     for (const LoadedRows& load : rows_by_load(*shifts, rig, shifts->given))
-        share = std::max(
-            share, std::ranges::max(load.given) / sliding_forces(rig, {load.normal_force}).front());
+        share = std::max(share, std::ranges::max(load.given) /
+                                    sliding_forces(on_layer, rig, {load.normal_force}).front());
     return share;
 }
 
@@ -220,17 +164,19 @@ std::vector<std::size_t> LawComparison::supported() const {
 }
 
 LawComparison compare_laws(const IdentificationInput& input, const std::vector<std::string>& laws,
-                           const contact::ModelRunner& runner) {
-    LawComparison comparison;
-    const std::string model = half_space_name();
+                           const contact::ModelRunner& runner, const std::string& model) {
+    LawComparison comparison{.model = model};
     for (const MeasurementLaw& law : io::measurement_laws()) {
         if (!std::ranges::count(laws, law.name)) continue;
         LawFit fit{.law = &law, .input = with_law(input, law)};
         IdentificationTask task = task_of(fit.input, model);
         task.model = prediction_of(model, fit.input, runner);
         fit.found = identify(task);
-        fit.largest_held_share = largest_held_share(fit);
-        add_likelihood(fit);
+        fit.largest_held_share = largest_held_share(is_on_layer(comparison), fit);
+        const Likelihood likelihood = likelihood_of(fit.input, fit.found);
+        fit.n_fitted = likelihood.n_fitted;
+        fit.minus_two_log_likelihood = likelihood.minus_two_log;
+        fit.aicc = likelihood.aicc;
         comparison.laws.push_back(std::move(fit));
     }
     add_nested(comparison);

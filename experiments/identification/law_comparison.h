@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "contact/model_makers.h"
-#include "experiments/identification/identification.h"
+#include "experiments/identification/estimation/identification.h"
 #include "experiments/identification/law_parameters.h"
 
 namespace tricontact::experiments {
@@ -41,8 +41,9 @@ struct LawFit {
     bool is_excluded() const { return !why_excluded.empty(); }
 };
 
-/// Laws of friction that explain the same tables on a half-space.
+/// Laws of friction that explain the same tables, by one model.
 struct LawComparison {
+    std::string model;                 ///< see io::measurement_models
     std::vector<LawFit> laws;          ///< in the order of io::measurement_laws()
     std::optional<std::size_t> named;  ///< the one that the data support; empty: none, or several
     std::size_t best = 0;              ///< named, else that of the least AICc among those left
@@ -62,6 +63,7 @@ inline constexpr double negligible_part = .2;
 
 /// Throws contact::InputError, contact::NotConverged.
 LawComparison compare_laws(const IdentificationInput& input, const std::vector<std::string>& laws,
-                           const contact::ModelRunner& runner);
+                           const contact::ModelRunner& runner,
+                           const std::string& model = half_space_model());
 
 }  // namespace tricontact::experiments

@@ -6,6 +6,7 @@
 
 #include "contact/half_space_scales.h"
 #include "experiments/identification/friction_values.h"
+#include "experiments/identification/layer_contact.h"
 
 namespace tricontact::experiments {
 
@@ -151,9 +152,12 @@ IdentificationInput with_law(const IdentificationInput& input, const io::Measure
     return result;
 }
 
-double mean_friction(const contact::Case& rig, double normal_force) {
-    const double radius = hertz_under(rig, normal_force).contact_radius;
-    return sliding_forces(rig, {normal_force}).front() / (std::numbers::pi * radius * radius);
+double mean_friction(bool on_layer, const contact::Case& rig, double normal_force) {
+    const contact::NormalControl load{contact::NormalControl::Kind::force, normal_force};
+    const double radius =
+        (on_layer ? layer_press(rig, load) : half_space_press(rig, load)).contact_radius;
+    return sliding_forces(on_layer, rig, {normal_force}).front() /
+           (std::numbers::pi * radius * radius);
 }
 
 LoadRange loads_of_friction(const IdentificationInput& input) {

@@ -19,7 +19,7 @@ FreeParameter coulomb_parameter(const IdentificationInput& input);
 IdentificationInput with_law(const IdentificationInput& input, const io::MeasurementLaw& law);
 
 /// Mean over the contact of what friction carries [Pa], where all slides under this force [N].
-double mean_friction(const contact::Case& rig, double normal_force);
+double mean_friction(bool on_layer, const contact::Case& rig, double normal_force);
 
 /// Least and largest normal force [N] of the tables that friction enters.
 struct LoadRange {

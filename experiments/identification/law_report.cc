@@ -23,18 +23,13 @@ std::string law_name(const LawFit& fit) {
     return fmt::format("{} ({})", fit.law->name, fit.law->formula);
 }
 
-/// "E = 1.80 MPa (1.76 MPa to 1.84 MPa)".
 std::string number_text(const LawFit& fit, std::size_t k) {
-    const FreeParameter& p = fit.found.free[k];
-    const auto [low, high] = fit.found.parameters[k].likelihood;
-    if (!std::isfinite(high)) return fmt::format("{} above {}", p.symbol, p.shown(low));
-    const std::string at =
-        fit.law->has_exponent && p.symbol == "mu"
-            ? " at p_r = " +
-                  report::given_quantity(*fit.input.rig.friction.reference_pressure, "Pa")
-            : "";
-    return fmt::format("{} = {} ({} to {}){}", p.symbol, p.shown(fit.found.parameters[k].value),
-                       p.shown(low), p.shown(high), at);
+    const bool is_at_reference = fit.law->has_exponent && fit.found.free[k].symbol == "mu" &&
+                                 std::isfinite(fit.found.parameters[k].likelihood.high);
+    return found_text(fit.found, k) +
+           (is_at_reference ? " at p_r = " + report::given_quantity(
+                                                 *fit.input.rig.friction.reference_pressure, "Pa")
+                            : "");
 }
 
 std::string numbers_text(const LawFit& fit) {
@@ -137,10 +132,12 @@ std::vector<Verdict> law_verdicts(const IdentificationStudy& study) {
     if (!study.laws) return verdicts;
     const LawComparison& laws = *study.laws;
     if (study.input.laws.empty()) {
-        // Where the layer matters, the half-space's comparison is that of a wrong model.
+        // Where the layer matters, the half-space's comparison is that of a wrong model; a strength
+        // that leaves no pattern explains the tables.
         const auto half_space = half_space_of(study);
+        const bool explains = !laws.laws.back().is_excluded();
         if (half_space != study.models.end() && !is_rejected(*half_space) &&
-            !(half_space->found.has_strong_pattern() && !half_space->found.goodness))
+            (explains || half_space->found.goodness || !half_space->found.has_strong_pattern()))
             if (auto verdict = coulomb_beside_strength(laws))
                 verdicts.push_back(std::move(*verdict));
         return verdicts;

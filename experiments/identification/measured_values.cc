@@ -11,6 +11,7 @@
 #include "contact/load_path.h"
 #include "experiments/identification/friction_values.h"
 #include "experiments/identification/identification_models.h"
+#include "experiments/identification/layer_contact.h"
 #include "experiments/records/experiment_evaluation.h"
 #include "io/case/measurement_models.h"
 #include "theory/cattaneo_mindlin.h"
@@ -102,6 +103,11 @@ std::vector<Pressed> presses(const std::string& model, const Case& rig,
     // Without friction the layer's exact theory is what its maps and elements approximate.
     const io::MeasurementModel& kind = io::measurement_model(model);
     if (kind.approximates_theory) return presses(io::layer_theory().name, rig, controls, runner);
+    if (kind.is_layer && rig.interface.normal_stiffness) {
+        std::vector<Pressed> all;
+        for (const auto& control : controls) all.push_back(layer_press(rig, control));
+        return all;
+    }
     // Springs coupled by any layers make the normal contact exact but for their spacing.
     const bool exact =
         kind.is_layer && kind.is_theory && comparisons::why_no_exact_theory(rig).empty();
@@ -113,8 +119,7 @@ std::vector<Pressed> presses(const std::string& model, const Case& rig,
                 comparisons::elastic_layer(rig), *rig.make_axisymmetric_indenter(), control);
             all.push_back({layer.normal_force, layer.contact_radius, layer.indentation});
         } else {
-            const auto hertz = contact::half_space_scales(pressed(rig, control));
-            all.push_back({hertz.normal_force, hertz.contact_radius, hertz.indentation});
+            all.push_back(half_space_press(rig, control));
         }
     return all;
 }
@@ -279,11 +284,13 @@ std::vector<double> measured_values(const std::string& model,
         return rolled_shifts(
             identified, own_wobble(shift_model(model), slow, largest_offset(table.given), runner),
             given);
-    if (table.measurement == Measurement::sliding_force) return sliding_forces(slow, given);
+    const bool on_layer = io::measurement_model(model).is_layer;
+    if (table.measurement == Measurement::sliding_force)
+        return sliding_forces(on_layer, slow, given);
     if (table.measurement == Measurement::static_shift)
         return by_load(table, slow, given, [&](const Case& loaded, const auto& forces) {
-            return !io::measurement_model(model).is_layer
-                       ? half_space_shifts(loaded, forces)
+            return !on_layer || is_beyond_coulomb(loaded)
+                       ? theory_shifts(on_layer, loaded, forces)
                        : static_shifts(shift_model(model), loaded, forces, runner);
         });
     return from_zero_depth(table, identified, given, [&](const std::vector<double>& pressed_to) {

@@ -6,6 +6,7 @@
 
 #include "contact/load_path.h"
 #include "contact/model_makers.h"
+#include "experiments/identification/friction_values.h"
 #include "experiments/identification/identification_reader.h"
 
 namespace tricontact::experiments {
@@ -43,10 +44,6 @@ double largest_offset(const std::vector<double>& offsets);
 std::vector<double> rolled_shifts(const IdentifiedRig& rig, double own_wobble,
                                   const std::vector<double>& offsets);
 
-/// A contact pressed without friction [N, m].
-struct Pressed {
-    double normal_force = 0, contact_radius = 0, indentation = 0;
-};
 /// By one of the models of an identification; atlas and bem-layer stand for the exact theory of
 /// the layer. Throws InputError, NotConverged.
 std::vector<Pressed> presses(const std::string& model, const contact::Case& rig,

@@ -117,8 +117,15 @@ std::string rejection_text() {
 }
 
 std::optional<Verdict> model_to_use(const IdentificationStudy& study) {
-    if (study.models.size() < 2) return {};
     const IdentifiedModel& reference = reference_model(study);
+    if (study.models.size() < 2) {
+        // Laws that were compared say it themselves; chi^2 of stated errors does, too.
+        if (!is_misfit(reference) || !study.input.laws.empty()) return {};
+        return Verdict{fail,
+                       "The values of " + reference.name +
+                           " are not to be used before the reason is known: its residuals show a "
+                           "pattern that independent errors leave in less than 1 of 100 tables."};
+    }
     if (is_rejected(reference))
         return Verdict{fail, fmt::format("None of the values is to be used before the reason is "
                                          "known: chi^2 rejects {}, the most complete model.",

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "experiments/identification/estimation/residual_checks.h"
 #include "experiments/identification/identification_report.h"
-#include "experiments/identification/residual_checks.h"
 #include "report/format.h"
 
 namespace tricontact::experiments {

@@ -3,6 +3,7 @@
 
 #include "contact/base/error.h"
 #include "experiments/identification/identification_reader.h"
+#include "experiments/identification/interface_parameters.h"
 #include "experiments/identification/law_parameters.h"
 #include "io/case/measurement_models.h"
 
@@ -144,6 +145,8 @@ std::vector<FreeParameter> free_parameters(const IdentificationInput& input,
                 throw contact::InputError(
                     "substrate.thickness is missing; give a value from which the search starts");
             parameters.push_back(length(key, "thickness_m", "b", *rig.layer.thickness));
+        } else if (is_stiffness(key)) {
+            parameters.push_back(stiffness_parameter(input, key));
         } else if (key == pivot_key) {
             parameters.push_back(
                 pivot_height(*input.find(Measurement::rolling_shift), rig.indenter.radius));
@@ -161,6 +164,11 @@ std::vector<FreeParameter> free_parameters(const IdentificationInput& input,
                                   std::to_string(parameters.size()) +
                                   " values and how well they are known; measure more, find fewer");
     return parameters;
+}
+
+const char* half_space_model() {
+    return std::ranges::find(io::measurement_models(), false, &io::MeasurementModel::is_layer)
+        ->name;
 }
 
 std::vector<FreeParameter> parameters_of(const IdentificationInput& input,

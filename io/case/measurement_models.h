@@ -22,6 +22,7 @@ struct MeasurementModel {
     bool approximates_theory = false;  ///< that of the layer, which then answers
     bool finds_poisson = true;         ///< without tangential force
     bool shifts_find_poisson = false;  ///< with it
+    bool knows_laws = false;           ///< other ones than Coulomb's, and springs of the interface
     bool has_rolling_shift = true;     ///< how far free rolling shifts a contact
 
     const contact::ModelKind& kind() const { return contact::model_kind(model); }

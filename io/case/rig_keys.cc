@@ -98,6 +98,8 @@ std::vector<Key> measurement_keys() {
                             {"substrate.relaxation.times"},
                             {"indenter.radius"},
                             {"friction.coefficient"},
+                            {"interface.normal_stiffness"},
+                            {"interface.tangential_stiffness"},
                             {"rig.pivot_height"},
                             {"zero_depth"}},
                            R"(["substrate.young"])",
@@ -110,11 +112,11 @@ std::vector<Key> measurement_keys() {
                            "models that explain the tables: closed forms of the half-space, the "
                            "theory of the layer, the shipped maps, or a model that computes",
                            {.required = true})),
-        list_of(choice_key("measurement.laws", measurement_law_choices(),
-                           R"(["coulomb", "shear-strength"])",
-                           "laws of friction that are compared on a half-space, each with the "
-                           "numbers of its own that explain the tables best; without it that of "
-                           "[friction]")),
+        list_of(choice_key(
+            "measurement.laws", measurement_law_choices(), R"(["coulomb", "shear-strength"])",
+            "laws of friction that are compared, on a half-space or a layer, each with the "
+            "numbers of its own that explain the tables best; without it that of "
+            "[friction]")),
         number_key("measurement.confidence", {0.5, 0.9999}, "0.95", "level of the intervals",
                    {.default_value = "0.95"})};
 }

@@ -5,7 +5,7 @@
 
 #include "comparisons/resolution/refinement.h"
 #include "comparisons/shakedown/ratcheting_fit.h"
-#include "experiments/identification/identification.h"
+#include "experiments/identification/estimation/identification.h"
 #include "experiments/records/experiment_evaluation.h"
 #include "tests/unit/comparisons/shakedown/rolling_study.h"
 #include "tests/unit/experiments/records/synthetic_record.h"

@@ -7,7 +7,7 @@
 
 #include "comparisons/half_space/layer.h"
 #include "contact/case.h"
-#include "experiments/identification/identification.h"
+#include "experiments/identification/estimation/identification.h"
 #include "theory/cattaneo_mindlin.h"
 #include "theory/layer/elastic_layer.h"
 #include "theory/layer/sticking_contact.h"

@@ -6,9 +6,9 @@
 #include <cmath>
 #include <numeric>
 
-#include "experiments/identification/identification.h"
+#include "experiments/identification/estimation/identification.h"
+#include "experiments/identification/estimation/told_combination.h"
 #include "experiments/identification/identification_reader.h"
-#include "experiments/identification/told_combination.h"
 #include "statistics/estimate.h"
 
 namespace tricontact::experiments::pivot_height_test {

@@ -1,4 +1,4 @@
-#include "experiments/identification/residual_checks.h"
+#include "experiments/identification/estimation/residual_checks.h"
 
 #include <gsl/gsl_cdf.h>
 

@@ -1,4 +1,4 @@
-#include "experiments/identification/identification.h"
+#include "experiments/identification/estimation/identification.h"
 
 #include <gtest/gtest.h>
 

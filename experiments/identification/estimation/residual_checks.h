@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "experiments/identification/best_sum_of_squares.h"
-#include "experiments/identification/identification.h"
+#include "experiments/identification/estimation/best_sum_of_squares.h"
+#include "experiments/identification/estimation/identification.h"
 
 namespace tricontact::experiments {
 

@@ -1,4 +1,4 @@
-#include "experiments/identification/told_combination.h"
+#include "experiments/identification/estimation/told_combination.h"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "experiments/identification/identification.h"
+#include "experiments/identification/estimation/identification.h"
 
 #include <gsl/gsl_cdf.h>
 
@@ -10,8 +10,8 @@
 #include "contact/base/interruption.h"
 #include "contact/base/root.h"
 #include "contact/base/special_values.h"
-#include "experiments/identification/best_sum_of_squares.h"
-#include "experiments/identification/residual_checks.h"
+#include "experiments/identification/estimation/best_sum_of_squares.h"
+#include "experiments/identification/estimation/residual_checks.h"
 #include "statistics/regression.h"
 
 namespace tricontact::experiments {

@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "experiments/identification/identification.h"
+#include "experiments/identification/estimation/identification.h"
 
 namespace tricontact::experiments {
 

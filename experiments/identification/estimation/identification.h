@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "experiments/identification/free_parameter.h"
+#include "experiments/identification/estimation/free_parameter.h"
 #include "statistics/estimate.h"
 #include "statistics/joint_covariance.h"
 #include "statistics/outlying_rows.h"

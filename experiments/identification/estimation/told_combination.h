@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "experiments/identification/identification.h"
+#include "experiments/identification/estimation/identification.h"
 
 namespace tricontact::experiments {
 

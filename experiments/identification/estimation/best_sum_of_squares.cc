@@ -1,4 +1,4 @@
-#include "experiments/identification/best_sum_of_squares.h"
+#include "experiments/identification/estimation/best_sum_of_squares.h"
 
 #include <fmt/format.h>
 

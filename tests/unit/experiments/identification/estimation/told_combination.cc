@@ -1,6 +1,6 @@
 // What observations tell of parameters together, against forces that depend on a product by theory.
 
-#include "experiments/identification/told_combination.h"
+#include "experiments/identification/estimation/told_combination.h"
 
 #include <gtest/gtest.h>
 

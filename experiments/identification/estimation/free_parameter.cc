@@ -1,4 +1,4 @@
-#include "experiments/identification/free_parameter.h"
+#include "experiments/identification/estimation/free_parameter.h"
 
 #include <algorithm>
 #include <cmath>

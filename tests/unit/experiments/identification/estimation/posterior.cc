@@ -1,4 +1,4 @@
-#include "experiments/identification/posterior.h"
+#include "experiments/identification/estimation/posterior.h"
 
 #include <gtest/gtest.h>
 

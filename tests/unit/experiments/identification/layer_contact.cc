@@ -1,0 +1,113 @@
+#include "experiments/identification/layer_contact.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "contact/base/error.h"
+#include "experiments/identification/measured_values.h"
+#include "mdr/layer_model.h"
+#include "theory/layer/elastic_layer.h"
+
+namespace tricontact::experiments::layer_contact_test {
+namespace {
+
+using contact::Case;
+using Kind = contact::NormalControl::Kind;
+
+Case rig(const contact::Friction& friction) {
+    Case c;
+    c.indenter.radius = 40e-3;
+    c.substrate = {3e6, .45};
+    c.layer.thickness = 6e-3;
+    c.friction = friction;
+    c.load.normal_force = 20;
+    c.load.tangential_force = 0;
+    return c;
+}
+
+contact::ModelMakers makers() {
+    contact::ModelMakers some;
+    some.make = [](const std::string&, const Case& c, int, const contact::Say&) {
+        return mdr::make_layer_model(c, 200);
+    };
+    return some;
+}
+
+// The exact theory of the layer: elements and tables, 1e-4.
+TEST(LayerContact, PressesAreThoseOfTheExactTheory) {
+    for (const double b : {1.5e-3, 6e-3, 60e-3}) {
+        Case c = rig({.coefficient = .5});
+        c.layer.thickness = b;
+        const auto exact =
+            theory::solve_layer_contact({c.substrate, b, theory::LayerBase::bonded},
+                                        *c.make_axisymmetric_indenter(), {Kind::force, 20});
+        const Pressed found = layer_press(c, {Kind::force, 20});
+        EXPECT_NEAR(found.contact_radius / exact.contact_radius, 1, 1e-4);
+        EXPECT_NEAR(found.indentation / exact.indentation, 1, 1e-4);
+        const Pressed deep = layer_press(c, {Kind::indentation, exact.indentation});
+        EXPECT_NEAR(deep.normal_force / 20, 1, 2e-4);
+        EXPECT_NEAR(layer_contact(c, 20).unit_shift() / (.5 * *exact.unit_shift), 1, 2e-4);
+    }
+}
+
+// Elements on a line, whose edges of contact and stick lie between two of them: 200 to the radius.
+TEST(LayerContact, ShiftsAreThoseOfMdrLayerUnderEachLaw) {
+    const contact::Friction laws[] = {
+        {.coefficient = .5},
+        {.shear_strength = 40e3},
+        {.coefficient = .3, .shear_strength = 20e3},
+        {.coefficient = .5, .pressure_exponent = .6, .reference_pressure = .2e6}};
+    const contact::ModelMakers of_line = makers();
+    for (const contact::Friction& law : laws) {
+        const Case c = rig(law);
+        const theory::SprungContact contact = layer_contact(c, 20);
+        std::vector<double> forces;
+        for (const double f : {.2, .6, .95}) forces.push_back(f * contact.friction_limit());
+        const auto shifts = static_shifts("mdr-layer", c, forces, {of_line, 1});
+        for (std::size_t i = 0; i < forces.size(); ++i)
+            EXPECT_NEAR(contact.shift(forces[i]) / shifts[i], 1, 5e-3) << law.formula() << i;
+    }
+}
+
+// On springs, too, of which the line has the same wave numbers.
+TEST(LayerContact, SpringsAreThoseOfMdrLayer) {
+    Case c = rig({.coefficient = .5});
+    c.interface = {5e9, 2e9};
+    const contact::ModelMakers of_line = makers();
+    const theory::SprungContact contact = layer_contact(c, 20);
+    const auto model = of_line.make("", c, 1, contact::silent);
+    contact::LoadStep step = contact::press_step(c);
+    step.friction = false;
+    const auto record = model->advance(step);
+    EXPECT_NEAR(layer_press(c, {Kind::force, 20}).indentation / record.indentation, 1, 3e-3);
+    const std::vector<double> forces{2, 6, 9.5};
+    const auto shifts = static_shifts("mdr-layer", c, forces, {of_line, 1});
+    for (std::size_t i = 0; i < forces.size(); ++i)
+        EXPECT_NEAR(contact.shift(forces[i]) / shifts[i], 1, 1e-2) << i;
+    // Stiff ones are none, thick layers a half-space.
+    c.interface = {1e16, {}};
+    EXPECT_NEAR(layer_press(c, {Kind::force, 20}).indentation /
+                    layer_press(rig({.coefficient = .5}), {Kind::force, 20}).indentation,
+                1, 1e-5);
+    c.interface = {5e9, 2e9};
+    c.layer.thickness = 3;
+    EXPECT_NEAR(layer_press(c, {Kind::force, 20}).indentation /
+                    half_space_press(c, {Kind::force, 20}).indentation,
+                1, 3e-3);
+}
+
+TEST(LayerContact, StatesWhatItDoesNotCompute) {
+    Case c = rig({.coefficient = .5});
+    EXPECT_EQ(why_no_layer_contact(c), "");
+    EXPECT_FALSE(is_beyond_coulomb(c));
+    c.layer.thickness = .1e-3;
+    EXPECT_THROW(layer_press(c, {Kind::force, 20}), contact::InputError);
+    c.layer.base = Case::Base::frictionless;
+    EXPECT_TRUE(why_no_layer_contact(c).starts_with("substrate.base: "));
+    c.friction = {.shear_strength = 1e5};
+    EXPECT_TRUE(is_beyond_coulomb(c));
+}
+
+}  // namespace
+}  // namespace tricontact::experiments::layer_contact_test
