@@ -54,7 +54,7 @@ TEST(Experiment, RatiosOfTheCaseStandForTheForceAndTheLengthThatTheRigSets) {
     EXPECT_NEAR(r.exact_limit.standard_error / deviation, 1, 0.02);
     const contact::HalfSpaceScales hertz = contact::half_space_scales(c);
     const contact::Case set = as_the_rig_sets(
-        c, hertz.normal_force, contact::rolling_amplitude(*c.rolling, hertz.contact_radius));
+        c, hertz.friction_limit, contact::rolling_amplitude(*c.rolling, hertz.contact_radius));
     EXPECT_NEAR(*set.load.tangential_force, 0.56 * 0.57 * 21.1, 1e-12);
     EXPECT_NEAR(*set.rolling->amplitude, 0.24 * contact::half_space_scales(c).contact_radius,
                 1e-15);
