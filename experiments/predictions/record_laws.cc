@@ -7,6 +7,8 @@
 #include <cmath>
 
 #include "contact/base/error.h"
+#include "contact/base/special_values.h"
+#include "contact/models/model_kind.h"
 #include "experiments/identification/identification_models.h"
 #include "io/case/case_keys.h"
 #include "report/format.h"
@@ -140,27 +142,9 @@ bool contains_one_that_agrees(const RecordLaws& laws, std::size_t i) {
     return false;
 }
 
-/// The law of one number that a fit at the end of its range is.
-std::optional<std::size_t> end_of(const RecordLaws& laws, std::size_t i) {
-    const LawFit& wide = laws.tables.laws[i];
-    std::optional<std::size_t> nearest;
-    double least = 0;
-    for (std::size_t k = 0; k < laws.laws.size(); ++k) {
-        const LawFit& narrow = laws.tables.laws[k];
-        if (!wide.law->contains(*narrow.law)) continue;
-        const double apart =
-            std::abs(narrow.minus_two_log_likelihood - wide.minus_two_log_likelihood);
-        if (nearest && apart >= least) continue;
-        nearest = k;
-        least = apart;
-    }
-    return nearest;
-}
-
 std::optional<bool> differs_in(const RecordLaws& laws, std::size_t i) {
     if (const auto own = laws.laws[i].differs()) return own;
-    if (!is_at_an_end(laws.tables.laws[i])) return {};
-    const auto end = end_of(laws, i);
+    const auto end = laws.end_of(i);
     return end ? laws.laws[*end].differs() : std::nullopt;
 }
 
@@ -171,13 +155,23 @@ std::optional<bool> RecordedLaw::differs() const {
         return predicted_limit->low > measured_limit->high ||
                predicted_limit->high < measured_limit->low;
     if (!evaluation || evaluation->series.empty()) return {};
-    bool all = true;
-    for (const SeriesDeviation& one : evaluation->series) {
-        const auto differs = one.differs();
-        if (differs == false) return false;
-        all = all && differs.has_value();
-    }
-    return all ? std::optional(true) : std::nullopt;
+    std::vector<std::optional<bool>> of_models;
+    for (const SeriesDeviation& one : evaluation->series)
+        if (!is_of_springs(one.model)) of_models.push_back(one.differs());
+    if (of_models.empty())
+        for (const SeriesDeviation& one : evaluation->series)
+            of_models.push_back(static_deviation(*evaluation, one.model).differs());
+    for (const std::optional<bool> answer : {std::optional(false), std::optional<bool>()})
+        if (std::ranges::count(of_models, answer)) return answer;
+    return true;
+}
+
+bool is_of_springs(const std::string& model) {
+    return contact::model_kind(model).is_on_line();
+}
+
+const Deviation& static_deviation(const ExperimentEvaluation& e, const std::string& model) {
+    return *std::ranges::find(e.deviations, model, &Deviation::model);  // the first of a model
 }
 
 std::vector<std::size_t> RecordLaws::supported() const {
@@ -185,6 +179,22 @@ std::vector<std::size_t> RecordLaws::supported() const {
     for (std::size_t i = 0; i < laws.size(); ++i)
         if (!laws[i].is_excluded()) places.push_back(i);
     return places;
+}
+
+std::optional<std::size_t> RecordLaws::end_of(std::size_t law) const {
+    const LawFit& wide = tables.laws[law];
+    std::optional<std::size_t> nearest;
+    if (!is_at_an_end(wide)) return nearest;
+    double least = contact::infinity;
+    for (std::size_t k = 0; k < laws.size(); ++k) {
+        const LawFit& narrow = tables.laws[k];
+        const double apart =
+            std::abs(narrow.minus_two_log_likelihood - wide.minus_two_log_likelihood);
+        if (!wide.law->contains(*narrow.law) || !(apart < least)) continue;
+        nearest = k;
+        least = apart;
+    }
+    return nearest;
 }
 
 void judge(RecordLaws& laws) {
@@ -205,8 +215,7 @@ void judge(RecordLaws& laws) {
         laws.best = *std::ranges::min_element(
             left, {}, [&](std::size_t i) { return laws.tables.laws[i].aicc; });
     if (laws.named) laws.best = *laws.named;
-    if (const auto end = end_of(laws, laws.best); end && !laws.best_law().evaluation)
-        laws.best = *end;
+    if (const auto end = laws.end_of(laws.best)) laws.best = *end;
 }
 
 RecordLaws compare_record_laws(const ExperimentEvaluation& record, const ExperimentInput& input,

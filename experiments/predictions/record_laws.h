@@ -22,8 +22,9 @@ struct RecordedLaw {
     std::optional<Estimate> measured_limit, predicted_limit;
     std::string why_excluded;  ///< by tables or record; empty: it is not
 
-    /// Whether all models disagree with the record, over all periods together at 95 %, or the two
-    /// intervals of W_lim have nothing in common; empty where that cannot be told.
+    /// Whether the models disagree with the record, at 95 % over all periods together, or the two
+    /// intervals of W_lim have nothing in common; empty where that cannot be told. Springs settle
+    /// otherwise than a half-space does: where they are all models, U_stat is what they tell.
     std::optional<bool> differs() const;
     bool is_excluded() const { return !why_excluded.empty(); }
 };
@@ -39,6 +40,9 @@ struct RecordLaws {
 
     std::vector<std::size_t> supported() const;
     const RecordedLaw& best_law() const { return laws[best]; }
+    /// The compared law of fewer numbers that this one is where its numbers are at the end of their
+    /// range; empty if they are not.
+    std::optional<std::size_t> end_of(std::size_t law) const;
 };
 
 /// Finds the numbers of each law of measurement.laws by the tables, and runs the models of the case
@@ -49,6 +53,10 @@ RecordLaws compare_record_laws(const ExperimentEvaluation& record, const Experim
 
 /// Tables alone, record alone and both, in RecordLaws::laws' why_excluded, named and best.
 void judge(RecordLaws& laws);
+
+bool is_of_springs(const std::string& model);
+/// U_stat of a model in an evaluation.
+const Deviation& static_deviation(const ExperimentEvaluation& e, const std::string& model);
 
 /// Which laws tables and record support, cannot tell apart and exclude; then one of each law.
 std::vector<report::Verdict> record_law_verdicts(const RecordLaws& laws);

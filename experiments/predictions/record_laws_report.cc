@@ -59,6 +59,10 @@ Verdict laws_supported(const RecordLaws& laws) {
                            " apart.";
     if (const auto simple = only_simple_one(laws, left))
         sentence += fmt::format(" Of those of one number {} alone is left.", law_at(laws, *simple));
+    for (const std::size_t i : left)
+        if (const std::string& room = laws.tables.laws[i].not_told_from; !room.empty())
+            sentence += fmt::format(" Beside {} the tables leave room for {}.",
+                                    laws.tables.laws[i].law->name, room);
     return {not_resolved,
             sentence + " Measure the force of full sliding over a wider range of loads."};
 }
@@ -71,7 +75,13 @@ std::string limit_text(const RecordedLaw& law) {
                        report::significant(mm * law.measured_limit->high, 3));
 }
 
-std::string series_text(const SeriesDeviation& one) {
+std::string model_text(const ExperimentEvaluation& e, const SeriesDeviation& one) {
+    if (is_of_springs(one.model)) {
+        const ComparisonError& error = static_deviation(e, one.model).error;
+        return fmt::format("{}: U_stat measured minus computed {} µm",
+                           report::display_name(one.model),
+                           report::with_error(um * error.difference(), um * error.half_width(), 3));
+    }
     const std::size_t n = one.error.furthest();
     return fmt::format(
         "{}: measured minus computed {} µm at n = {}", report::display_name(one.model),
@@ -79,12 +89,17 @@ std::string series_text(const SeriesDeviation& one) {
         n);
 }
 
-std::string record_text(const RecordedLaw& law) {
+std::string record_text(const RecordLaws& laws, std::size_t i) {
+    const RecordedLaw& law = laws.laws[i];
+    if (const auto end = laws.end_of(i))
+        return fmt::format("its numbers are at the end of their range, where it is {}",
+                           law_at(laws, *end));
     if (!law.evaluation) return "the record is not compared: " + law.why_not;
     if (law.measured_limit) return limit_text(law);
     if (law.evaluation->series.empty()) return "the record has no limit";
     std::vector<std::string> models;
-    for (const SeriesDeviation& one : law.evaluation->series) models.push_back(series_text(one));
+    for (const SeriesDeviation& one : law.evaluation->series)
+        models.push_back(model_text(*law.evaluation, one));
     return fmt::format("{}", fmt::join(models, "; "));
 }
 
@@ -96,14 +111,14 @@ Verdict law_verdict(const RecordLaws& laws, std::size_t i) {
                          : differs.has_value() ? ": the record agrees"
                                                : "";
     if (fit.is_excluded()) ending += "; the tables exclude it (" + fit.why_excluded + ")";
-    Verdict verdict{
-        law.is_excluded()  ? violated
-        : differs == false ? holds
-                           : not_resolved,
-        fmt::format("{}, {}: {}{}.", law_name(fit), law_numbers(fit), record_text(law), ending)};
+    Verdict verdict{law.is_excluded()  ? violated
+                    : differs == false ? holds
+                                       : not_resolved,
+                    fmt::format("{}, {}: {}{}.", law_name(fit), law_numbers(fit),
+                                record_text(laws, i), ending)};
     verdict.subject = "law of friction: " + law_name(fit);
     verdict.number = law_numbers(fit);
-    verdict.effect = record_text(law) + ending;
+    verdict.effect = record_text(laws, i) + ending;
     return verdict;
 }
 
@@ -113,13 +128,14 @@ report::DocumentTable record_table(const RecordLaws& laws) {
         .title = "The record under each law",
         .note =
             "Largest difference over all periods in its half widths, which hold for all of "
-            "them in 95 %; of limit runs W_lim by the law's closed form. The numbers of each "
-            "law are those of the tables.",
+            "them in 95 %; of springs, which settle otherwise than a half-space does, U_stat, "
+            "which counts where they are the only models; of limit runs W_lim by the law's "
+            "closed form. The numbers of each law are those of the tables.",
         .columns = report::columns("law", "numbers", "measured and computed", "record", "verdict")};
     for (std::size_t i = 0; i < laws.laws.size(); ++i) {
         const auto differs = laws.laws[i].differs();
         table.rows.push_back({law_at(laws, i), law_numbers(laws.tables.laws[i]),
-                              record_text(laws.laws[i]),
+                              record_text(laws, i),
                               !differs   ? "not resolved"
                               : *differs ? "disagrees"
                                          : "agrees",

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "contact/base/special_values.h"
 #include "experiments/records/experiment_evaluation.h"
 #include "theory/rolling/body_rolling.h"
 #include "theory/rolling/oscillating_rolling.h"
@@ -105,8 +106,9 @@ void normalise(ExperimentEvaluation& e, const Case& given,
         return amplitude_limit(k) * contact::half_space_scales(k).contact_radius;
     });
     r.is_coulomb = c.friction.is_coulomb();
-    if (r.is_coulomb)
-        r.thesis_limit = result([](const Case& k, double) { return 1 - tangential_ratio(k); });
+    r.thesis_limit =
+        r.is_coulomb ? result([](const Case& k, double) { return 1 - tangential_ratio(k); })
+                     : Estimate{.value = contact::undefined};
     r.radius = c.indenter.radius;
     e.normalised = r;
 }
