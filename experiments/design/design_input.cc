@@ -115,6 +115,16 @@ void check_asked(const DesignInput& input, const io::Document& document) {
 void check_friction_of(const DesignInput& input, const io::Document& document) {
     const contact::Case& c = input.rig.c;
     if (input.laws.laws.empty() && c.friction.is_coulomb()) return;
+    if (!input.assumptions.empty())
+        io::refuse(document, "design.assumptions",
+                   c.friction.is_coulomb()
+                       ? "the check of rigs is about layers, and design.laws are told apart on the "
+                         "half-space"
+                       : "the check of rigs presumes Coulomb's law, tau = mu p, and the case has "
+                         "tau = " +
+                             c.friction.formula(),
+                   c.friction.is_coulomb() ? "ask for them in two files"
+                                           : "omit it, or give friction.coefficient alone");
     if (!input.laws.laws.empty() && !contact::is_hertz_round(c))
         io::refuse(document, "design.laws", "closed forms of a sphere tell laws of friction apart",
                    "give a sphere or paraboloid without roughness, or omit design.laws");
