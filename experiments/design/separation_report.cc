@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "comparisons/quantities/quantities.h"
 #include "experiments/design/design_report.h"
 #include "report/format.h"
 
@@ -84,7 +85,7 @@ nlohmann::ordered_json separation_json(const DesignStudy& study) {
         for (std::size_t i = 0; i < laws.size(); ++i) off[laws[i]] = row.off[i];
         rows.push_back(
             {{"quantity", row.quantity},
-             {"normal_force_N", row.normal_force},
+             {comparisons::quantities::normal_force.key, row.normal_force},
              {"tangential_force_N", row.tangential_force > 0 ? Json(row.tangential_force) : Json()},
              {"value", row.value},
              {"standard_error", row.standard_error},
