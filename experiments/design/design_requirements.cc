@@ -88,7 +88,7 @@ std::vector<Requirement> requirements_of(const DesignInput& input, const RigRepo
                        .unit = "1",
                        .claim = "the law of friction is told from " + input.laws.laws[i],
                        .relation = Criterion::Relation::at_least,
-                       .limit = told_distance(),
+                       .limit = told_distance,
                        .law = i});
     for (auto one = all.begin(); one != all.end(); ++one) {
         if (std::find_if(all.begin(), one,

@@ -8,7 +8,7 @@
 #include "experiments/identification/best_sum_of_squares.h"
 #include "experiments/identification/friction_values.h"
 #include "experiments/identification/identification_models.h"
-#include "experiments/identification/law_comparison.h"
+#include "experiments/identification/law_parameters.h"
 #include "io/case/case_reader.h"
 #include "io/case/rig_keys.h"
 #include "io/keys/field_reader.h"
@@ -197,11 +197,6 @@ LawSeparation law_separation(const io::RigFile& file, const LawPlan& plan,
             separation.rows[row].off.push_back(residuals[row]);
     }
     return separation;
-}
-
-double told_distance() {
-    const double one_sided = 1.6448536269514722;  // 95 %
-    return one_sided + std::sqrt(one_sided * one_sided + excluded_aicc);
 }
 
 }  // namespace tricontact::experiments

@@ -92,7 +92,7 @@ nlohmann::ordered_json separation_json(const DesignStudy& study) {
              {"unit", row.unit},
              {"off_in_standard_errors", off}});
     }
-    return {{"at_least", told_distance()}, {"distances", distances}, {"rows", rows}};
+    return {{"at_least", told_distance}, {"distances", distances}, {"rows", rows}};
 }
 
 }  // namespace tricontact::experiments

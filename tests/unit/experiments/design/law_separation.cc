@@ -60,11 +60,11 @@ TEST(LawSeparation, OfItsOwnLawIsNone) {
         EXPECT_LT(distance, 1e-3);
 }
 
-// Of tables with noise the likelihood ratio exceeds 9.21 in 95 of 100 where D is told_distance().
+// Of tables with noise the likelihood ratio exceeds 9.21 in 95 of 100 where D is told_distance.
 TEST(LawSeparation, OfTheToldDistanceExcludesInNineteenOfTwenty) {
     const io::RigFile rig = lens(10, .05);
     LawPlan plan{.laws = {"coulomb"}, .sliding_error = .05, .shift_error = .9};
-    plan.sliding_error *= law_separation(rig, plan).distances[0] / told_distance();
+    plan.sliding_error *= law_separation(rig, plan).distances[0] / told_distance;
     plan.laws.emplace_back("shear-strength");
     std::mt19937_64 random(46);
     std::normal_distribution<double> gauss;
