@@ -66,6 +66,10 @@ refuses 'the check of rigs presumes Coulomb' --set 'design.assumptions=["small_s
 refuses 'designs have closed forms of the half-space' --set 'substrate.thickness="5 mm"'
 sed 's/^tangential_ratio.*/tangential_ratio = 0/' $design >without.toml
 refused 'static shifts need a force between 0 and what friction carries' design "$work/without.toml"
+sed 's/^coefficient = .*/shear_strength = "0.1 MPa"/' examples/rigs/sphere_parallel.toml >examples/rigs/strength.toml
+# tau_0 pi a^2/F_N, a^3 = 3 F_N R/(4 E*), E* = 6.93 MPa, the steel making it .1 % more: .302.
+refused 'the case has tau = 100 kPa; give friction.coefficient alone, or take F_lim/F_N = 0.302 of the half-space in its place' \
+    rig "$work/examples/rigs/strength.toml"
 refused 'laws of friction are compared by closed forms of the half-space' experiment "$work/$file" --set 'substrate.thickness="5 mm"'
 refused 'measurement.laws names the laws whose numbers are found' experiment "$work/$file" --set friction.coefficient=1
 sed '/^models = \["mdr"/d' $file >examples/records/without.toml
