@@ -33,8 +33,11 @@ void design_rig(DesignOptions options) {
         answer.note("design leaves out load.hold: assumptions are checked without it\n");
     for (const report::Verdict& verdict : experiments::design_verdicts(study))
         answer.add(verdict.sentence + '\n');
-    options.answer(answer.add(fmt::format("look closer: tricontact rig {}{}\n{}\n", options.file,
-                                          experiments::best_overrides(study), options.where())));
+    // The check of rigs is about layers under Coulomb's law.
+    const bool has_check = input.rig.c.layer.thickness && input.rig.c.friction.is_coulomb();
+    options.answer(
+        answer.add(fmt::format("look closer: tricontact {} {}{}\n{}\n", has_check ? "rig" : "run",
+                               options.file, experiments::best_overrides(study), options.where())));
 }
 
 }  // namespace

@@ -1,7 +1,10 @@
+#include <iterator>
 #include <nlohmann/json.hpp>
 
 #include "app/commands/command.h"
 #include "comparisons/quantities/left_out.h"
+#include "experiments/identification/identification_report.h"
+#include "experiments/predictions/record_laws.h"
 #include "experiments/predictions/record_predictions.h"
 #include "experiments/records/experiment.h"
 #include "experiments/records/experiment_report.h"
@@ -29,31 +32,53 @@ std::vector<std::string> left_out_of(const Case& c,
     return lines;
 }
 
+/// Before what the best law's models say.
+void add_laws(report::Document& document, const experiments::RecordLaws& laws) {
+    const auto verdicts = experiments::record_law_verdicts(laws);
+    document.verdicts.insert(document.verdicts.begin(), verdicts.begin(), verdicts.end());
+    document.sections.insert(document.sections.begin(), experiments::record_law_section(laws));
+    document.settings.emplace_back("law of friction of the models",
+                                   experiments::law_name(laws.tables.laws[laws.best]) + ", " +
+                                       experiments::law_numbers(laws.tables.laws[laws.best]));
+}
+
 void evaluate_records(CommandOptions options) {
     options.choose_folder();
     const experiments::ExperimentInput input =
         experiments::read_experiment(options.file, options.overrides);
-    if (input.case_file)
+    if (input.has_laws) options.reads->emplace_back("[measurement]");
+    if (input.case_file && !input.has_laws)
         io::read_case(*input.case_file, options.overrides)
             .require_rigid_interface("predictions of records");
     experiments::ExperimentEvaluation evaluation =
         experiments::evaluate_experiment(input.experiment);
     report::Document document;
     std::vector<std::string> left_out;
+    nlohmann::ordered_json laws;
     options.fill({{"experiment.json", "report.html"}}, [&] {
-        if (input.case_file)
-            experiments::add_predictions(evaluation, input,
-                                         {options.runner(), options.overrides, options.sayer()});
+        std::vector<std::string> overrides = options.overrides;
+        std::optional<experiments::RecordLaws> compared;
+        const experiments::PredictionRuns runs{options.runner(), overrides, options.sayer()};
+        if (input.has_laws) {
+            compared = experiments::compare_record_laws(evaluation, input, runs);
+            evaluation = *compared->best_law().evaluation;
+            std::ranges::copy(compared->best_law().overrides, std::back_inserter(overrides));
+            laws = experiments::record_law_json(*compared);
+        } else if (input.case_file) {
+            experiments::add_predictions(evaluation, input, runs);
+        }
         document = experiments::experiment_document(evaluation);
+        if (compared) add_laws(document, *compared);
         document.files = {{"all numbers", "experiment.json"}};
         if (input.case_file)
-            left_out = left_out_of(io::read_case(*input.case_file, options.overrides), evaluation);
+            left_out = left_out_of(io::read_case(*input.case_file, overrides), evaluation);
         for (const std::string& line : left_out)
             document.settings.emplace_back("not computed", line);
-        options.write("experiment.json", experiments::experiment_json(files::version, evaluation));
+        options.write("experiment.json",
+                      experiments::experiment_json(files::version, evaluation, laws));
         options.write_report(document, "tricontact experiment " + options.file);
     });
-    Answer answer([&] { return experiments::experiment_json(files::version, evaluation); },
+    Answer answer([&] { return experiments::experiment_json(files::version, evaluation, laws); },
                   document.answer->sentence + '\n');
     for (const auto& verdict : document.verdicts) answer.add(verdict.sentence + '\n');
     for (const std::string& line : left_out) answer.note(line + '\n');

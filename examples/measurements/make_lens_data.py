@@ -2,6 +2,7 @@
 """Writes the tables of the lens in this folder, none of them measured: closed forms of a contact of
 constant shear strength on a half-space, with noise from a stated seed. A glass lens of R = 10 mm on
 silicone, E = 1.8 MPa, nu = 1/2, tau_0 = 0.35 MPa.
+Beside them two tables under one load, with 3 % of noise, which leave the law open.
 usage: make_lens_data.py [FOLDER]"""
 import math
 import os
@@ -45,3 +46,13 @@ with open(os.path.join(folder, "lens_sliding.csv"), "w", encoding="utf-8") as ta
     table.write(source + "normal_force [N], sliding_force [N]\n")
     for load in (0.05, 0.1, 0.2, 0.4, 0.8, 1.2):
         table.write(f"{load}, {limit(load) + noise.gauss(0, 0.02):.4f}\n")
+with open(os.path.join(folder, "lens_one_load_shift.csv"), "w", encoding="utf-8") as table:
+    table.write(source + "tangential_force [N], shift [um], shift_error [um]\n")
+    for k in range(1, 7):
+        force = round(0.12 * k * limit(0.5), 4)
+        true = 1e6 * shift(0.5, force)
+        table.write(f"{force:.4f}, {true * (1 + noise.gauss(0, 0.03)):.2f}, {0.03 * true:.2f}\n")
+with open(os.path.join(folder, "lens_one_load_sliding.csv"), "w", encoding="utf-8") as table:
+    table.write(source + "normal_force [N], sliding_force [N], sliding_force_error [N]\n")
+    for _ in range(3):
+        table.write(f"0.5, {limit(0.5) * (1 + noise.gauss(0, 0.03)):.4f}, {0.03 * limit(0.5):.4f}\n")

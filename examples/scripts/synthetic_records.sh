@@ -2,9 +2,9 @@
 # Writes records as a vibrometer would give them, from what a model says about a case: truth plus
 # drift, a table that wobbles with the drive, noise, rounding, and contacts that differ by 1 % from
 # run to run. Equal seeds, equal bytes, whatever the awk.
-# usage: synthetic_records.sh PROGRAM CASE.toml MODEL FOLDER
+# usage: synthetic_records.sh PROGRAM CASE.toml MODEL FOLDER [SPEED in m/s, else 1e-3]
 set -euo pipefail
-[ $# -eq 4 ] || { sed -n '/^# usage/s/^# //p' "${BASH_SOURCE[0]}" >&2; exit 2; }
+[ $# -eq 4 ] || [ $# -eq 5 ] || { sed -n '/^# usage/s/^# //p' "${BASH_SOURCE[0]}" >&2; exit 2; }
 program=$1 case_file=$2 model=$3 folder=$4
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
@@ -13,12 +13,12 @@ mkdir -p "$folder"
 "$program" run "$case_file" --models "$model" --output "$work" --no-report --no-studies --quiet \
     --set output.vtk=none --set rolling.run_all=true
 for run in 1 2 3; do
-    awk -F, -v seed="$run" -v case_file="$(basename "$case_file")" -v model="$model" '
+    awk -F, -v speed="${5:-1e-3}" -v seed="$run" -v case_file="$(basename "$case_file")" -v model="$model" '
         # Park and Miller (1988): exact in double precision.
         function uniform() { state = (16807 * state) % 2147483647; return state / 2147483647 }
         function gauss() { return sqrt(-2 * log(uniform())) * cos(6.283185307179586 * uniform()) }
         BEGIN {
-            speed = 1e-3; sampling = 0.05; rest = 30; drift = 1e-9    # SI units
+            sampling = 0.05; rest = 30; drift = 1e-9    # SI units
             noise = 60e-9; resolution = 80e-9; wobble = 1.5e-3; spread = 0.01
             state = 1000 + seed
             for (i = 0; i < 10; i++) uniform()

@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <functional>
@@ -136,6 +138,16 @@ void check_covered(const io::RigFile& file) {
         if (ratio != 0)
             io::refuse(document, key, "the formulas of rigs are those of constant loads",
                        "omit it; tricontact run computes loads that oscillate");
+    if (!c.friction.is_coulomb()) {
+        const contact::HalfSpaceScales hertz = contact::half_space_scales(c);
+        contact::require_coulomb(
+            c, "the check of rigs",
+            document.place_of(c.friction.coefficient ? "friction.coefficient"
+                                                     : "friction.shear_strength") +
+                ": friction",
+            fmt::format("take F_lim/F_N = {:.3g} of the half-space in its place",
+                        hertz.friction_limit / hertz.normal_force));
+    }
     if (!c.layer.thickness)
         io::fail(document.place_of("substrate.thickness"), "", "missing key substrate.thickness",
                  "add thickness = \"8 mm\" or the like: rig needs substrate.thickness");

@@ -199,6 +199,7 @@ report::Document design_document(const DesignStudy& study) {
     const bool has_both = study.input.resolution && study.requirements.size() > 1;
     if (has_both) section.figures.push_back(front_figure(study));
     section.tables.push_back(requirements_table(study));
+    if (study.separation) section.tables.push_back(planned_table(study));
     document.sections.push_back(std::move(section));
     return document;
 }

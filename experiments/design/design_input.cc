@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "contact/case.h"
 #include "io/case/case_reader.h"
 #include "io/case/rig_keys.h"
 #include "io/keys/field_reader.h"
@@ -34,13 +35,17 @@ io::Document varied_of(const io::Document& document) {
 void check(const io::Study::Axis& axis) {
     constexpr std::array<std::string_view, 6> sections{"indenter", "substrate", "friction",
                                                        "load",     "rolling",   "rig"};
+    constexpr std::string_view ratio = "design.load_ratio";
     const std::string name = "design.vary." + std::string(axis.key->path);
-    const bool is_of_rig = std::ranges::count(sections, axis.key->section()) > 0;
+    const bool is_of_rig =
+        std::ranges::count(sections, axis.key->section()) > 0 || axis.key->path == ratio;
     const bool is_one =
         axis.key->kind == io::Key::Kind::quantity || axis.key->kind == io::Key::Kind::number;
     if (!is_of_rig || !is_one)
-        io::fail(axis.place, name, "is no number of the rig",
-                 "vary numbers of [indenter], [substrate], [friction], [load], [rolling], [rig]");
+        io::fail(
+            axis.place, name, "is no number of the rig",
+            "vary numbers of [indenter], [substrate], [friction], [load], [rolling], [rig], or "
+            "design.load_ratio");
     const auto* range = std::get_if<io::Study::Range>(&axis.values);
     if (!range) io::fail(axis.place, name, "must be a range", "write {from = ..., to = ...}");
     if (range->points)
@@ -74,14 +79,21 @@ void read_keys(DesignInput& input, const io::Document& document) {
     read("design.scatter", &input.record.scatter);
     read("design.repeats", &input.record.repeats);
     read("record.resolution", &input.record.step);
+    if (document.find("design.laws")) {
+        read("design.laws", &input.laws.laws);
+        read("design.sliding_error", &input.laws.sliding_error);
+        read("design.shift_error", &input.laws.shift_error);
+        if (document.find("design.limit_error"))
+            read("design.limit_error", &input.laws.limit_error);
+    }
 }
 
 void check_asked(const DesignInput& input, const io::Document& document) {
     const io::Document::Section& section = *document.find_section("design");
-    if (input.assumptions.empty() && !input.resolution)
+    if (input.assumptions.empty() && !input.resolution && input.laws.laws.empty())
         io::fail(section.place, "", "[design] asks for nothing",
-                 "name design.assumptions that shall hold, or the design.resolution that the "
-                 "comparison shall have");
+                 "name design.assumptions that shall hold, the design.resolution that the "
+                 "comparison shall have, or design.laws that shall be told apart");
     if (input.axes.empty())
         io::fail(section.place, "", "[design] varies nothing",
                  "add [design.vary] with for example substrate.thickness = {from = \"4 mm\", to = "
@@ -97,6 +109,44 @@ void check_asked(const DesignInput& input, const io::Document& document) {
                    "neither a number of the case nor the record is uncertain: any comparison "
                    "would see everything",
                    "write for example thickness = \"8 ± 0.1 mm\", or add design.scatter");
+}
+
+/// Closed forms of the half-space tell laws apart, and predict under others than Coulomb's.
+void check_friction_of(const DesignInput& input, const io::Document& document) {
+    const contact::Case& c = input.rig.c;
+    if (input.laws.laws.empty() && c.friction.is_coulomb()) return;
+    if (!input.assumptions.empty())
+        io::refuse(document, "design.assumptions",
+                   c.friction.is_coulomb()
+                       ? "the check of rigs is about layers, and design.laws are told apart on the "
+                         "half-space"
+                       : "the check of rigs presumes Coulomb's law, tau = mu p, and the case has "
+                         "tau = " +
+                             c.friction.formula(),
+                   c.friction.is_coulomb() ? "ask for them in two files"
+                                           : "omit it, or give friction.coefficient alone");
+    if (!input.laws.laws.empty() && !contact::is_hertz_round(c))
+        io::refuse(document, "design.laws", "closed forms of a sphere tell laws of friction apart",
+                   "give a sphere or paraboloid without roughness, or omit design.laws");
+    if (document.find("friction.map"))
+        io::refuse(document, "friction.map",
+                   "designs have one law of friction over the whole substrate", "omit it");
+    if (c.layer.thickness)
+        io::refuse(document, "substrate.thickness",
+                   "under laws of friction other than Coulomb's, and to tell them apart, designs "
+                   "have closed forms of the half-space",
+                   "omit it, or give friction.coefficient alone without design.laws");
+    const io::MeasurementLaw* own = law_of(c.friction);
+    for (const std::string& name : input.laws.laws) {
+        const io::MeasurementLaw& law = io::measurement_law(name);
+        if (own && (own == &law || law.contains(*own)))
+            io::refuse(
+                document, "design.laws",
+                name + (own == &law ? " is the law of [friction] itself"
+                                    : " contains the law of [friction], " + std::string(own->name) +
+                                          ": no table tells them apart"),
+                "name others, or state that of [friction] otherwise");
+    }
 }
 
 }  // namespace
@@ -139,6 +189,7 @@ DesignInput read_design(const io::RigFile& rig) {
             input.axes.push_back({std::move(axis), std::move(uncertainty)});
         }
     check_asked(input, document);
+    check_friction_of(input, document);
     return input;
 }
 

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "experiments/design/law_separation.h"
 #include "experiments/design/planned_comparison.h"
 #include "io/case/rig_file.h"
 #include "io/case/study_reader.h"
@@ -28,6 +29,7 @@ struct DesignInput {
     std::optional<double> resolution;      ///< that the comparison shall have, relative
     std::string quantity;                  ///< that is compared
     RecordPlan record;
+    LawPlan laws;
 
     /// The rig with its keys at these fractions of their ranges, each with the uncertainty that the
     /// file states. Throws contact::InputError where that is no rig.

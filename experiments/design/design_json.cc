@@ -86,6 +86,7 @@ std::string design_json(const DesignStudy& study) {
                    {"varied", varied},
                    {"requirements", requirements},
                    {"comparison", comparison_json(study)},
+                   {"separation", separation_json(study)},
                    {"points", points}};
     return all.dump(2) + '\n';
 }

@@ -82,11 +82,19 @@ std::vector<Requirement> requirements_of(const DesignInput& input, const RigRepo
                        .unit = "1",
                        .claim = {},
                        .limit = *input.resolution});
+    for (std::size_t i = 0; i < input.laws.laws.size(); ++i)
+        all.push_back({.name = "separation from " + input.laws.laws[i],
+                       .symbol = "D",
+                       .unit = "1",
+                       .claim = "the law of friction is told from " + input.laws.laws[i],
+                       .relation = Criterion::Relation::at_least,
+                       .limit = told_distance,
+                       .law = i});
     for (auto one = all.begin(); one != all.end(); ++one) {
         if (std::find_if(all.begin(), one,
                          [&](const Requirement& other) { return other.name == one->name; }) != one)
-            io::refuse(input.rig.document, "design.assumptions", one->name + " is asked for twice",
-                       "name each once");
+            io::refuse(input.rig.document, one->law ? "design.laws" : "design.assumptions",
+                       one->name + " is asked for twice", "name each once");
         if (!(one->limit > 0))
             io::refuse(input.rig.document, "design.assumptions",
                        one->name + " has the limit 0, over which no margin is defined", "omit it");

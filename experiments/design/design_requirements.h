@@ -17,6 +17,8 @@ struct Requirement {
     std::string claim;   ///< the assumption; empty: the comparison
     Criterion::Relation relation = Criterion::Relation::at_most;
     double limit = 0;
+    /// Of design.laws, the place of the law that this one is about.
+    std::optional<std::size_t> law = {};
 
     /// Of a finding over its limit, or of the limit over what it is at least: met up to 1.
     double ratio(double finding) const;
@@ -25,7 +27,8 @@ struct Requirement {
     bool is_resolution() const { return claim.empty(); }
 };
 
-/// Those of the assumptions and criteria that the input names, in its order, then the resolution.
+/// Those of the assumptions and criteria that the input names, in its order, then the resolution
+/// and the laws of friction.
 /// `report`: of the rig as the file has it. Throws contact::InputError at a name that the check of
 /// this rig does not have, at one that has no number, and at a limit of zero.
 std::vector<Requirement> requirements_of(const DesignInput& input, const RigReport& report);

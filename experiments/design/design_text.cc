@@ -140,6 +140,7 @@ std::vector<report::Verdict> design_verdicts(const DesignStudy& study) {
         verdicts.push_back({.sentence = axis_sentence(study, axis)});
     for (std::size_t i = 0; i < study.requirements.size(); ++i)
         verdicts.push_back(requirement_verdict(study, i));
+    if (study.separation) verdicts.push_back({.sentence = planned_sentence(study)});
     if (study.comparison)
         verdicts.push_back({.sentence = "The comparison's uncertainty is that of " +
                                         largest_contributors(*study.comparison, most_contributors) +

@@ -10,10 +10,13 @@
 #include "contact/base/error.h"
 #include "contact/base/interruption.h"
 #include "contact/base/special_values.h"
+#include "contact/load_path.h"
+#include "contact/models/model_kind.h"
 #include "experiments/assumptions/rig_quantities.h"
 #include "experiments/predictions/rig_body.h"
 #include "experiments/predictions/rig_growth.h"
 #include "experiments/predictions/uncertain_case.h"
+#include "theory/rolling/body_rolling.h"
 
 namespace tricontact::experiments {
 
@@ -34,7 +37,32 @@ RigReport report_of(const DesignInput& input, const io::RigFile& file,
     return check_rig(rig_of_values(file, runner), {}, rolled_growth);
 }
 
+/// Of springs under another law of friction than Coulomb's, about which no map is.
+double predicted_under_law(const Case& c, const std::string& quantity) {
+    const contact::HalfSpaceScales hertz = contact::half_space_scales(c);
+    if (quantity == "indentation") return hertz.indentation;
+    if (quantity == "contact_radius") return hertz.contact_radius;
+    const double force = c.load.tangential_force.value_or(c.load.tangential_ratio.value_or(0) *
+                                                          hertz.friction_limit);
+    const double f = force / hertz.friction_limit;
+    if (f > 1)
+        throw contact::InputError(
+            fmt::format("load.tangential_force = {:.4g} N: friction carries {:.4g} N alone", force,
+                        hertz.friction_limit));
+    if (quantity == "static_shift") return hertz.unit_shift * theory::static_shift_ratio(c, f);
+    if (!c.rolling) throw contact::InputError(quantity + ": the case has no [rolling]");
+    const double w = contact::path_amplitude(c, hertz.contact_radius) / hertz.contact_radius;
+    const auto settled = theory::bed_settled_shift_ratio(c, w, f);
+    if (quantity != "settled_shift" || !settled)
+        throw contact::InputError(
+            quantity + (settled ? ": no theory gives it under this law of friction; take settled_"
+                                  "shift or static_shift"
+                                : ": the contact ratchets"));
+    return hertz.unit_shift * *settled;
+}
+
 atlas::Value predicted(const Case& c, const std::string& model, const std::string& quantity) {
+    if (!c.friction.is_coulomb()) return {predicted_under_law(c, quantity)};
     const atlas::Prediction p = atlas::predict(c, model);
     for (const auto& entry : p.entries)
         if (entry.quantity->key == quantity + "_m") return entry.value;
@@ -68,10 +96,13 @@ class Evaluation {
         try {
             const io::RigFile file = study_.input.at(fractions);
             const RigReport report = report_of(study_.input, file, runner_);
+            LawSeparation laws;
+            if (!study_.input.laws.laws.empty()) laws = law_separation(file, study_.input.laws);
             for (std::size_t i = 0; i < ratios.size(); ++i) {
                 const auto& one = study_.requirements[i];
                 ratios[i] =
-                    one.is_resolution()
+                    one.law ? one.ratio(laws.distances[*one.law])
+                    : one.is_resolution()
                         ? one.ratio(comparison_of(study_.input, file, study_.model).resolution())
                         : ratio_in(report, one);
             }
@@ -100,7 +131,10 @@ class Evaluation {
 DesignStudy design_study(const DesignInput& input, const contact::ModelRunner& runner) {
     DesignStudy study{.title = input.rig.c.title, .input = input};
     study.requirements = requirements_of(input, report_of(input, input.rig, runner));
-    if (input.resolution) study.model = atlas::predictable_models(input.rig.c).back();
+    if (input.resolution)
+        study.model = input.rig.c.friction.is_coulomb()
+                          ? atlas::predictable_models(input.rig.c).back()
+                          : contact::models::mdr;
     Evaluation evaluation(study, runner);
     study.solution = search_design(std::ref(evaluation), input.axes.size());
     const auto& best = study.solution.best;
@@ -110,6 +144,8 @@ DesignStudy design_study(const DesignInput& input, const contact::ModelRunner& r
             evaluation.reason().empty() ? "a criterion is missing" : evaluation.reason()));
     if (input.resolution)
         study.comparison = comparison_of(input, input.at(best.fractions), study.model);
+    if (!input.laws.laws.empty())
+        study.separation = law_separation(input.at(best.fractions), input.laws);
     return study;
 }
 

@@ -56,7 +56,7 @@ void check_laws(const Input& input, const std::vector<std::string>& find,
 void check_loads(const Input& input, const io::Document& document) {
     const auto* shifts = input.find(Measurement::static_shift);
     if (!shifts || shifts->normal_forces.empty()) return;
-    if (document.find("load.normal_force"))
+    if (document.find("load.normal_force") && !document.find_section("record"))
         io::refuse(document, "load.normal_force",
                    "the rows of static_shift state their own normal forces", "omit it");
     if (input.find(Measurement::rolling_shift))

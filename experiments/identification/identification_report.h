@@ -87,6 +87,10 @@ std::string shown(const IdentifiedModel& model, std::size_t k);
 /// was measured, which one is to be used, what cannot be told apart or at all.
 std::vector<report::Verdict> identification_verdicts(const IdentificationStudy& study);
 
+/// "shear-strength (tau_0)".
+std::string law_name(const LawFit& fit);
+/// "E = 1.80 MPa (1.76 MPa to 1.84 MPa), tau_0 = 350 kPa (347 kPa to 353 kPa)".
+std::string law_numbers(const LawFit& fit);
 /// Which laws of friction the data support, cannot tell apart and exclude; empty if none were
 /// compared.
 std::vector<report::Verdict> law_verdicts(const IdentificationStudy& study);

@@ -19,10 +19,6 @@ namespace {
 using report::Verdict;
 using enum Verdict::Standing;
 
-std::string law_name(const LawFit& fit) {
-    return fmt::format("{} ({})", fit.law->name, fit.law->formula);
-}
-
 std::string number_text(const LawFit& fit, std::size_t k) {
     const bool is_at_reference = fit.law->has_exponent && fit.found.free[k].symbol == "mu" &&
                                  std::isfinite(fit.found.parameters[k].likelihood.high);
@@ -30,13 +26,6 @@ std::string number_text(const LawFit& fit, std::size_t k) {
            (is_at_reference ? " at p_r = " + report::given_quantity(
                                                  *fit.input.rig.friction.reference_pressure, "Pa")
                             : "");
-}
-
-std::string numbers_text(const LawFit& fit) {
-    std::string text;
-    for (std::size_t k = 0; k < fit.found.free.size(); ++k)
-        text += (k == 0 ? "" : ", ") + number_text(fit, k);
-    return text;
 }
 
 Verdict law_supported(const LawComparison& laws) {
@@ -85,7 +74,7 @@ std::optional<Verdict> numbers_of_others(const LawComparison& laws) {
     for (const std::size_t i : laws.supported())
         if (i != laws.best)
             sentence += fmt::format("{}under {} {}", sentence.empty() ? "Not excluded: " : "; ",
-                                    laws.laws[i].law->name, numbers_text(laws.laws[i]));
+                                    laws.laws[i].law->name, law_numbers(laws.laws[i]));
     if (sentence.empty()) return {};
     return Verdict{finding, sentence + "."};
 }
@@ -116,16 +105,27 @@ std::optional<Verdict> coulomb_beside_strength(const LawComparison& laws) {
         return Verdict{violated,
                        fmt::format("Coulomb's law was assumed, and a half-space with a shear "
                                    "strength excludes it ({}): {}. E and mu are not to be used.{}",
-                                   coulomb.why_excluded, numbers_text(strength), what_to_do)};
+                                   coulomb.why_excluded, law_numbers(strength), what_to_do)};
     return Verdict{
         not_resolved,
         fmt::format("Coulomb's law is assumed, and not told from a shear strength, which explains "
                     "the tables {} on a half-space ({}): {}.{}",
                     strength.aicc < coulomb.aicc ? "better" : "nearly as well", both,
-                    numbers_text(strength), what_to_do)};
+                    law_numbers(strength), what_to_do)};
 }
 
 }  // namespace
+
+std::string law_name(const LawFit& fit) {
+    return fmt::format("{} ({})", fit.law->name, fit.law->formula);
+}
+
+std::string law_numbers(const LawFit& fit) {
+    std::string text;
+    for (std::size_t k = 0; k < fit.found.free.size(); ++k)
+        text += (k == 0 ? "" : ", ") + number_text(fit, k);
+    return text;
+}
 
 std::vector<Verdict> law_verdicts(const IdentificationStudy& study) {
     std::vector<Verdict> verdicts;
@@ -164,7 +164,7 @@ report::DocumentTable law_table(const LawComparison& laws) {
         const auto test = std::ranges::min_element(fit.wider, {}, &NestedTest::chance);
         const bool has = test != fit.wider.end();
         table.rows.push_back(
-            {std::string(fit.law->name), std::string(fit.law->formula), numbers_text(fit),
+            {std::string(fit.law->name), std::string(fit.law->formula), law_numbers(fit),
              fit.minus_two_log_likelihood, fit.aicc, fit.aicc_difference,
              has ? test->likelihood_ratio : contact::undefined,
              has ? std::string(test->wider->name) : "",
@@ -186,7 +186,7 @@ std::string law_lines(const LawComparison& laws) {
                 ? ""
                 : fmt::format("{}, {}", report::significant(test->likelihood_ratio, 3),
                               report::p_value(test->chance)),
-            numbers_text(fit));
+            law_numbers(fit));
     }
     return text;
 }

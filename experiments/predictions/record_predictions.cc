@@ -49,7 +49,7 @@ class RecordPredictions {
             evaluation_.uncertain_numbers.emplace_back(one.key->path);
         evaluation_.correlation = input_.correlations.of(evaluation_.uncertain_numbers);
         normalise(evaluation_, c,
-                  uncertain_case(c, hertz.normal_force, amplitude, input_.uncertain).quantities);
+                  uncertain_case(c, hertz.friction_limit, amplitude, input_.uncertain).quantities);
         for (const std::string& model : c.models)
             if (evaluation_.kind == Experiment::Kind::limit)
                 add_states(model, c);
@@ -63,6 +63,11 @@ class RecordPredictions {
             throw contact::InputError(*input_.case_file +
                                       ": indenter.shape: records are compared with the formulas of "
                                       "a sphere; give that, or a paraboloid");
+        if (c.friction.map)
+            throw contact::InputError(
+                *input_.case_file +
+                ": friction.map: records are compared under one law of friction over the whole "
+                "substrate; leave the map out, tricontact run computes it");
         if (c.load.is_by_limit())
             throw contact::InputError(
                 fmt::format("{}: {}: the rig sets a force; give load.tangential_force",
@@ -137,17 +142,16 @@ class RecordPredictions {
         Case followed = c;
         followed.load.normal_force = recorded_->normal_force.mean;
         if (c.load.tangential_ratio)
-            followed.load.tangential_ratio =
-                recorded_->tangential_force.mean /
-                (c.friction_coefficient() * recorded_->normal_force.mean);
+            followed.load.tangential_ratio = recorded_->tangential_force.mean /
+                                             contact::half_space_scales(followed).friction_limit;
         else
             followed.load.tangential_force = recorded_->tangential_force.mean;
         return followed;
     }
     static Case as_set(const Case& c) {
-        return as_the_rig_sets(
-            c, *c.load.normal_force,
-            contact::path_amplitude(c, contact::half_space_scales(c).contact_radius));
+        const contact::HalfSpaceScales hertz = contact::half_space_scales(c);
+        return as_the_rig_sets(c, hertz.friction_limit,
+                               contact::path_amplitude(c, hertz.contact_radius));
     }
 
     Case as_run(const Case& c) const { return recorded_ ? recorded_->followed_by(as_set(c)) : c; }
@@ -189,9 +193,9 @@ class RecordPredictions {
         ModelPrediction prediction{
             name, shift_of(history), state_of(history), wobble_of(c, history), {}};
         const UncertainCase uncertain =
-            recorded_ ? uncertain_case(c, input_.uncertain)
-                      : uncertain_case(c, history.friction_limit / c.friction_coefficient(),
-                                       history.amplitude, input_.uncertain);
+            recorded_
+                ? uncertain_case(c, input_.uncertain)
+                : uncertain_case(c, history.friction_limit, history.amplitude, input_.uncertain);
         for (const CaseQuantity& quantity : uncertain.quantities)
             prediction.raised.push_back(raised(name, uncertain.set, quantity, prediction.shift));
         if (!prediction.raised.empty()) {

@@ -19,13 +19,13 @@ using contact::Case;
 
 /// Of an uncertain f_T or w: the force, or the length, that the rig sets.
 std::optional<CaseQuantity> set_quantity(const io::CaseKey& key, double standard_error, Case c,
-                                         double normal_force, double amplitude) {
+                                         double friction_limit, double amplitude) {
     const double* stated = io::number_of(key, c);
     const std::string name(key.path);
     if (stated && name == "load.tangential_ratio")
         return CaseQuantity{
             .name = name,
-            .standard_error = standard_error * c.friction_coefficient() * normal_force,
+            .standard_error = standard_error * friction_limit,
             .of_case = [](Case& set) -> double& { return *set.load.tangential_force; }};
     if (stated && name == "rolling.amplitude_ratio")
         return CaseQuantity{
@@ -37,13 +37,13 @@ std::optional<CaseQuantity> set_quantity(const io::CaseKey& key, double standard
 
 }  // namespace
 
-UncertainCase uncertain_case(const Case& c, double normal_force, double amplitude,
+UncertainCase uncertain_case(const Case& c, double friction_limit, double amplitude,
                              const std::vector<io::UncertainKey>& uncertain) {
-    UncertainCase result{as_the_rig_sets(c, normal_force, amplitude), {}};
+    UncertainCase result{as_the_rig_sets(c, friction_limit, amplitude), {}};
     for (const io::UncertainKey& one : uncertain) {
         const io::CaseKey& key = *io::find_key(one.key->path);
         const double error = one.number.value.standard_error;
-        auto quantity = set_quantity(key, error, c, normal_force, amplitude);
+        auto quantity = set_quantity(key, error, c, friction_limit, amplitude);
         if (!quantity && !io::number_of(key, result.set))
             throw contact::InputError(fmt::format(
                 "{}: {}: an uncertainty of this ratio is not propagated; state the length or the "
@@ -64,7 +64,7 @@ UncertainCase uncertain_case(const Case& c, double normal_force, double amplitud
 UncertainCase uncertain_case(const Case& c, const std::vector<io::UncertainKey>& uncertain) {
     const contact::HalfSpaceScales scales = contact::half_space_scales(c);
     const double amplitude = c.rolling ? contact::path_amplitude(c, scales.contact_radius) : 0;
-    return uncertain_case(c, scales.normal_force, amplitude, uncertain);
+    return uncertain_case(c, scales.friction_limit, amplitude, uncertain);
 }
 
 std::vector<double> steepest_direction(const std::vector<double>& changes,

@@ -18,13 +18,13 @@ struct UncertainCase {
     std::vector<std::string> names() const;
 };
 
-/// `c` as it was read. `normal_force` [N], `amplitude` [m]: what its ratios stand for. Throws
+/// `c` as it was read. `friction_limit` [N], `amplitude` [m]: what its ratios are of. Throws
 /// contact::InputError, naming the place, for a number that the resolved case does not state, such
 /// as a ratio of a layer's thickness.
-UncertainCase uncertain_case(const contact::Case& c, double normal_force, double amplitude,
+UncertainCase uncertain_case(const contact::Case& c, double friction_limit, double amplitude,
                              const std::vector<io::UncertainKey>& uncertain);
 
-/// The same by the half-space's F_N and the case's amplitude.
+/// The same by what friction carries on the half-space and the case's amplitude.
 UncertainCase uncertain_case(const contact::Case& c,
                              const std::vector<io::UncertainKey>& uncertain);
 

@@ -47,6 +47,8 @@ struct ExperimentInput {
     std::optional<std::string> case_file;     ///< the file itself, if it describes a contact
     std::vector<io::UncertainKey> uncertain;  ///< numbers of that case
     statistics::Correlations correlations;    ///< of these, by their keys
+    /// [measurement] names laws of friction, whose numbers its tables tell: the case has none.
+    bool has_laws = false;
 };
 
 /// Reads the file and the records that it names. Without `models` it holds records alone. Throws

@@ -54,8 +54,8 @@ report::Verdict limit_within_verdict(const ExperimentEvaluation& e, const ModelP
 report::Verdict slides_verdict(const ModelPrediction& p) {
     return {
         Standing::not_resolved,
-        fmt::format("{}: within the uncertainty of the case F_T reaches mu F_N, and the contact "
-                    "slides: nothing bounds the shift.",
+        fmt::format("{}: within the uncertainty of the case F_T reaches what friction carries, and the "
+                    "contact slides: nothing bounds the shift.",
                     report::display_name(p.model))};
 }
 

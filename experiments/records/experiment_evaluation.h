@@ -54,13 +54,16 @@ struct CaseQuantity {
 
 /// Measured quantities over Hertz' scales of the case, as the thesis normalises (3.1.4).
 struct NormalisedResults {
-    Estimate tangential_ratio;  ///< f_T = F_T/(mu F_N)
+    Estimate tangential_ratio;  ///< f_T = F_T/F_lim; of Coulomb's law F_lim = mu F_N
     Estimate amplitude_ratio;   ///< w = W/a; of a limit run w_lim
     Estimate unit_shift;        ///< U_max [m]
     /// Over U_max; the final one of a limit run is u_lim.
     Estimate static_ratio, final_ratio, increment_ratio;
-    /// w_lim of the half-space by f_T alone: 1 - 3/2 w + 1/2 w^3 = f_T, and the thesis' 1 - f_T.
+    /// w_lim of the half-space by f_T and the law of friction, of Coulomb's 1 - 3/2 w + 1/2 w^3 =
+    /// f_T, and the thesis' 1 - f_T, which is about Coulomb's alone.
     Estimate exact_limit, thesis_limit;
+    Estimate exact_limit_amplitude;  ///< the former as W_lim [m]
+    bool is_coulomb = true;
     double radius = 0;  ///< R [m]
 };
 
@@ -82,7 +85,7 @@ struct ModelPrediction {
     std::vector<std::vector<double>> ends = {};
     /// One of these settles and another ratchets: the limit lies within the uncertainty.
     std::optional<double> chance_of_ratcheting = {};
-    /// F_T reaches mu F_N at one of the ends: nothing bounds the shift.
+    /// F_T reaches what friction carries at one of the ends: nothing bounds the shift.
     bool slides_within = false;
 };
 
@@ -216,9 +219,9 @@ std::optional<LimitReading> read_limit(const RunEvaluation& run,
 LineIntersection intersect(const StageEvaluation& before, const StageEvaluation& after,
                            double confidence);
 
-/// The case with F_T [N] and W [m] in place of their ratios, which stand for this F_N [N] and W:
+/// The case with F_T [N] and W [m] in place of their ratios, of what friction carries [N] and of W:
 /// what a rig sets is a force and a length, which an error of mu or F_N does not move.
-contact::Case as_the_rig_sets(contact::Case c, double normal_force, double amplitude);
+contact::Case as_the_rig_sets(contact::Case c, double friction_limit, double amplitude);
 
 /// Adds f_T, w and the shifts over U_max, errors of the case's numbers propagated (A.1.4), F_T and
 /// W as the rig sets them: `of_case` is asked of such a case. Where nothing that a number depends

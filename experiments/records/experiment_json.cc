@@ -150,6 +150,7 @@ json normalised_json(const NormalisedResults& n) {
             {names::final_shift_ratio.key, uncertain(n.final_ratio)},
             {"increment_ratio", uncertain(n.increment_ratio)},
             {"exact_amplitude_limit", uncertain(n.exact_limit)},
+            {"exact_amplitude_limit_m", uncertain(n.exact_limit_amplitude)},
             {"thesis_amplitude_limit", uncertain(n.thesis_limit)}};
 }
 
@@ -177,7 +178,8 @@ static json models_json(const ExperimentEvaluation& e) {
     return models;
 }
 
-std::string experiment_json(const std::string& version, const ExperimentEvaluation& e) {
+std::string experiment_json(const std::string& version, const ExperimentEvaluation& e,
+                            const json& laws) {
     const json document{{"version", version},
                         {"title", e.title},
                         {"confidence", e.confidence},
@@ -197,6 +199,7 @@ std::string experiment_json(const std::string& version, const ExperimentEvaluati
                         {"normalised", e.normalised ? normalised_json(*e.normalised) : json()},
                         {"rolled_as", rolled_json(e)},
                         {"models", models_json(e)},
+                        {"laws", laws},
                         {"runs", report::list_of(e.runs, run_json)}};
     return document.dump(2) + '\n';
 }

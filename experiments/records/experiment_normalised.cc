@@ -1,7 +1,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "contact/base/special_values.h"
 #include "experiments/records/experiment_evaluation.h"
+#include "theory/rolling/body_rolling.h"
 #include "theory/rolling/oscillating_rolling.h"
 
 namespace tricontact::experiments {
@@ -11,8 +13,14 @@ namespace {
 using contact::Case;
 
 double tangential_ratio(const Case& c) {
-    return *c.load.tangential_force /
-           (c.friction_coefficient() * contact::half_space_scales(c).normal_force);
+    return *c.load.tangential_force / contact::half_space_scales(c).friction_limit;
+}
+
+/// w of the half-space at which the case's F_T begins to ratchet.
+double amplitude_limit(const Case& c) {
+    const double f = std::clamp(tangential_ratio(c), 0., 1.);
+    return c.friction.is_coulomb() ? theory::amplitude_limit(f)
+                                   : theory::amplitude_limit(c, f).value();
 }
 
 using OfCase = std::function<double(const Case&, double measured)>;
@@ -53,10 +61,9 @@ Estimate propagated(const OfCase& f, Case c, const std::vector<CaseQuantity>& qu
 
 }  // namespace
 
-Case as_the_rig_sets(Case c, double normal_force, double amplitude) {
+Case as_the_rig_sets(Case c, double friction_limit, double amplitude) {
     if (c.load.tangential_ratio) {
-        c.load.tangential_force =
-            *c.load.tangential_ratio * c.friction_coefficient() * normal_force;
+        c.load.tangential_force = *c.load.tangential_ratio * friction_limit;
         c.load.tangential_ratio.reset();
     }
     if (c.rolling && c.rolling->amplitude_ratio) {
@@ -71,7 +78,7 @@ void normalise(ExperimentEvaluation& e, const Case& given,
     const contact::HalfSpaceScales hertz = contact::half_space_scales(given);
     const double amplitude =
         given.rolling ? contact::rolling_amplitude(*given.rolling, hertz.contact_radius) : 0;
-    const Case c = as_the_rig_sets(given, hertz.normal_force, amplitude);
+    const Case c = as_the_rig_sets(given, hertz.friction_limit, amplitude);
     const auto result = [&](const OfCase& f, const Estimate& measured = {}) {
         return propagated(f, c, quantities, e.correlation, measured);
     };
@@ -94,11 +101,14 @@ void normalise(ExperimentEvaluation& e, const Case& given,
     if (!std::isfinite(last.standard_error)) last.standard_error = 0;  // lines nearly parallel
     r.final_ratio = result(over_unit, last);
     r.increment_ratio = result(over_unit, e.increment.at_confidence);
-    r.exact_limit = result([](const Case& k, double) {
-        return theory::amplitude_limit(std::clamp(tangential_ratio(k), 0., 1.));
+    r.exact_limit = result([](const Case& k, double) { return amplitude_limit(k); });
+    r.exact_limit_amplitude = result([](const Case& k, double) {
+        return amplitude_limit(k) * contact::half_space_scales(k).contact_radius;
     });
-    r.thesis_limit = result([](const Case& k, double) { return 1 - tangential_ratio(k); });
-
+    r.is_coulomb = c.friction.is_coulomb();
+    r.thesis_limit =
+        r.is_coulomb ? result([](const Case& k, double) { return 1 - tangential_ratio(k); })
+                     : Estimate{.value = contact::undefined};
     r.radius = c.indenter.radius;
     e.normalised = r;
 }

@@ -114,7 +114,14 @@ ExperimentInput read_experiment(const std::string& path,
     read_keys(e, document);
     if (const io::Entry* title = document.find("title"))
         io::read_field(*io::find_key("title"), *title, &e.title);
-    if (document.find("models")) {
+    input.has_laws = document.find("measurement.laws") != nullptr;
+    if (input.has_laws) {
+        if (!document.find("models"))
+            io::refuse(document, "measurement.laws",
+                       "records are held against models under each law, and the file names none",
+                       "add models = [\"mdr\", \"bem\"]");
+        input.case_file = path;
+    } else if (document.find("models")) {
         const auto c = io::resolve_case(document, {});  // checked before the records are read
         input.case_file = path;
         input.uncertain = io::uncertain_numbers(document, c);

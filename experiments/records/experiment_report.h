@@ -24,8 +24,9 @@ std::vector<report::Verdict> limit_within_verdicts(const ExperimentEvaluation& e
 Estimate increment_of_runs(const ExperimentEvaluation& e);
 
 /// The text of experiment.json: fixed keys in fixed order, SI units in the names, undefined and
-/// non-finite numbers as null.
-std::string experiment_json(const std::string& version, const ExperimentEvaluation& e);
+/// non-finite numbers as null. `laws`: of friction that were compared, else null.
+std::string experiment_json(const std::string& version, const ExperimentEvaluation& e,
+                            const nlohmann::ordered_json& laws);
 
 /// Parts of it, of which the tables are made.
 nlohmann::ordered_json run_json(const RunEvaluation& run);

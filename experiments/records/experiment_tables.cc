@@ -72,11 +72,12 @@ report::DocumentTable normalised_table(const ExperimentEvaluation& e) {
     const auto add = [&](const char* name, const char* key, double unit = 1) {
         table.rows.push_back({name, report::cell_of(n.at(key), unit)});
     };
-    add("f_T = F_T/(μ F_N)", names::tangential_ratio.key);
+    const bool is_coulomb = e.normalised->is_coulomb;
+    add(is_coulomb ? "f_T = F_T/(μ F_N)" : "f_T = F_T/F_lim", names::tangential_ratio.key);
     if (limit) {
         if (e.limit_amplitude) add("w_lim = W_lim/a", names::amplitude_ratio.key);
         add("w_lim, exact for half-spaces", "exact_amplitude_limit");
-        add("w_lim of the thesis, 1 - f_T", "thesis_amplitude_limit");
+        if (is_coulomb) add("w_lim of the thesis, 1 - f_T", "thesis_amplitude_limit");
     } else if (e.normalised->amplitude_ratio.value > 0) {
         add("w = W/a", names::amplitude_ratio.key);
     }

@@ -286,6 +286,7 @@ Case RecordedPath::followed_by(const Case& c) const {
         row.offset = {along * std::cos(c.rolling->angle), along * std::sin(c.rolling->angle)};
         row.normal.value *= normal;
         row.tangential[0].value *= tangential;
+        if (!c.friction.is_coulomb()) continue;  // the model's own contact says what it carries
         const double limit = c.friction_coefficient() * row.normal.value;
         if (std::abs(row.tangential[0].value) >= limit)
             throw contact::InputError(

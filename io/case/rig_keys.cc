@@ -143,7 +143,25 @@ std::vector<Key> design_keys() {
                      "standard deviation of this result over repeated runs",
                      {.needs = "design.resolution"}),
         integer_key("design.repeats", {1, 10'000}, "3", "repeated runs",
-                    {.default_value = "1", .needs = "design.scatter"})};
+                    {.default_value = "1", .needs = "design.scatter"}),
+        list_of(choice_key("design.laws", measurement_law_choices(), R"(["coulomb", "power"])",
+                           "laws of friction that planned tables shall tell from that of "
+                           "[friction]")),
+        number_key(
+            "design.load_ratio", {1, 1e6}, "10",
+            "largest over least of the three normal forces of these tables, the largest being "
+            "load.normal_force",
+            {.default_value = "10", .needs = "design.laws"}),
+        number_key("design.sliding_error", above_zero(1), "0.03",
+                   "relative standard error of a force of full sliding",
+                   {.default_value = "0.03", .needs = "design.laws"}),
+        number_key("design.shift_error", above_zero(1), "0.02",
+                   "relative standard error of a static shift",
+                   {.default_value = "0.02", .needs = "design.laws"}),
+        number_key("design.limit_error", above_zero(1), "0.05",
+                   "relative standard error of the amplitude at which the contact begins to "
+                   "ratchet; without it not measured",
+                   {.needs = "design.laws"})};
 }
 
 }  // namespace

@@ -49,6 +49,9 @@ relaxing = {"substrate.relaxation.relative_moduli": "[0.4]", "substrate.relaxati
 falling = {"friction.rate.law": '"linear"', "friction.rate.drops": "0.2", "friction.rate.speeds": '"5 mm/s"'}
 weakening = {"friction.weakening.law": '"linear"', "friction.weakening.drop": "0.2", "friction.weakening.length": '"20 um"'}
 yielding = {"interface.yield_stress": '"0.05 MPa"', "interface.hardening": '"1 MPa/mm"'}
+# Designs know laws of friction on the half-space, and check assumptions of layers under Coulomb's law.
+under_laws = {"design": {"substrate.thickness": None, "design.assumptions": None, "design.vary.substrate.thickness": None,
+                         "design.vary.load.normal_force": '{from = "10 N", to = "30 N"}'}}
 body = {"indenter.radius": None}
 mapped = {**body, "indenter.shape": '"height-map"', "indenter.file": '"map.txt"', "indenter.spacing": '"0.2 mm"',
           "bem.cells_per_radius": None, "bem.spacing": '"0.4 mm"', "load.normal_force": '"1 N"',
@@ -96,11 +99,13 @@ features = [
             {"load.tangential_ratio": None, "load.limit_fraction": "0.6"}),
     feature("pressing", "load.press load.press_steps", "load.press|pressed with friction", {},
             {"load.press": '"frictionless"'}, layer),
-    feature("shear strength", "friction.shear_strength", "friction|Coulomb", {}, {"friction.shear_strength": '"0.1 MPa"'}),
+    feature("shear strength", "friction.shear_strength", "friction|Coulomb", {}, {"friction.shear_strength": '"0.1 MPa"'},
+            over_for=under_laws),
     feature("friction by a power of the pressure", "friction.pressure_exponent friction.reference_pressure",
-            "friction|Coulomb", {}, {"friction.pressure_exponent": "0.7", "friction.reference_pressure": '"0.1 MPa"'}),
+            "friction|Coulomb", {}, {"friction.pressure_exponent": "0.7", "friction.reference_pressure": '"0.1 MPa"'},
+            over_for=under_laws),
     feature("friction up to a limit", "friction.strength_limit", "friction|Coulomb", {},
-            {"friction.strength_limit": '"0.1 MPa"'}),
+            {"friction.strength_limit": '"0.1 MPa"'}, over_for=under_laws),
     feature("friction over the substrate", "friction.map", "friction|Coulomb", {"friction.map": '"friction.csv"'},
             {"friction.map": '"friction_2.csv"'}),
     feature("springs of the interface", "interface.normal_stiffness interface.tangential_stiffness", "interface", {},

@@ -49,7 +49,7 @@ TEST(SteepestDirection, FollowsCorrelations) {
 // The rig sets a force: the error of f_T is that of F_T = f_T mu F_N.
 TEST(UncertainCase, PassesTheErrorOfARatioToItsForce) {
     const UncertainCase uncertain_rig = experiments::uncertain_case(
-        rig(), normal_force, 0, {uncertain("load.tangential_ratio", .02)});
+        rig(), friction * normal_force, 0, {uncertain("load.tangential_ratio", .02)});
     ASSERT_EQ(uncertain_rig.quantities.size(), 1U);
     EXPECT_DOUBLE_EQ(uncertain_rig.quantities[0].standard_error, .02 * friction * normal_force);
     EXPECT_DOUBLE_EQ(*uncertain_rig.set.load.tangential_force, .5 * friction * normal_force);

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "experiments/records/experiment_evaluation.h"
 #include "experiments/records/experiment_report.h"
@@ -54,7 +55,7 @@ TEST(Experiment, RatiosOfTheCaseStandForTheForceAndTheLengthThatTheRigSets) {
     EXPECT_NEAR(r.exact_limit.standard_error / deviation, 1, 0.02);
     const contact::HalfSpaceScales hertz = contact::half_space_scales(c);
     const contact::Case set = as_the_rig_sets(
-        c, hertz.normal_force, contact::rolling_amplitude(*c.rolling, hertz.contact_radius));
+        c, hertz.friction_limit, contact::rolling_amplitude(*c.rolling, hertz.contact_radius));
     EXPECT_NEAR(*set.load.tangential_force, 0.56 * 0.57 * 21.1, 1e-12);
     EXPECT_NEAR(*set.rolling->amplitude, 0.24 * contact::half_space_scales(c).contact_radius,
                 1e-15);
@@ -78,6 +79,31 @@ TEST(Experiment, AnErrorAtTheEndOfARangeGoesInwards) {
     const auto& unit = e.normalised->unit_shift;
     // Mirrored at its end the function bends there: steps of 0.9 % of nu leave 1e-3 of the slope.
     EXPECT_NEAR(unit.standard_error / unit.value, 0.01 * 4 / 9, 1e-3 * 0.01);
+}
+
+// Of a shear strength w_lim is where (2/pi) [arccos w - w (1 - w^2)^(1/2)] = F_T/(tau_0 pi a^2):
+// .74706 at w = .2. F_lim goes with E^(-2/3), so that f_T does with E^(2/3).
+TEST(Experiment, ALawOfFrictionHasItsOwnLimits) {
+    contact::Case c;
+    c.indenter.radius = 0.01;
+    c.substrate = {1.8e6, 0.5};
+    c.friction.shear_strength = 0.35e6;
+    c.load.normal_force = 0.5;
+    c.load.tangential_ratio = 0.74706;
+    std::mt19937_64 random(8);
+    auto e = tests::evaluated(SyntheticRecord(), random);
+    normalise(
+        e, c,
+        {{"substrate.young", 18e3, [](contact::Case& k) -> double& { return k.substrate.young; }}});
+    const auto& r = *e.normalised;
+    EXPECT_NEAR(r.tangential_ratio.value, .74706, 1e-12);
+    EXPECT_NEAR(r.tangential_ratio.standard_error / .74706, .01 * 2 / 3, 1e-5);
+    EXPECT_NEAR(r.exact_limit.value, .2, 1e-5);
+    const double radius = contact::half_space_scales(c).contact_radius;
+    EXPECT_NEAR(r.exact_limit_amplitude.value, .2 * radius, 1e-5 * radius);
+    EXPECT_FALSE(r.is_coulomb);
+    const std::string text = experiment_json("1", e, {});
+    EXPECT_NE(text.find("\"thesis_amplitude_limit\": {\n      \"value\": null"), std::string::npos);
 }
 
 std::string sentences(const ExperimentEvaluation& e) {

@@ -100,7 +100,7 @@ TEST(SeriesDeviation, IsNotToldWithoutStatedErrors) {
     EXPECT_TRUE(says(text, "MDR, all periods: the case states no uncertainty of its numbers"))
         << text;
     EXPECT_FALSE(says(text, "furthest")) << text;
-    EXPECT_TRUE(says(experiment_json("1", e), "\"furthest_period\": null"));
+    EXPECT_TRUE(says(experiment_json("1", e, {}), "\"furthest_period\": null"));
 }
 
 // As of single quantities: neither a rest that is missing nor creep is a difference of the models.
@@ -162,7 +162,7 @@ TEST(SeriesDeviation, LimitRunsHaveNone) {
     e.model_limits.push_back({"mdr", {State::shakedown, State::ratcheting}});
     EXPECT_TRUE(e.series.empty());
     EXPECT_FALSE(says(sentences(e), "all periods"));
-    EXPECT_FALSE(says(experiment_json("1", e), "\"series\""));
+    EXPECT_FALSE(says(experiment_json("1", e, {}), "\"series\""));
 }
 
 TEST(SeriesDeviation, HasAFigureWithABandPerModel) {
