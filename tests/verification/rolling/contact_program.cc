@@ -8,7 +8,9 @@
 #include <cmath>
 #include <fstream>
 #include <map>
+#include <numbers>
 #include <string>
+#include <vector>
 
 #include "bem/grid_compliance.h"
 #include "bem/model.h"
@@ -22,6 +24,7 @@
 #include "rolling/run.h"
 #include "tests/unit/rolling/problems.h"
 #include "tests/verification/contact_program_prints.h"
+#include "theory/rolling/flash_temperature.h"
 
 namespace tricontact::rolling_contact_program_test {
 namespace {
@@ -261,23 +264,27 @@ double summed_as_there(const rolling::SteadyRolling& found, const contact::Conta
 }
 
 // ertz_temperature (Ertz and Knothe 2002), all four cases: what it prints is met by its own sum
-// over this field. Where friction heats, the exact integral is lower by what a cell is too warm
-// there.
+// over this field. The exact integral is lower by what a cell is too warm there, and meets the
+// closed form of an ellipse of heat where all slides, to the strains' share of the slip.
 TEST(RollingContactProgram, TemperaturesOfTheExample) {
     const contact::ThermalBody steel{.conductivity = 50, .specific_heat = 450, .density = 7850};
-    struct Printed {
-        std::size_t number;
-        double highest, lower;
-    };
-    for (const Printed& prints :
-         {Printed{1, 166.8, .055}, {2, 75.00, 0}, {3, 241.8, .038}, {4, 90.85, .035}}) {
-        const auto found = imported("ertz_temperature", prints.number);
+    constexpr double speed = 30, slip = .03333 * speed;
+    std::vector<double> exact;
+    for (const double prints : {166.8, 75.00, 241.8, 90.85}) {
+        const auto found = imported("ertz_temperature", exact.size() + 1);
         constexpr double printed = 3e-4;  // half of the last of four digits
-        EXPECT_NEAR(summed_as_there(found, {steel, steel}, 30) / prints.highest, 1, printed)
-            << prints.number;
-        EXPECT_NEAR(found.state.temperature->value / prints.highest, 1 - prints.lower, 2e-3)
-            << prints.number;
+        EXPECT_NEAR(summed_as_there(found, {steel, steel}, speed) / prints, 1, printed);
+        exact.push_back(found.state.temperature->value);
     }
+    double highest = 0;
+    for (double x = 0; x <= 1; x += 1e-4) highest = std::max(highest, theory::elliptic_heating(x));
+    const double closed = .3 * 770.6e6 * slip / (2 * steel.effusivity()) *
+                          std::sqrt(5.88e-3 / (std::numbers::pi * speed)) * highest;
+    EXPECT_NEAR(exact[0] / closed, 1, 3e-3);
+    EXPECT_LT(exact[0] / 166.8, .92);
+    EXPECT_NEAR(exact[1], 75, 1e-9);
+    EXPECT_NEAR(exact[2] - exact[0], 75, 1e-6);
+    EXPECT_NEAR(exact[3], 89.10, .01);
 }
 
 // tractcurv, cases 31 to 60: a layer between the bodies (M = 4, k_t = GG3/LAYTHK), friction that
