@@ -47,6 +47,9 @@ no_load = {"load.*": None, "rolling.*": None, "tractive_rolling.*": None, "path.
 relaxing = {"substrate.relaxation.relative_moduli": "[0.4]", "substrate.relaxation.times": '["0.5 s"]',
             "load.press_time": '"0.5 s"'}
 falling = {"friction.rate.law": '"linear"', "friction.rate.drops": "0.2", "friction.rate.speeds": '"5 mm/s"'}
+heated = {f"{body}.heat.{key}": value for body, conductivity in (("indenter", 50), ("substrate", 0.2))
+          for key, value in (("conductivity", f'"{conductivity} W/(m K)"'), ("specific_heat", '"450 J/(kg K)"'),
+                             ("density", '"7850 kg/m3"'))}
 body = {"indenter.radius": None}
 mapped = {**body, "indenter.shape": '"height-map"', "indenter.file": '"map.txt"', "indenter.spacing": '"0.2 mm"',
           "bem.cells_per_radius": None, "bem.spacing": '"0.4 mm"', "load.normal_force": '"1 N"',
@@ -105,6 +108,8 @@ features = [
             {"interface.normal_stiffness": '"20 MPa/mm"', "interface.tangential_stiffness": '"10 MPa/mm"'}),
     feature("friction falling with the slip", "friction.rate.*", "friction.rate|friction|Coulomb", {}, falling,
             other_for={"run rolling on": {**falling, "tractive_rolling.speed": '"1 m/s"', "tractive_rolling.distance": None}}),
+    feature("temperatures of the surfaces", "indenter.heat.* substrate.heat.*", "substrate.heat|heat|[tractive_rolling]", {}, heated,
+            other_for={"run rolling on": {**heated, "tractive_rolling.speed": '"1 m/s"'}}),
     feature("layer", "substrate.thickness substrate.thickness_ratio", "substrate.thickness|layer",
             {"substrate.thickness": '"8 mm"'}, {"substrate.thickness": '"7 mm"'}),
     feature("base that glides", "substrate.base", "substrate.base|base|substrate.thickness: ", layer,
