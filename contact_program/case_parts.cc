@@ -78,7 +78,7 @@ std::string creeping_text(const ProgramCase& one, const std::string& name) {
 std::string third_body_text(const ThirdBody& layer) {
     if (layer.thickness == 0) return {};
     return fmt::format("[interface]\ntangential_stiffness = \"{} MPa/mm\"\n",
-                       1e-9 * layer.shear_modulus / layer.thickness);
+                       1e-6 * layer.shear_modulus / (1e3 * layer.thickness));
 }
 
 std::string heat_text(const std::string& body, const contact::ThermalBody& heat) {

@@ -31,16 +31,16 @@ void read_third_body(InputLines& lines, ProgramCase& one) {
 }
 
 void read_heat(InputLines& lines, ProgramCase& one) {
-    constexpr double per_mm = 1e3, per_cubic_mm = 1e9;  // in 1/m, 1/m^3
+    constexpr double cubic_mm = 1e-9;  // [m^3]
     one.heat.emplace();
     for (auto* body : {&one.heat->indenter, &one.heat->substrate}) {
         const auto v = lines.numbers(4, "BKTEMP, HEATCP, LAMBDA and DENS");
         demand_above_zero(lines, v[1], "HEATCP");
         demand_above_zero(lines, v[2], "LAMBDA");
         demand_above_zero(lines, v[3], "DENS");
-        *body = {.conductivity = v[2] * per_mm,
+        *body = {.conductivity = v[2] / a_millimetre,
                  .specific_heat = v[1],
-                 .density = v[3] * per_cubic_mm,
+                 .density = v[3] / cubic_mm,
                  .temperature = v[0]};
     }
     if (one.digits.material == 4) lines.skip_numbers(1, "BETAPL");
