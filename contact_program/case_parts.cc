@@ -84,7 +84,7 @@ std::string third_body_text(const ThirdBody& layer) {
 std::string heat_text(const std::string& body, const contact::ThermalBody& heat) {
     return fmt::format(
         "[{}.heat]\nconductivity = \"{} W/(m K)\"\nspecific_heat = \"{} J/(kg K)\"\n"
-        "density = \"{} kg/m3\"\ntemperature = \"{} degC\"\n",
+        "density = \"{:.12g} kg/m3\"\ntemperature = \"{} degC\"\n",
         body, heat.conductivity, heat.specific_heat, heat.density, heat.temperature);
 }
 
