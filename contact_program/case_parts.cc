@@ -74,6 +74,20 @@ std::string creeping_text(const ProgramCase& one, const std::string& name) {
                io::toml_number(f / (1 + f)), tau / (1 + f));
 }
 
+/// [interface] of a layer between the bodies: only G/h matters.
+std::string third_body_text(const ThirdBody& layer) {
+    if (layer.thickness == 0) return {};
+    return fmt::format("[interface]\ntangential_stiffness = \"{} MPa/mm\"\n",
+                       1e-6 * layer.shear_modulus / (1e3 * layer.thickness));
+}
+
+std::string heat_text(const std::string& body, const contact::ThermalBody& heat) {
+    return fmt::format(
+        "[{}.heat]\nconductivity = \"{} W/(m K)\"\nspecific_heat = \"{} J/(kg K)\"\n"
+        "density = \"{:.12g} kg/m3\"\ntemperature = \"{} degC\"\n",
+        body, heat.conductivity, heat.specific_heat, heat.density, heat.temperature);
+}
+
 std::string rate_text(const contact::FrictionRate& rate) {
     using Law = contact::FrictionRate::Law;
     const char* law = rate.law == Law::linear     ? "linear"
@@ -94,6 +108,10 @@ std::string rate_text(const contact::FrictionRate& rate) {
 }
 
 }  // namespace
+
+bool has_heat(const ProgramCase& one) {
+    return one.digits.heat != 0 && one.step.is_steady();
+}
 
 bool is_close(double a, double b) {
     return std::abs(a - b) <= file_rounding * std::max(std::abs(a), std::abs(b));
@@ -146,7 +164,12 @@ std::string bodies_text(const ProgramCase& one, const std::string& name) {
     text += fmt::format("[friction]\ncoefficient = {}\n",
                         io::toml_number(one.friction_coefficient > 0 ? one.friction_coefficient
                                                                      : friction_without_effect));
-    return text + (one.friction_rate && one.step.is_steady() ? rate_text(*one.friction_rate) : "");
+    if (one.friction_rate && one.step.is_steady()) text += rate_text(*one.friction_rate);
+    if (one.digits.material == 4) text += third_body_text(*one.third_body);
+    if (has_heat(one))
+        text +=
+            heat_text("indenter", one.heat->indenter) + heat_text("substrate", one.heat->substrate);
+    return text;
 }
 
 std::string normal_text(const ProgramCase& one) {
@@ -181,6 +204,11 @@ void check_alike(ProgramSequence steps, const std::string& name) {
         demand(one.poisson == head.poisson && one.shear_modulus == head.shear_modulus &&
                    one.influence == head.influence && one.influence_file == head.influence_file,
                "the material");
+        demand((one.digits.material == 4) == (head.digits.material == 4) &&
+                   (one.digits.material != 4 ||
+                    (is_close(one.third_body->shear_modulus, head.third_body->shear_modulus) &&
+                     is_close(one.third_body->thickness, head.third_body->thickness))),
+               "the layer between the bodies");
         demand(
             is_close(one.spacing[0], head.spacing[0]) && is_close(one.spacing[1], head.spacing[1]),
             "the size of the cells");

@@ -19,6 +19,9 @@ inline bool is_line_contact(const ProgramCase& one) {
 /// Both bodies; a very stiff indenter is taken for rigid (see rigid_shear_ratio).
 contact::MaterialPair materials_of(const ProgramCase& one);
 
+/// Temperatures are asked for, and a case here has them: in steady rolling.
+bool has_heat(const ProgramCase& one);
+
 /// Where the origin of a case lies in the coordinates of the file [m]: at the centre of the cell
 /// that is nearest to the body's lowest point, or under the middle node of its heights, so that
 /// both have the same cells.
@@ -26,9 +29,9 @@ contact::Vector2 origin_of_case(const ProgramCase& one);
 /// Whether the lowest point of a body lies beside that of the origin.
 bool is_beside_origin(const ProgramCase& one);
 
-/// Sections [indenter], [substrate] with what relaxes of it, [friction] and [contact] of a case
-/// file. Throws contact::InputError, naming file and line, for viscoelastic bodies that are not
-/// alike.
+/// Sections [indenter], [substrate] with what relaxes of it, [friction], [interface], [contact] and
+/// those of heat of a case file. Throws contact::InputError, naming file and line, for viscoelastic
+/// bodies that are not alike.
 std::string bodies_text(const ProgramCase& one, const std::string& name);
 /// "normal_force = ..." or "indentation = ...".
 std::string normal_text(const ProgramCase& one);

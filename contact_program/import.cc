@@ -125,7 +125,8 @@ class SequenceImport {
             found.emplace_back(
                 "FSTAT = 0 became another coefficient of friction, which has no "
                 "effect without a tangential problem (T = 0)");
-        if (last.digits.heat != 0) found.emplace_back("temperatures are not computed (H)");
+        if (last.digits.heat != 0 && !has_heat(last))
+            found.emplace_back("temperatures are not computed (H)");
         if (last.deepest > 0 && last.step.is_rolling())
             found.emplace_back("stresses inside are not computed while the contact rolls on (S)");
         const bool mixed = std::ranges::any_of(steps_, [&](const ProgramCase& one) {

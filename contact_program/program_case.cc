@@ -7,6 +7,7 @@
 
 #include "contact_program/distance_reading.h"
 #include "contact_program/friction_reading.h"
+#include "contact_program/material_reading.h"
 
 namespace tricontact::contact_program {
 
@@ -57,7 +58,13 @@ class CaseReading {
         read_loads();
         if (digits.friction != 1 && digits.variable == 0) read_friction(lines_, current_, 1);
         if (digits.influence >= 2) read_materials();
-        if (digits.heat == 3) read_heat();
+        if (digits.heat == 3) read_heat(lines_, current_);
+        if (digits.heat == 1 && !current_.heat)
+            lines_.refuse_line(digits.lines[2], "H = 1", "no case before has data of heat",
+                               "give H = 3 and them, or H = 0");
+        if (digits.material == 4 && !current_.third_body)
+            lines_.refuse_line(digits.lines[1], "M = 4", "no case before has such a layer",
+                               "give C = 2 and its data");
         if (digits.cells == 2 && digits.distance == 0)
             lines_.refuse_line(digits.lines[1], "D, Z", "new cells need a new undeformed distance",
                                "give Z = 1 or 2");
@@ -170,8 +177,9 @@ class CaseReading {
             current_.shear_modulus[body] = newton_per_square_mm * v[body + 2];
         }
         if (current_.digits.bound == 1) lines_.skip_numbers(1, "FLXZ");
-        if (material == 1) read_creep();
-        constexpr std::size_t further[] = {0, 0, 4, 3, 4, 3, 0, 0};  // by M
+        if (material == 1) read_creep(lines_, current_);
+        if (material == 4) read_third_body(lines_, current_);
+        constexpr std::size_t further[] = {0, 0, 4, 3, 0, 3, 0, 0};  // by M
         lines_.skip_numbers(further[material], "constants of the material");
     }
 
@@ -184,21 +192,6 @@ class CaseReading {
         current_.step_length = millimetre * v[1];
         current_.speed = millimetre * v[2];
         current_.spin_ahead = v.size() == 4 ? v[3].value : usual_spin_ahead;
-    }
-
-    void read_creep() {
-        const auto v = lines_.numbers(4, "FG 1,2 and TC 1,2");
-        for (const std::size_t k : {0, 1, 2, 3})
-            if (!(v[k] >= 0))
-                lines_.refuse(k < 2 ? "FG" : "TC", v[k], "must not be negative", "correct it");
-        current_.creep_ratio = {v[0], v[1]};
-        current_.creep_time = {v[2], v[3]};
-    }
-
-    void read_heat() {
-        for (int body = 0; body < 2; ++body)
-            lines_.skip_numbers(4, "BKTEMP, HEATCP, LAMBDA and DENS");
-        if (current_.digits.material == 4) lines_.skip_numbers(1, "BETAPL");
     }
 
     void read_cells() {

@@ -9,6 +9,7 @@
 
 #include "contact/base/vector2.h"
 #include "contact/friction/friction_rate.h"
+#include "contact/heat.h"
 #include "contact_program/case_digits.h"
 #include "contact_program/sequence_step.h"
 
@@ -28,6 +29,14 @@ struct UndeformedDistance {
     /// Per cell, x fastest; null: quadratic.
     std::shared_ptr<const std::vector<double>> heights;
     std::function<double(double x, double y)> height_at;  ///< of them [m]; empty: listed
+};
+
+/// Layer between the bodies, M = 4.
+struct ThirdBody {
+    int line = 0;
+    double shear_modulus = 0;  ///< GG3 [Pa]
+    double thickness = 0;      ///< LAYTHK [m]; 0: no layer
+    double yield_stress = 0;   ///< TAU_C0 [Pa]; none up to 0
 };
 
 /// FACPHI where it is not given.
@@ -60,6 +69,9 @@ struct ProgramCase {
     std::array<double, 2> poisson{}, shear_modulus{};  ///< bodies 1 and 2 [-], [Pa]
     /// M = 1: creep compliance J(t) = (1 + f (1 - exp(-t/tau)))/G.
     std::array<double, 2> creep_ratio{}, creep_time{};  ///< FG, TC: f [-], tau [s]
+    std::optional<ThirdBody> third_body;                ///< of the last M = 4 that was not kept
+    /// Of the last H = 3: body 1 is the indenter.
+    std::optional<contact::ContactHeat> heat;
 
     int cells_line = 0;
     bool is_hertzian = false;  ///< cells and distance follow from Hertz' theory

@@ -160,7 +160,7 @@ class RollingReading {
         if (!rolling_.step.is_forced(1) && (across != 0 || spin != 0))
             text += fmt::format("lateral_creepage = {}\n", io::toml_number(sign_ * across + 0.));
         if (spin != 0) text += fmt::format("spin = \"{} rad/m\"\n", spin);
-        if (rolling_.friction_rate ||
+        if (rolling_.friction_rate || has_heat(rolling_) ||
             (rolling_.digits.material == 1 && rolling_.creep_ratio[0] * rolling_.creep_time[0] > 0))
             text += fmt::format("speed = \"{} mm/s\"\n", 1e3 * rolling_.speed);
         return text;

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "bem/settings.h"
+#include "contact/heat.h"
 #include "contact/solvers/contact_region.h"
 #include "io/keys/messages.h"
 
@@ -79,7 +80,9 @@ struct SequenceWriter {
     std::string text_ = {};
 
     std::string write() {
-        case_.require_rigid_interface("inputs of CONTACT");
+        if (case_.interface.normal_stiffness)
+            io::fail("interface.normal_stiffness", "",
+                     "CONTACT's layer between the bodies is sheared alone", "leave it out");
         const auto steps = sequence_of(case_, is_coupled_);
         text_ = fmt::format(
             "% {}\n% Body 1 is the indenter, body 2 the substrate; mm, N, N/mm^2. {} cases.\n",
@@ -102,12 +105,14 @@ struct SequenceWriter {
         if (!before) {
             append_friction();
             append_materials(step);
+            if (has_heat(step)) append_heat();
             text_ +=
                 fmt::format(" 3   IPOTCN\n {} {} {} {} {} {}   MX, MY, XC1, YC1, DX, DY\n",
                             grid_.n_x, grid_.n_y, in_mm * grid_.first[0], in_mm * grid_.first[1],
                             in_mm * grid_.spacing[0], in_mm * grid_.spacing[1]);
         }
         if (starts_rolling) append_materials(step);
+        if (before && has_heat(step)) append_heat();
         if (moved)
             text_ += curvature_ ? quadratic_distance(*curvature_, step.offset)
                                 : distance_per_cell(grid_, *body_, step.offset);
@@ -120,10 +125,13 @@ struct SequenceWriter {
                              step.tangential ? static_cast<int>(step.motion) : 0, force,
                              step.tangential ? step.n_forced() : 0);
         const int influence = influence_ ? 9 : 2;
-        text_ += first ? fmt::format(" 0{}2{}020   V-L-D-C-M-Z-E\n", friction_law(), influence)
-                       : fmt::format(" 010{}0{}0   V-L-D-C-M-Z-E\n", starts_rolling ? influence : 0,
-                                     moved ? 2 : 0);
-        text_ += fmt::format(" 0{0:d}{0:d}0211   H-G-I-A-O-W-R\n", !first);
+        const int layer = case_.interface.tangential_stiffness ? 4 : 0;  // M
+        text_ +=
+            first ? fmt::format(" 0{}2{}{}20   V-L-D-C-M-Z-E\n", friction_law(), influence, layer)
+                  : fmt::format(" 010{}{}{}0   V-L-D-C-M-Z-E\n", starts_rolling ? influence : 0,
+                                layer, moved ? 2 : 0);
+        text_ +=
+            fmt::format(" {1}{0:d}{0:d}0211   H-G-I-A-O-W-R\n", !first, has_heat(step) ? 3 : 0);
     }
 
     /// L.
@@ -148,6 +156,20 @@ struct SequenceWriter {
                          : " 0 1";
         text_ += fmt::format("   FKIN, F1, SABSH1, F2, SABSH2\n {} {}   MEMDST, MEM_S0\n",
                              in_mm * rate.memory_length, in_mm * rate.memory_speed);
+    }
+
+    /// Temperatures are those of the steady state.
+    bool has_heat(const SequenceStep& step) const {
+        return step.is_steady() && case_.kept.find<contact::ContactHeat>();
+    }
+
+    void append_heat() {
+        constexpr double per_mm = 1e-3, per_cubic_mm = 1e-9;  // 1/m, 1/m^3
+        const auto& heat = case_.of<contact::ContactHeat>();
+        for (const auto& body : {heat.indenter, heat.substrate})
+            text_ += fmt::format(" {} {} {} {}   BKTEMP, HEATCP, LAMBDA, DENS\n", body.temperature,
+                                 body.specific_heat, per_mm * body.conductivity,
+                                 per_cubic_mm * body.density);
     }
 
     /// Forces FX, FY are on the indenter, against those on the substrate; shifts are the indenter's
@@ -176,9 +198,10 @@ struct SequenceWriter {
     void append_materials(const SequenceStep& step) {
         constexpr double speed_without_effect = 1000;  // [mm/s]: nothing relaxes
         if (step.is_rolling())
-            text_ += fmt::format(
-                " 0 {} {}   CHI, DQ, VELOC\n", in_mm * grid_.spacing[0],
-                case_.friction.rate ? in_mm * case_.tractive_rolling->speed : speed_without_effect);
+            text_ += fmt::format(" 0 {} {}   CHI, DQ, VELOC\n", in_mm * grid_.spacing[0],
+                                 case_.tractive_rolling->speed > 0
+                                     ? in_mm * case_.tractive_rolling->speed
+                                     : speed_without_effect);
         if (influence_) text_ += fmt::format(" '{}'   CFNAME\n", *influence_);
         const auto [indenter, substrate] = shear_moduli(case_);
         const auto& material = case_.indenter.material;
@@ -186,6 +209,10 @@ struct SequenceWriter {
                              material ? material->poisson : case_.substrate.poisson,
                              case_.substrate.poisson, per_square_mm * indenter,
                              per_square_mm * substrate);
+        constexpr double per_cubic_mm = 1e-9;  // 1 Pa/m in N/mm^3
+        if (const auto& stiffness = case_.interface.tangential_stiffness)
+            text_ +=
+                fmt::format(" {} 1 0 0   GG3, LAYTHK, TAU_C0, K_TAU\n", per_cubic_mm * *stiffness);
     }
 };
 

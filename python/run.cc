@@ -149,8 +149,23 @@ rolling::RollingReport roll_all(const contact::Case& c, int points, int threads,
     return report;
 }
 
-/// Summary, histories and creep curves as the program's files have them, and the steady surfaces;
-/// tables are made of them in Python.
+/// Temperatures of both surfaces, rows of points along x.
+py::dict temperatures_of(const rolling::RollingHistory& history) {
+    const contact::Surface& s = history.surface;
+    const auto field = [&](const std::vector<double>& values) {
+        py::array_t<double> array({s.n_y, s.n_x});
+        std::ranges::copy(values, array.mutable_data());
+        array.attr("setflags")(py::arg("write") = false);
+        return array;
+    };
+    py::dict fields;
+    fields["indenter"] = field(history.temperatures->indenter);
+    fields["substrate"] = field(history.temperatures->substrate);
+    return fields;
+}
+
+/// Summary, histories and creep curves as the program's files have them, the steady surfaces and
+/// their temperatures, where the case has heat; tables are made of them in Python.
 py::tuple roll(const contact::Case& given, const std::optional<std::vector<std::string>>& models,
                int points, std::optional<int> threads, const py::object& on_step) {
     const contact::Case c = with_models(given, models);
@@ -159,13 +174,14 @@ py::tuple roll(const contact::Case& given, const std::optional<std::vector<std::
     rolling::RollingReport report = roll_all(c, points, thread_count(threads), on_step);
     const std::string summary = app::roll_summary(report, io::write_case(c));
     const std::string creep = rolling::creep_csv(report);
-    py::dict histories, surfaces;
+    py::dict histories, surfaces, temperatures;
     for (rolling::RollingRun& run : report.runs) {
         const py::str model(run.model);
         histories[model] = rolling::history_csv(run);
+        if (run.history.temperatures) temperatures[model] = temperatures_of(run.history);
         surfaces[model] = py::cast(std::move(run.history.surface));
     }
-    return py::make_tuple(from_json(summary), histories, surfaces, creep);
+    return py::make_tuple(from_json(summary), histories, surfaces, temperatures, creep);
 }
 
 }  // namespace

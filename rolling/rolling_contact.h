@@ -10,6 +10,7 @@
 #include "contact/bodies/indenter.h"
 #include "contact/friction/friction_law.h"
 #include "contact/friction/friction_rate.h"
+#include "contact/heat.h"
 #include "contact/history.h"
 #include "contact/load_path.h"
 #include "contact/surface.h"
@@ -56,6 +57,20 @@ struct RollingProblem {
     /// Of Coulomb's law at rest, in the steady state; rolling from rest does not know it.
     std::optional<contact::FrictionRate> rate{};
     SlipStart slip_start = SlipStart::slow;
+    /// Of a steady state whose temperatures are asked for, at `speed`.
+    std::optional<contact::ContactHeat> heat{};
+};
+
+/// Temperatures per point of a grid, see temperatures.h.
+struct SurfaceTemperatures {
+    std::vector<double> indenter, substrate;  ///< of both surfaces [degC]
+    std::vector<double> friction_rise = {};   ///< part of both by friction [K]
+};
+
+/// Highest temperatures in contact, where both surfaces are as warm.
+struct HighestTemperature {
+    double value = 0;          ///< [degC]
+    double friction_rise = 0;  ///< of the part by friction [K]
 };
 
 /// One state of the contact, steady or on the way there.
@@ -82,6 +97,7 @@ struct RollingState {
     double pressure_lead = 0;
     int iterations = 0;   ///< applications of the compliance
     double residual = 0;  ///< see contact::TangentialSolver; steady: solve_steady [-]
+    std::optional<HighestTemperature> temperature{};  ///< of a steady state, where asked for
 };
 
 /// What was computed of one problem.
@@ -91,6 +107,7 @@ struct RollingHistory {
     std::optional<RollingState> from_fast_slip;  ///< see SlipStart; empty: not looked for, or why
     std::string why_no_fast_slip = {};           ///< the search did not end in one: why
     contact::Surface surface;  ///< steady; slip [-] and dissipation [Pa] per rolled way
+    std::optional<SurfaceTemperatures> temperatures = {};  ///< steady, where asked for
 };
 
 /// What follows from the fields of a grid under a body: forces, moments, areas, extent and

@@ -147,7 +147,7 @@ Settings settings_of(const Case& c) {
         std::erase_if(settings, [](const auto& one) { return one.first == "rolled way"; });
         settings.emplace_back("friction", c.friction.formula());
     }
-    if (c.relaxation || c.friction.rate)
+    if (c.tractive_rolling->speed > 0)
         settings.emplace_back("v", report::given_quantity(c.tractive_rolling->speed, "m/s"));
     if (c.layer.thickness)
         settings.emplace_back("layer, seen by BEM layer",
@@ -166,9 +166,10 @@ report::Document rolling_document(const RollingReport& report) {
             "together, where the contact sticks, and closed forms. Creepage is the "
             "sliding of the indenter over the substrate per rolled way.",
         .settings = settings_of(report.c),
-        .sections = {steady_section(report), resistance_section(report), transient_section(report),
-                     creep_section(report), zones_section(report)},
+        .sections = {steady_section(report), resistance_section(report), heat_section(report),
+                     transient_section(report), creep_section(report), zones_section(report)},
         .files = report.files};
+    for (auto& setting : heat_settings(report)) document.settings.push_back(std::move(setting));
     const auto add = [&](const std::string& sentence) {
         if (!sentence.empty()) document.verdicts.push_back({.sentence = sentence});
     };
@@ -176,6 +177,7 @@ report::Document rolling_document(const RollingReport& report) {
         add(steady_sentence(report, run));
         add(states_sentence(report, run));
         add(resistance_sentence(report, run));
+        add(heat_sentence(report, run));
         add(free_sentence(report, run));
     }
     add(ratio_sentence(report));

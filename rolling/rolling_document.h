@@ -45,6 +45,21 @@ report::DocumentSection steady_section(const RollingReport& report);
 /// What a relaxing substrate resists, beside closed forms; empty of elastic ones.
 report::DocumentSection resistance_section(const RollingReport& report);
 
+/// What the temperatures of a run rest on; heat flows into the depth alone.
+struct HeatNumbers {
+    double peclet_indenter = 0, peclet_substrate = 0;  ///< of the steady contact [-]
+    double substrate_share = 0;  ///< of the heat of friction, into the substrate [-]
+    double band_error = 0;       ///< theory::band_error at the smaller Pe [-]
+};
+/// Empty where the case states no heat.
+std::optional<HeatNumbers> heat_numbers(const RollingReport& report, const RollingRun& run);
+/// What the report says of them; empty likewise.
+std::string heat_sentence(const RollingReport& report, const RollingRun& run);
+/// What is stated of both bodies.
+std::vector<std::pair<std::string, std::string>> heat_settings(const RollingReport& report);
+/// Highest temperatures, and those on the warmest row, a figure per model; empty likewise.
+report::DocumentSection heat_section(const RollingReport& report);
+
 /// From rest to steady rolling: what follows of creepage and force over the rolled way, and the
 /// tractions on the centre line, a figure per model.
 report::DocumentSection transient_section(const RollingReport& report);

@@ -16,6 +16,11 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+/// The highest in contact, and its part by friction; null where not asked for.
+Json temperature_json(const RollingState& s, double HighestTemperature::*member) {
+    return s.temperature ? Json((*s.temperature).*member) : Json();
+}
+
 /// What a state has in summary.json.
 Json state_json(const RollingState& s, const contact::Friction& friction) {
     return {{"longitudinal_creepage", s.creepage.longitudinal},
@@ -36,6 +41,8 @@ Json state_json(const RollingState& s, const contact::Friction& friction) {
             {"resistance_N", s.resistance},
             {"energy_error", energy_error(s)},
             {"pressure_lead_m", s.pressure_lead},
+            {"highest_temperature_degC", temperature_json(s, &HighestTemperature::value)},
+            {"friction_rise_K", temperature_json(s, &HighestTemperature::friction_rise)},
             {"iterations", s.iterations},
             {"residual", s.residual}};
 }
@@ -58,6 +65,15 @@ Json error_json(const std::optional<SteadyError>& error) {
             {"why_none", error->why_none.empty() ? Json() : Json(error->why_none)}};
 }
 
+Json heat_json(const RollingReport& report, const RollingRun& run) {
+    const auto numbers = heat_numbers(report, run);
+    if (!numbers) return nullptr;
+    return {{"peclet_indenter", numbers->peclet_indenter},
+            {"peclet_substrate", numbers->peclet_substrate},
+            {"substrate_share", numbers->substrate_share},
+            {"band_error", numbers->band_error}};
+}
+
 Json run_json(const RollingReport& report, const RollingRun& run) {
     const contact::Friction& friction = report.c.friction;
     const auto point = [&](const RollingState& s) -> Json {
@@ -69,6 +85,7 @@ Json run_json(const RollingReport& report, const RollingRun& run) {
         {"steady", state_json(run.history.steady, friction)},
         {"from_fast_slip",
          run.history.from_fast_slip ? state_json(*run.history.from_fast_slip, friction) : Json()},
+        {"heat", heat_json(report, run)},
         {"numerical_error", error_json(run.error)},
         {"rolled_steps", run.history.transient.size() - 1},
         {"steady_after", steady_after(report, run)},
@@ -93,26 +110,29 @@ Json closed_forms_json(const std::vector<ClosedForm>& forms, const char* quantit
 std::string history_csv(const RollingRun& run) {
     Json rows = report::list_of(run.history.transient, row_json);
     rows.push_back(row_json(run.history.steady));
-    return report::csv_of(rows, {"distance_m",
-                                 "longitudinal_creepage",
-                                 "lateral_creepage",
-                                 "spin_per_m",
-                                 "tangential_force_x_N",
-                                 "tangential_force_y_N",
-                                 "spin_moment_Nm",
-                                 comparisons::quantities::normal_force.key,
-                                 comparisons::quantities::indentation.key,
-                                 "half_length_m",
-                                 "half_width_m",
-                                 comparisons::quantities::peak_pressure.key,
-                                 comparisons::quantities::contact_area.key,
-                                 comparisons::quantities::stick_area.key,
-                                 comparisons::quantities::slip_area.key,
-                                 "dissipation_J_per_m",
-                                 "material_dissipation_J_per_m",
-                                 "resistance_N",
-                                 "pressure_lead_m",
-                                 "residual"});
+    std::vector<std::string> columns{"distance_m",
+                                     "longitudinal_creepage",
+                                     "lateral_creepage",
+                                     "spin_per_m",
+                                     "tangential_force_x_N",
+                                     "tangential_force_y_N",
+                                     "spin_moment_Nm",
+                                     comparisons::quantities::normal_force.key,
+                                     comparisons::quantities::indentation.key,
+                                     "half_length_m",
+                                     "half_width_m",
+                                     comparisons::quantities::peak_pressure.key,
+                                     comparisons::quantities::contact_area.key,
+                                     comparisons::quantities::stick_area.key,
+                                     comparisons::quantities::slip_area.key,
+                                     "dissipation_J_per_m",
+                                     "material_dissipation_J_per_m",
+                                     "resistance_N",
+                                     "pressure_lead_m",
+                                     "residual"};
+    if (run.history.steady.temperature)
+        columns.insert(columns.end(), {"highest_temperature_degC", "friction_rise_K"});
+    return report::csv_of(rows, columns);
 }
 
 report::DocumentTable steady_table(const RollingReport& report) {

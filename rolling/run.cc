@@ -122,6 +122,10 @@ contact::Surface TransientRolling::surface() const {
 }
 
 SteadyRolling roll_until_steady(TransientRolling& rolling, std::vector<RollingState> states) {
+    if (rolling.problem().heat)
+        throw contact::InputError(
+            "rolling until steady: temperatures are known where the steady state is solved "
+            "directly; leave out heat");
     const contact::FrictionLaw& friction = *rolling.problem().friction;
     while (!is_steady(states, rolling.cell(), friction)) {
         if (states.back().distance > farthest_rolled * states.back().half_length)

@@ -46,6 +46,7 @@ struct SteadyRolling {
     RollingState state;
     contact::Surface surface;  ///< slip [-] and dissipation [Pa] per rolled way
     contact::Audit audit;
+    std::optional<SurfaceTemperatures> temperatures = {};  ///< where the problem has heat
 };
 
 /// Rolls on over a relaxing substrate until nothing changes any more, where its steady compliance

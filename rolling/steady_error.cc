@@ -28,23 +28,30 @@ struct SteadyNumber {
 
 std::vector<SteadyNumber> numbers_of(const RollingState& s, const contact::Case& c, double cell) {
     const double limit = friction_limit(s, c.friction), unit = creepage_unit(c);
-    return {{"longitudinal_creepage", s.creepage.longitudinal, unit},
-            {"lateral_creepage", s.creepage.lateral, unit},
-            {"force_ratio", force_ratio(s, c.friction), 1},
-            {"tangential_force_x_N", s.force[0], limit},
-            {"tangential_force_y_N", s.force[1], limit},
-            {"spin_moment_Nm", s.spin_moment, limit * s.half_length},
-            {comparisons::quantities::normal_force.key, s.normal_force, s.normal_force},
-            {comparisons::quantities::indentation.key, s.indentation, s.indentation},
-            {"half_length_m", s.half_length, s.half_length, cell / 2},
-            {"half_width_m", s.half_width, s.half_width, cell / 2},
-            {comparisons::quantities::peak_pressure.key, s.peak_pressure, s.peak_pressure},
-            {comparisons::quantities::contact_area.key, s.contact_area, s.contact_area,
-             cell / s.half_length * s.contact_area},
-            {"stick_share", s.stick_area / s.contact_area, 1, cell / s.half_length},
-            {"dissipation_J_per_m", s.dissipation, limit * unit},
-            {"material_dissipation_J_per_m", s.material_dissipation, limit * unit},
-            {"resistance_N", s.resistance, limit * unit}};
+    std::vector<SteadyNumber> numbers{
+        {"longitudinal_creepage", s.creepage.longitudinal, unit},
+        {"lateral_creepage", s.creepage.lateral, unit},
+        {"force_ratio", force_ratio(s, c.friction), 1},
+        {"tangential_force_x_N", s.force[0], limit},
+        {"tangential_force_y_N", s.force[1], limit},
+        {"spin_moment_Nm", s.spin_moment, limit * s.half_length},
+        {comparisons::quantities::normal_force.key, s.normal_force, s.normal_force},
+        {comparisons::quantities::indentation.key, s.indentation, s.indentation},
+        {"half_length_m", s.half_length, s.half_length, cell / 2},
+        {"half_width_m", s.half_width, s.half_width, cell / 2},
+        {comparisons::quantities::peak_pressure.key, s.peak_pressure, s.peak_pressure},
+        {comparisons::quantities::contact_area.key, s.contact_area, s.contact_area,
+         cell / s.half_length * s.contact_area},
+        {"stick_share", s.stick_area / s.contact_area, 1, cell / s.half_length},
+        {"dissipation_J_per_m", s.dissipation, limit * unit},
+        {"material_dissipation_J_per_m", s.material_dissipation, limit * unit},
+        {"resistance_N", s.resistance, limit * unit}};
+    if (s.temperature)
+        for (const auto& [key, value] :
+             {std::pair("highest_temperature_degC", s.temperature->value),
+              std::pair("friction_rise_K", s.temperature->friction_rise)})
+            numbers.push_back({key, value, s.temperature->friction_rise});
+    return numbers;
 }
 
 std::vector<std::string> prescribed_by(const contact::Case& c) {

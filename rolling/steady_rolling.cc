@@ -14,6 +14,7 @@
 #include "rolling/run.h"
 #include "rolling/steady_normal.h"
 #include "rolling/steady_solver.h"
+#include "rolling/temperatures.h"
 
 namespace tricontact::rolling {
 
@@ -224,6 +225,10 @@ SteadyRolling solved(const contact::Compliance& compliance, const RollingProblem
     result.surface = iteration.surface();
     result.state = iteration.state(result.surface);
     result.audit = iteration.audit(result);
+    if (problem.heat) {
+        result.temperatures = surface_temperatures(result.surface, *problem.heat, problem.speed);
+        result.state.temperature = highest_temperature(result.surface, *result.temperatures);
+    }
     return result;
 }
 

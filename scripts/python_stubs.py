@@ -84,7 +84,7 @@ RESULTS = {
     "_command_options": "list[tuple[str, bool, bool, str]]",
     "_label": "Optional[tuple[str, str, str]]",
     "_saved_surfaces": "dict[str, list[tuple[float, bytes, int]]]",
-    "_roll": "tuple[dict[str, Any], dict[str, str], dict[str, Surface], str]",
+    "_roll": "tuple[dict[str, Any], dict[str, str], dict[str, Surface], dict[str, dict[str, _Numbers]], str]",
     "_walk": "tuple[dict[str, Any], str, str]",
 }
 # Parameters by their names, of a function alone where they differ. What goes to std::string as the name of a file, or as

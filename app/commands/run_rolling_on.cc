@@ -80,10 +80,18 @@ rolling::RollingRun roll_model(const std::string& model, const Case& c,
                           steady.clear();
                           indenter.reset();
                       }};
-    if (c.of<io::Output>().vtk != io::Output::Vtk::none)
+    if (c.of<io::Output>().vtk != io::Output::Vtk::none) {
+        runs.show_steady = [&](const rolling::RollingHistory& history) {
+            const contact::Surface& surface = history.surface;
+            auto fields = io::fields_of({time, 0}, surface);
+            if (const auto& found = history.temperatures) {
+                fields.add_scalar("temperature_indenter_degC", found->indenter, surface.size());
+                fields.add_scalar("temperature_substrate_degC", found->substrate, surface.size());
+            }
+            steady.add(0, io::mesh_of(surface), fields);
+        };
         runs.show = [&](double way, const rolling::RollingState& state,
                         const contact::Surface& surface) {
-            if (!std::isfinite(way)) return steady.add(0, surface);
             const double at = speed > 0 ? state.distance / speed : way;
             surfaces.add(at, surface);
             if (!indenter) indenter = runs::shown_indenter(c, surface);
@@ -94,6 +102,7 @@ rolling::RollingRun roll_model(const std::string& model, const Case& c,
                                                  states_at_most(c, runs.frames, surface.spacing[0]),
                                                  surfaces.last_size()));
         };
+    }
     rolling::RollingRun run = roll(model, c, runs);
     bar.finish("");
     if (runs.show) steady.finish();

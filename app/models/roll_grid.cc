@@ -6,6 +6,7 @@
 #include "bem/settings.h"
 #include "bem/steady_model.h"
 #include "contact/base/stopped.h"
+#include "contact/heat.h"
 #include "contact/model_makers.h"
 #include "contact/models/model_kind.h"
 #include "io/keys/toml_document.h"
@@ -47,6 +48,7 @@ RollingProblem problem_of(const Case& c, const contact::Substrate& substrate) {
         .tolerance = c.of<bem::Settings>().tolerance,
         .speed = given.speed,
         .rate = c.friction.rate};
+    if (const auto* heat = c.kept.find<contact::ContactHeat>()) problem.heat = *heat;
     if (given.longitudinal_creepage) return problem;
     // What another law than Coulomb's carries in all, the loaded contact itself tells.
     const bool by_contact = contact::ratio_of_loaded_step(c) || !c.friction.is_coulomb();
@@ -108,6 +110,7 @@ RollingRun roll_on_grid(const std::string& model, const Case& c, const RollRuns&
             ? steady_at()
             : rolling::roll_until_steady(rolling, recorder.run.history.transient);
     contact::require_sound(steady.audit, model);
+    recorder.run.history.temperatures = std::move(steady.temperatures);
     recorder.note_steady(steady.state, std::move(steady.surface));
     if (runs.both_ends && problem.rate && problem.drive.creepage[0]) {
         problem.slip_start = rolling::SlipStart::fast;
@@ -175,7 +178,7 @@ void RollRecorder::note_steady(const rolling::RollingState& state, contact::Surf
     run.lines.push_back(centre_line(surface, friction, state));
     run.history.steady = state;
     run.history.surface = std::move(surface);
-    if (runs.show) runs.show(contact::infinity, state, run.history.surface);
+    if (runs.show_steady) runs.show_steady(run.history);
 }
 
 void RollRecorder::add_curve(double begin, double sliding,

@@ -20,9 +20,11 @@ struct RollRuns {
     /// After each step from rest, then after each point of the creep curve: how far it is.
     std::function<void(int step, int steps)> progress = {};
     /// Receives states of the surface: those of which the report draws lines and `frames` in each
-    /// half length a of the way; the way is rolled over a, infinite for the steady state.
+    /// half length a of the way; the way is rolled over a.
     std::function<void(double way, const rolling::RollingState&, const contact::Surface&)> show =
         {};
+    /// Receives the steady state, with its temperatures.
+    std::function<void(const rolling::RollingHistory&)> show_steady = {};
     double frames = 0;
     static constexpr double every_step = 1e9;  ///< frames
     /// Called before the contact rolls again from rest, on a larger grid than has proved too small:

@@ -203,6 +203,7 @@ void check_case(const Case& c, const Document& document) {
     check_tractive_rolling(c, document);
     check_oscillation(c, document);
     check_relaxation(c, document);
+    check_heat(c, scales, document);
     check_ground(c, document);
     check_friction_limit(c, scales, document);
     const double steps = check_steps(c, scales, document);

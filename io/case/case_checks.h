@@ -142,4 +142,9 @@ void state_relaxation(contact::Case& c);
 /// models can take. Throws contact::InputError.
 void check_relaxation(const contact::Case& c, const Document& document);
 
+/// [indenter.heat], [substrate.heat]: the contact rolls on, by models that know where it is heated,
+/// so fast that heat flows into the depth alone, and not through a layer.
+void check_heat(const contact::Case& c, const contact::HalfSpaceScales& scales,
+                const Document& document);
+
 }  // namespace tricontact::io

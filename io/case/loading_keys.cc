@@ -1,5 +1,6 @@
 #include <numbers>
 
+#include "contact/heat.h"
 #include "io/case/case_input.h"
 #include "io/case/case_keys.h"
 
@@ -196,11 +197,12 @@ std::vector<CaseKey> tractive_keys() {
              }},
             {quantity_key(
                  "tractive_rolling.speed", Dimension::velocity, above_zero(1e9), R"("20 mm/s")",
-                 "speed v of rolling, which the substrate relaxes by and with which slip has a "
-                 "speed; only with `[substrate.relaxation]` or `[friction.rate]`",
+                 "speed v of rolling, which the substrate relaxes by, with which slip has a speed, "
+                 "and which carries heat along; only with `[substrate.relaxation]`, "
+                 "`[friction.rate]` or `[substrate.heat]`",
                  {.required = true}),
              [](Case& c) {
-                 return c.relaxation || c.friction.rate
+                 return c.relaxation || c.friction.rate || c.kept.find<contact::ContactHeat>()
                             ? in(c, &Case::tractive_rolling, &Tractive::speed)
                             : Field();
              }}};

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "contact/cells.h"
+#include "contact/heat.h"
 #include "contact/load_path.h"
 #include "io/case/case_checks.h"
 #include "mdr/settings.h"
@@ -205,10 +206,13 @@ void check_friction_limit(const Case& c, const HalfSpaceScales& scales, const Do
 
 void check_tractive_rolling(const Case& c, const Document& document) {
     if (!c.tractive_rolling) return;
-    if (document.find("tractive_rolling.speed") && !c.relaxation && !c.friction.rate)
+    if (document.find("tractive_rolling.speed") && !c.relaxation && !c.friction.rate &&
+        !c.kept.find<contact::ContactHeat>())
         refuse(document, "tractive_rolling.speed",
-               "has no effect without substrate.relaxation or friction.rate, which are missing",
-               "give [substrate.relaxation] or [friction.rate] too, or omit this key");
+               "has no effect without substrate.relaxation, friction.rate or substrate.heat, which "
+               "are missing",
+               "give [substrate.relaxation], [friction.rate] or [substrate.heat] too, or omit this "
+               "key");
     check_rolls_one_way(c, document);
     // Others would bring new hills into contact at every step.
     if (c.indenter.roughness || contact::is_nominally_flat(c))

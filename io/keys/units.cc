@@ -22,7 +22,7 @@ struct Traits {
 };
 
 const Traits& traits(Dimension dimension) {
-    static constexpr std::array<Traits, 23> all{
+    static constexpr std::array<Traits, 25> all{
         {{"pure number", "a pure number", "1", "0.5"},
          {"length", "a length", "m", "40 mm"},
          {"pressure", "a pressure", "Pa", "5.2 MPa"},
@@ -45,7 +45,9 @@ const Traits& traits(Dimension dimension) {
          {"wear rate", "a wear rate", "m2/N", "1e-5 mm3/(N m)"},
          {"area", "an area", "m2", "58 mm2"},
          {"energy", "an energy", "J", "2.3 mJ"},
-         {"pressure per length", "a pressure per length", "Pa/m", "260 MPa/mm"}}};
+         {"pressure per length", "a pressure per length", "Pa/m", "260 MPa/mm"},
+         {"specific heat", "a specific heat", "J/(kg K)", "450 J/(kg K)"},
+         {"temperature", "a temperature", "degC", "20 degC"}}};
     return all[static_cast<std::size_t>(dimension)];
 }
 

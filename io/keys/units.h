@@ -29,7 +29,9 @@ enum class Dimension {
     wear_rate,
     area,
     energy,
-    pressure_per_length
+    pressure_per_length,
+    specific_heat,
+    temperature  ///< in degC
 };
 
 std::string_view name_of(Dimension dimension);     ///< "a length"

@@ -22,6 +22,9 @@ class Rolling:
     """Of each model the steps from rest on, as in history.csv; last the steady state."""
     surfaces: dict[str, Surface]
     """Of each model the surface in steady rolling; slip and dissipation are per rolled way."""
+    temperatures: dict[str, dict[str, Any]]
+    """Of each model, where the case states heat, temperatures of the surfaces of "indenter" and "substrate" in
+    steady rolling [degC], rows of points along x as those of `surfaces`."""
     creep: Table
     """Force over creepage of models and theories, as in creep.csv."""
 
@@ -101,8 +104,8 @@ def roll(
             on_step(model, step, steps)
 
     try:
-        summary, histories, surfaces, creep = _roll(resolved, names, points, threads, tell)
+        summary, histories, surfaces, temperatures, creep = _roll(resolved, names, points, threads, tell)
     finally:
         told.close()
     tables = {model: Table(text) for model, text in histories.items()}
-    return Rolling(summary, tables, surfaces, Table(creep))
+    return Rolling(summary, tables, surfaces, temperatures, Table(creep))

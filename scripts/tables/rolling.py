@@ -1,4 +1,4 @@
-"""docs/explanation/rolling.md, docs/explanation/contact-program.md."""
+"""docs/explanation/rolling.md, docs/explanation/surface-temperatures.md, docs/explanation/contact-program.md."""
 
 import subprocess
 import sys
@@ -41,6 +41,27 @@ def falling_friction(program):
         steady = program.roll(CASES / "rolling_falling_friction.toml",
                               f"tractive_rolling.longitudinal_creepage=-0{creepage}")["models"][0]["steady"]
         rows.append([f"0{creepage}", f"{-steady['force_ratio']:.4f}", force, f"{81 * steady['stick_share']:.0f}"])
+    return rows
+
+
+@table("docs/explanation/surface-temperatures.md",
+       "| creepages xi, eta; spin | indenter | substrate | `bem` | cells of half the size | CONTACT |", cheap=True)
+def surface_temperatures(program):
+    # xi, eta, spin [1/m], bulk temperatures, and MAX(T1,T2) of CONTACT's ertz_temperature, rev. 2707; the wheel rolls towards
+    # -x there.
+    published = [("0.03333", "0", "0", 0, 0, "166.8"), ("0", "0", "0", 0, 150, "75.00"),
+                 ("0.03333", "0", "0", 0, 150, "241.8"), ("0.002", "-0.001", "0.2", 0, 150, "90.85")]
+    rows = []
+    for xi, eta, spin, indenter, substrate, printed in published:
+        highest = []
+        for cell in (.2, .1):
+            steady = program.roll(CASES / "rolling_temperature.toml", f'bem.spacing="{cell} mm"', "bem.cell_ratio=2.5",
+                                  f"tractive_rolling.longitudinal_creepage={xi}", f"tractive_rolling.lateral_creepage={eta}",
+                                  f'tractive_rolling.spin="{spin} rad/m"', f'indenter.heat.temperature="{indenter} degC"',
+                                  f'substrate.heat.temperature="{substrate} degC"',
+                                  "tractive_rolling.distance=0.01")["models"][0]["steady"]
+            highest.append(f"{steady['highest_temperature_degC']:.2f}")
+        rows.append([f"{xi}, {eta}" + ("" if spin == "0" else f"; {spin} rad/m"), f"{indenter}", f"{substrate}", *highest, printed])
     return rows
 
 

@@ -62,3 +62,19 @@ def test_each_kind_of_case_has_its_function(cylinder, rig):
         tricontact.run(tricontact.Case.from_file(cylinder))
     with pytest.raises(ValueError, match="points"):
         tricontact.roll(tricontact.Case.from_file(cylinder), points=-1)
+
+
+def test_temperatures_of_both_surfaces(examples):
+    coarse = {"bem.spacing": "0.6 mm", "tractive_rolling.distance": 0.1}
+    rolling = tricontact.roll(tricontact.Case.from_file(examples / "cases" / "rolling_temperature.toml", coarse), points=0)
+    fields, surface = rolling.temperatures["bem"], rolling.surfaces["bem"]
+    touching = surface["contact_state"] > 0
+    assert fields["indenter"].shape == surface["normal_traction_Pa"].shape
+    np.testing.assert_allclose(fields["indenter"][touching], fields["substrate"][touching], rtol=1e-12)
+    assert fields["substrate"][touching].max() == rolling.steady["bem"]["highest_temperature_degC"]
+    assert fields["indenter"][:, -1] == pytest.approx(150) and fields["substrate"][:, -1] == pytest.approx(0)  # ahead
+    assert rolling == rolling and not fields["indenter"].flags.writeable
+
+
+def test_without_heat_there_are_no_temperatures(cylinder):
+    assert tricontact.roll(tricontact.Case.from_file(cylinder, COARSE), points=0).temperatures == {}

@@ -52,6 +52,9 @@ yielding = {"interface.yield_stress": '"0.05 MPa"', "interface.hardening": '"1 M
 # Designs know laws of friction on the half-space, and check assumptions of layers under Coulomb's law.
 under_laws = {"design": {"substrate.thickness": None, "design.assumptions": None, "design.vary.substrate.thickness": None,
                          "design.vary.load.normal_force": '{from = "10 N", to = "30 N"}'}}
+heated = {f"{body}.heat.{key}": value for body, conductivity in (("indenter", 50), ("substrate", 0.2))
+          for key, value in (("conductivity", f'"{conductivity} W/(m K)"'), ("specific_heat", '"450 J/(kg K)"'),
+                             ("density", '"7850 kg/m3"'))}
 body = {"indenter.radius": None}
 mapped = {**body, "indenter.shape": '"height-map"', "indenter.file": '"map.txt"', "indenter.spacing": '"0.2 mm"',
           "bem.cells_per_radius": None, "bem.spacing": '"0.4 mm"', "load.normal_force": '"1 N"',
@@ -119,6 +122,8 @@ features = [
             "interface|friction|Coulomb|[rolling]",
             {"rolling.*": None, **yielding}, {"rolling.*": None, **yielding, "interface.hardening": '"3 MPa/mm"'},
             over_for={"run rolling on": yielding}),
+    feature("temperatures of the surfaces", "indenter.heat.* substrate.heat.*", "substrate.heat|heat|[tractive_rolling]", {}, heated,
+            other_for={"run rolling on": {**heated, "tractive_rolling.speed": '"1 m/s"'}}),
     feature("layer", "substrate.thickness substrate.thickness_ratio", "substrate.thickness|layer",
             {"substrate.thickness": '"8 mm"'}, {"substrate.thickness": '"7 mm"'}),
     feature("base that glides", "substrate.base", "substrate.base|base|substrate.thickness: ", layer,

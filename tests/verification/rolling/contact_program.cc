@@ -8,7 +8,9 @@
 #include <cmath>
 #include <fstream>
 #include <map>
+#include <numbers>
 #include <string>
+#include <vector>
 
 #include "bem/grid_compliance.h"
 #include "bem/model.h"
@@ -22,6 +24,7 @@
 #include "rolling/run.h"
 #include "tests/unit/rolling/problems.h"
 #include "tests/verification/contact_program_prints.h"
+#include "theory/rolling/flash_temperature.h"
 
 namespace tricontact::rolling_contact_program_test {
 namespace {
@@ -127,11 +130,11 @@ TEST(RollingContactProgram, RelaxingCylinders) {
     }
 }
 
-/// The first case of an example of CONTACT, rolling on in its steady state on the file's own cells.
-/// `lines`: instead of those of this number, counted from 1.
-rolling::RollingState imported_state(const std::string& example,
-                                     const std::map<int, std::string>& lines = {},
-                                     SlipStart slip_start = SlipStart::slow) {
+/// A case of an example of CONTACT, rolling on in its steady state on the file's own cells.
+/// `lines`: instead of those of this number, counted from 1. `number_of_case`: from 1.
+rolling::SteadyRolling imported(const std::string& example, std::size_t number_of_case,
+                                const std::map<int, std::string>& lines = {},
+                                SlipStart slip_start = SlipStart::slow) {
     const std::string name =
         std::string(TRICONTACT_SOURCE_DIR) + "/tests/contact_program/" + example + ".inp";
     std::ifstream file(name);
@@ -142,7 +145,7 @@ rolling::RollingState imported_state(const std::string& example,
         text += (other == lines.end() ? line : other->second) + '\n';
     }
     const auto found = contact_program::import_cases(text, name, bem::is_coupled);
-    const contact::Case c = io::parse_case(found.cases.at(0).text, example);
+    const contact::Case c = io::parse_case(found.cases.at(number_of_case - 1).text, example);
     rolling::RollingProblem problem;
     problem.indenter = c.make_indenter();
     problem.friction = c.friction.law();
@@ -153,8 +156,15 @@ rolling::RollingState imported_state(const std::string& example,
     problem.speed = c.tractive_rolling->speed;
     problem.rate = c.friction.rate;
     problem.slip_start = slip_start;
+    if (const auto* heat = c.kept.find<contact::ContactHeat>()) problem.heat = *heat;
     const auto substrate = bem::make_substrate(c, 1, bem::Body::half_space, .3);
-    return rolling::steady_rolling(*substrate, problem).state;
+    return rolling::steady_rolling(*substrate, problem);
+}
+
+rolling::RollingState imported_state(const std::string& example,
+                                     const std::map<int, std::string>& lines = {},
+                                     SlipStart slip_start = SlipStart::slow) {
+    return imported(example, 1, lines, slip_start).state;
 }
 
 // fastsim, case 1: cells of 0.4 x 0.2 mm. As many as there are in contact; those that stick but for
@@ -234,6 +244,69 @@ TEST(RollingContactProgram, LinearAndRationalFallingFriction) {
     expect_printed(rational, {"0.0009999", .5655, -4628, 40});
     expect_printed(rational, {"0.0009999", .5652, -4634, 38}, SlipStart::fast);
     expect_printed(rational, {"0.002", .7107, -1.180e4, 0});
+}
+
+/// MAX(T1,T2) of ertz_temperature as CONTACT's sum has it of this field: a cell heats itself by
+/// (h/2)^(1/2) where one at a distance d counts (d + h/2)^(1/2) - (d - h/2)^(1/2), that is by a
+/// second half of itself (src/m_temperature.f90 of rev. 2707).
+double summed_as_there(const rolling::SteadyRolling& found, const contact::ContactHeat& heat,
+                       double speed) {
+    const contact::Surface& s = found.surface;
+    const double b = heat.indenter.effusivity() + heat.substrate.effusivity();
+    double highest = 0;
+    for (std::size_t i = 0; i < s.size(); ++i) {
+        if (!(s.normal_traction[i] > 0)) continue;
+        const double own = 2 * std::sqrt(s.spacing[0] / 2 / (std::numbers::pi * speed)) / b *
+                           s.dissipation[i] * speed;
+        highest = std::max(highest, found.temperatures->substrate[i] + own);
+    }
+    return highest;
+}
+
+// ertz_temperature (Ertz and Knothe 2002), all four cases: what it prints is met by its own sum
+// over this field. The exact integral is lower by what a cell is too warm there, and meets the
+// closed form of an ellipse of heat where all slides, to the strains' share of the slip.
+TEST(RollingContactProgram, TemperaturesOfTheExample) {
+    const contact::ThermalBody steel{.conductivity = 50, .specific_heat = 450, .density = 7850};
+    constexpr double speed = 30, slip = .03333 * speed;
+    std::vector<double> exact;
+    for (const double prints : {166.8, 75.00, 241.8, 90.85}) {
+        const auto found = imported("ertz_temperature", exact.size() + 1);
+        constexpr double printed = 3e-4;  // half of the last of four digits
+        EXPECT_NEAR(summed_as_there(found, {steel, steel}, speed) / prints, 1, printed);
+        exact.push_back(found.state.temperature->value);
+    }
+    double highest = 0;
+    for (double x = 0; x <= 1; x += 1e-4) highest = std::max(highest, theory::elliptic_heating(x));
+    const double closed = .3 * 770.6e6 * slip / (2 * steel.effusivity()) *
+                          std::sqrt(5.88e-3 / (std::numbers::pi * speed)) * highest;
+    EXPECT_NEAR(exact[0] / closed, 1, 3e-3);
+    EXPECT_LT(exact[0] / 166.8, .92);
+    EXPECT_NEAR(exact[1], 75, 1e-9);
+    EXPECT_NEAR(exact[2] - exact[0], 75, 1e-6);
+    EXPECT_NEAR(exact[3], 89.10, .01);
+}
+
+// tractcurv, cases 31 to 60: a layer between the bodies (M = 4, k_t = GG3/LAYTHK), friction that
+// falls with the slip (L = 4) and its memory at once, as the ref_out has them.
+TEST(RollingContactProgram, FallingFrictionOnALayer) {
+    struct Printed {
+        std::size_t number;
+        double force, power;
+        int n_adhesion;
+    };
+    for (const Printed& prints : {Printed{31, 65.81, 4.017e-5, 1382},
+                                  {34, 1.735e4, 438.1, 1124},
+                                  {38, 2.911e4, 1922, 624},
+                                  {47, 3.326e4, 5183, 128},
+                                  {54, 2.662e4, 2.652e4, 0},
+                                  {60, 2.002e4, 4.999e4, 0}}) {
+        const auto state = imported("tractcurv", prints.number).state;
+        EXPECT_NEAR(state.force[0] / prints.force, 1, 1e-3) << prints.number;
+        EXPECT_NEAR(state.dissipation * 10 / prints.power, 1, 2e-3) << prints.number;
+        EXPECT_EQ(std::lround(state.stick_area / state.contact_area * 1384), prints.n_adhesion)
+            << prints.number;
+    }
 }
 
 }  // namespace

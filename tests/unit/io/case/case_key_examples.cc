@@ -53,6 +53,8 @@ std::string case_of(std::string_view path) {
         {"friction.rate", "rolling_falling_friction"},
         {"friction.weakening", "path_weakening"},
         {"interface.hardening", "path_forces"},
+        {"indenter.heat", "rolling_temperature"},
+        {"substrate.heat", "rolling_temperature"},
         {"tractive_rolling", "rolling_spin"},
         {"tractive_rolling.speed", "rolling_relaxing"},
         {"output.volume_depth", "rig_sphere_inside"}};
