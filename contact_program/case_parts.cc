@@ -74,11 +74,16 @@ std::string creeping_text(const ProgramCase& one, const std::string& name) {
                io::toml_number(f / (1 + f)), tau / (1 + f));
 }
 
-/// [interface] of a layer between the bodies: only G/h matters.
+/// [interface] of a layer between the bodies: of its elasticity only G/h matters.
 std::string third_body_text(const ThirdBody& layer) {
-    if (layer.thickness == 0) return {};
-    return fmt::format("[interface]\ntangential_stiffness = \"{} MPa/mm\"\n",
-                       1e-6 * layer.shear_modulus / (1e3 * layer.thickness));
+    std::string text;
+    if (layer.thickness > 0)
+        text += fmt::format("tangential_stiffness = \"{} MPa/mm\"\n",
+                            1e-6 * layer.shear_modulus / (1e3 * layer.thickness));
+    if (layer.yield_stress > 0)
+        text += fmt::format("yield_stress = \"{} MPa\"\nhardening = \"{} MPa/mm\"\n",
+                            1e-6 * layer.yield_stress, 1e-9 * layer.hardening);
+    return text.empty() ? text : "[interface]\n" + text;
 }
 
 std::string heat_text(const std::string& body, const contact::ThermalBody& heat) {
@@ -207,7 +212,9 @@ void check_alike(ProgramSequence steps, const std::string& name) {
         demand((one.digits.material == 4) == (head.digits.material == 4) &&
                    (one.digits.material != 4 ||
                     (is_close(one.third_body->shear_modulus, head.third_body->shear_modulus) &&
-                     is_close(one.third_body->thickness, head.third_body->thickness))),
+                     is_close(one.third_body->thickness, head.third_body->thickness) &&
+                     one.third_body->yield_stress == head.third_body->yield_stress &&
+                     one.third_body->hardening == head.third_body->hardening)),
                "the layer between the bodies");
         demand(
             is_close(one.spacing[0], head.spacing[0]) && is_close(one.spacing[1], head.spacing[1]),

@@ -96,8 +96,11 @@ class SequenceImport {
         return fmt::format("[output]\nvolume = \"last\"\nvolume_depth = \"{} mm\"\n", 1e3 * depth);
     }
 
-    /// Matrix of the heights in mm, a row of cells along x per line.
+    /// Matrix of the heights in mm, a row of cells along x per line. Around a single cell there
+    /// are some that touch nothing.
     std::string heights_table() const {
+        if (head().n_x == 1 && head().n_y == 1)
+            return "1000, 1000, 1000\n1000, 0, 1000\n1000, 1000, 1000\n";
         const auto& heights = *head().distance.heights;
         std::string table;
         for (std::size_t k = 0; k < heights.size(); ++k)

@@ -35,10 +35,11 @@ class KnownCase {
             refuse_at(name_, one_.friction_line, "FSTAT = 0",
                       "no tangential problem is solved without friction",
                       "give T = 0, or a positive FSTAT");
-        if (one_.digits.material == 4 && one_.third_body->yield_stress > 0)
+        if (one_.digits.material == 4 && one_.third_body->yield_stress > 0 &&
+            one_.step.is_rolling() && one_.third_body->hardening != 0)
             refuse_at(name_, one_.third_body->line,
-                      fmt::format("TAU_C0 = {}", 1e-6 * one_.third_body->yield_stress),
-                      "a layer between the bodies that yields is not read", "give 0");
+                      fmt::format("K_TAU = {}", 1e-9 * one_.third_body->hardening),
+                      "a layer that hardens does not roll on here", "give 0, or T = 1");
         if (one_.influence != 2 && one_.influence != 9)
             refuse_at(
                 name_, one_.materials_line, fmt::format("C = {}", one_.influence),

@@ -27,7 +27,7 @@ void read_third_body(InputLines& lines, ProgramCase& one) {
     demand_above_zero(lines, v[0], "GG3");
     if (!(v[1] >= 0)) lines.refuse("LAYTHK", v[1], "must not be negative", "correct it");
     one.third_body = {lines.line(), n_per_square_mm * v[0], a_millimetre * v[1],
-                      n_per_square_mm * v[2]};
+                      n_per_square_mm * v[2], n_per_square_mm / a_millimetre * v[3]};
 }
 
 void read_heat(InputLines& lines, ProgramCase& one) {

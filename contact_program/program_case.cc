@@ -263,6 +263,9 @@ class CaseReading {
             current_.spacing[axis] = 2 * cells.half_side[axis] / n[axis];
             current_.first[axis] = -cells.half_side[axis] + current_.spacing[axis] / 2;
         }
+        // Of the body a single cell sees one point.
+        if (current_.n_x == 1 && current_.n_y == 1)
+            set_heights(current_, [](double, double) { return 0.; });
     }
 
     /// Points inside, block by block: only how deep they lie matters.

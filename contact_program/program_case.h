@@ -37,6 +37,7 @@ struct ThirdBody {
     double shear_modulus = 0;  ///< GG3 [Pa]
     double thickness = 0;      ///< LAYTHK [m]; 0: no layer
     double yield_stress = 0;   ///< TAU_C0 [Pa]; none up to 0
+    double hardening = 0;      ///< K_TAU [Pa/m]
 };
 
 /// FACPHI where it is not given.

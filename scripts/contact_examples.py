@@ -62,6 +62,17 @@ SHIFTS = {
 # catt_to_cart: shift of each rolled step [mm] in fixed coordinates, cases 59 to 73.
 ROLLED_SHIFTS = [4.548e-4, 4.705e-4, 4.886e-4, 5.125e-4, 5.349e-4, 5.552e-4, 5.835e-4, 6.069e-4, 6.377e-4, 6.690e-4,
                  7.003e-4, 7.419e-4, 7.960e-4, 8.508e-4, 8.505e-4]
+# plastic_3bl: force on body 1 [N] and elastic energy [J] after each case; five sequences begin at these.
+YIELDED_FORCES = [84.97, 280, 560, 560, 560, 560, 560, 560, 560, 560, 560, 560, 560, 560, 200, 216, 232, 248, 262.4,
+                  262.4, 82.43, 82.43, 266.4, 284, 304, 324.1, 344.1, 364.1, 384.1, 404.1, 424.1, 200, 400, 390, 380,
+                  370, 360, 350, 340, 330, 320.1, 310.1, 300.1, 290.1, 20, 20.8, 21.6, 22.6, 23.6, 24.6, 25.6, 26.6,
+                  27.6, 28.6, 29.6, 30.6, 31.6]
+YIELDED_ENERGIES = [0.004033, 0.008891, 0.02359, 0.02359, 0.02359, 0.02359, 0.02359, 0.02359, 0.02359, 0.02359,
+                    0.02359, 0.02359, 0.02359, 0.02359, 0.007991, 0.008657, 0.009374, 0.01014, 0.01088, 0.01088,
+                    0.00467, 0.00467, 0.01109, 0.01206, 0.01324, 0.01449, 0.01583, 0.01725, 0.01874, 0.02032,
+                    0.02198, 0.006491, 0.01399, 0.0135, 0.01302, 0.01255, 0.01209, 0.01165, 0.01122, 0.0108, 0.01039,
+                    0.009999, 0.009618, 0.009249, 0.004191, 0.004207, 0.004224, 0.004246, 0.004269, 0.004293,
+                    0.004318, 0.004344, 0.004371, 0.0044, 0.004429, 0.004459, 0.00449]
 # Where both differ in more than printed digits.
 REASONS = {
     "conformal": "spin is taken at 0.1747 of a cell ahead, there at 1/6",
@@ -103,7 +114,9 @@ class Comparison:
         """Of each quantity the case that differs most."""
         for name, cases in self.found.items():
             difference, case, ours, theirs = max(cases, key=lambda found: abs(found[0]))
-            of = f"{case}" if len(cases) == 1 else f"{case} of {', '.join(str(found[1]) for found in cases)}"
+            all_of = [str(found[1]) for found in cases]
+            few = all_of if len(all_of) < 10 else [f"{all_of[0]} to {all_of[-1]}"]
+            of = f"{case}" if len(cases) == 1 else f"{case} of {', '.join(few)}"
             reason = REASONS.get(self.example, "") if abs(difference) > VISIBLE else ""
             row = [self.example, name, of, f"{ours:.4g}", f"{theirs:.4g}", f"{100 * difference:.2f} %", reason]
             print("| " + " | ".join(row) + " |")
@@ -151,6 +164,18 @@ def compare_rolled(rows, case, folder):
             rows.add(case + step, reference, "SHIFT", states[first + step]["shift_x_m"] - states[first + step - 1]["shift_x_m"], 1e3)
 
 
+def compare_yielded(rows, case, folder):
+    """All steps of a sequence of plastic_3bl, the last states of its history."""
+    states = history(folder)
+    beginnings = [1, 2, 15, 32, 45, len(YIELDED_FORCES) + 1]
+    n = beginnings[beginnings.index(case) + 1] - case
+    for step, state in enumerate(states[-n:]):
+        at = case + step - 1
+        reference = {"FX": YIELDED_FORCES[at], "ENERGY": YIELDED_ENERGIES[at]}
+        rows.add(case + step, reference, "FX", state["tangential_force_x_N"], -1)
+        rows.add(case + step, reference, "ENERGY", state["stored_energy_J"])
+
+
 def computed(program, case_file, folder):
     rolls = "[tractive_rolling]" in case_file.read_text(encoding="utf-8")
     command = ["run", case_file, "--points", 0] if rolls else ["run", case_file]
@@ -171,7 +196,7 @@ def compare(program, folder, example, work):
         digits = case_file.stem.removeprefix(example).removeprefix("_")
         case = int(digits) if digits else 1
         known = [*STEADY.get(example, SHIFTS.get(example, {"cases": {}}))["cases"]]
-        if case not in known and example != "catt_to_cart":
+        if case not in known and example not in ("catt_to_cart", "plastic_3bl"):
             continue
         result = work / f"{case_file.stem}_result"
         summary = computed(program, case_file, result)
@@ -179,6 +204,8 @@ def compare(program, folder, example, work):
             compare_steady(rows, case, summary)
         elif example in SHIFTS:
             compare_shifts(rows, case, result)
+        elif example == "plastic_3bl":
+            compare_yielded(rows, case, result)
         else:
             compare_rolled(rows, case, result)
     rows.print()

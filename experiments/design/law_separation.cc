@@ -5,7 +5,7 @@
 
 #include "contact/base/error.h"
 #include "contact/half_space_scales.h"
-#include "experiments/identification/best_sum_of_squares.h"
+#include "experiments/identification/estimation/best_sum_of_squares.h"
 #include "experiments/identification/friction_values.h"
 #include "experiments/identification/identification_models.h"
 #include "experiments/identification/law_parameters.h"
@@ -54,7 +54,7 @@ Settings settings_of(const io::RigFile& file, const LawPlan& plan) {
     for (const double part : {1., std::sqrt(ratio), ratio})
         set.loads.push_back(hertz.normal_force / part);
     for (const double load : set.loads) {
-        const double limit = sliding_forces(under(file.c, load), {load}).front();
+        const double limit = sliding_forces(false, under(file.c, load), {load}).front();
         for (const double share : {f, f / 2}) set.forces.push_back(share * limit);
     }
     return set;
@@ -69,10 +69,10 @@ double limit_amplitude(const Case& c, double force) {
 
 /// All rows in the order of the tables: sliding forces, shifts, the limit.
 std::vector<double> rows_of(const Case& c, const Settings& set) {
-    std::vector<double> rows = sliding_forces(c, set.loads);
+    std::vector<double> rows = sliding_forces(false, c, set.loads);
     for (std::size_t i = 0; i < set.loads.size(); ++i)
-        for (const double shift :
-             half_space_shifts(under(c, set.loads[i]), {set.forces[2 * i], set.forces[2 * i + 1]}))
+        for (const double shift : theory_shifts(false, under(c, set.loads[i]),
+                                                {set.forces[2 * i], set.forces[2 * i + 1]}))
             rows.push_back(shift);
     if (set.has_limit) rows.push_back(limit_amplitude(under(c, set.loads[0]), set.forces[0]));
     return rows;

@@ -144,7 +144,9 @@ void check_bem(const Case& c, const HalfSpaceScales& s, double steps, const Docu
                "fewer than " + rounded(fewest_cells) + " cells of " + rounded(h) + " m x " +
                    rounded(h_y) + " m in the half axes of the contact: too coarse",
                "use smaller cells, or omit it");
-    if (!cells.ratio && radius < fewest_cells * h)
+    // On its own nodes a height map says itself what touches, if it is a single cell.
+    const bool on_own_nodes = c.indenter.height_map && h == c.indenter.spacing;
+    if (!cells.ratio && !on_own_nodes && radius < fewest_cells * h)
         refuse(document, key,
                "fewer than " + rounded(fewest_cells) + " cells in the contact radius of " +
                    rounded(radius) + " m: too coarse",
