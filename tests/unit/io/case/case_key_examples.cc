@@ -51,6 +51,7 @@ std::string case_of(std::string_view path) {
         {"indenter.roughness", "rough_plane"},
         {"path", "path_twist"},
         {"friction.rate", "rolling_falling_friction"},
+        {"friction.temperature", "rolling_hot_friction"},
         {"indenter.heat", "rolling_temperature"},
         {"substrate.heat", "rolling_temperature"},
         {"tractive_rolling", "rolling_spin"},
