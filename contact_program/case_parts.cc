@@ -170,6 +170,10 @@ std::string bodies_text(const ProgramCase& one, const std::string& name) {
                         io::toml_number(one.friction_coefficient > 0 ? one.friction_coefficient
                                                                      : friction_without_effect));
     if (one.friction_rate && one.step.is_steady()) text += rate_text(*one.friction_rate);
+    if (const auto& law = one.friction_temperature; law && one.step.is_steady())
+        text += fmt::format(
+            "[friction.temperature]\nchange = {}\nfrom = \"{} degC\"\nto = \"{} degC\"\n",
+            io::toml_number(law->change), law->from, law->to);
     if (one.digits.material == 4) text += third_body_text(*one.third_body);
     if (has_heat(one))
         text +=
@@ -204,7 +208,8 @@ void check_alike(ProgramSequence steps, const std::string& name) {
                           "keep it, or begin another one by P = 2");
         };
         demand(is_close(one.friction_coefficient, head.friction_coefficient) &&
-                   one.friction_rate.has_value() == head.friction_rate.has_value(),
+                   one.friction_rate.has_value() == head.friction_rate.has_value() &&
+                   one.friction_temperature.has_value() == head.friction_temperature.has_value(),
                "friction");
         demand(one.poisson == head.poisson && one.shear_modulus == head.shear_modulus &&
                    one.influence == head.influence && one.influence_file == head.influence_file,

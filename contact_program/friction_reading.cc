@@ -47,11 +47,23 @@ void read_falling(InputLines& lines, ProgramCase& one) {
     if (one.friction_coefficient > v[0]) one.friction_rate = rate;
 }
 
+/// FREF below TREF, and what is added to it by DTHEAT above.
+void read_by_temperature(InputLines& lines, ProgramCase& one) {
+    const auto v = lines.numbers(4, "FREF, TREF, DFHEAT and DTHEAT");
+    demand_positive(lines, v[0], "FREF");
+    demand_positive(lines, v[3], "DTHEAT");
+    if (!(v[0] + v[2] > 0))
+        lines.refuse("DFHEAT", v[2], "leaves nothing of FREF", "change it by less");
+    one.friction_coefficient = v[0];
+    if (v[2] != 0) one.friction_temperature = {.change = v[2], .from = v[1], .to = v[1] + v[3]};
+}
+
 void read_memory(InputLines& lines, ProgramCase& one) {
     const auto v = lines.numbers(2, "MEMDST and MEM_S0");
     for (const std::size_t k : {0, 1})
         if (!(v[k] >= 0))
             lines.refuse(k == 0 ? "MEMDST" : "MEM_S0", v[k], "must not be negative", "correct it");
+    one.has_temperature_memory = one.friction_temperature && v[0] > 0;
     if (!one.friction_rate || v[0] == 0) return;
     one.friction_rate->memory_length = one_mm * v[0];
     one.friction_rate->memory_speed = one_mm * v[1];
@@ -62,11 +74,13 @@ void read_memory(InputLines& lines, ProgramCase& one) {
 void read_friction(InputLines& lines, ProgramCase& one, int sets) {
     one.friction_law = one.digits.friction;
     one.friction_rate.reset();
+    one.friction_temperature.reset();
+    one.has_temperature_memory = false;
     for (int k = 0; k < sets; ++k) {
         if (one.friction_law == 0)
             read_coulomb(lines, one);
         else if (one.friction_law == by_temperature)
-            lines.skip_numbers(4, "constants of the friction law");
+            read_by_temperature(lines, one);
         else
             read_falling(lines, one);
         one.friction_line = lines.line();

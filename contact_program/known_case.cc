@@ -22,10 +22,14 @@ class KnownCase {
 
   private:
     void check_kept() const {
-        if (one_.friction_law == 6)
+        if (one_.friction_temperature && one_.step.tangential && !has_heat(one_))
             refuse_at(name_, one_.friction_line, "L = 6",
-                      "friction that falls with the temperature is not computed",
-                      "give L = 0, or 2 to 4");
+                      "friction that changes with the temperature is computed in steady rolling "
+                      "alone, with data of heat",
+                      "give T = 3 and H = 3, or L = 0");
+        if (one_.has_temperature_memory)
+            refuse_at(name_, one_.friction_line, "MEMDST",
+                      "friction follows the temperature at once", "give 0");
         if (one_.friction_rate && one_.step.tangential && !one_.step.is_steady())
             refuse_at(name_, one_.friction_line, fmt::format("L = {}", one_.friction_law),
                       "friction that falls with the slip velocity is computed in steady rolling "

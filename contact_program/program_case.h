@@ -54,9 +54,13 @@ struct ProgramCase {
     double tolerance = 0;  ///< EPS
     int friction_line = 0;
     int friction_law = 0;             ///< L of the last one that was not kept
-    double friction_coefficient = 0;  ///< at rest, of the last L = 0 or 2 to 4
+    double friction_coefficient = 0;  ///< at rest, of the last L that was not kept
     /// L = 2 to 4: how it falls with the speed of slip; empty: Coulomb's law.
     std::optional<contact::FrictionRate> friction_rate;
+
+    /// L = 6: how it changes with the temperature.
+    std::optional<contact::FrictionTemperature> friction_temperature;
+    bool has_temperature_memory = false;  ///< MEMDST > 0
 
     int rolling_line = 0;
     double direction = 0;    ///< CHI [rad]

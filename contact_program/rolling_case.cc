@@ -42,7 +42,8 @@ class RollingReading {
             bodies_text(rolling_, name_) + load_text() + "[tractive_rolling]\n" + drive_text();
         const std::string cells = cells_text(rolling_, cell_shift());
         const auto c = io::parse_case(heading + sections + cells, name_ + ", as a case");
-        if (c.friction.rate) return heading + sections + cells;  // the steady state alone
+        if (rolling_.friction_rate || rolling_.friction_temperature)
+            return heading + sections + cells;  // the steady state alone
         const double a = contact::half_space_scales(c).contact_radius;
         return heading + sections +
                fmt::format("distance = {}\n",

@@ -137,6 +137,7 @@ struct SequenceWriter {
     /// L.
     int friction_law() const {
         using Law = contact::FrictionRate::Law;
+        if (case_.kept.find<contact::FrictionTemperature>()) return 6;
         if (!case_.friction.rate) return 0;
         const Law law = case_.friction.rate->law;
         return law == Law::linear ? 2 : law == Law::rational ? 3 : 4;
@@ -144,6 +145,12 @@ struct SequenceWriter {
 
     void append_friction() {
         const double mu = case_.friction_coefficient();
+        if (const auto* law = case_.kept.find<contact::FrictionTemperature>()) {
+            text_ +=
+                fmt::format(" {} {} {} {}   FREF, TREF, DFHEAT, DTHEAT\n 0 0   MEMDST, MEM_S0\n",
+                            mu, law->from, law->change, law->to - law->from);
+            return;
+        }
         if (!case_.friction.rate) {
             text_ += fmt::format(" {0} {0}   FSTAT, FKIN\n", mu);
             return;

@@ -4,6 +4,7 @@
 
 #include "contact/cells.h"
 #include "contact/half_space_scales.h"
+#include "contact/heat.h"
 #include "contact_program/sequence.h"
 #include "io/case/case_input.h"
 #include "io/keys/messages.h"
@@ -123,8 +124,9 @@ struct StepWriter {
             step.along[0].value = force_ratio();
         if (given.lateral_creepage || (symmetric_ && given.longitudinal_creepage))
             step.along[1] = {Kind::shift, 0};
-        // Friction that falls with the slip is computed in the steady state alone.
-        if (!case_.friction.rate) steps.push_back(step);
+        // Friction that changes with slip or temperature is computed in the steady state alone.
+        if (!case_.friction.rate && !case_.kept.find<contact::FrictionTemperature>())
+            steps.push_back(step);
         if (given.longitudinal_creepage) step.along[0].value = *given.longitudinal_creepage;
         if (given.lateral_creepage) step.along[1].value = *given.lateral_creepage;
         step.rotation = given.spin;

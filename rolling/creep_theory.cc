@@ -110,7 +110,8 @@ double creepage_unit(const Case& c) {
 }
 
 std::vector<CreepTheory> creep_theories(const Case& c) {
-    if (c.relaxation || c.interface.is_elastic() || c.friction.rate || !free_creepages(c).empty())
+    if (c.relaxation || c.interface.is_elastic() || friction_changes(c) ||
+        !free_creepages(c).empty())
         return {};
     const bool coulomb = c.friction.is_coulomb();
     if (c.is_line_contact())

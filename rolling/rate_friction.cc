@@ -10,6 +10,7 @@
 #include "contact/base/error.h"
 #include "contact/base/special_values.h"
 #include "contact/solvers/fixed_point.h"
+#include "rolling/temperatures.h"
 
 namespace tricontact::rolling {
 
@@ -26,31 +27,57 @@ double carried_at_rest(const contact::ContactPoints& grid, const SteadyProblem& 
 
 }  // namespace
 
-std::vector<double> friction_left(const contact::ContactPoints& grid, const RatedFriction& friction,
-                                  const contact::TangentialField& slip) {
-    const contact::FrictionRate& rate = friction.rate;
-    const double time = grid.spacing[0] / friction.speed;  // over a cell
-    std::vector<double> left(grid.size(), 1.);
-    for (int row = 0; row < grid.n_y; ++row) {
-        double ahead = 1;
-        for (int i = grid.n_x - 1; i >= 0; --i) {
-            const std::size_t k = static_cast<std::size_t>(row) * grid.n_x + i;
-            const double speed = friction.speed * contact::norm(slip.at(k));
-            const double kept = rate.memory(time, speed);
-            left[k] = ahead = kept * ahead + (1 - kept) *
-                                                 rate.coefficient(friction.at_rest, speed) /
-                                                 friction.at_rest;
+ChangingFriction friction_by_rate(const contact::ContactPoints& grid,
+                                  const contact::FrictionRate& rate, double at_rest, double speed) {
+    const auto left_of = [&grid, &rate, at_rest, speed](const SteadySolution& solution) {
+        const double time = grid.spacing[0] / speed;  // over a cell
+        std::vector<double> left(grid.size(), 1.);
+        for (int row = 0; row < grid.n_y; ++row) {
+            double ahead = 1;
+            for (int i = grid.n_x - 1; i >= 0; --i) {
+                const std::size_t k = static_cast<std::size_t>(row) * grid.n_x + i;
+                const double v = speed * contact::norm(solution.slip.at(k));
+                const double kept = rate.memory(time, v);
+                left[k] = ahead =
+                    kept * ahead + (1 - kept) * rate.coefficient(at_rest, v) / at_rest;
+            }
         }
-    }
-    return left;
+        return left;
+    };
+    return {left_of, rate.least(at_rest) / at_rest, "falls with the speed of slip",
+            "give it a friction.rate.memory_length, or fall less"};
+}
+
+ChangingFriction friction_by_temperature(const contact::ContactPoints& grid,
+                                         const contact::FrictionTemperature& law,
+                                         const contact::ContactHeat& heat, double at_rest,
+                                         double speed, const std::vector<double>& bound) {
+    contact::Surface s;
+    s.n_x = grid.n_x;
+    s.n_y = grid.n_y;
+    s.spacing = grid.spacing;
+    s.normal_traction = bound;
+    s.dissipation.assign(grid.size(), 0);
+    const auto left_of = [s, &law, &heat, at_rest, speed](const SteadySolution& solution) mutable {
+        for (std::size_t i = 0; i < s.size(); ++i)
+            s.dissipation[i] =
+                std::max(0., contact::dot(solution.traction.at(i), solution.slip.at(i)));
+        const std::vector<double> rise = friction_heating(s, heat, speed);
+        std::vector<double> left(s.size(), 1.);
+        for (std::size_t i = 0; i < left.size(); ++i)
+            left[i] = law.coefficient(at_rest, heat.touching_temperature() + rise[i]) / at_rest;
+        return left;
+    };
+    return {left_of, (at_rest + law.change) / at_rest, "changes with the temperature",
+            "let it change less"};
 }
 
 double solve_steady_rated(const contact::Compliance& compliance, const SteadyProblem& problem,
-                          const RatedFriction& friction, SlipStart from, double tolerance,
+                          const ChangingFriction& friction, SlipStart from, double tolerance,
                           SteadySolution& solution, std::vector<double>& left) {
     const contact::ContactPoints& grid = compliance.points();
-    const double least = friction.rate.least(friction.at_rest) / friction.at_rest;
-    if (left.empty()) left.assign(grid.size(), from == SlipStart::slow ? 1 : least);
+    const auto [least, most] = std::minmax({1., friction.in_the_end});
+    if (left.empty()) left.assign(grid.size(), from == SlipStart::slow ? 1 : friction.in_the_end);
     std::vector<double> bound(grid.size());
     contact::FixedPoint accelerated;
     int iterations = 0;
@@ -62,25 +89,25 @@ double solve_steady_rated(const contact::Compliance& compliance, const SteadyPro
         } catch (const contact::InputError&) {
             if (k == 0) throw;  // at rest, too
             throw contact::InputError(fmt::format(
-                "rolling: the force {:.6g} N is more than friction carries that falls with the "
-                "speed of slip ({:.6g} N at rest); lower it, or prescribe the creepage",
-                contact::norm(problem.drive.force), carried_at_rest(grid, problem)));
+                "rolling: the force {:.6g} N is more than friction carries that {} ({:.6g} N at "
+                "rest); lower it, or prescribe the creepage",
+                contact::norm(problem.drive.force), friction.changes,
+                carried_at_rest(grid, problem)));
         }
         solution.iterations += iterations;
         iterations = solution.iterations;
-        const std::vector<double> next = friction_left(grid, friction, solution.slip);
+        const std::vector<double> next = friction.left(solution);
         double change = 0;
         for (std::size_t i = 0; i < bound.size(); ++i)
             if (bound[i] > 0) change = contact::larger(change, std::abs(next[i] - left[i]));
         if (change <= tolerance) return change;
         left = k < plain_iterations ? next : accelerated.next(left, next, change);
-        for (double& one : left) one = std::clamp(one, least, 1.);
+        for (double& one : left) one = std::clamp(one, least, most);
     }
     throw contact::NotConverged(
         fmt::format("steady rolling: after {} iterations friction still follows the slip from one "
-                    "state to another: it falls too steeply with the speed of slip for single "
-                    "cells; give it a friction.rate.memory_length, or fall less",
-                    most_iterations));
+                    "state to another: it {} too steeply for single cells; {}",
+                    most_iterations, friction.changes, friction.remedy));
 }
 
 }  // namespace tricontact::rolling

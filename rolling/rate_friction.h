@@ -1,34 +1,46 @@
 #pragma once
 
+#include <functional>
+#include <string>
 #include <vector>
 
 #include "contact/friction/friction_rate.h"
+#include "contact/heat.h"
 #include "rolling/steady_solver.h"
 
 namespace tricontact::rolling {
 
-/// Friction that depends on the speed of slip, in a steady state.
-struct RatedFriction {
-    const contact::FrictionRate& rate;
-    double at_rest;  ///< mu [-]
-    double speed;    ///< of rolling [m/s]
+/// Friction that follows from the steady state itself.
+struct ChangingFriction {
+    /// mu over mu at rest of each point [-] in this state, row by row.
+    std::function<std::vector<double>(const SteadySolution&)> left;
+    double in_the_end = 0;  ///< the same where slip, or heat, has no bounds [-]
+    std::string changes;    ///< "falls with the speed of slip"
+    std::string remedy;     ///< where that is too steep: "let it fall less"
 };
 
-/// mu over mu at rest of each point of a grid [-] at this slip [-], row by row from the leading
-/// edge, where it is 1.
-std::vector<double> friction_left(const contact::ContactPoints& grid, const RatedFriction& friction,
-                                  const contact::TangentialField& slip);
+/// mu by the speed of slip: from the leading edge, where it is 1. `speed`: of rolling [m/s];
+/// `at_rest`: mu [-]. What it refers to shall outlive it.
+ChangingFriction friction_by_rate(const contact::ContactPoints& grid,
+                                  const contact::FrictionRate& rate, double at_rest, double speed);
+
+/// mu by the temperatures of the surfaces where they touch, see temperatures.h; `bound` [Pa]: above
+/// 0 in contact. Likewise.
+ChangingFriction friction_by_temperature(const contact::ContactPoints& grid,
+                                         const contact::FrictionTemperature& law,
+                                         const contact::ContactHeat& heat, double at_rest,
+                                         double speed, const std::vector<double>& bound);
 
 /// solve_steady under bounds that follow from the slip: a fixed point of mu, each step of which is
 /// the steady state under given bounds. `problem.bound` is that at rest [Pa]. `left`: mu over mu at
 /// rest per point, the start and the result; empty: that of `from`.
 ///
-/// From slow slip mu falls from one iterate to the next and slip grows, from fast slip the other
-/// way round: what they come to are the states of least and of most slip. Returns the largest
-/// change of mu over mu at rest that was left. Throws as solve_steady; InputError when a force is
-/// more than what slips carries.
+/// By the speed of slip mu falls, from slow slip, from one iterate to the next and slip grows, from
+/// fast slip the other way round: what they come to are the states of least and of most slip. By
+/// the temperature both are ends to begin at. Returns the largest change of mu over mu at rest that
+/// was left. Throws as solve_steady; InputError when a force is more than what slips carries.
 double solve_steady_rated(const contact::Compliance& compliance, const SteadyProblem& problem,
-                          const RatedFriction& friction, SlipStart from, double tolerance,
+                          const ChangingFriction& friction, SlipStart from, double tolerance,
                           SteadySolution& solution, std::vector<double>& left);
 
 }  // namespace tricontact::rolling

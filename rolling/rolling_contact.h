@@ -59,6 +59,8 @@ struct RollingProblem {
     SlipStart slip_start = SlipStart::slow;
     /// Of a steady state whose temperatures are asked for, at `speed`.
     std::optional<contact::ContactHeat> heat{};
+    /// Of Coulomb's law by the temperatures of `heat`, in the steady state likewise.
+    std::optional<contact::FrictionTemperature> friction_temperature{};
 };
 
 /// Temperatures per point of a grid, see temperatures.h.

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "contact/heat.h"
 #include "report/format.h"
 #include "rolling/creep_theory.h"
 
@@ -61,31 +62,41 @@ std::string energy_sentence(const RollingReport& report) {
         report::share(*worst, 2));
 }
 
-/// Falling friction may have several states, of which both ends are looked for.
+/// Where the search for a state begins, and what may leave several.
+struct StateWords {
+    const char *friction, *first, *other, *of;
+};
+
+/// Friction that follows from the state may have several, of which both ends are looked for.
 std::string states_sentence(const RollingReport& report, const RollingRun& run) {
     constexpr double same = 1e-5;  // far above the solver's tolerance
-    if (!report.c.friction.rate) return {};
+    if (!friction_changes(report.c)) return {};
+    const StateWords words =
+        report.c.friction.rate
+            ? StateWords{"friction that falls with the slip", "slow", "fast", "slip"}
+            : StateWords{"friction that changes with the temperature", "cold", "hot", "surfaces"};
     const std::string model = report::display_name(run.model);
     if (!run.history.why_no_fast_slip.empty())
         return fmt::format(
-            "{}: whether this steady state is the only one is not known; from fast "
-            "slip: {}.",
-            model, run.history.why_no_fast_slip);
+            "{}: whether this steady state is the only one is not known; from {} {}: {}.", model,
+            words.other, words.of, run.history.why_no_fast_slip);
     if (!run.history.from_fast_slip)
-        return model +
-               ": under a force, this is the state of least slip; friction that falls with the "
-               "slip "
-               "may have others, which are not looked for.";
+        return fmt::format(
+            "{}: under a force, this is the state that is found from {} {}; {} may have others, "
+            "which are not looked for.",
+            model, words.first, words.of, words.friction);
     const auto &slow = run.history.steady, &fast = *run.history.from_fast_slip;
     const double f = force_ratio(slow, report.c.friction),
                  other = force_ratio(fast, report.c.friction);
     const double stick = (slow.stick_area - fast.stick_area) / slow.contact_area;
     if (std::abs(f - other) <= same && std::abs(stick) <= same)
-        return model + ": from slow and from fast slip the same steady state is found.";
+        return fmt::format("{}: from {} and from {} {} the same steady state is found.", model,
+                           words.first, words.other, words.of);
     return fmt::format(
-        "{}: friction that falls with the slip leaves more than one steady state. From slow slip "
-        "(told here) F_x = {} μ F_N; from fast slip {} μ F_N, and {} % of the contact sticks.",
-        model, report::significant(f, 6), report::significant(other, 6),
+        "{}: {} leaves more than one steady state. From {} {} (told here) F_x = {} μ F_N; from {} "
+        "{} {} μ F_N, and {} % of the contact sticks.",
+        model, words.friction, words.first, words.of, report::significant(f, 6), words.other,
+        words.of, report::significant(other, 6),
         report::significant(100 * fast.stick_area / fast.contact_area, 3));
 }
 
@@ -143,10 +154,16 @@ Settings settings_of(const Case& c) {
     if (c.interface.tangential_stiffness)
         settings.emplace_back("k_t",
                               report::given_quantity(*c.interface.tangential_stiffness, "Pa/m"));
-    if (c.friction.rate) {
+    if (friction_changes(c))
         std::erase_if(settings, [](const auto& one) { return one.first == "rolled way"; });
-        settings.emplace_back("friction", c.friction.formula());
-    }
+    if (c.friction.rate) settings.emplace_back("friction", c.friction.formula());
+    if (const auto* law = c.kept.find<contact::FrictionTemperature>())
+        settings.emplace_back(
+            "friction",
+            fmt::format("μ = {} up to {} °C, {} from {} °C on, linear between",
+                        report::as_given(c.friction_coefficient()), report::as_given(law->from),
+                        report::as_given(c.friction_coefficient() + law->change),
+                        report::as_given(law->to)));
     if (c.tractive_rolling->speed > 0)
         settings.emplace_back("v", report::given_quantity(c.tractive_rolling->speed, "m/s"));
     if (c.layer.thickness)

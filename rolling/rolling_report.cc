@@ -44,6 +44,10 @@ CentreLine centre_line(const Surface& surface, const contact::Friction& friction
     return line;
 }
 
+bool friction_changes(const contact::Case& c) {
+    return c.friction.rate || c.kept.find<contact::FrictionTemperature>();
+}
+
 double friction_limit(const RollingState& state, const contact::Friction& friction) {
     return friction.law()->limit({state.normal_force, state.friction_bound});
 }

@@ -42,6 +42,9 @@ struct RollingReport {
 /// Ways in units of the contact's half length at which the transient is looked at.
 inline constexpr double line_distances[] = {0, .25, .5, 1, 2, 4};
 
+/// Friction follows from the steady state: by the speed of slip or by the temperature.
+bool friction_changes(const contact::Case& c);
+
 /// What friction carries of a state in all, F_lim [N]: mu F_N of Coulomb's law.
 double friction_limit(const RollingState& state, const contact::Friction& friction);
 /// F_x/F_lim of a state.

@@ -84,10 +84,10 @@ RollingState TransientRolling::press() {
 }
 
 RollingState TransientRolling::roll() {
-    if (problem_.rate)
+    if (problem_.rate || problem_.friction_temperature)
         throw contact::InputError(
-            "rolling from rest: friction that falls with the speed of slip is known in the steady "
-            "state alone; leave it out");
+            "rolling from rest: friction that changes with the speed of slip or the temperature is "
+            "known in the steady state alone; leave it out");
     contact::LoadStep next = step();
     next.duration = problem_.speed > 0 ? cell_ / problem_.speed : contact::infinity;
     for (int d = 0; d < 2; ++d)

@@ -109,8 +109,9 @@ class StaggeredIteration {
                                                      : contact::TangentialControl::Kind::force,
                           drive_.force[d]};
         contact::audit_normal(normal_, problem_.normal, points_.area, problem_.tolerance, audit);
-        if (problem_.rate)
-            audit.record("friction_follows_slip", rate_residual_, problem_.tolerance);
+        if (problem_.rate || problem_.friction_temperature)
+            audit.record(problem_.rate ? "friction_follows_slip" : "friction_follows_temperature",
+                         rate_residual_, problem_.tolerance);
         if (!coupling_.is_decoupled())
             audit.record("normal_and_tangential_agree", gap_residual_, problem_.tolerance);
         contact::audit_tangential({.bound = bound_,
@@ -151,7 +152,7 @@ class StaggeredIteration {
         const SteadyProblem problem{bound_, coupling_.displacement(), drive_,
                                     problem_.indenter->lowest_point(),
                                     sliding_creepage(half_length)};
-        if (problem_.rate)
+        if (problem_.rate || problem_.friction_temperature)
             solve_rated(problem);
         else
             solve_steady(compliance_, problem, problem_.tolerance, steady_);
@@ -161,10 +162,17 @@ class StaggeredIteration {
     /// What friction has left of itself goes on from one iteration to the next.
     void solve_rated(const SteadyProblem& problem) {
         const auto mu = problem_.friction->coulomb();
-        if (!mu) throw contact::InputError("rolling: friction of a rate is Coulomb's at rest");
-        rate_residual_ =
-            solve_steady_rated(compliance_, problem, {*problem_.rate, *mu, problem_.speed},
-                               problem_.slip_start, problem_.tolerance, steady_, left_);
+        const bool by_heat = problem_.friction_temperature.has_value();
+        if (!mu || (by_heat && (problem_.rate || !problem_.heat)))
+            throw contact::InputError(
+                "rolling: friction that changes with slip or temperature is Coulomb's at rest, and "
+                "by one of both; temperatures need heat");
+        const ChangingFriction friction =
+            by_heat ? friction_by_temperature(points_, *problem_.friction_temperature,
+                                              *problem_.heat, *mu, problem_.speed, bound_)
+                    : friction_by_rate(points_, *problem_.rate, *mu, problem_.speed);
+        rate_residual_ = solve_steady_rated(compliance_, problem, friction, problem_.slip_start,
+                                            problem_.tolerance, steady_, left_);
         for (std::size_t i = 0; i < bound_.size(); ++i) bound_[i] *= left_[i];
     }
 

@@ -99,7 +99,7 @@ report::Figure line_figure(const RollingReport& report, const RollingRun& run) {
     report::Figure figure{
         .id = "centre_" + report::id_of_model(run.model),
         .title = fmt::format("{}: {}",
-                             report.c.friction.rate ? "Tractions"
+                             friction_changes(report.c) ? "Tractions"
                              : report.c.friction.is_coulomb() && !report.c.interface.is_elastic()
                                  ? "From Cattaneo to Carter"
                                  : "From rest to steady rolling",
@@ -114,9 +114,9 @@ report::Figure line_figure(const RollingReport& report, const RollingRun& run) {
                                               : "τ_x/(μ p_0) [-]"}};
     for (const CentreLine& line : run.lines) {
         // Of what falls with the slip: mu at rest.
-        const double largest = report.c.friction.rate ? report.c.friction_coefficient() *
-                                                            run.history.steady.peak_pressure
-                                                      : *std::ranges::max_element(line.bound);
+        const double largest = friction_changes(report.c) ? report.c.friction_coefficient() *
+                                                                run.history.steady.peak_pressure
+                                                          : *std::ranges::max_element(line.bound);
         report::Curve curve{.name = line_name(line, a)};
         report::Curve bound{.name = "bound", .theory = true};
         for (std::size_t i = 0; i < line.x.size(); ++i) {
@@ -201,7 +201,8 @@ report::DocumentSection transient_section(const RollingReport& report) {
                                     .heading = "From rest to steady rolling",
                                     .figures = {way_figure(report)}};
     // Friction that falls with the slip is computed at rest and in the steady state.
-    if (report.c.friction.rate) section = {.id = "transient", .heading = "Tractions, rolling on"};
+    if (friction_changes(report.c))
+        section = {.id = "transient", .heading = "Tractions, rolling on"};
     for (const RollingRun& run : report.runs) section.figures.push_back(line_figure(report, run));
     return section;
 }

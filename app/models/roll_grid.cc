@@ -49,6 +49,8 @@ RollingProblem problem_of(const Case& c, const contact::Substrate& substrate) {
         .speed = given.speed,
         .rate = c.friction.rate};
     if (const auto* heat = c.kept.find<contact::ContactHeat>()) problem.heat = *heat;
+    if (const auto* law = c.kept.find<contact::FrictionTemperature>())
+        problem.friction_temperature = *law;
     if (given.longitudinal_creepage) return problem;
     // What another law than Coulomb's carries in all, the loaded contact itself tells.
     const bool by_contact = contact::ratio_of_loaded_step(c) || !c.friction.is_coulomb();
@@ -112,7 +114,7 @@ RollingRun roll_on_grid(const std::string& model, const Case& c, const RollRuns&
     contact::require_sound(steady.audit, model);
     recorder.run.history.temperatures = std::move(steady.temperatures);
     recorder.note_steady(steady.state, std::move(steady.surface));
-    if (runs.both_ends && problem.rate && problem.drive.creepage[0]) {
+    if (runs.both_ends && rolling::friction_changes(c) && problem.drive.creepage[0]) {
         problem.slip_start = rolling::SlipStart::fast;
         rolling::RollingHistory& history = recorder.run.history;
         history.why_no_fast_slip = contact::why_it_stopped([&] {

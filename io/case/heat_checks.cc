@@ -42,9 +42,38 @@ void check_heat_flow(const Case& c, const ThermalBody& body, const std::string& 
                    "roll faster, or leave out [indenter.heat] and [substrate.heat]");
 }
 
+void check_friction_by_temperature(const Case& c, const Document& document) {
+    const auto* law = c.kept.find<contact::FrictionTemperature>();
+    if (!law) return;
+    const std::string key = "friction.temperature.change";
+    if (!c.kept.find<contact::ContactHeat>())
+        refuse(document, key, "no temperatures are computed",
+               "give [indenter.heat] and [substrate.heat], or leave out [friction.temperature]");
+    if (!c.friction.is_coulomb())
+        refuse(document, key, "only Coulomb's law changes with the temperature",
+               "give friction.coefficient alone beside [friction.temperature]");
+    if (law->change == 0)
+        refuse(document, key, "changes nothing", "leave out [friction.temperature]");
+    if (*c.friction.coefficient + law->change <= 0)
+        refuse(document, key,
+               "leaves " + rounded(*c.friction.coefficient + law->change) +
+                   " of friction.coefficient = " + rounded(*c.friction.coefficient),
+               "change it by less");
+    if (!(law->from < law->to))
+        refuse(document, "friction.temperature.to",
+               "is not above friction.temperature.from = " + rounded(law->from) + " degC",
+               "correct one of them");
+    if (document.find("tractive_rolling.distance"))
+        refuse(document, "tractive_rolling.distance",
+               "friction that changes with the temperature is computed in the steady state alone, "
+               "not on the way to it",
+               "omit it");
+}
+
 }  // namespace
 
 void check_heat(const Case& c, const HalfSpaceScales& scales, const Document& document) {
+    check_friction_by_temperature(c, document);
     const contact::ContactHeat* heat = c.kept.find<contact::ContactHeat>();
     if (!heat) return;
     const std::string key = "substrate.heat.conductivity";

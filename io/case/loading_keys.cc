@@ -189,11 +189,11 @@ std::vector<CaseKey> tractive_keys() {
             {number_key("tractive_rolling.distance", above_zero(1000), "8",
                         "way rolled from rest, over the half length a of the contact on a "
                         "half-space; not with "
-                        "`[friction.rate]`",
+                        "`[friction.rate]` or `[friction.temperature]`",
                         {.default_value = "8.0"}),
              [](Case& c) {
-                 return c.friction.rate ? Field()
-                                        : in(c, &Case::tractive_rolling, &Tractive::distance);
+                 const bool steady = c.friction.rate || c.kept.find<contact::FrictionTemperature>();
+                 return steady ? Field() : in(c, &Case::tractive_rolling, &Tractive::distance);
              }},
             {quantity_key(
                  "tractive_rolling.speed", Dimension::velocity, above_zero(1e9), R"("20 mm/s")",

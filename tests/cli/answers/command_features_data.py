@@ -55,6 +55,7 @@ under_laws = {"design": {"substrate.thickness": None, "design.assumptions": None
 heated = {f"{body}.heat.{key}": value for body, conductivity in (("indenter", 50), ("substrate", 0.2))
           for key, value in (("conductivity", f'"{conductivity} W/(m K)"'), ("specific_heat", '"450 J/(kg K)"'),
                              ("density", '"7850 kg/m3"'))}
+by_heat = {**heated, "friction.temperature.change": "-0.2", "friction.temperature.from": '"0 degC"', "friction.temperature.to": '"5 degC"'}
 body = {"indenter.radius": None}
 mapped = {**body, "indenter.shape": '"height-map"', "indenter.file": '"map.txt"', "indenter.spacing": '"0.2 mm"',
           "bem.cells_per_radius": None, "bem.spacing": '"0.4 mm"', "load.normal_force": '"1 N"',
@@ -124,6 +125,8 @@ features = [
             over_for={"run rolling on": yielding}),
     feature("temperatures of the surfaces", "indenter.heat.* substrate.heat.*", "substrate.heat|heat|[tractive_rolling]", {}, heated,
             other_for={"run rolling on": {**heated, "tractive_rolling.speed": '"1 m/s"'}}),
+    feature("friction by the temperature", "friction.temperature.*", "friction.temperature|friction|Coulomb|substrate.heat|heat", {}, by_heat,
+            other_for={"run rolling on": {**by_heat, "tractive_rolling.speed": '"1 m/s"', "tractive_rolling.distance": None}}),
     feature("layer", "substrate.thickness substrate.thickness_ratio", "substrate.thickness|layer",
             {"substrate.thickness": '"8 mm"'}, {"substrate.thickness": '"7 mm"'}),
     feature("base that glides", "substrate.base", "substrate.base|base|substrate.thickness: ", layer,

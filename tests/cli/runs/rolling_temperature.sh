@@ -35,7 +35,16 @@ near "$(value cold highest_temperature_degC)" 75 1e-9 || complain "without slip:
 grep -q "Surface temperatures" other/report.html && complain "temperatures in the report of a case without heat"
 head -n 1 other/bem/history.csv | grep -q temperature && complain "a column of a case without heat"
 
-# 4. Written for CONTACT with H = 3 and read again, also without the case that stands behind.
+# 4. Friction that falls as it heats: one state, from cold and from hot surfaces, without a way from rest; CONTACT ends at 0.881 on
+# small cells.
+"$program" run "$source_dir/examples/cases/rolling_hot_friction.toml" --set bem.spacing="0.6 mm" --points 2 --quiet --output hot >told.txt 2>&1 ||
+    complain "hot friction: $(cat told.txt)"
+near "$(value hot force_ratio)" 0.881 0.004 || complain "hot friction: $(value hot force_ratio)"
+grep -q "from cold and from hot surfaces the same steady state is found" hot/report.html || complain "one state is not told"
+grep -q "From rest to steady rolling" hot/report.html && complain "a way from rest is shown"
+grep -q "Carter" hot/report.html && complain "theories of Coulomb's law are shown"
+
+# 5. Written for CONTACT with H = 3 and read again, also without the case that stands behind.
 "$program" contact export "$case_file" --models bem --output there >told.txt 2>&1 || complain "export: $(cat told.txt)"
 grep -q "BKTEMP, HEATCP" there/rolling_temperature.inp || complain "no heat is written"
 sed '/^%/d' there/rolling_temperature.inp >back.inp

@@ -96,5 +96,38 @@ tangential_stiffness = "6560 MPa/mm"
                  contact::InputError);
 }
 
+TEST(ImportedHeat, FrictionByTheTemperature) {
+    const auto text_of = [](const std::string& law) {
+        std::string text = heated_case("8200 0 0 0");
+        text.replace(text.find("022420"), 6, "622420");
+        text.replace(text.find("0.3 0.3"), 7, law);
+        return text;
+    };
+    const auto read = cases_of(text_of("0.3 20 -0.18 380\n 0 1"));
+    ASSERT_EQ(read.size(), 2U);
+    for (const Case& c : read) {
+        const auto& law = c.of<contact::FrictionTemperature>();
+        EXPECT_EQ(*c.friction.coefficient, .3);
+        EXPECT_EQ(law.change, -.18);
+        EXPECT_EQ(law.from, 20);
+        EXPECT_EQ(law.to, 400);
+    }
+    EXPECT_FALSE(
+        cases_of(text_of("0.3 20 0 380\n 0 1")).at(0).kept.find<contact::FrictionTemperature>());
+    EXPECT_THROW(cases_of(text_of("0.3 20 -0.18 380\n 0.003 1")), contact::InputError);
+
+    // What is written of it comes back.
+    const Case& c = read.at(0);
+    const auto compliance = bem::case_compliance(c, 1, bem::Body::half_space);
+    const auto back =
+        cases_of(sequence_text(c, compliance->points(), compliance->is_coupled(), {}));
+    ASSERT_EQ(back.size(), 1U);
+    const auto& law = back[0].of<contact::FrictionTemperature>();
+    EXPECT_EQ(law.change, -.18);
+    EXPECT_EQ(law.to, 400);
+    EXPECT_EQ(*back[0].friction.coefficient, .3);
+    EXPECT_EQ(back[0].of<contact::ContactHeat>().substrate.temperature, 90);
+}
+
 }  // namespace
 }  // namespace tricontact::contact_program::heat_reading_test

@@ -53,6 +53,7 @@ std::string case_of(std::string_view path) {
         {"friction.rate", "rolling_falling_friction"},
         {"friction.weakening", "path_weakening"},
         {"interface.hardening", "path_forces"},
+        {"friction.temperature", "rolling_hot_friction"},
         {"indenter.heat", "rolling_temperature"},
         {"substrate.heat", "rolling_temperature"},
         {"tractive_rolling", "rolling_spin"},
