@@ -61,8 +61,8 @@ refused() {
 laws='laws = ["coulomb", "shear-strength"]'
 header='tangential_force [N], shift [um], shift_error [um]\n'
 rows='1, 20, 1\n2, 45, 1\n3, 70, 1\n'
-refused 'laws of friction are compared by closed forms of the half-space, not by layer' \
-    's/^find = .*/find = ["substrate.young"]\n'"$laws"'/'
+refused 'laws of friction are compared by half-space and layer, not by bem-layer' \
+    's/^find = .*/find = ["substrate.young"]\n'"$laws"'/; s/"layer"/"bem-layer"/'
 refused 'has friction.coefficient beside measurement.laws' 's/^models.*/models = ["half-space"]\n'"$laws"'/'
 only_half_space='s/^find = .*/find = ["substrate.young"]/; s/^models.*/models = ["half-space"]\n'"$laws"'/'
 refused 'measurement.laws names the laws whose numbers are found; omit it' \
