@@ -36,6 +36,16 @@ sed '/^laws\|^sliding/d; s/^find = .*/find = ["substrate.young", "friction.coeff
 "$program" identify old.toml --output out --quiet >text || complain "E and mu"
 grep -q "^Coulomb's law .*shear strength" text || complain "Coulomb's law without a word: $(cat text)"
 
+# Coulomb's law alone, no errors stated: the pattern of its residuals calls it wrong.
+sed 's/^laws = .*/laws = ["coulomb"]/' lens.toml >alone.toml
+"$program" identify alone.toml --output out --quiet >text || complain "Coulomb's law alone"
+grep -q "^None of the laws of friction compared explains the tables" text || complain "alone: $(cat text)"
+grep -q "^Excluded: coulomb (mu p) (its residuals show a pattern)" text || complain "alone: $(cat text)"
+sed '/^laws/d; s/^find = .*/find = ["substrate.young", "friction.coefficient"]/' lens.toml >assumed.toml
+"$program" identify assumed.toml --output out --quiet >text || complain "Coulomb's law assumed"
+grep -q "^Coulomb's law was assumed, and a half-space with a shear strength excludes it (AICc" text || complain "assumed: $(cat text)"
+grep -q "^The values of half-space are not to be used before the reason is known: its residuals" text || complain "assumed: $(cat text)"
+
 sed 's/, "bem-layer"//' "$source_dir/examples/measurements/rig_static_shift.toml" >shift.toml
 cp "$source_dir/examples/measurements/rig_static_shift.csv" .
 # refused EXPECTED SED [TABLE]: the rig's file changed, TABLE in place of its table.
