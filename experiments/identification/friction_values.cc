@@ -8,7 +8,7 @@
 #include "experiments/identification/layer_contact.h"
 #include "theory/cattaneo_mindlin.h"
 #include "theory/hertz_under_law.h"
-#include "theory/sprung_contact.h"
+#include "theory/springs/sprung_contact.h"
 
 namespace tricontact::experiments {
 

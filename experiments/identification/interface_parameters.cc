@@ -23,7 +23,7 @@ using std::numbers::pi;
 // Noise may make a row say more than there is.
 constexpr double below_softest = .1;
 // Springs that are so much stiffer are rigid.
-constexpr double stiffest = 1e5, guessed = 10;
+constexpr double stiffest = 1e5, nearly_rigid = 1e4, guessed = 5;
 
 double square(double x) {
     return x * x;
@@ -96,8 +96,7 @@ FreeParameter stiffness_parameter(const Input& input, const std::string& key) {
         .low = softest,
         .high = stiffest * softest};
     p.start = std::clamp(given, 1.1 * p.low, p.high / 1.1);
-    p.further_starts = {2 * softest / below_softest, guessed * p.start};
-    for (double& start : p.further_starts) start = std::min(start, p.high / 1.1);
+    p.further_starts = {nearly_rigid * softest};
     return p;
 }
 

@@ -5,12 +5,13 @@
 #include "contact/case.h"
 #include "contact/solvers/control.h"
 #include "experiments/identification/friction_values.h"
-#include "theory/sprung_contact.h"
+#include "theory/springs/sprung_contact.h"
 
 namespace tricontact::experiments {
 
 // A bonded layer under a rigid paraboloid, under any law of friction and any interface, by
-// theory/sprung_contact.h: what the layer's theory and mdr-layer come to, without their runs.
+// theory/springs/sprung_contact.h: what the layer's theory and mdr-layer come to, without their
+// runs.
 
 /// Under a law that is not Coulomb's, or on springs: what the tables of other runs do not hold.
 bool is_beyond_coulomb(const contact::Case& rig);

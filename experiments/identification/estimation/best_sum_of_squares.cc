@@ -60,7 +60,7 @@ std::vector<std::vector<double>> starts_of(const std::vector<FreeParameter>& par
     for (const FreeParameter& p : parameters) {
         std::vector<double> values{p.coordinate(p.start)};
         for (const double start : p.further_starts) values.push_back(p.coordinate(start));
-        if (p.scale == FreeParameter::Scale::reciprocal)
+        if (p.scale == FreeParameter::Scale::reciprocal && p.further_starts.empty())
             values.assign(std::begin(scanned_ratios), std::end(scanned_ratios));
         else if (p.key == "substrate.poisson")
             values.assign(std::begin(scanned_poissons), std::end(scanned_poissons));

@@ -36,6 +36,16 @@ sed '/^laws\|^sliding/d; s/^find = .*/find = ["substrate.young", "friction.coeff
 "$program" identify old.toml --output out --quiet >text || complain "E and mu"
 grep -q "^Coulomb's law .*shear strength" text || complain "Coulomb's law without a word: $(cat text)"
 
+# Coulomb's law alone, no errors stated: the pattern of its residuals calls it wrong.
+sed 's/^laws = .*/laws = ["coulomb"]/' lens.toml >alone.toml
+"$program" identify alone.toml --output out --quiet >text || complain "Coulomb's law alone"
+grep -q "^None of the laws of friction compared explains the tables" text || complain "alone: $(cat text)"
+grep -q "^Excluded: coulomb (mu p) (its residuals show a pattern)" text || complain "alone: $(cat text)"
+sed '/^laws/d; s/^find = .*/find = ["substrate.young", "friction.coefficient"]/' lens.toml >assumed.toml
+"$program" identify assumed.toml --output out --quiet >text || complain "Coulomb's law assumed"
+grep -q "^Coulomb's law was assumed, and a half-space with a shear strength excludes it (AICc" text || complain "assumed: $(cat text)"
+grep -q "^The values of half-space are not to be used before the reason is known: its residuals" text || complain "assumed: $(cat text)"
+
 sed 's/, "bem-layer"//' "$source_dir/examples/measurements/rig_static_shift.toml" >shift.toml
 cp "$source_dir/examples/measurements/rig_static_shift.csv" .
 # refused EXPECTED SED [TABLE]: the rig's file changed, TABLE in place of its table.
@@ -61,8 +71,8 @@ refused() {
 laws='laws = ["coulomb", "shear-strength"]'
 header='tangential_force [N], shift [um], shift_error [um]\n'
 rows='1, 20, 1\n2, 45, 1\n3, 70, 1\n'
-refused 'laws of friction are compared by closed forms of the half-space, not by layer' \
-    's/^find = .*/find = ["substrate.young"]\n'"$laws"'/'
+refused 'laws of friction are compared by half-space and layer, not by bem-layer' \
+    's/^find = .*/find = ["substrate.young"]\n'"$laws"'/; s/"layer"/"bem-layer"/'
 refused 'has friction.coefficient beside measurement.laws' 's/^models.*/models = ["half-space"]\n'"$laws"'/'
 only_half_space='s/^find = .*/find = ["substrate.young"]/; s/^models.*/models = ["half-space"]\n'"$laws"'/'
 refused 'measurement.laws names the laws whose numbers are found; omit it' \

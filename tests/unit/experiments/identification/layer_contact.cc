@@ -3,8 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
+#include <random>
 
 #include "contact/base/error.h"
+#include "experiments/identification/law_comparison.h"
 #include "experiments/identification/measured_values.h"
 #include "mdr/layer_model.h"
 #include "theory/layer/elastic_layer.h"
@@ -26,10 +29,10 @@ Case rig(const contact::Friction& friction) {
     return c;
 }
 
-contact::ModelMakers makers() {
+contact::ModelMakers makers(int elements_per_radius) {
     contact::ModelMakers some;
-    some.make = [](const std::string&, const Case& c, int, const contact::Say&) {
-        return mdr::make_layer_model(c, 200);
+    some.make = [=](const std::string&, const Case& c, int, const contact::Say&) {
+        return mdr::make_layer_model(c, elements_per_radius);
     };
     return some;
 }
@@ -58,7 +61,7 @@ TEST(LayerContact, ShiftsAreThoseOfMdrLayerUnderEachLaw) {
         {.shear_strength = 40e3},
         {.coefficient = .3, .shear_strength = 20e3},
         {.coefficient = .5, .pressure_exponent = .6, .reference_pressure = .2e6}};
-    const contact::ModelMakers of_line = makers();
+    const contact::ModelMakers of_line = makers(200);
     for (const contact::Friction& law : laws) {
         const Case c = rig(law);
         const theory::SprungContact contact = layer_contact(c, 20);
@@ -74,7 +77,7 @@ TEST(LayerContact, ShiftsAreThoseOfMdrLayerUnderEachLaw) {
 TEST(LayerContact, SpringsAreThoseOfMdrLayer) {
     Case c = rig({.coefficient = .5});
     c.interface = {5e9, 2e9};
-    const contact::ModelMakers of_line = makers();
+    const contact::ModelMakers of_line = makers(200);
     const theory::SprungContact contact = layer_contact(c, 20);
     const auto model = of_line.make("", c, 1, contact::silent);
     contact::LoadStep step = contact::press_step(c);
@@ -95,6 +98,52 @@ TEST(LayerContact, SpringsAreThoseOfMdrLayer) {
     EXPECT_NEAR(layer_press(c, {Kind::force, 20}).indentation /
                     half_space_press(c, {Kind::force, 20}).indentation,
                 1, 3e-3);
+}
+
+// Shifts by mdr-layer, not by this theory, and the forces of full sliding of the exact pressure:
+// tau_0 pi a^2.
+TEST(LayerContact, AStrengthIsNamedOnALayer) {
+    constexpr double strength = 40e3;
+    const Case truth = rig({.shear_strength = strength});
+    const contact::ModelMakers of_line = makers(50);
+    IdentificationInput input;
+    IdentificationInput::Table shifts{.measurement =
+                                          IdentificationInput::Measurement::static_shift},
+        sliding{.measurement = IdentificationInput::Measurement::sliding_force};
+    std::mt19937 random(46);
+    std::normal_distribution<double> gauss(1, .01);
+    for (const double load : {2., 6., 20.}) {
+        Case c = truth;
+        c.load.normal_force = load;
+        const auto press = theory::solve_layer_contact(
+            {c.substrate, *c.layer.thickness, theory::LayerBase::bonded},
+            *c.make_axisymmetric_indenter(), {Kind::force, load});
+        const double limit = strength * std::numbers::pi * std::pow(press.contact_radius, 2);
+        sliding.given.push_back(load);
+        sliding.observed.push_back(limit * gauss(random));
+        std::vector<double> forces;
+        for (int k = 1; k <= 6; ++k) forces.push_back(.15 * k * limit);
+        for (const double shift : static_shifts("mdr-layer", c, forces, {of_line, 1}))
+            shifts.observed.push_back(shift * gauss(random));
+        shifts.given.insert(shifts.given.end(), forces.begin(), forces.end());
+        shifts.normal_forces.insert(shifts.normal_forces.end(), forces.size(), load);
+    }
+    input.tables = {shifts, sliding};
+    input.models = {"layer"};
+    input.rig = rig({.coefficient = 5});
+    input.rig.substrate.young = 2e6;
+    input.parameters = free_parameters(input, {"substrate.young"});
+    const LawComparison laws =
+        compare_laws(input, {"coulomb", "shear-strength"}, {of_line, 1}, "layer");
+    ASSERT_TRUE(laws.named);
+    const LawFit& named = laws.laws[*laws.named];
+    EXPECT_EQ(named.law->name, "shear-strength");
+    // Noise of 1 % in 18 rows, of which the largest count most.
+    EXPECT_NEAR(named.found.parameters[0].value / 3e6, 1, .02);
+    EXPECT_NEAR(named.found.parameters[1].value / strength, 1, .02);
+    // On a half-space the layer would be taken for a stiffer one.
+    const LawComparison half_space = compare_laws(input, {"shear-strength"}, {of_line, 1});
+    EXPECT_GT(half_space.laws.front().found.parameters[0].value, 1.2 * 3e6);
 }
 
 TEST(LayerContact, StatesWhatItDoesNotCompute) {

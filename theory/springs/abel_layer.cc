@@ -1,6 +1,7 @@
-#include "theory/abel_layer.h"
+#include "theory/springs/abel_layer.h"
 
 #include <fmt/format.h>
+#include <gsl/gsl_sf_bessel.h>
 
 #include <algorithm>
 #include <boost/math/quadrature/gauss.hpp>
@@ -56,9 +57,8 @@ LayerCorrection correction(const AbelElements& on, double poisson, double ratio)
                 normal[m] = weight * deficit.normal;
                 tangential[m] =
                     weight * ((1 - poisson) * deficit.along + deficit.across) / (2 - poisson);
-                of_disc[m] = std::numbers::pi * std::cyl_bessel_j(1, k) / k;
-                for (Index i = 0; i <= on.n; ++i)
-                    bessel(i, m) = std::cyl_bessel_j(0, k * on.nodes[i]);
+                of_disc[m] = std::numbers::pi * gsl_sf_bessel_J1(k) / k;
+                for (Index i = 0; i <= on.n; ++i) bessel(i, m) = gsl_sf_bessel_J0(k * on.nodes[i]);
                 add_transforms(on, k, transforms, m);
                 ++m;
             }

@@ -1,4 +1,4 @@
-#include "theory/sprung_contact.h"
+#include "theory/springs/sprung_contact.h"
 
 #include <fmt/format.h>
 
@@ -10,8 +10,8 @@
 
 #include "contact/base/error.h"
 #include "contact/base/root.h"
-#include "theory/abel_layer.h"
-#include "theory/sprung_curves.h"
+#include "theory/springs/abel_layer.h"
+#include "theory/springs/sprung_curves.h"
 
 namespace tricontact::theory {
 

@@ -6,8 +6,8 @@
 #include <mutex>
 #include <utility>
 
-#include "theory/abel_elements.h"
 #include "theory/layer/layer_compliance.h"
+#include "theory/springs/abel_elements.h"
 
 namespace tricontact::theory {
 

@@ -1,4 +1,4 @@
-#include "theory/sprung_contact.h"
+#include "theory/springs/sprung_contact.h"
 
 #include <gtest/gtest.h>
 

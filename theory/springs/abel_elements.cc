@@ -1,4 +1,4 @@
-#include "theory/abel_elements.h"
+#include "theory/springs/abel_elements.h"
 
 #include <algorithm>
 #include <boost/math/quadrature/gauss.hpp>

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "contact/case.h"
-#include "theory/abel_elements.h"
-#include "theory/abel_layer.h"
+#include "theory/springs/abel_elements.h"
+#include "theory/springs/abel_layer.h"
 
 namespace tricontact::theory {
 

@@ -8,7 +8,7 @@
 
 namespace tricontact::theory {
 
-/// A bonded layer's influence on round contacts (theory/abel_layer.h), which keeps what it
+/// A bonded layer's influence on round contacts (theory/springs/abel_layer.h), which keeps what it
 /// computed.
 class AbelLayer;
 /// Throws contact::InputError unless -1 < nu <= 1/2.

@@ -1,4 +1,4 @@
-#include "theory/sprung_curves.h"
+#include "theory/springs/sprung_curves.h"
 
 #include <algorithm>
 #include <array>
