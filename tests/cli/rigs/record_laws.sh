@@ -47,8 +47,8 @@ grep -q '"laws": null' known/experiment.json || complain "laws that nobody asked
 grep -q 'F_T/(μ F_N)' known/report.html && complain "mu of a law without one"
 
 # Of the example one axis, for speed.
-design=examples/rigs/one_axis.toml
-sed '/^load.tangential_ratio/d; s/^tangential_ratio.*/tangential_ratio = 0.65/' examples/rigs/design_laws.toml >$design
+design=examples/measurements/one_axis.toml
+sed '/^load.tangential_ratio/d; s/^tangential_ratio.*/tangential_ratio = 0.65/' examples/measurements/design_laws.toml >$design
 "$program" design $design --output plan >text || complain "design: $(cat text)"
 grep -q '^All requirements can be met\.' text || complain "not met: $(cat text)"
 grep -q '^separation from coulomb: D = ' text || complain "no separation: $(cat text)"
