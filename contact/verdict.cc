@@ -169,8 +169,8 @@ std::string Judge::missing() const {
     if (has_hold(last)) {
         if (step <= judged_.negligible_shift)
             return fmt::format(
-                "the shift stands, but the friction's work per period, {:.2g} mu F_N U_max, has "
-                "neither vanished nor stayed the same for {} periods{}",
+                "the shift stands, but the friction's work per period, {:.2g} of U_max times what "
+                "friction carries, has neither vanished nor stayed the same for {} periods{}",
                 last.work, std::max(fewest_repeated, periods_.size() / 4), more);
         // What holds the indenter while it moves by U_max would have slipped.
         double moved = 0;

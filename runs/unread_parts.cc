@@ -17,7 +17,7 @@ const std::map<std::string, std::string>& readers() {
     static const std::map<std::string, std::string> readers{
         {"[rig]", "rig, design, identify"},
         {"[record]", "experiment, design"},
-        {"[measurement]", "identify, experiment"},
+        {"[measurement]", "identify, experiment with laws"},
         {"[design]", "design"},
         {"[printed]", "rig"},
         {io::uncertainty_mark, "predict --samples, rig, design, experiment, identify"}};

@@ -68,8 +68,9 @@ constinit const Quantity unit_shift{
     .unit = "m",
     .name = "unit of shift",
     .meaning =
-        "Tangential displacement of the contact's centre under the traction mu p: the shift "
-        "at which a half-space begins to slide; each model's own.",
+        "Tangential displacement of the contact's centre under the traction mu p, under another "
+        "law of friction tau(p): the shift at which a half-space begins to slide; each model's "
+        "own.",
     .source = "Cattaneo (1938), Mindlin (1949)",
     .of = [](const Subject& s) { return finite(s.history.scales.unit_shift); },
     .exact = [](const Reference& r) { return exact(r, r.hertz.unit_shift); },
@@ -81,7 +82,7 @@ constinit const Quantity tangential_ratio{
     .symbol = "f_T",
     .over = "mu F_N",
     .name = "tangential force",
-    .meaning = "Tangential force after loading over what friction can carry, mu F_N.",
+    .meaning = "Tangential force after loading over what friction can carry, mu F_N or F_lim.",
     .of = [](const Subject& s) { return finite(comparisons::tangential_ratio(s.history)); },
     .exact = [](const Reference& r) { return finite(r.tangential_ratio); },
     .part = Part::pressed};

@@ -19,7 +19,7 @@ constinit const Quantity force_residual{
     .name = "worst force balance",
     .meaning =
         "Largest difference of the tractions' resultants and the applied forces over F_N or "
-        "mu F_N.",
+        "what friction carries.",
     .of =
         [](const Subject& s) {
             double worst = 0;

@@ -11,7 +11,7 @@
 #include "experiments/identification/law_parameters.h"
 #include "io/case/case_reader.h"
 #include "io/case/rig_keys.h"
-#include "io/keys/field_reader.h"
+#include "io/keys/key_checks.h"
 #include "theory/rolling/body_rolling.h"
 
 namespace tricontact::experiments {

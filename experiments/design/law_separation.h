@@ -18,14 +18,13 @@ struct LawPlan {
 
 /// One row of them.
 struct PlannedRow {
-    const char* quantity;                      ///< "sliding force"
-    double normal_force = 0;                   ///< [N]
-    double tangential_force = 0;               ///< [N]; 0: it is what is measured
-    double value = 0;                          ///< under the case's law [N, m]
-    double standard_error = 0;                 ///< [N, m]
-    std::vector<double> off = {};              ///< of each law at its best, in standard errors
-    static constexpr const char* force = "N";  ///< unit of forces
-    const char* unit = force;                  ///< of value and error
+    const char* quantity;          ///< "sliding force"
+    double normal_force = 0;       ///< [N]
+    double tangential_force = 0;   ///< [N]; 0: it is what is measured
+    double value = 0;              ///< under the case's law [N, m]
+    double standard_error = 0;     ///< [N, m]
+    const char* unit = "N";        ///< of value and error
+    std::vector<double> off = {};  ///< from each law at its best, in standard errors
 };
 
 /// How far the tables are from what another law can explain.

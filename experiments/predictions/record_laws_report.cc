@@ -109,6 +109,7 @@ Verdict law_verdict(const RecordLaws& laws, std::size_t i) {
     const auto differs = law.differs();
     std::string ending = differs == true       ? ": the record disagrees"
                          : differs.has_value() ? ": the record agrees"
+                         : law.evaluation      ? ": the record cannot tell"
                                                : "";
     if (fit.is_excluded()) ending += "; the tables exclude it (" + fit.why_excluded + ")";
     Verdict verdict{law.is_excluded()  ? violated

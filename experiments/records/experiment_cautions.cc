@@ -52,11 +52,11 @@ report::Verdict limit_within_verdict(const ExperimentEvaluation& e, const ModelP
 }
 
 report::Verdict slides_verdict(const ModelPrediction& p) {
-    return {
-        Standing::not_resolved,
-        fmt::format("{}: within the uncertainty of the case F_T reaches what friction carries, and the "
-                    "contact slides: nothing bounds the shift.",
-                    report::display_name(p.model))};
+    return {Standing::not_resolved,
+            fmt::format(
+                "{}: within the uncertainty of the case F_T reaches what friction carries, and the "
+                "contact slides: nothing bounds the shift.",
+                report::display_name(p.model))};
 }
 
 }  // namespace

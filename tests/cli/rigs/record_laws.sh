@@ -23,6 +23,16 @@ grep -q '^shear-strength (tau_0), E = .*: the record agrees\.$' text || complain
 [ "$(number out/experiment.json "['laws']['tables']['named']")" = None ] || complain "the tables name one"
 grep -q 'id="friction_laws"' out/report.html || complain "no section in the report"
 
+# A limit run: under F_T = .65 F_lim Coulomb's law has w_lim = .238, a strength .28, the record .26 to .29.
+"$python" "$source_dir/tests/cli/rigs/limit_record.py" examples/records/limit.csv
+sed 's/^kind = .*/kind = "limit"/; s/^runs = .*/runs = ["limit.csv"]/; s/^tangential_force.*/tangential_force = "0.9624 N"/
+    s/^models = \["mdr", "bem"\]/models = ["mdr"]/; /^resolution/d' $file >examples/records/limit.toml
+"$program" experiment examples/records/limit.toml --output limit --quiet >text 2>err || complain "a limit run: $(cat err)"
+grep -q '^Tables and record support the law of friction shear-strength (tau_0)\.' text || complain "law of a limit run: $(cat text)"
+grep -q "^coulomb .*: W_lim = 0.276 .* by the law's closed form, measured from 0.302 to 0.337 mm: the record disagrees" text ||
+    complain "Coulomb's limit: $(cat text)"
+grep -q "^shear-strength .*: W_lim = 0.33.*: the record agrees" text || complain "the strength's limit: $(cat text)"
+
 # The law that was found stands in [friction]: w_lim of f_T is its own, f = 2/pi [arccos w - w sqrt(1 - w^2)].
 sed '/^\[measurement\]/,$d; s/^models.*/models = ["mdr"]/
     s/^poisson = 0.5/&\nyoung = "1.8 ± 0.03 MPa"\n[friction]\nshear_strength = "0.35 ± 0.007 MPa"/' $file >examples/records/known.toml
@@ -37,8 +47,8 @@ grep -q '"laws": null' known/experiment.json || complain "laws that nobody asked
 grep -q 'F_T/(μ F_N)' known/report.html && complain "mu of a law without one"
 
 # Of the example one axis, for speed.
-design=examples/rigs/one_axis.toml
-sed '/^load.tangential_ratio/d; s/^tangential_ratio.*/tangential_ratio = 0.65/' examples/rigs/design_laws.toml >$design
+design=examples/measurements/one_axis.toml
+sed '/^load.tangential_ratio/d; s/^tangential_ratio.*/tangential_ratio = 0.65/' examples/measurements/design_laws.toml >$design
 "$program" design $design --output plan >text || complain "design: $(cat text)"
 grep -q '^All requirements can be met\.' text || complain "not met: $(cat text)"
 grep -q '^separation from coulomb: D = ' text || complain "no separation: $(cat text)"
