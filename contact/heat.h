@@ -1,6 +1,5 @@
 #pragma once
 
-#include <algorithm>
 #include <cmath>
 
 namespace tricontact::contact {
@@ -35,18 +34,6 @@ struct ContactHeat {
     /// Of both surfaces where they touch, without friction [degC].
     double touching_temperature() const {
         return std::lerp(indenter.temperature, substrate.temperature, substrate_share());
-    }
-};
-
-/// How the coefficient of friction mu changes with the temperature T of the surfaces where they
-/// touch: mu up to T = `from`, mu + change from `to` on, linearly between. Kept likewise.
-struct FrictionTemperature {
-    double change = 0;        ///< [-], above -mu, not 0
-    double from = 0, to = 0;  ///< [degC], from < to
-
-    /// At T [degC], of mu up to `from` [-].
-    double coefficient(double mu, double temperature) const {
-        return mu + change * std::clamp((temperature - from) / (to - from), 0., 1.);
     }
 };
 

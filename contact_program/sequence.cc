@@ -137,7 +137,7 @@ struct SequenceWriter {
     /// L.
     int friction_law() const {
         using Law = contact::FrictionRate::Law;
-        if (case_.kept.find<contact::FrictionTemperature>()) return 6;
+        if (case_.friction.temperature) return 6;
         if (!case_.friction.rate) return 0;
         const Law law = case_.friction.rate->law;
         return law == Law::linear ? 2 : law == Law::rational ? 3 : 4;
@@ -145,7 +145,7 @@ struct SequenceWriter {
 
     void append_friction() {
         const double mu = case_.friction_coefficient();
-        if (const auto* law = case_.kept.find<contact::FrictionTemperature>()) {
+        if (const auto& law = case_.friction.temperature) {
             text_ +=
                 fmt::format(" {} {} {} {}   FREF, TREF, DFHEAT, DTHEAT\n 0 0   MEMDST, MEM_S0\n",
                             mu, law->from, law->change, law->to - law->from);

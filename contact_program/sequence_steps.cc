@@ -125,8 +125,7 @@ struct StepWriter {
         if (given.lateral_creepage || (symmetric_ && given.longitudinal_creepage))
             step.along[1] = {Kind::shift, 0};
         // Friction that changes with slip or temperature is computed in the steady state alone.
-        if (!case_.friction.rate && !case_.kept.find<contact::FrictionTemperature>())
-            steps.push_back(step);
+        if (!case_.friction.rate && !case_.friction.temperature) steps.push_back(step);
         if (given.longitudinal_creepage) step.along[0].value = *given.longitudinal_creepage;
         if (given.lateral_creepage) step.along[1].value = *given.lateral_creepage;
         step.rotation = given.spin;

@@ -157,7 +157,7 @@ Settings settings_of(const Case& c) {
     if (friction_changes(c))
         std::erase_if(settings, [](const auto& one) { return one.first == "rolled way"; });
     if (c.friction.rate) settings.emplace_back("friction", c.friction.formula());
-    if (const auto* law = c.kept.find<contact::FrictionTemperature>())
+    if (const auto& law = c.friction.temperature)
         settings.emplace_back(
             "friction",
             fmt::format("μ = {} up to {} °C, {} from {} °C on, linear between",

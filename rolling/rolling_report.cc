@@ -45,7 +45,7 @@ CentreLine centre_line(const Surface& surface, const contact::Friction& friction
 }
 
 bool friction_changes(const contact::Case& c) {
-    return c.friction.rate || c.kept.find<contact::FrictionTemperature>();
+    return c.friction.rate || c.friction.temperature;
 }
 
 double friction_limit(const RollingState& state, const contact::Friction& friction) {

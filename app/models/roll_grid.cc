@@ -49,8 +49,7 @@ RollingProblem problem_of(const Case& c, const contact::Substrate& substrate) {
         .speed = given.speed,
         .rate = c.friction.rate};
     if (const auto* heat = c.kept.find<contact::ContactHeat>()) problem.heat = *heat;
-    if (const auto* law = c.kept.find<contact::FrictionTemperature>())
-        problem.friction_temperature = *law;
+    if (const auto& law = c.friction.temperature) problem.friction_temperature = *law;
     if (given.longitudinal_creepage) return problem;
     // What another law than Coulomb's carries in all, the loaded contact itself tells.
     const bool by_contact = contact::ratio_of_loaded_step(c) || !c.friction.is_coulomb();

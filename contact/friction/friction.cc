@@ -172,6 +172,9 @@ std::string Friction::formula() const {
                                   pressure_text(*reference_pressure), *pressure_exponent);
     }
     if (rate) text += " at rest, " + rate->fall();
+    if (temperature)
+        text += fmt::format(" cold, {:.4g} p from {:.4g} °C on",
+                            coefficient.value_or(0) + temperature->change, temperature->to);
     if (weakening)
         text += fmt::format(
             " at rest, falling by {:.4g} p over a slip of {:.4g} µm, {}", weakening->drop,

@@ -8,6 +8,7 @@
 #include "contact/friction/friction_map.h"
 #include "contact/friction/friction_memory.h"
 #include "contact/friction/friction_rate.h"
+#include "contact/friction/friction_temperature.h"
 
 namespace tricontact::contact {
 
@@ -26,11 +27,12 @@ struct Friction {
     std::optional<std::string> map_file;       ///< of `map`
     std::shared_ptr<const FrictionMap> map;    ///< of the bound over the substrate; null: the same
     std::optional<FrictionRate> rate;          ///< of what slips, from mu at rest
-    std::optional<FrictionWeakening> weakening;  ///< of what has slipped, from mu at rest
-    std::optional<InterfaceYield> yield;         ///< of the layer between the surfaces
+    std::optional<FrictionTemperature> temperature;  ///< of the surfaces, from mu when cold
+    std::optional<FrictionWeakening> weakening;      ///< of what has slipped, from mu at rest
+    std::optional<InterfaceYield> yield;             ///< of the layer between the surfaces
 
-    /// Whatever slips, and however fast.
-    bool is_coulomb() const { return is_coulomb_at_rest() && !rate; }
+    /// Whatever slips, however fast and hot.
+    bool is_coulomb() const { return is_coulomb_at_rest() && !rate && !temperature; }
     bool is_coulomb_at_rest() const {
         return !shear_strength && pressure_exponent.value_or(1) == 1 && !strength_limit && !map &&
                !weakening && !yield;

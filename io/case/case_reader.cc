@@ -31,7 +31,8 @@ void make_optional_parts(Case& c, const Document& document) {
     if (document.find("interface.yield_stress")) c.friction.yield = contact::InterfaceYield{};
     if (document.find_section("indenter.heat") || document.find_section("substrate.heat"))
         c.of<contact::ContactHeat>();
-    if (document.find_section("friction.temperature")) c.of<contact::FrictionTemperature>();
+    if (document.find_section("friction.temperature"))
+        c.friction.temperature = contact::FrictionTemperature{};
     if (document.find_section("lower_layer")) c.of<LayersInput>().lower.emplace();
     if (document.find_section("ground")) c.layer.ground = contact::Material{};
     if (document.find_section("tractive_rolling")) c.tractive_rolling = Case::TractiveRolling{};

@@ -43,13 +43,13 @@ void check_heat_flow(const Case& c, const ThermalBody& body, const std::string& 
 }
 
 void check_friction_by_temperature(const Case& c, const Document& document) {
-    const auto* law = c.kept.find<contact::FrictionTemperature>();
+    const auto& law = c.friction.temperature;
     if (!law) return;
     const std::string key = "friction.temperature.change";
     if (!c.kept.find<contact::ContactHeat>())
         refuse(document, key, "no temperatures are computed",
                "give [indenter.heat] and [substrate.heat], or leave out [friction.temperature]");
-    if (!c.friction.is_coulomb())
+    if (!c.friction.is_coulomb_at_rest() || c.friction.rate)
         refuse(document, key, "only Coulomb's law changes with the temperature",
                "give friction.coefficient alone beside [friction.temperature]");
     if (law->change == 0)

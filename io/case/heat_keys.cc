@@ -22,9 +22,7 @@ Field heat_of_substrate(Case& c) {
 /// The same of friction that depends on the temperature.
 template <double contact::FrictionTemperature::*member>
 Field of_friction(Case& c) {
-    return c.kept.find<contact::FrictionTemperature>()
-               ? Field(&(c.of<contact::FrictionTemperature>().*member))
-               : Field();
+    return c.friction.temperature ? Field(&((*c.friction.temperature).*member)) : Field();
 }
 
 }  // namespace

@@ -192,7 +192,7 @@ std::vector<CaseKey> tractive_keys() {
                         "`[friction.rate]` or `[friction.temperature]`",
                         {.default_value = "8.0"}),
              [](Case& c) {
-                 const bool steady = c.friction.rate || c.kept.find<contact::FrictionTemperature>();
+                 const bool steady = c.friction.rate || c.friction.temperature;
                  return steady ? Field() : in(c, &Case::tractive_rolling, &Tractive::distance);
              }},
             {quantity_key(

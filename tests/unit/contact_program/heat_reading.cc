@@ -106,14 +106,13 @@ TEST(ImportedHeat, FrictionByTheTemperature) {
     const auto read = cases_of(text_of("0.3 20 -0.18 380\n 0 1"));
     ASSERT_EQ(read.size(), 2U);
     for (const Case& c : read) {
-        const auto& law = c.of<contact::FrictionTemperature>();
+        const auto& law = *c.friction.temperature;
         EXPECT_EQ(*c.friction.coefficient, .3);
         EXPECT_EQ(law.change, -.18);
         EXPECT_EQ(law.from, 20);
         EXPECT_EQ(law.to, 400);
     }
-    EXPECT_FALSE(
-        cases_of(text_of("0.3 20 0 380\n 0 1")).at(0).kept.find<contact::FrictionTemperature>());
+    EXPECT_FALSE(cases_of(text_of("0.3 20 0 380\n 0 1")).at(0).friction.temperature);
     EXPECT_THROW(cases_of(text_of("0.3 20 -0.18 380\n 0.003 1")), contact::InputError);
 
     // What is written of it comes back.
@@ -122,7 +121,7 @@ TEST(ImportedHeat, FrictionByTheTemperature) {
     const auto back =
         cases_of(sequence_text(c, compliance->points(), compliance->is_coupled(), {}));
     ASSERT_EQ(back.size(), 1U);
-    const auto& law = back[0].of<contact::FrictionTemperature>();
+    const auto& law = *back[0].friction.temperature;
     EXPECT_EQ(law.change, -.18);
     EXPECT_EQ(law.to, 400);
     EXPECT_EQ(*back[0].friction.coefficient, .3);
