@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <kainjow/mustache.hpp>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
@@ -85,7 +86,7 @@ Json place_json(const Case& c) {
 
 /// The page is about spheres under Coulomb's law.
 bool is_shown(std::string_view name) {
-    return name.starts_with("sphere_") && shipped(std::string(name)).kept.friction.is_coulomb();
+    return name.starts_with("sphere_") && shipped(name).kept.friction.is_coulomb();
 }
 
 std::vector<std::string_view> shown_names() {
