@@ -24,17 +24,17 @@ void Case::Load::set_tangential_ratio(double ratio) {
 
 double Case::friction_coefficient() const {
     const auto mu = friction.law()->coulomb();
-    if (!mu) require_coulomb(*this, "what is asked for");
+    if (!mu) require_coulomb("what is asked for");
     return mu.value();
 }
 
-void require_coulomb(const Case& c, const std::string& what, const std::string& place,
-                     const std::string& instead) {
-    if (c.friction.is_coulomb()) return;
+void Case::require_coulomb(const std::string& what, const std::string& place,
+                           const std::string& instead) const {
+    if (friction.is_coulomb()) return;
     throw InputError(
         fmt::format("{}: {} presumes Coulomb's law, tau = mu p, and the case has tau = {}; give "
                     "friction.coefficient alone{}",
-                    place, what, c.friction.formula(), instead.empty() ? "" : ", or " + instead));
+                    place, what, friction.formula(), instead.empty() ? "" : ", or " + instead));
 }
 
 void Case::require_rigid_interface(const std::string& what) const {

@@ -148,18 +148,17 @@ struct Case {
     /// For what presumes a rigid interface, `what` its name: "maps", "deviations". Throws
     /// InputError if that of the case is elastic.
     void require_rigid_interface(const std::string& what) const;
+    /// For what presumes Coulomb's law, tau = mu p, and is no run of a model: `what` ("a
+    /// deviation"), `place` of messages, `instead` what else could be done, if anything. Throws
+    /// InputError if friction follows another law.
+    void require_coulomb(const std::string& what, const std::string& place = "friction",
+                         const std::string& instead = {}) const;
     MaterialPair materials() const { return {indenter.material, substrate}; }
     /// With its roughness.
     std::unique_ptr<Indenter> make_indenter() const;
     /// Throws InputError for a shape that is no body of revolution.
     std::unique_ptr<AxisymmetricIndenter> make_axisymmetric_indenter() const;
 };
-
-/// For what presumes Coulomb's law, tau = mu p, and is no run of a model: `what` ("deviations"),
-/// `place` of messages ("friction"), `instead` what else could be done, if anything. Throws
-/// InputError if friction follows another law.
-void require_coulomb(const Case& c, const std::string& what, const std::string& place = "friction",
-                     const std::string& instead = {});
 
 /// What ratios refer to: the case's body pressed without friction on the half-space. Hertz'
 /// solution for paraboloid and sphere, its interface rigid, see half_space_scales.h for cylinder

@@ -34,7 +34,7 @@ constexpr const char* angle_key = "rolling.angle";
 /// The law of friction of a case. No study varies it: keys can be varied, but not left out.
 const theory::RolledLaw& law_of(const FitOptions& options, const Case& c) {
     const std::string place = options.file + ": friction";
-    if (c.is_line_contact()) contact::require_coulomb(c, "a fit of line contacts", place);
+    if (c.is_line_contact()) c.require_coulomb("a fit of line contacts", place);
     return theory::require_rolled_law(c, "kappa and eta", place);
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <kainjow/mustache.hpp>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
@@ -83,11 +84,14 @@ Json place_json(const Case& c) {
             {"equal_load", c.load.is_by_limit() ? "share" : "F_T"}};
 }
 
-/// The page is about spheres.
+/// The page is about spheres under Coulomb's law.
+bool is_shown(std::string_view name) {
+    return name.starts_with("sphere_") && shipped(name).kept.friction.is_coulomb();
+}
+
 std::vector<std::string_view> shown_names() {
     std::vector<std::string_view> names;
-    for (const std::string_view name : shipped_names())
-        if (name.starts_with("sphere_")) names.push_back(name);
+    std::ranges::copy_if(shipped_names(), std::back_inserter(names), is_shown);
     return names;
 }
 

@@ -43,8 +43,7 @@ void check_has_reference(const Case& c) {
     if (c.law != Case::Law::linear)
         refuse("small strains and linear elasticity are assumed, but the substrate is hyperelastic",
                "take substrate.material = \"linear\", or a run of fem as the reference");
-    contact::require_coulomb(c, "a reference", "reference",
-                             "take a run of bem-layer as the reference");
+    c.require_coulomb("a reference", "reference", "take a run of bem-layer as the reference");
     if (c.relaxation)
         refuse("an elastic substrate is assumed, but this one relaxes",
                "remove [substrate.relaxation]");

@@ -28,7 +28,7 @@ constexpr double growth = 3;                 // of elements outwards: both laws 
 constexpr int press_steps = 10;
 
 void require_finite_strains(const Case& c) {
-    contact::require_coulomb(c, "a deviation");
+    c.require_coulomb("a deviation");
     c.require_rigid_interface("finite strains");
     if (!contact::is_hertz_round(c))
         throw contact::InputError(

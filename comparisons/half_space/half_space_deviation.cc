@@ -34,7 +34,7 @@ void check(const Case& c) {
             "[path]: layer and half-space are compared under constant loads, at rest or rolling "
             "back and forth; give load.normal_force in place of the path, or run it with the "
             "models bem and bem-layer");
-    contact::require_coulomb(c, "a deviation");
+    c.require_coulomb("a deviation");
     c.require_rigid_interface("deviations from Hertz' contact");
     if (!contact::is_hertz_round(c))
         throw contact::InputError(

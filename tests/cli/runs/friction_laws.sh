@@ -16,7 +16,10 @@ grep -q "350 kPa" lens/report.html || complain "the page does not say the law"
 for coulombs in "1 − 3/2 w" "μF_N" "μ <i>F" "μp" "Cattaneo" "Coulomb friction of one"; do
     grep -qF -- "$coulombs" lens/report.html && complain "the page speaks of $coulombs"
 done
-[ "$(value mdr kappa lens/summary.json)" = None ] || complain "a kappa of another law"
+near "$(value mdr kappa lens/summary.json)" 1.2732395 2e-3 "kappa of springs, 4/pi"
+"$program" run "$lens" --models mdr --set friction.coefficient=0.1 --quiet --no-studies --no-report --output sum ||
+    complain "a sum of laws does not run"
+[ "$(value mdr kappa sum/summary.json)" = None ] || complain "a kappa of another law"
 
 # 2. Three models of a layer. Nodes of elements are farther apart than cells; both of the first order
 # at the edge. What springs of a layer settle at is that of MDR, their shifts at first are exact.
@@ -67,7 +70,7 @@ refused "is Coulomb's law" check "$lens" --set friction.coefficient=0.5 \
 refused "is not above friction.shear_strength" check "$lens" --set friction.coefficient=0.5 \
     --set friction.strength_limit=0.3MPa
 refused "no atlas is about laws of friction other than Coulomb's and a shear strength alone" predict "$lens" \
-    --set friction.strength_limit=0.5MPa
+    --set friction.coefficient=0.1
 refused "no atlas is about layers under a shear strength" predict "$lens" --set substrate.thickness=4mm
 "$program" predict "$lens" --json >maps.json || complain "no prediction under a strength"
 "$python" - maps.json <<'END' || complain "predicted: $(cat maps.json)"

@@ -137,7 +137,7 @@ double rolled_kappa(double w, double f, double poisson, double angle, double cel
     c.load.tangential_ratio = f;
     c.rolling->angle = angle;
     c.rolling->periods = 60;
-    c.rolling->steps = contact::Case::Steps::per_quarter;
+    c.rolling->steps = contact::Case::Steps::turning_points;  // exact for shakedown
     const contact::History history = contact::run(c, *make_model(c, 1, Body::half_space));
     EXPECT_EQ(history.verdict.state, contact::State::shakedown);
     const double u = history.shift_per_period.back() / history.scales.unit_shift;
