@@ -63,6 +63,10 @@ struct StepRecord {
     double dissipation = 0;      ///< frictional, in this step: sum tau . ds dA [J]
     double material_dissipation = 0;  ///< by the relaxing substrate, in this step [J]
     double stored_energy = 0;         ///< elastic, at the end of the step [J]
+    /// Where friction remembers the way of slip: what tractions worked along it beyond what
+    /// friction took, set free in a jump [J]; and whether another state has the same loads.
+    double released_energy = 0;
+    int may_differ = 0;  ///< 1: it has, or none is known not to
     double contact_area = 0, stick_area = 0, slip_area = 0, open_area = 0;  ///< [m^2]
     /// At finite strains the largest principal stretch, and difference of two; else 0.
     double largest_stretch = 0, largest_shear = 0;

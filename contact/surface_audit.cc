@@ -142,6 +142,8 @@ StepRecord SurfaceModel::record(const LoadStep& step) const {
     r.slip_area = areas[2];
     r.material_dissipation = material_dissipation_;
     r.stored_energy = energy_;
+    r.released_energy = released_;
+    r.may_differ = now().may_differ;
     r.contact_area = r.stick_area + r.slip_area;
     r.normal_iterations = now().normal_iterations;
     r.tangential_iterations = now().tangential_iterations;

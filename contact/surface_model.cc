@@ -58,7 +58,8 @@ void SurfaceModel::release() {
     contact_state_.assign(n, ContactState::open);
     for (auto* kept : {&least_pressure_, &least_share_, &slip_path_, &friction_work_})
         kept->clear();
-    energy_ = material_dissipation_ = rotation_ = 0;
+    work_.clear();
+    energy_ = material_dissipation_ = rotation_ = released_ = 0;
     substrate_->forget();
 }
 
@@ -83,6 +84,7 @@ StepRecord SurfaceModel::take(const LoadStep& step, const StepStart& before) {
             "{}: the contact reaches the edge of the meshed contact patch at phase {:.4g}", name_,
             step.phase));
     update_slip(before);
+    if (friction_->remembers()) update_memory(before);
     blocks(slip_path_.size()).for_points([&](std::size_t i) {
         slip_path_[i] += norm(slip(i));
         friction_work_[i] += friction_work(i);
@@ -115,6 +117,40 @@ void SurfaceModel::update_slip(const StepStart& before) {
         const bool at_bound = norm(s.tangential.traction.at(i)) >= s.bound[i] * (1 - 1e-9);
         contact_state_[i] = at_bound && moves ? ContactState::slip : ContactState::stick;
     });
+}
+
+/// Work by the law itself, which end values know as well as steps are short. What the tractions,
+/// on the straight way from their last values, do more than that is set free: in a jump.
+void SurfaceModel::update_memory(const StepStart& before) {
+    const ContactSolution& s = now();
+    std::vector<double> way(s.bound.size(), 0), expected = before.way;
+    work_.assign(way.size(), 0);
+    released_ = 0;
+    for (std::size_t i = 0; i < way.size(); ++i) {
+        const double pressure = s.normal->pressure[i];
+        if (!(pressure > 0)) continue;
+        const Vector2 told = slip(i);
+        const double length = norm(told);
+        if (!(length > 0)) {
+            way[i] = friction_->healed(before.way[i]);
+            continue;
+        }
+        way[i] = expected[i] = friction_->way(before.way[i], length, pressure);
+        work_[i] = friction_->work(pressure, before.way[i], length);
+        const Vector2 mean = .5 * (before.traction.in_surface.at(i) + s.tangential.traction.at(i));
+        released_ += points().area[i] * (dot(mean, told) - work_[i]);
+    }
+    std::vector<double> bound(way.size());
+    friction_->bounds({s.normal->pressure, points().x, points().y, expected}, bound);
+    double misfit = 0, area = 0;
+    for (std::size_t i = 0; i < bound.size(); ++i) {
+        if (s.normal->pressure[i] > 0) area += points().area[i];
+        if (contact_state_[i] == ContactState::slip && s.bound[i] > 0)
+            misfit = std::max(misfit, std::abs(bound[i] - s.bound[i]));
+    }
+    if (misfit > 0)
+        audit_.record("friction_follows_slip", misfit * area / s.total_bound, 10 * tolerance_);
+    solver_->remember(std::move(way));
 }
 
 double SurfaceModel::limit_tangential_ratio() const {

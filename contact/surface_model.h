@@ -40,7 +40,7 @@ class SurfaceModel final : public Model {
     bool is_coupled() const override { return !solver_->coupling().is_decoupled(); }
     StepRecord advance(const LoadStep& step) override {
         return take(step, {solver_->tractions(), now().displacement, now().shift,
-                           step.rotation - rotation_, centre_of(step)});
+                           step.rotation - rotation_, centre_of(step), false, now().way});
     }
     /// Rolls on by one cell of the grid along x, in the frame that moves with the indenter: its
     /// offset stays, and all fields are advected by one cell before the step is taken. In it the
@@ -80,10 +80,13 @@ class SurfaceModel final : public Model {
     Blocks blocks(std::size_t n) const { return {n, substrate_->compliance().n_threads()}; }
     void make_solver();
     void update_slip(const StepStart& before);
+    void update_memory(const StepStart& before);
     // Of the last step, as results tell it [m], [J/m^2].
     Vector2 slip(std::size_t i) const { return told_slip(contact_state_[i], slip_.at(i)); }
     double friction_work(std::size_t i) const {
-        return frictional_work(contact_state_[i], now().tangential.traction.at(i), slip_.at(i));
+        return work_.empty() ? frictional_work(contact_state_[i], now().tangential.traction.at(i),
+                                               slip_.at(i))
+                             : work_[i];
     }
     StepRecord record(const LoadStep& step) const;
     void audit_step(const LoadStep& step, bool advected);
@@ -109,6 +112,10 @@ class SurfaceModel final : public Model {
     TangentialField slip_;                           // of the last step [m]
     std::vector<double> slip_path_, friction_work_;  // since start_period(), see Surface
     std::vector<ContactState> contact_state_;
+    // Of the last step, where friction remembers: frictional work [J/m^2] and, in all, what the
+    // tractions' work on the slip exceeds it by [J].
+    std::vector<double> work_;
+    double released_ = 0;
     std::vector<double> least_pressure_, least_share_;  // since start_limit()
     FrictionLaw::Total limit_start_{};    // at start_limit()
     double energy_ = 0;                   // stored, of the present state [J]

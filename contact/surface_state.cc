@@ -138,7 +138,7 @@ namespace {
 template <class Archive, class Solution, class Normal>
 void transfer_solution(Archive& archive, Solution& s, Normal& normal) {
     archive(s.offset, s.control.kind, s.control.value, s.shift, s.tangential.shift_increment,
-            normal.pressure, normal.displacement, normal.share, s.bound);
+            normal.pressure, normal.displacement, normal.share, s.bound, s.way);
     for (auto* field :
          {&s.tangential.traction, &s.tangential.displacement, &s.displacement.in_surface})
         archive(field->x, field->y);
@@ -153,7 +153,7 @@ void transfer_solution(Archive& archive, Solution& s, Normal& normal) {
 template <class Archive, class Self>
 void SurfaceModel::transfer_rest(Archive& archive, Self& m) {
     archive(m.slip_.x, m.slip_.y, m.least_pressure_, m.least_share_, m.slip_path_, m.friction_work_,
-            m.phase_, m.rotation_, m.limit_start_, m.energy_, m.contact_state_);
+            m.phase_, m.rotation_, m.limit_start_, m.energy_, m.contact_state_, m.work_);
     m.substrate_->transfer(archive);
 }
 

@@ -76,6 +76,7 @@ experiments::Rig read_rig(const CommandOptions& options) {
     if (!io::is_walk_case(document)) {
         const io::RigFile file = io::parse_rig_file(text, options.file, options.overrides);
         file.c.require_rigid_interface("assumptions of rigs");
+        contact::require_coulomb(file.c, "an assumption of a rig");
         for (const std::string& sentence : comparisons::input_sentences(file.c))
             options.say(sentence);
         // By the model of its checks that leaves out least; the width is an assumption of its own.

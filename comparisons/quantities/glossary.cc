@@ -23,8 +23,9 @@ std::string glossary() {
     using namespace quantities;
     return section("Pressed contact and load", of_contact()) + section("Shift", of_shift()) +
            section("Limits", of_limit()) + section("Mapping", of_mapping()) +
-           section("Frictional work", of_dissipation()) + section("Relaxation", of_relaxation()) +
-           section("Ends of rollers", of_roller()) +
+           section("Frictional work", of_dissipation()) +
+           section("Friction that changes with the way of slip", of_jumps()) +
+           section("Relaxation", of_relaxation()) + section("Ends of rollers", of_roller()) +
            section("Inside of the substrate", of_subsurface()) + section("Strains", of_strain()) +
            section("End of the run", of_end_of_run()) + section("Cost", of_cost()) +
            section("Of comparisons, beside runs",

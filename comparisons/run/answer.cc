@@ -163,8 +163,9 @@ std::string not_tested(const Case& c, const std::vector<Results>& results) {
                            : "small strains");
     }
     if (!c.relaxation) list.emplace_back("an elastic substrate");
-    list.emplace_back(c.friction.is_coulomb() ? "Coulomb friction of one coefficient"
-                                              : "friction that depends on the pressure alone");
+    list.emplace_back(c.friction.is_coulomb()  ? "Coulomb friction of one coefficient"
+                      : c.friction.remembers() ? "friction that depends on pressure and slip alone"
+                                               : "friction that depends on the pressure alone");
     if (!c.interface.is_elastic()) list.emplace_back("a rigid interface");
     if (!c.indenter.height_map && !c.indenter.file) list.emplace_back("a smooth surface");
     return fmt::format("{}", fmt::join(list, ", "));

@@ -134,6 +134,41 @@ std::string direction_sentence(const contact::Case& c, const Summaries& summarie
            c.friction.bound_symbol() + ": the bound holds spring by spring only.";
 }
 
+/// Of friction that changes with the way of slip: whether a step has one state alone, and whether
+/// one jumped.
+std::vector<std::string> slip_memory_sentences(const contact::Case& c, const Summaries& summaries) {
+    constexpr double noticed = 1e-3, long_steps = .01;  // of the frictional work so far
+    std::vector<std::string> sentences;
+    if (!c.friction.remembers()) return sentences;
+    for (const Results& s : summaries) {
+        const std::string name = report::display_name(s.model);
+        const double others = s.number(quantities::steps_of_other_states).value_or(0);
+        const double released = s.number(quantities::released_energy).value_or(0);
+        const double share = released / s.number(quantities::friction_energy).value_or(0);
+        if (others > 0)
+            sentences.push_back(fmt::format(
+                "{}: in {} the same loads have another state, of more slip, or none is known not "
+                "to. The state of least slip is followed, which a slow load leads to; a jerk may "
+                "lead to the other.",
+                name, others == 1 ? "one step" : fmt::format("{:.0f} steps", others)));
+        else if (c.friction.law()->weakens())
+            sentences.push_back(name +
+                                ": every step has one state alone; searched from least and from "
+                                "most slip it is the same.");
+        if (others > 0 && share > noticed)
+            sentences.push_back(fmt::format(
+                "{}: one step set free {} beyond what friction took, {} of its work so far: the "
+                "contact jumped. Shorter steps tell how far.",
+                name, report::quantity(released, "J"), report::share(share)));
+        else if (share > long_steps)
+            sentences.push_back(fmt::format(
+                "{}: the steps are long: the work of the loads in one of them is {} more than "
+                "friction took, {} of its work so far. Of shorter steps it is less.",
+                name, report::quantity(released, "J"), report::share(share)));
+    }
+    return sentences;
+}
+
 /// Whether a sentence of its own says that a model leaves it out.
 bool is_told_above(const contact::Case& c, const std::string& model, const std::string& left_out) {
     return left_out.starts_with("substrate.thickness") ||
@@ -173,6 +208,8 @@ std::vector<std::string> limitations(const contact::Case& c, const Summaries& su
         findings.push_back(
             "The loads oscillate with the rolling: the closed forms, κ and η assume constant loads "
             "and are left out; f_T and w refer to the mean loads.");
+    for (const std::string& sentence : slip_memory_sentences(c, summaries))
+        findings.push_back(sentence);
     for (const std::string& sentence : left_out_sentences(c, summaries))
         findings.push_back(sentence);
     for (const Results& s : summaries)

@@ -28,7 +28,8 @@ class PressureLaw final : public FrictionLaw {
     explicit PressureLaw(const Friction& friction)
         : strength_(friction.shear_strength.value_or(0)),
           exponent_(friction.pressure_exponent.value_or(1)),
-          cap_(friction.strength_limit.value_or(infinity)),
+          cap_(friction.yield ? friction.yield->stress
+                              : friction.strength_limit.value_or(infinity)),
           factor_(friction.coefficient.value_or(0) *
                   (exponent_ == 1 ? 1 : std::pow(*friction.reference_pressure, 1 - exponent_))) {}
 
@@ -48,6 +49,75 @@ class PressureLaw final : public FrictionLaw {
   private:
     double strength_, exponent_, cap_;
     double factor_;  // mu p_r^(1-n)
+};
+
+class WeakeningLaw final : public FrictionLaw {
+  public:
+    WeakeningLaw(double at_rest, const FrictionWeakening& weakening)
+        : at_rest_(at_rest), weakening_(weakening) {}
+
+    void bounds(const Points& points, std::span<double> bound) const override {
+        for (std::size_t i = 0; i < bound.size(); ++i)
+            bound[i] = coefficient(points.way.empty() ? 0 : points.way[i]) * points.pressure[i];
+    }
+    bool remembers() const override { return true; }
+    bool weakens() const override { return true; }
+    double healed(double) const override { return 0; }
+    double work(double pressure, double way, double slip) const override {
+        const double left = weakening_.integral(way + slip) - weakening_.integral(way);
+        return pressure * (at_rest_ * slip - weakening_.drop * (slip - left));
+    }
+
+  private:
+    double coefficient(double way) const {
+        return at_rest_ - weakening_.drop * (1 - weakening_.left(way));
+    }
+
+    double at_rest_;
+    FrictionWeakening weakening_;
+};
+
+/// Of a layer that flows before the surfaces slip, by what remains of its material's way.
+class YieldingLaw final : public FrictionLaw {
+  public:
+    YieldingLaw(std::shared_ptr<const FrictionLaw> surfaces, const InterfaceYield& yield)
+        : surfaces_(std::move(surfaces)), yield_(yield) {}
+
+    void bounds(const Points& points, std::span<double> bound) const override {
+        surfaces_->bounds({points.pressure, points.x, points.y}, bound);
+        for (std::size_t i = 0; i < bound.size(); ++i)
+            bound[i] = std::min(bound[i], strength(points.way.empty() ? 0 : points.way[i]));
+    }
+    bool remembers() const override { return true; }
+    double hardening() const override { return std::max(0., yield_.hardening); }
+    bool weakens() const override { return yield_.hardening < 0; }
+    /// What slips over a layer that is stronger than friction, or has become so, does not change
+    /// it.
+    double way(double before, double slip, double pressure) const override {
+        return before + flow(before, slip, surfaces_->bound(pressure));
+    }
+    double work(double pressure, double way, double slip) const override {
+        const double friction = surfaces_->bound(pressure);
+        const double flows = flow(way, slip, friction);
+        const double carries = yield_.hardening > 0
+                                   ? flows
+                                   : std::clamp(-yield_.stress / yield_.hardening - way, 0., flows);
+        return carries * strength(way + carries / 2) + (slip - flows) * friction;
+    }
+
+  private:
+    double strength(double way) const {
+        return std::max(0., yield_.stress + yield_.hardening * way);
+    }
+    /// Of a slip, what the layer takes [m].
+    double flow(double way, double slip, double friction) const {
+        if (!(strength(way) < friction)) return 0;
+        if (yield_.hardening < 0) return slip;
+        return std::min(slip, (friction - yield_.stress) / yield_.hardening - way);
+    }
+
+    std::shared_ptr<const FrictionLaw> surfaces_;
+    InterfaceYield yield_;
 };
 
 /// The bound of another law times what a map has where the point lies.
@@ -81,6 +151,12 @@ std::shared_ptr<const FrictionLaw> Friction::law() const {
         all_over.map = nullptr;
         return std::make_shared<MappedLaw>(all_over.law(), map);
     }
+    if (weakening) return std::make_shared<WeakeningLaw>(*coefficient, *weakening);
+    if (yield && yield->hardening != 0) {
+        Friction surfaces = *this;
+        surfaces.yield.reset();
+        return std::make_shared<YieldingLaw>(surfaces.law(), *yield);
+    }
     if (is_coulomb_at_rest()) return std::make_shared<Coulomb>(coefficient.value_or(0));
     return std::make_shared<PressureLaw>(*this);
 }
@@ -96,7 +172,19 @@ std::string Friction::formula() const {
                                   pressure_text(*reference_pressure), *pressure_exponent);
     }
     if (rate) text += " at rest, " + rate->fall();
+    if (weakening)
+        text += fmt::format(
+            " at rest, falling by {:.4g} p over a slip of {:.4g} µm, {}", weakening->drop,
+            weakening->length * 1e6,
+            weakening->law == FrictionWeakening::Law::linear ? "linearly" : "exponentially");
     if (strength_limit) text += fmt::format(", at most {}", pressure_text(*strength_limit));
+    if (yield)
+        text += fmt::format(
+            ", at most {}{} that the layer between carries", pressure_text(yield->stress),
+            yield->hardening == 0
+                ? std::string()
+                : fmt::format(" {} {:.4g} MPa/mm of its flow", yield->hardening > 0 ? "+" : "-",
+                              std::abs(yield->hardening) * 1e-9));
     if (map) text = fmt::format("({}) times a map", text);
     return text;
 }

@@ -6,6 +6,7 @@
 
 #include "contact/friction/friction_law.h"
 #include "contact/friction/friction_map.h"
+#include "contact/friction/friction_memory.h"
 #include "contact/friction/friction_rate.h"
 
 namespace tricontact::contact {
@@ -14,7 +15,8 @@ namespace tricontact::contact {
 ///   tau = min(tau_0 + mu p_r (p/p_r)^n, tau_cap),
 /// Coulomb's law without all but mu. A shear strength tau_0: Bowden and Tabor (1950), Briscoe and
 /// Tabor (1978); n < 1: rubber, Thirion (1948), Schallamach (1952); tau_cap: Orowan (1943).
-/// mu may fall with the speed of slip, which steady rolling on alone has.
+/// mu may fall with the speed of slip, which steady rolling on alone has, or with its way, and a
+/// layer of [interface] may yield before the surfaces slip: those remember.
 struct Friction {
     std::optional<double> coefficient;         ///< mu [-], at the pressure p_r if there is an n
     std::optional<double> shear_strength;      ///< tau_0 [Pa], else 0
@@ -24,12 +26,18 @@ struct Friction {
     std::optional<std::string> map_file;       ///< of `map`
     std::shared_ptr<const FrictionMap> map;    ///< of the bound over the substrate; null: the same
     std::optional<FrictionRate> rate;          ///< of what slips, from mu at rest
+    std::optional<FrictionWeakening> weakening;  ///< of what has slipped, from mu at rest
+    std::optional<InterfaceYield> yield;         ///< of the layer between the surfaces
 
     /// Whatever slips, and however fast.
     bool is_coulomb() const { return is_coulomb_at_rest() && !rate; }
     bool is_coulomb_at_rest() const {
-        return !shear_strength && pressure_exponent.value_or(1) == 1 && !strength_limit && !map;
+        return !shear_strength && pressure_exponent.value_or(1) == 1 && !strength_limit && !map &&
+               !weakening && !yield;
     }
+    /// By the way that points slip: what is carried depends on the history, and more than one state
+    /// may be in equilibrium.
+    bool remembers() const { return weakening || (yield && yield->hardening != 0); }
     /// Of what is at rest.
     std::shared_ptr<const FrictionLaw> law() const;
     /// With its numbers, for people: "0.35 MPa + 0.4 p".

@@ -15,6 +15,8 @@ class FrictionLaw {
         std::span<const double> pressure;  ///< on the true area [Pa]
         std::span<const double> x = {},
                                 y = {};  ///< on the substrate [m]; empty: it is the same all over
+        /// Of what remembers(): the way that it has slipped [m]; empty: none.
+        std::span<const double> way = {};
     };
     /// The contact as a whole.
     struct Total {
@@ -28,6 +30,24 @@ class FrictionLaw {
     virtual void bounds(const Points& points, std::span<double> bound) const = 0;
     /// mu [-] of a bound mu p; empty: another law.
     virtual std::optional<double> coulomb() const { return std::nullopt; }
+
+    /// Whether a bound depends on the way that its point has slipped.
+    virtual bool remembers() const { return false; }
+    /// The most by which a bound rises with the way [Pa/m], and whether any falls with it.
+    virtual double hardening() const { return 0; }
+    virtual bool weakens() const { return false; }
+    /// The way after a point at this pressure has slipped by `slip` more [m], and what is left of
+    /// it when the point sticks again.
+    virtual double way(double before, double slip, double pressure) const {
+        static_cast<void>(pressure);
+        return before + slip;
+    }
+    virtual double healed(double way) const { return way; }
+    /// Frictional work per area of a point that goes on from this way by `slip` [J/m^2].
+    virtual double work(double pressure, double way, double slip) const {
+        static_cast<void>(way);
+        return bound(pressure) * slip;
+    }
 
     double bound(double pressure) const {
         double bound = 0;

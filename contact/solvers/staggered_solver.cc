@@ -30,7 +30,8 @@
 // way in, and indentation and shift divided by it on the way out.
 //
 // The parts of the class: staggered_starts.cc (starts of a period), staggered_focus.cc (points that
-// may touch), staggered_growth.cc (points that meet within a step).
+// may touch), staggered_growth.cc (points that meet within a step), staggered_memory.cc (friction
+// that remembers how far points have slipped).
 
 namespace tricontact::contact {
 
@@ -46,7 +47,9 @@ StaggeredSolver::StaggeredSolver(std::string name, Substrate& substrate, const I
                    ? std::make_optional<FocusedCompliance>(substrate.compliance())
                    : std::nullopt),
       coupling_(compliance(), indenter, options) {
-    if (ContactShare::is_known(points()) && jumps_at_edge()) share_.emplace(points());
+    // Bounds that follow the slip are those of whole points.
+    if (ContactShare::is_known(points()) && !friction_->remembers() && jumps_at_edge())
+        share_.emplace(points());
     make_solvers();
     release();
 }
@@ -68,6 +71,7 @@ void StaggeredSolver::release() {
     now_.tangential.traction = TangentialField(n, n_threads());
     now_.tangential.displacement = TangentialField(n, n_threads());
     now_.displacement = SurfaceField(n, n_threads());
+    if (friction_->remembers()) now_.way.assign(n, 0);
 }
 
 void StaggeredSolver::make_solvers() {
@@ -91,6 +95,8 @@ void StaggeredSolver::solve(const LoadStep& step, const StepStart& before) {
     keep_gap(step, before);
     now_.offset = step.offset;
     now_.control = step.normal;
+    now_.way = before.way;
+    now_.may_differ = false;
     coupling_.place(step.offset);
     if (substrate_.begin(step.duration, before.traction, before.displacement)) make_solvers();
     if (coupling_.is_decoupled())
@@ -227,6 +233,14 @@ double StaggeredSolver::update_bounds() {
 
 void StaggeredSolver::solve_tangential(const LoadStep& step, const StepStart& before) {
     const double contact_area = update_bounds();
+    if (friction_->remembers() && contact_area > 0)
+        follow_slip(step, before, contact_area);
+    else
+        solve_under_bounds(step, before, contact_area);
+}
+
+void StaggeredSolver::solve_under_bounds(const LoadStep& step, const StepStart& before,
+                                         double contact_area) {
     // Where friction lowers the surface, its errors come back in the gap, mu times those over mu p.
     if (!coupling_.is_decoupled())
         tangential_solver_->set_tolerance(std::min(1., .1 / friction_ratio()) * tolerance_);
@@ -247,7 +261,7 @@ void StaggeredSolver::solve_tangential(const LoadStep& step, const StepStart& be
                    .control = control,
                    .contact_compliance = contact_compliance,
                    .looseness = looseness_,
-                   .displaces_all = focus_.empty()},
+                   .displaces_all = focus_.empty() || friction_->remembers()},
                   before);
     for (int d = 0; d < 2; ++d) {
         now_.tangential.shift_increment[d] /= stiffness;

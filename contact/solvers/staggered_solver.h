@@ -27,6 +27,7 @@ struct StepStart {
     double rotation = 0;                  ///< of the indenter in the step [rad], about `centre`
     Vector2 centre{};                     ///< [m]
     bool advected = false;                ///< by one cell, see advect()
+    std::vector<double> way = {};         ///< see ContactSolution [m]
 };
 
 /// Normal and tangential contact at the end of a step.
@@ -36,7 +37,9 @@ struct ContactSolution {
     Vector2 shift{};          ///< U [m]
     std::shared_ptr<const NormalSolution> normal;
     std::vector<double> bound;  ///< of friction [Pa]
-    double total_bound = 0;     ///< of friction on these pressures [N]
+    double total_bound = 0;     ///< of friction on these pressures, at rest [N]
+    std::vector<double> way;    ///< of slip, where friction remembers() it [m]; else empty
+    bool may_differ = false;    ///< another state has the same loads, or none is known not to
     TangentialSolution tangential;
     SurfaceField displacement;  ///< by all tractions [m]
     double gap_residual = 0;    ///< of coupled contact, over the length of `normal` [-]
@@ -69,6 +72,8 @@ class StaggeredSolver {
     void solve(const LoadStep& step, const StepStart& before);
     /// Keeps the solution as the start of the same phase in the next period.
     void keep_start(double phase);
+    /// Takes over what points remember of their slip after a step.
+    void remember(std::vector<double> way) { now_.way = std::move(way); }
     /// Goes on from this solution of a step at `phase`.
     void resume(ContactSolution solution, double phase);
     /// What is prescribed of a step, ratios as the forces that they are at the present F_N.
@@ -120,6 +125,15 @@ class StaggeredSolver {
     void share_points(const std::vector<double>& height, NormalSolution& solution);
     void solve_friction(const LoadStep& step, const StepStart& before);
     void solve_tangential(const LoadStep& step, const StepStart& before);
+    void solve_under_bounds(const LoadStep& step, const StepStart& before, double contact_area);
+    void follow_slip(const LoadStep& step, const StepStart& before, double contact_area);
+    std::vector<double> bounds_by_way(const std::vector<double>& way,
+                                      const std::vector<double>& at_rest) const;
+    void update_way(const StepStart& before);
+    void settle_bounds(const LoadStep& step, const StepStart& before,
+                       const std::vector<double>& at_rest, double contact_area);
+    bool may_slip_more(const LoadStep& step, const StepStart& before,
+                       const std::vector<double>& at_rest, double contact_area);
     void keep_gap(const LoadStep& step, const StepStart& before);
     void solve_growing(const TangentialProblem& problem, const StepStart& before);
     std::vector<double> traction_ratio(const std::vector<std::size_t>& met, double radius) const;

@@ -16,6 +16,8 @@ using contact::BodyShape;
 using contact::Case;
 using contact::Friction;
 using Rate = contact::FrictionRate;
+using Weakening = contact::FrictionWeakening;
+using Yield = contact::InterfaceYield;
 using contact::Material;
 using contact::Relaxation;
 using contact::Roughness;
@@ -293,6 +295,20 @@ std::vector<CaseKey> contact_keys() {
                       R"("1 mm/s")", "v_0, with which mu follows where nothing slips",
                       {.default_value = R"("0 m/s")"}),
          at<&Case::friction, &Friction::rate, &Rate::memory_speed>},
+        {choice_key("friction.weakening.law",
+                    {choice("linear", Weakening::Law::linear),
+                     choice("exponential", Weakening::Law::exponential)},
+                    R"("linear")", "how mu falls with the way s that a point has slipped",
+                    {.required = true}),
+         at<&Case::friction, &Friction::weakening, &Weakening::law>},
+        {number_key("friction.weakening.drop", above_zero(100), "0.2",
+                    "by how much mu falls in the end, below friction.coefficient",
+                    {.required = true}),
+         at<&Case::friction, &Friction::weakening, &Weakening::drop>},
+        {quantity_key("friction.weakening.length", Dimension::length, above_zero(1e6), R"("50 um")",
+                      "D_c of 1 - s/D_c or exp(-s/D_c); what sticks again begins with s = 0",
+                      {.required = true}),
+         at<&Case::friction, &Friction::weakening, &Weakening::length>},
         {quantity_key("interface.normal_stiffness", Dimension::pressure_per_length,
                       above_zero(1e20), R"("260 MPa/mm")",
                       "k_n of springs between the surfaces, which p compresses by p/k_n: "
@@ -302,6 +318,16 @@ std::vector<CaseKey> contact_keys() {
                       above_zero(1e20), R"("100 MPa/mm")",
                       "k_t of the same springs, which a traction t shears by t/k_t"),
          at<&Case::interface, &contact::Interface::tangential_stiffness>},
+        {quantity_key("interface.yield_stress", Dimension::pressure, above_zero(1e15), R"("2 MPa")",
+                      "tau_c0, above which the layer between the surfaces flows, if they do not "
+                      "slip before"),
+         at<&Case::friction, &Friction::yield, &Yield::stress>},
+        {quantity_key("interface.hardening", Dimension::pressure_per_length, {-1e20, 1e20},
+                      R"("5 MPa/mm")",
+                      "k_tau, by which tau_c rises with the way that a point has flowed; below 0 "
+                      "it falls",
+                      {.default_value = R"("0 Pa/m")", .needs = "interface.yield_stress"}),
+         at<&Case::friction, &Friction::yield, &Yield::hardening>},
         {boolean_key("contact.coupling", "false",
                      "normal and tangential contact influence each other",
                      {.default_value = "true"}),

@@ -25,6 +25,9 @@ void make_optional_parts(Case& c, const Document& document) {
     if (document.find_section("indenter.roughness")) c.indenter.roughness = contact::Roughness{};
     if (document.find_section("substrate.relaxation")) c.relaxation = contact::Relaxation{};
     if (document.find_section("friction.rate")) c.friction.rate = contact::FrictionRate{};
+    if (document.find_section("friction.weakening"))
+        c.friction.weakening = contact::FrictionWeakening{};
+    if (document.find("interface.yield_stress")) c.friction.yield = contact::InterfaceYield{};
     if (document.find_section("lower_layer")) c.of<LayersInput>().lower.emplace();
     if (document.find_section("ground")) c.layer.ground = contact::Material{};
     if (document.find_section("tractive_rolling")) c.tractive_rolling = Case::TractiveRolling{};

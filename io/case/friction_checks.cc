@@ -73,6 +73,60 @@ void check_rate(const Case& c, const Document& document) {
                "give friction.rate.memory_length too, or omit this key");
 }
 
+/// What points remember of their slip, in steps of elastic bodies that do not roll.
+void check_memory(const Case& c, const Document& document, const std::string& key) {
+    const std::string omit = "omit " + key;
+    if (c.rolling || c.tractive_rolling)
+        refuse(document, key,
+               "what becomes of a contact that rolls is decided for friction that does not change "
+               "with the slip",
+               omit + ", or [rolling]: [path] follows any load");
+    if (c.relaxation)
+        refuse(document, key, "no relaxing substrate knows friction that changes with the slip",
+               omit + " or [substrate.relaxation]");
+    if (c.law != Case::Law::linear)
+        refuse(document, key, "at finite strains friction does not change with the slip",
+               omit + R"(, or set substrate.material to "linear")");
+    if (c.friction.map)
+        refuse(document, key, "friction that changes with the slip is the same all over",
+               omit + " or friction.map");
+    for (const std::string& model : c.models)
+        if (contact::model_kind(model).is_on_line())
+            refuse(document, key, "what a spring of " + model + " slips is the slip of no point",
+                   "leave out " + model + ", or " + omit);
+}
+
+void check_weakening(const Case& c, const Document& document) {
+    const Friction& friction = c.friction;
+    const std::string key = "friction.weakening.law";
+    Friction at_rest = friction;
+    at_rest.weakening.reset();
+    if (!friction.coefficient || !at_rest.is_coulomb())
+        refuse(document, key, "only Coulomb's law falls with the way of slip",
+               "give friction.coefficient alone beside [friction.weakening]");
+    if (friction.weakening->drop >= *friction.coefficient)
+        refuse(document, "friction.weakening.drop",
+               "leaves nothing of friction.coefficient = " + rounded(*friction.coefficient),
+               "give less than that");
+    check_memory(c, document, key);
+}
+
+void check_yield(const Case& c, const Document& document) {
+    const Friction& friction = c.friction;
+    const std::string key = "interface.yield_stress";
+    if (friction.strength_limit)
+        refuse(document, key, "is a second friction.strength_limit", "give one of them");
+    if (friction.rate)
+        refuse(document, key, "only Coulomb's law falls with the speed of slip",
+               "omit it or [friction.rate]");
+    if (friction.yield->stress <= friction.shear_strength.value_or(0))
+        refuse(document, key,
+               "is not above friction.shear_strength = " + rounded(*friction.shear_strength) +
+                   " Pa: the surfaces would never slip",
+               "enlarge it, or omit the shear strength");
+    if (friction.remembers()) check_memory(c, document, "interface.hardening");
+}
+
 }  // namespace
 
 void check_friction(const Case& c, const Document& document) {
@@ -82,6 +136,8 @@ void check_friction(const Case& c, const Document& document) {
     check_law(friction, document);
     if (friction.map) check_map(c, document);
     if (friction.rate) check_rate(c, document);
+    if (friction.weakening) check_weakening(c, document);
+    if (friction.yield) check_yield(c, document);
     for (const std::string& model : c.models)
         if (friction.rate && contact::model_kind(model).is_on_line())
             refuse(document, "friction.rate.law",

@@ -11,7 +11,7 @@ namespace {
 using contact::StepRecord;
 using Place = std::variant<const double*, const int*>;
 
-constexpr std::array<HistoryColumn, 26> columns{{
+constexpr std::array<HistoryColumn, 28> columns{{
     {"phase", [](const StepRecord& s) { return Place(&s.phase); }},
     {"time_s", [](const StepRecord& s) { return Place(&s.time); }},
     {"offset_x_m", [](const StepRecord& s) { return Place(&s.offset[0]); }},
@@ -27,6 +27,8 @@ constexpr std::array<HistoryColumn, 26> columns{{
     {"dissipation_J", [](const StepRecord& s) { return Place(&s.dissipation); }},
     {"material_dissipation_J", [](const StepRecord& s) { return Place(&s.material_dissipation); }},
     {"stored_energy_J", [](const StepRecord& s) { return Place(&s.stored_energy); }},
+    {"released_energy_J", [](const StepRecord& s) { return Place(&s.released_energy); }},
+    {"may_differ", [](const StepRecord& s) { return Place(&s.may_differ); }},
     {"contact_area_m2", [](const StepRecord& s) { return Place(&s.contact_area); }},
     {"stick_area_m2", [](const StepRecord& s) { return Place(&s.stick_area); }},
     {"slip_area_m2", [](const StepRecord& s) { return Place(&s.slip_area); }},

@@ -151,6 +151,7 @@ double rounded_punch_pressure(double flat_ratio, double rho) {
 
 bool has_body_theory(const Case& c) {
     return contact::is_smooth_ball(c.indenter) && !c.interface.is_elastic() && !c.friction.map &&
+           !c.friction.remembers() &&
            (c.friction.is_coulomb() || (!is_ellipsoid(c) && contact::pressure_falls(c)));
 }
 

@@ -95,7 +95,7 @@ unaffected = [
     ("mesh|cache condense", "path|path with a shift|centre of rotation|path with rolling|static load|rolling amplitude|"
      "rolling steps|oscillating tangential force|load by its limit|pressing|coupled contact|relaxation|hold|"
      "shear strength|friction by a power of the pressure|friction up to a limit|springs of the interface|"
-     "friction over the substrate|"
+     "friction over the substrate|friction falling with the way of slip|layer of the interface that yields|"
      "finite strain|period|influence file|sphere",
      "the layer alone, cut to the contact: of the loads what changes its patch by an element; friction does not enter"),
     ("mesh", "oscillating normal force|prescribed depth|sides that are held|cone",
@@ -103,7 +103,8 @@ unaffected = [
     ("influence", "path|path with a force along y|path with a shift|path with a twist|centre of rotation|static load|"
      "rolling steps|rolling on|oscillating tangential force|load by its limit|pressing|coupled contact|relaxation|hold|"
      "shear strength|friction by a power of the pressure|friction up to a limit|"
-     "map turned over|height map|sides that are held|sphere|springs of the interface|friction over the substrate",
+     "map turned over|height map|sides that are held|sphere|springs of the interface|friction over the substrate|"
+     "friction falling with the way of slip|layer of the interface that yields",
      "coefficients of the relaxed layer for cells of one size, whatever presses on how many of them"),
     ("limit", "load by its limit", "the limit is what is looked for"),
     ("fit|atlas", "load by its limit", "the study varies the load"),

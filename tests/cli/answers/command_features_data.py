@@ -47,6 +47,8 @@ no_load = {"load.*": None, "rolling.*": None, "tractive_rolling.*": None, "path.
 relaxing = {"substrate.relaxation.relative_moduli": "[0.4]", "substrate.relaxation.times": '["0.5 s"]',
             "load.press_time": '"0.5 s"'}
 falling = {"friction.rate.law": '"linear"', "friction.rate.drops": "0.2", "friction.rate.speeds": '"5 mm/s"'}
+weakening = {"friction.weakening.law": '"linear"', "friction.weakening.drop": "0.2", "friction.weakening.length": '"20 um"'}
+yielding = {"interface.yield_stress": '"0.05 MPa"', "interface.hardening": '"1 MPa/mm"'}
 body = {"indenter.radius": None}
 mapped = {**body, "indenter.shape": '"height-map"', "indenter.file": '"map.txt"', "indenter.spacing": '"0.2 mm"',
           "bem.cells_per_radius": None, "bem.spacing": '"0.4 mm"', "load.normal_force": '"1 N"',
@@ -105,6 +107,13 @@ features = [
             {"interface.normal_stiffness": '"20 MPa/mm"', "interface.tangential_stiffness": '"10 MPa/mm"'}),
     feature("friction falling with the slip", "friction.rate.*", "friction.rate|friction|Coulomb", {}, falling,
             other_for={"run rolling on": {**falling, "tractive_rolling.speed": '"1 m/s"', "tractive_rolling.distance": None}}),
+    feature("friction falling with the way of slip", "friction.weakening.*", "friction.weakening|friction|Coulomb|[rolling]",
+            {"rolling.*": None, **weakening}, {"rolling.*": None, **weakening, "friction.weakening.drop": "0.3"},
+            over_for={"run rolling on": weakening}),
+    feature("layer of the interface that yields", "interface.yield_stress interface.hardening",
+            "interface|friction|Coulomb|[rolling]",
+            {"rolling.*": None, **yielding}, {"rolling.*": None, **yielding, "interface.hardening": '"3 MPa/mm"'},
+            over_for={"run rolling on": yielding}),
     feature("layer", "substrate.thickness substrate.thickness_ratio", "substrate.thickness|layer",
             {"substrate.thickness": '"8 mm"'}, {"substrate.thickness": '"7 mm"'}),
     feature("base that glides", "substrate.base", "substrate.base|base|substrate.thickness: ", layer,

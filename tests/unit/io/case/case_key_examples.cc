@@ -51,6 +51,8 @@ std::string case_of(std::string_view path) {
         {"indenter.roughness", "rough_plane"},
         {"path", "path_twist"},
         {"friction.rate", "rolling_falling_friction"},
+        {"friction.weakening", "path_weakening"},
+        {"interface.hardening", "path_forces"},
         {"tractive_rolling", "rolling_spin"},
         {"tractive_rolling.speed", "rolling_relaxing"},
         {"output.volume_depth", "rig_sphere_inside"}};
@@ -75,6 +77,10 @@ TEST(CaseKeys, EveryKeyHasAMeaningAndAnExampleThatIsAccepted) {
             std::vector<std::string> overrides{example};
             if (key.path == "friction.rate.memory_speed")
                 overrides.emplace_back(R"(friction.rate.memory_length="3 um")");
+            if (key.path == "interface.hardening") {
+                overrides.emplace_back(R"(interface.yield_stress="2 MPa")");
+                overrides.emplace_back(R"(models=["bem"])");
+            }
             EXPECT_NO_THROW(
                 read_case(TRICONTACT_SOURCE_DIR "/examples/cases/" + name + ".toml", overrides));
             continue;
