@@ -98,8 +98,8 @@ std::shared_ptr<const LayerSprings> springs_of(const std::string& model, const c
                                                double half_length, double spacing) {
     const bool on_layer = contact::model_kind(model).is_layer();
     const double beside = std::ceil(half_length / spacing);
-    const std::string instead =
-        std::string("shorten the rolling path or take ") + (on_layer ? "bem-layer" : "bem");
+    const std::string instead = std::string("shorten the rolling path or take ") +
+                                (on_layer ? contact::models::bem_layer : contact::models::bem);
     if (beside > most_elements_beside)
         throw contact::InputError(
             fmt::format("{}: the bed would have {:.0f} elements, more than {}; {}", model,
