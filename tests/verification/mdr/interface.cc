@@ -69,11 +69,11 @@ TEST(MdrInterface, SoftSpringsStandAlone) {
     EXPECT_NEAR(h.scales.normal_force / (pi * k_n * radius * depth * depth), 1, allowed);
     EXPECT_NEAR(h.scales.peak_pressure / (k_n * depth), 1, allowed);
     EXPECT_NEAR(h.static_shift * k_t / (.57 * k_n * depth), 1 - std::sqrt(1 - .3), allowed);
-    // Bounds of springs on a line are chords: their least values are not those over the plane.
     EXPECT_NEAR(h.limit_tangential_ratio / theory::soft_interface_limit(w), 1, allowed);
     const double u = h.shift_per_period.back() * k_t / (.57 * k_n * depth);
-    EXPECT_GT(u, 1.1 * (1 - std::sqrt(1 - .3)));
-    EXPECT_NEAR(u / settled(w, .3), 1, .2);
+    // What settles is the line's: rolling counts for more, here as in all of MDR.
+    EXPECT_GT(u, settled(w, .3));
+    EXPECT_LT(u, 1.25 * settled(w, .3));
 }
 
 // dF = -(1/(2 k_n)) d/dd of the integral of p^2 dA, of Hertz' pressure -(pi/2) p0^2 a^2/(k_n d).
