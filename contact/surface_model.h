@@ -117,9 +117,9 @@ class SurfaceModel final : public Model {
     std::vector<double> work_;
     double released_ = 0;
     std::vector<double> least_pressure_, least_share_;  // since start_limit()
-    FrictionLaw::Total limit_start_{};    // at start_limit()
-    double energy_ = 0;                   // stored, of the present state [J]
-    double material_dissipation_ = 0;     // of the last step [J]
+    FrictionLaw::Total limit_start_{};                  // at start_limit()
+    double energy_ = 0;                                 // stored, of the present state [J]
+    double material_dissipation_ = 0;                   // of the last step [J]
     Audit audit_;
 };
 

@@ -93,19 +93,24 @@ theory::LayerStack held_layers_of(const contact::Case& c) {
     return stack;
 }
 
-std::shared_ptr<const LayerSprings> springs_of(const contact::Case& c, double half_length,
-                                               double spacing) {
+/// The springs of a model: of the layer, or of the half-space.
+std::shared_ptr<const LayerSprings> springs_of(const std::string& model, const contact::Case& c,
+                                               double half_length, double spacing) {
+    const bool on_layer = contact::model_kind(model).is_layer();
     const double beside = std::ceil(half_length / spacing);
+    const std::string instead = std::string("shorten the rolling path or take ") +
+                                (on_layer ? contact::models::bem_layer : contact::models::bem);
     if (beside > most_elements_beside)
-        throw contact::InputError(fmt::format(
-            "mdr-layer: the bed would have {:.0f} elements, more than {}; shorten the rolling path "
-            "or take bem-layer",
-            2 * beside + 1, 2 * most_elements_beside + 1));
+        throw contact::InputError(
+            fmt::format("{}: the bed would have {:.0f} elements, more than {}; {}", model,
+                        2 * beside + 1, 2 * most_elements_beside + 1, instead));
     // Matrices of 3 x 3 components: of all elements, and of those in contact.
     const double n = 2 * beside + 1;
-    contact::require_memory(fmt::format("mdr-layer: a bed of {:.0f} elements", n),
-                            2 * 9 * sizeof(double) * n * n,
-                            "shorten the rolling path or take bem-layer");
+    contact::require_memory(fmt::format("{}: a bed of {:.0f} elements", model, n),
+                            2 * 9 * sizeof(double) * n * n, instead);
+    if (!on_layer)
+        return std::make_shared<LayerSprings>(c.materials(), static_cast<int>(beside), spacing,
+                                              c.interface);
     return std::make_shared<LayerSprings>(held_layers_of(c), c.indenter.material,
                                           static_cast<int>(beside), spacing, c.interface);
 }
@@ -125,16 +130,16 @@ struct HalfWidths {
     double mean, largest;  // [m], under the case's normal control and under its crest
 };
 
-HalfWidths probe(const contact::Case& c, const PlaneProfile& profile) {
+HalfWidths probe(const std::string& model, const contact::Case& c, const PlaneProfile& profile,
+                 double longest) {
     const double radius = contact::half_space_scales(c).contact_radius;
     const double crest = contact::crest_factor(c);
-    const double spacing =
-        std::min(radius / probe_elements, LayerSprings::longest_element * *c.layer.thickness);
+    const double spacing = std::min(radius / probe_elements, longest);
     const contact::NormalControl mean = contact::press_step(c).normal;
     contact::NormalControl hardest = mean;
     hardest.value *= crest;
     for (double half = first_margin * radius * std::sqrt(crest);; half *= enlargement) {
-        const auto springs = springs_of(c, half, spacing);
+        const auto springs = springs_of(model, c, half, spacing);
         const double largest = half_width(*springs, profile, hardest);
         if (std::isfinite(largest)) return {half_width(*springs, profile, mean), largest};
     }
@@ -148,7 +153,7 @@ std::vector<double> line_load(std::vector<double> traction) {
 
 }  // namespace
 
-LayerModel::LayerModel(std::shared_ptr<const LayerSprings> springs,
+LayerModel::LayerModel(std::string name, std::shared_ptr<const LayerSprings> springs,
                        std::shared_ptr<const PlaneProfile> profile,
                        std::shared_ptr<const contact::FrictionLaw> friction, double rolling_angle,
                        const std::optional<contact::Relaxation>& relaxation)
@@ -157,8 +162,8 @@ LayerModel::LayerModel(std::shared_ptr<const LayerSprings> springs,
       friction_(std::move(friction)),
       line_law_(on_line(friction_, *springs_, *profile_, relaxation.has_value())),
       direction_{std::cos(rolling_angle), std::sin(rolling_angle)},
-      model_(name(), *substrate_of(springs_, relaxation), std::make_shared<PlaneIndenter>(profile_),
-             line_law_, tolerance) {}
+      model_(std::move(name), *substrate_of(springs_, relaxation),
+             std::make_shared<PlaneIndenter>(profile_), line_law_, tolerance) {}
 
 contact::StepRecord LayerModel::advance(const contact::LoadStep& step) {
     contact::LoadStep on_line = step;
@@ -219,16 +224,16 @@ void LayerModel::check_ends(const contact::LoadStep& step) const {
     const std::vector<double> pressure = model_.surface().normal_traction;
     if (pressure.front() > 0 || pressure.back() > 0)
         throw contact::ContactAtEdge(fmt::format(
-            "mdr-layer: the contact reaches the last element at phase {:.4g}", step.phase));
+            "{}: the contact reaches the last element at phase {:.4g}", name(), step.phase));
     const PointRow& row = springs_->row();
     for (std::size_t i = 0; i < pressure.size(); ++i)
         if (pressure[i] > 0 &&
             std::abs(row.position(static_cast<int>(i)) - step.offset[0]) + row.spacing >
                 profile_->range())
             throw contact::InputError(fmt::format(
-                "mdr-layer: the contact reaches the rim of the indenter's profile at {:.6g} m; "
+                "{}: the contact reaches the rim of the indenter's profile at {:.6g} m; "
                 "reduce the load or enlarge the indenter",
-                profile_->range()));
+                name(), profile_->range()));
 }
 
 contact::Scales LayerModel::scales() const {
@@ -263,17 +268,19 @@ std::unique_ptr<contact::Model> make_layer_model(const contact::Case& c) {
     return make_layer_model(c, c.of<Settings>().elements_per_radius);
 }
 
-std::unique_ptr<contact::Model> make_layer_model(const contact::Case& c, int elements_per_radius) {
-    held_layers_of(c);  // throws before anything else does
+namespace {
+
+/// `longest`: of elements [m], infinite where nothing bounds them.
+std::unique_ptr<contact::Model> make_line_model(const std::string& model, const contact::Case& c,
+                                                int elements_per_radius, double longest) {
     // At the same depth the contact on a thin layer is at most some 2 (paraboloid) to 2.4 times
     // (cone) as wide as on the half-space: that of an incompressible layer, which keeps its volume.
     const double table =
         3 * contact::crest_factor(c) * contact::half_space_scales(c).contact_radius;
     const std::shared_ptr<const PlaneProfile> profile =
         make_plane_profile(*c.make_axisymmetric_indenter(), table);
-    const HalfWidths a = probe(c, *profile);
+    const HalfWidths a = probe(model, c, *profile, longest);
     const double path = contact::norm(contact::path_reach(c, a.mean));
-    const double longest = LayerSprings::longest_element * *c.layer.thickness;
     constexpr double usual = Settings{}.elements_per_radius;
     const double spacing = usual / elements_per_radius * std::min(a.mean / usual, longest);
     if (spacing > (1 + 1e-12) * longest)  // rounding
@@ -281,9 +288,22 @@ std::unique_ptr<contact::Model> make_layer_model(const contact::Case& c, int ele
             "mdr-layer: {} elements in the contact radius would not resolve the layer's thickness; "
             "increase mdr.elements_per_radius",
             elements_per_radius));
-    return std::make_unique<LayerModel>(springs_of(c, final_margin * a.largest + path, spacing),
-                                        profile, c.friction.law(), contact::path_direction(c),
-                                        contact::common_relaxation(contact::models::mdr_layer, c));
+    return std::make_unique<LayerModel>(
+        model, springs_of(model, c, final_margin * a.largest + path, spacing), profile,
+        c.friction.law(), contact::path_direction(c), contact::common_relaxation(model, c));
+}
+
+}  // namespace
+
+std::unique_ptr<contact::Model> make_layer_model(const contact::Case& c, int elements_per_radius) {
+    held_layers_of(c);  // throws before anything else does
+    return make_line_model(contact::models::mdr_layer, c, elements_per_radius,
+                           LayerSprings::longest_element * *c.layer.thickness);
+}
+
+std::unique_ptr<contact::Model> make_model_on_interface(const contact::Case& c) {
+    return make_line_model(contact::models::mdr, contact::without_layer(c),
+                           c.of<Settings>().elements_per_radius, contact::infinity);
 }
 
 }  // namespace tricontact::mdr

@@ -16,7 +16,8 @@
 
 namespace tricontact::mdr {
 
-/// MDR of the layer: a plane profile pressed into springs that the layer couples. The normal
+/// MDR of the layer: a plane profile pressed into springs that the layer couples, or the springs of
+/// an elastic interface alone. The normal
 /// contact of a body of revolution is exact but for the elements' length
 /// (theory/layer/layer_equation.h). The tangential contact is an APPROXIMATION, as is all of MDR
 /// once the contact rolls: see layer_kernel.h for what it leaves out,
@@ -26,13 +27,14 @@ namespace tricontact::mdr {
 /// elements, areas are those of discs as long as the elements in question together.
 class LayerModel final : public contact::Model {
   public:
-    /// `relaxation`: of all the compliance; empty: elastic. `rolling_angle` [rad].
-    LayerModel(std::shared_ptr<const LayerSprings> springs,
+    /// `name`: of the model. `relaxation`: of all the compliance; empty: elastic. `rolling_angle`
+    /// [rad].
+    LayerModel(std::string name, std::shared_ptr<const LayerSprings> springs,
                std::shared_ptr<const PlaneProfile> profile,
                std::shared_ptr<const contact::FrictionLaw> friction, double rolling_angle,
                const std::optional<contact::Relaxation>& relaxation);
 
-    std::string name() const override { return contact::models::mdr_layer; }
+    std::string name() const override { return model_.name(); }
     double step_accuracy() const override { return contact::layer_springs_accuracy; }
     /// Throws contact::InputError if the step is none of a line's or the contact reaches the
     /// indenter's rim, contact::ContactAtEdge if it reaches the last element, NotConverged.
@@ -77,5 +79,8 @@ class LayerModel final : public contact::Model {
 std::unique_ptr<contact::Model> make_layer_model(const contact::Case& c, int elements_per_radius);
 /// The same with those of the case's settings.
 std::unique_ptr<contact::Model> make_layer_model(const contact::Case& c);
+/// MDR of a half-space on an elastic interface, whose springs couple those of the half-space: the
+/// same without a layer. Exact for the pressing of bodies of revolution.
+std::unique_ptr<contact::Model> make_model_on_interface(const contact::Case& c);
 
 }  // namespace tricontact::mdr

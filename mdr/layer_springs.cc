@@ -104,13 +104,8 @@ LayerSprings::LayerSprings(const theory::LayerStack& stack,
             "mdr-layer: elements of {:.6g} m do not resolve a layer of {:.6g} m; they must be "
             "shorter than {:.6g} of it",
             spacing, top.thickness, longest_element));
-    const int n = 2 * n_beside + 1;
-    row_ = {-n_beside * spacing, spacing};
-    for (int i = 0; i < n; ++i) points_.x.push_back(row_.position(i));
-    points_.y.assign(n, 0);
-    points_.area.assign(n, spacing * width);
-    points_.mirrored = true;
-
+    place(n_beside, spacing);
+    const int n = size();
     const contact::MaterialPair both(indenter, top.material), layer({}, top.material);
     effective_modulus_ = interface.normal_stiffness ? 0 : both.effective_modulus();
     const LayerKernel kernel = layer_kernel(stack, spacing, n);
@@ -119,10 +114,35 @@ LayerSprings::LayerSprings(const theory::LayerStack& stack,
     if (!kernel.tangential.empty())
         tangential_ = coefficients(1 / both.effective_shear_modulus(),
                                    1 / layer.effective_shear_modulus(), kernel.tangential, spacing);
-    add_interface(interface.normal_compliance(), spacing, normal_);
+    fill(interface);
+}
+
+LayerSprings::LayerSprings(const contact::MaterialPair& half_spaces, int n_beside, double spacing,
+                           const contact::Interface& interface) {
+    place(n_beside, spacing);
+    effective_modulus_ = interface.normal_stiffness ? 0 : half_spaces.effective_modulus();
+    const std::vector<double> none(points_.size(), 0);
+    normal_ = coefficients(1 / half_spaces.effective_modulus(), 0, none, spacing);
+    tangential_ = coefficients(1 / half_spaces.effective_shear_modulus(), 0, none, spacing);
+    fill(interface);
+}
+
+void LayerSprings::place(int n_beside, double spacing) {
+    const int n = 2 * n_beside + 1;
+    row_ = {-n_beside * spacing, spacing};
+    for (int i = 0; i < n; ++i) points_.x.push_back(row_.position(i));
+    points_.y.assign(n, 0);
+    points_.area.assign(n, spacing * width);
+    points_.mirrored = true;
+}
+
+/// With the springs of the interface, the matrix.
+void LayerSprings::fill(const contact::Interface& interface) {
+    add_interface(interface.normal_compliance(), row_.spacing, normal_);
     if (!tangential_.empty())
-        add_interface(interface.tangential_compliance(), spacing, tangential_);
-    dense_.assign(9 * static_cast<std::size_t>(n) * n, 0.0);
+        add_interface(interface.tangential_compliance(), row_.spacing, tangential_);
+    const std::size_t n = points_.size();
+    dense_.assign(9 * n * n, 0.0);
     fill_block(0, tangential_);
     fill_block(2, normal_);
 }

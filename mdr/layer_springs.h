@@ -40,6 +40,9 @@ LayerKernel layer_kernel(const theory::LayerStack& stack, double spacing, int n)
 /// nothing moves in y. Normal and tangential contact do not couple.
 class LayerSprings final : public contact::Compliance {
   public:
+    /// Of half-spaces, whose springs no layer couples, but the springs of the interface.
+    LayerSprings(const contact::MaterialPair& half_spaces, int n_beside, double spacing,
+                 const contact::Interface& interface);
     /// 2 `n_beside` + 1 elements about the origin. `indenter` empty: rigid. Throws
     /// contact::InputError for layers out of range and for elements longer than a quarter of the
     /// top layer, which do not resolve K.
@@ -72,6 +75,8 @@ class LayerSprings final : public contact::Compliance {
 
   private:
     int size() const { return static_cast<int>(points_.size()); }
+    void place(int n_beside, double spacing);
+    void fill(const contact::Interface& interface);
     void fill_block(int component, const std::vector<double>& coefficients);
     void multiply(const std::vector<double>& coefficients, std::span<const double> traction,
                   std::span<double> u) const;

@@ -8,6 +8,7 @@
 #include "contact/load_path.h"
 #include "contact/models/model_kind.h"
 #include "contact/relaxing_case.h"
+#include "mdr/layer_model.h"
 #include "mdr/relaxing_bed.h"
 #include "mdr/settings.h"
 #include "mdr/spring_bed.h"
@@ -37,6 +38,7 @@ void check_memory(const contact::Case& c) {
 }  // namespace
 
 std::unique_ptr<contact::Model> make_model(const contact::Case& c) {
+    if (c.interface.is_elastic()) return make_model_on_interface(c);
     check_memory(c);
     // A table of the profile over twice the half-space's radius, which grows at most with the load
     // (a cone's does with d); a flatter indenter meets the rim.

@@ -38,8 +38,9 @@ Case coarsest_case(Case c, const contact::ModelKind& kind, const RefineOptions& 
 std::string what_is_set(const Case& c, const contact::ModelKind& kind, double size) {
     if (!kind.is_on_line()) return fmt::format("{} = {:.4g} mm", kind.resolution, 1e3 * size);
     const auto& line = c.of<mdr::Settings>();
-    return fmt::format("{} = {}", kind.resolution,
-                       kind.is_independent() ? line.springs : line.elements_per_radius);
+    return fmt::format(
+        "{} = {}", mdr::line_resolution(kind, c.interface),
+        mdr::springs_are_independent(kind, c.interface) ? line.springs : line.elements_per_radius);
 }
 
 /// The case for the model alone.

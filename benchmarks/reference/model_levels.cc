@@ -31,7 +31,7 @@ constexpr double solver_noise = 1e-6;  // of a value: solvers stop at 1e-7
 double size_of(const Case& c, const std::string& model) {
     const contact::ModelKind& kind = contact::model_kind(model);
     if (kind.is_on_cells()) return contact::cell_side(c);
-    if (kind.is_independent()) return 1. / c.of<mdr::Settings>().springs;
+    if (mdr::springs_are_independent(kind, c.interface)) return 1. / c.of<mdr::Settings>().springs;
     return 1;
 }
 

@@ -101,7 +101,7 @@ std::optional<double> own_amplitude_limit(const contact::Case& c, const contact:
     const bool is_line = s.layout == Surface::Layout::line;
     const bool is_coulomb = c.friction.is_coulomb();
     if (is_line && !is_coulomb && !c.relaxation && theory::has_body_theory(c) &&
-        contact::model_kind(history.model).is_independent())
+        contact::model_kind(history.model).is_independent() && !c.interface.is_elastic())
         return theory::amplitude_limit(c, f);
     const Surface grid = is_line || is_grid(s) ? s : Resampling(s)(s);
     const auto distance =

@@ -32,7 +32,7 @@ double cell_size(const contact::Case& c, const contact::ModelKind& kind) {
     if (kind.is_on_cells()) return contact::cell_side(c);
     const double radius = contact::half_space_scales(c).contact_radius;
     const auto& line = c.of<mdr::Settings>();
-    if (!kind.is_independent()) return radius / line.elements_per_radius;
+    if (!mdr::springs_are_independent(kind, c.interface)) return radius / line.elements_per_radius;
     return 2 * (radius + contact::norm(contact::path_reach(c, radius))) / line.springs;
 }
 
@@ -41,8 +41,9 @@ void change_resolution(contact::Case& c, const contact::ModelKind& kind, const F
         if (length) length = *length * by.coarser / by.finer;
     };
     auto& line = c.of<mdr::Settings>();
-    if (kind.is_independent()) line.springs = springs_of(line.springs, by);
-    if (kind.is_on_line() && !kind.is_independent())
+    const bool independent = mdr::springs_are_independent(kind, c.interface);
+    if (independent) line.springs = springs_of(line.springs, by);
+    if (kind.is_on_line() && !independent)
         line.elements_per_radius =
             static_cast<int>(std::lround(line.elements_per_radius * by.finer / by.coarser));
     if (kind.is_on_cells()) {
@@ -69,8 +70,10 @@ std::vector<std::string> level_keys(const contact::Case& c, const contact::Model
     change_resolution(level, kind, by);
     const auto& line = level.of<mdr::Settings>();
     if (kind.is_on_line())
-        return {fmt::format("{}={}", key,
-                            kind.is_independent() ? line.springs : line.elements_per_radius)};
+        return {fmt::format("{}={}", mdr::line_resolution(kind, c.interface),
+                            mdr::springs_are_independent(kind, c.interface)
+                                ? line.springs
+                                : line.elements_per_radius)};
     const auto& cells = level.of<contact::Cells>();
     if (kind.is_on_cells())
         return {cells.spacing ? length_key(key, *cells.spacing)

@@ -40,6 +40,13 @@ Case with_value(Case c, LimitVariable variable, double value) {
     return c;
 }
 
+/// Springs that those of the interface couple are stepped by a solver, as those of a layer.
+double limit_tolerance(const Case& c, const std::string& name) {
+    const contact::ModelKind& kind = contact::model_kind(name);
+    return c.interface.is_elastic() && kind.is_independent() ? contact::ModelKind{}.limit_tolerance
+                                                             : kind.limit_tolerance;
+}
+
 /// One model of a case, at one value after another.
 class LimitSearch {
   public:
@@ -48,7 +55,7 @@ class LimitSearch {
         : case_(c.load.is_by_limit() ? with_value(c, LimitVariable::load, 0) : c),
           make_(make),
           variable_(question.variable),
-          tolerance_(question.tolerance.value_or(contact::model_kind(name).limit_tolerance)),
+          tolerance_(question.tolerance.value_or(limit_tolerance(c, name))),
           say_(say) {
         found_.model = name;
         case_.rolling->periods = static_cast<int>(std::ceil(30 / std::sqrt(tolerance_)));

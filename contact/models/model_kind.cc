@@ -26,6 +26,7 @@ constexpr std::array kinds{
               .resolution = "mdr.springs",
               .has_many_states = true,
               .couples = false,
+              .sees_elastic_interface = true,
               .rolls_on = true,
               .maps = models::mdr},
     ModelKind{.name = models::mdr_layer,

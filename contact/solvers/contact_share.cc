@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 
 namespace tricontact::contact {
 
@@ -46,18 +47,23 @@ bool solve(std::array<std::array<double, n>, n> m, std::array<double, n> r, std:
 
 using Terms = std::array<double, 4>;
 
-/// Weighted least squares of `value` by the first `size` terms of each row.
-bool least_squares(const std::vector<Terms>& rows, const std::vector<double>& value,
-                   const std::vector<double>& weight, std::size_t size, Terms& factor) {
+/// Weighted least squares by the first `size` terms of each row (Gauss' normal equations).
+struct LeastSquares {
     std::array<Terms, 4> m{};
     Terms r{};
-    for (std::size_t k = 0; k < rows.size(); ++k)
+
+    void add(const Terms& row, double value, double weight, std::size_t size) {
         for (std::size_t i = 0; i < size; ++i) {
-            r[i] += weight[k] * rows[k][i] * value[k];
-            for (std::size_t j = 0; j < size; ++j) m[i][j] += weight[k] * rows[k][i] * rows[k][j];
+            r[i] += weight * row[i] * value;
+            for (std::size_t j = 0; j <= i; ++j) m[i][j] += weight * row[i] * row[j];
         }
-    return solve(m, r, size, factor);
-}
+    }
+    bool solve_for(std::size_t size, Terms& factor) {
+        for (std::size_t i = 0; i < size; ++i)
+            for (std::size_t j = 0; j < i; ++j) m[j][i] = m[i][j];
+        return solve(m, r, size, factor);
+    }
+};
 
 double cross(const Vector2& a, const Vector2& b) {
     return a[0] * b[1] - a[1] * b[0];
@@ -198,40 +204,36 @@ bool ContactShare::is_at_edge(std::span<const double> pressure, int point) const
 }
 
 /// A plane through the gaps, then one that is curved along the edge.
-bool ContactShare::fit(const std::vector<Neighbour>& around, std::span<const double> pressure,
-                       std::span<const double> gap, Edge& edge) const {
-    std::vector<Terms> rows;
-    std::vector<double> value, weight;
-    for (const Neighbour& other : around) {
-        if (pressure[other.point] > 0 || !std::isfinite(gap[other.point])) continue;
-        rows.push_back({1, other.x, other.y, 0});
-        value.push_back(-std::cbrt(std::pow(std::max(gap[other.point], 0.), 2)));
-        weight.push_back((is_at_edge(pressure, other.point) ? weight_beside : 1) /
-                         (1 + other.x * other.x + other.y * other.y));
-    }
-    const bool line = points_.n_y == 1;
-    if (rows.size() < (line ? 2 : fewest)) return false;
-    const double largest = -*std::ranges::min_element(value);
+bool ContactShare::fit(const std::vector<Beside>& beside, bool is_line, Edge& edge) {
+    if (beside.size() < (is_line ? 2 : fewest)) return false;
+    double largest = 0;
+    for (const Beside& one : beside) largest = std::max(largest, -one.value);
     if (!(largest > 0)) return false;
-    for (double& one : value) one /= largest;
+    const std::size_t n_plane = is_line ? 2 : 3;
+    LeastSquares straight;
+    for (const Beside& one : beside)
+        straight.add({1, one.x, one.y, 0}, one.value / largest, one.weight, n_plane);
     Terms plane{};
-    if (!least_squares(rows, value, weight, line ? 2 : 3, plane)) return false;
+    if (!straight.solve_for(n_plane, plane)) return false;
     edge = {plane[0], plane[1], plane[2]};
     const double slope = std::hypot(plane[1], plane[2]);
     if (!(slope > 0)) return false;
-    if (line) return true;
-    for (Terms& row : rows) {
-        const double along = (row[2] * plane[1] - row[1] * plane[2]) / slope;
-        row[3] = along * along;
-    }
+    if (is_line) return true;
+    const auto row = [&](const Beside& one) {
+        const double along = (one.y * plane[1] - one.x * plane[2]) / slope;
+        return Terms{1, one.x, one.y, along * along};
+    };
+    LeastSquares curve;
+    for (const Beside& one : beside) curve.add(row(one), one.value / largest, one.weight, 4);
     Terms curved{};
-    if (!least_squares(rows, value, weight, 4, curved)) return false;
+    if (!curve.solve_for(4, curved)) return false;
     double deviation = 0, all = 0;
-    for (std::size_t k = 0; k < rows.size(); ++k) {
-        double off = -value[k];
-        for (std::size_t i = 0; i < 4; ++i) off += curved[i] * rows[k][i];
-        deviation += weight[k] * off * off;
-        all += weight[k];
+    for (const Beside& one : beside) {
+        const Terms terms = row(one);
+        double off = -one.value / largest;
+        for (std::size_t i = 0; i < 4; ++i) off += curved[i] * terms[i];
+        deviation += one.weight * off * off;
+        all += one.weight;
     }
     edge = {curved[0], curved[1], curved[2]};
     return std::sqrt(deviation / all) <= roughest * std::hypot(curved[1], curved[2]);
@@ -261,15 +263,30 @@ double ContactShare::part_inside(int point, const Edge& edge) const {
 
 std::vector<double> ContactShare::of(std::span<const double> pressure,
                                      std::span<const double> gap) const {
-    std::vector<double> share(pressure.size());
-    std::vector<Neighbour> around;
-    Edge edge{};
-    for (std::size_t i = 0; i < share.size(); ++i) {
+    const std::size_t n = pressure.size();
+    std::vector<double> share(n);
+    std::vector<std::uint8_t> at_edge(n);
+    for (std::size_t i = 0; i < n; ++i) {
         share[i] = pressure[i] > 0 ? 1 : 0;
+        at_edge[i] = is_at_edge(pressure, static_cast<int>(i));
+    }
+    std::vector<double> straight(n, 1);  // -gap^(2/3), where it has been asked for
+    std::vector<Neighbour> around;
+    std::vector<Beside> beside;
+    Edge edge{};
+    for (std::size_t i = 0; i < n; ++i) {
+        if (!at_edge[i]) continue;
         const int point = static_cast<int>(i);
-        if (!is_at_edge(pressure, point)) continue;
         find_neighbours(point, around);
-        if (fit(around, pressure, gap, edge)) share[i] = part_inside(point, edge);
+        beside.clear();
+        for (const auto& [other, x, y] : around) {
+            if (pressure[other] > 0 || !std::isfinite(gap[other])) continue;
+            double& value = straight[other];
+            if (value > 0) value = gap[other] > 0 ? -std::cbrt(gap[other] * gap[other]) : 0;
+            beside.push_back(
+                {x, y, value, (at_edge[other] ? weight_beside : 1) / (1 + x * x + y * y)});
+        }
+        if (fit(beside, points_.n_y == 1, edge)) share[i] = part_inside(point, edge);
     }
     return share;
 }

@@ -33,6 +33,10 @@ class ContactShare {
         int point;
         double x, y;  // from the point in question, over the distance of neighbours [-]
     };
+    /// What a neighbour that does not touch tells: -gap^(2/3), and its weight.
+    struct Beside {
+        double x, y, value, weight;
+    };
     /// Where the contact is: inside + along_x x + along_y y > 0, lengths as those of Neighbour.
     struct Edge {
         double inside, along_x, along_y;
@@ -46,8 +50,7 @@ class ContactShare {
     void add_faces();
     void find_neighbours(int point, std::vector<Neighbour>& found) const;
     bool is_at_edge(std::span<const double> pressure, int point) const;
-    bool fit(const std::vector<Neighbour>& around, std::span<const double> pressure,
-             std::span<const double> gap, Edge& edge) const;
+    static bool fit(const std::vector<Beside>& beside, bool is_line, Edge& edge);
     double part_inside(int point, const Edge& edge) const;
 
     ContactPoints points_;                    // of a grid of rows without positions and areas

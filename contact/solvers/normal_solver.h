@@ -20,7 +20,7 @@ struct NormalSolution {
     int iterations = 0;
     /// Largest |gap| where p > 0 and largest penetration elsewhere, over `length` [-].
     double residual = 0;
-    double rounding = 0;  ///< what the rounding of displacements may leave of it [-]
+    double rounding = 0;          ///< what the rounding of displacements may leave of it [-]
     std::vector<double> share{};  ///< in contact, per point (ContactShare); empty: not asked for
 };
 

@@ -47,8 +47,8 @@ StaggeredSolver::StaggeredSolver(std::string name, Substrate& substrate, const I
                    ? std::make_optional<FocusedCompliance>(substrate.compliance())
                    : std::nullopt),
       coupling_(compliance(), indenter, options) {
-    // What remembers its slip does so by whole points.
-    if (ContactShare::is_known(points()) && jumps_at_edge() && !friction_->remembers())
+    // Bounds that follow the slip are those of whole points.
+    if (ContactShare::is_known(points()) && !friction_->remembers() && jumps_at_edge())
         share_.emplace(points());
     make_solvers();
     release();

@@ -153,11 +153,11 @@ class StaggeredSolver {
     Coupling coupling_;
     std::optional<ContactShare> share_;  // where the law jumps at the edge of the contact
     int n_shared_ = 0;                   // times in this step
-    std::vector<std::uint8_t> focus_;  // per point, empty: all
-    double highest_ = 0;               // the indenter over the points in contact, undeformed [m]
-    double looseness_ = 1;             // of the tangential contact in this staggered iteration
-    std::vector<double> gap_before_;   // at the start of a step in proportion [m]; else empty
-    TangentialField before_touch_;     // see before_touch(); empty: 0
+    std::vector<std::uint8_t> focus_;    // per point, empty: all
+    double highest_ = 0;                 // the indenter over the points in contact, undeformed [m]
+    double looseness_ = 1;               // of the tangential contact in this staggered iteration
+    std::vector<double> gap_before_;     // at the start of a step in proportion [m]; else empty
+    TangentialField before_touch_;       // see before_touch(); empty: 0
     // Of solve_growing(): t/p where points are met, and whether this step keeps it.
     std::vector<double> met_traction_;
     bool met_is_kept_ = false;

@@ -140,13 +140,12 @@ void check_covered(const io::RigFile& file) {
                        "omit it; tricontact run computes loads that oscillate");
     if (!c.friction.is_coulomb()) {
         const contact::HalfSpaceScales hertz = contact::half_space_scales(c);
-        contact::require_coulomb(
-            c, "the check of rigs",
-            document.place_of(c.friction.coefficient ? "friction.coefficient"
-                                                     : "friction.shear_strength") +
-                ": friction",
-            fmt::format("take F_lim/F_N = {:.3g} of the half-space in its place",
-                        hertz.friction_limit / hertz.normal_force));
+        c.require_coulomb("the check of rigs",
+                          document.place_of(c.friction.coefficient ? "friction.coefficient"
+                                                                   : "friction.shear_strength") +
+                              ": friction",
+                          fmt::format("take F_lim/F_N = {:.3g} of the half-space in its place",
+                                      hertz.friction_limit / hertz.normal_force));
     }
     if (!c.layer.thickness)
         io::fail(document.place_of("substrate.thickness"), "", "missing key substrate.thickness",

@@ -214,7 +214,7 @@ void check_case(const Case& c, const Document& document) {
         const ModelKind& kind = contact::model_kind(model);
         if (kind.is_layer()) check_layer(model, c, document);
         if (kind.is_on_cells()) check_bem(c, scales, steps, document);
-        if (kind.is_independent()) check_mdr(c, scales, steps, document);
+        if (mdr::springs_are_independent(kind, c.interface)) check_mdr(c, scales, steps, document);
         if (kind.is_meshed()) check_fem(c, steps, document);
     }
 }

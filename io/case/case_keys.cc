@@ -71,8 +71,8 @@ std::vector<CaseKey> model_keys() {
                      {.default_value = "10000"}),
          kept<&mdr::Settings::springs>},
         {integer_key("mdr.elements_per_radius", {5, 1000}, "100",
-                     "elements of mdr-layer in the contact radius, shorter ones where the layer is "
-                     "thin",
+                     "elements in the contact radius of mdr-layer, shorter ones where the layer is "
+                     "thin, and of mdr on an elastic interface",
                      {.default_value = "100"}),
          kept<&mdr::Settings::elements_per_radius>},
         {number_key("fem.accuracy", {1e-5, 0.2, false, true}, "0.01",

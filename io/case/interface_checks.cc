@@ -12,12 +12,14 @@ void check_interface(const contact::Case& c, const Document& document) {
                "leave out [interface], or set substrate.material to \"linear\"");
     for (const std::string& model : c.models) {
         const contact::ModelKind& kind = contact::model_kind(model);
-        if (kind.sees_elastic_interface) continue;
-        refuse(document, key,
-               kind.is_on_line()
-                   ? "springs at each point of the surface couple the springs of " + model
-                   : model + " knows rigid interfaces alone",
-               "leave out " + model + " (mdr-layer knows them), or leave out [interface]");
+        if (!kind.sees_elastic_interface)
+            refuse(document, key, model + " knows rigid interfaces alone",
+                   "leave out " + model + ", or leave out [interface]");
+        if (kind.is_on_line() && c.tractive_rolling)
+            refuse(document, key,
+                   "springs of the interface couple those of " + model +
+                       ", which rolls on over independent ones alone",
+                   "leave out " + model + " (bem knows them), or leave out [interface]");
     }
 }
 

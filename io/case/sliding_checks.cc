@@ -56,7 +56,7 @@ void check_oscillating_ratio(const std::string& key, double worst, const Documen
 void check_tells_sliding(const Case& c, const std::string& key, double ratio,
                          const Document& document) {
     if (ratio <= 1 - closest_to_sliding || c.tractive_rolling) return;
-    if (all_have(c, &ModelKind::steps_are_exact)) return;
+    if (all_have(c, &ModelKind::steps_are_exact) && !c.interface.is_elastic()) return;
     refuse(document, key,
            "F_T/(mu F_N) reaches " + shortest(ratio) +
                ": so close to 1 only mdr distinguishes stick from gross sliding",
@@ -72,8 +72,9 @@ double coarsest_cell(const Case& c, const HalfSpaceScales& s) {
         const ModelKind& kind = contact::model_kind(model);
         const auto& line = c.of<mdr::Settings>();
         if (kind.is_on_line())
-            coarsest = std::max(coarsest, kind.is_independent() ? 2 * (1 + path) / line.springs
-                                                                : 1. / line.elements_per_radius);
+            coarsest = std::max(coarsest, mdr::springs_are_independent(kind, c.interface)
+                                              ? 2 * (1 + path) / line.springs
+                                              : 1. / line.elements_per_radius);
         if (kind.is_on_cells())
             coarsest = std::max(coarsest, std::max(1., cells.ratio.value_or(1)) *
                                               (cells.spacing ? *cells.spacing / s.contact_radius

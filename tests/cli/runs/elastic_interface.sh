@@ -41,6 +41,12 @@ for key in indentation_m:5e-3 peak_pressure_Pa:5e-3 limit_tangential_ratio:5e-3 
     near "$(value mdr-layer "${key%:*}" line/summary.json)" "$(value bem-layer "${key%:*}" run/summary.json)" "${key#*:}" \
         "${key%:*} of mdr-layer"
 done
+# So they are on a half-space.
+"$program" run springs.toml --set 'models=["mdr","bem"]' --quiet --no-studies --output half || complain "mdr does not run"
+for key in indentation_m:3e-3 peak_pressure_Pa:3e-3 limit_tangential_ratio:5e-3 static_shift_m:1e-2; do
+    near "$(value mdr "${key%:*}" half/summary.json)" "$(value bem "${key%:*}" half/summary.json)" "${key#*:}" \
+        "${key%:*} of mdr"
+done
 # The springs matter: without them the same shift is less.
 "$program" run springs.toml --models bem-layer --set "interface.normal_stiffness=5000 MPa/mm" \
     --set "interface.tangential_stiffness=5000 MPa/mm" --quiet --no-studies --output stiff
@@ -127,7 +133,9 @@ refuses() { # WORDS COMMAND...
     [ $? = 2 ] || complain "$*: not refused"
     grep -q "interface" said.txt && grep -q -- "$words" said.txt || complain "$*: $(cat said.txt)"
 }
-refuses "springs of mdr;" run springs.toml --models mdr --output no
+sed -e '/^\[rolling\]/,/^steps/d' -e '/^thickness/d' -e 's/"bem-layer", "fem"/"mdr"/' springs.toml >on.toml
+echo "[tractive_rolling]" >>on.toml
+refuses "rolls on over independent ones" roll on.toml --output no
 refuses "finite strains" run springs.toml --models fem --set substrate.material=neo-hookean --output no
 refuses "deviations" deviation springs.toml --output no
 refuses "rigs" rig springs.toml --output no
