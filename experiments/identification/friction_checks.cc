@@ -90,6 +90,10 @@ void check_friction(const Input& input, const io::Document& document) {
         io::refuse(document, "friction.rate.law",
                    "material constants are identified under friction that no speed changes",
                    "leave out [friction.rate]");
+    if (friction.remembers())
+        io::refuse(document, friction.weakening ? "friction.weakening.law" : "interface.hardening",
+                   "material constants are identified under friction that no way of slip changes",
+                   "leave it out");
     if (!friction.is_coulomb())
         for (const std::string& model : input.models)
             if (!io::measurement_model(model).knows_laws)

@@ -19,12 +19,6 @@ Field heat_of_substrate(Case& c) {
     return c.kept.find<ContactHeat>() ? Field(&(c.of<ContactHeat>().substrate.*member)) : Field();
 }
 
-/// The same of friction that depends on the temperature.
-template <double contact::FrictionTemperature::*member>
-Field of_friction(Case& c) {
-    return c.friction.temperature ? Field(&((*c.friction.temperature).*member)) : Field();
-}
-
 }  // namespace
 
 std::vector<CaseKey> heat_keys() {
@@ -55,18 +49,7 @@ std::vector<CaseKey> heat_keys() {
              heat_of_substrate<&ThermalBody::density>},
             {quantity_key("substrate.heat.temperature", temperature, temperatures, R"("20 degC")",
                           "of its bulk", {.default_value = R"("0 degC")"}),
-             heat_of_substrate<&ThermalBody::temperature>},
-            {number_key("friction.temperature.change", {-100, 100}, "-0.18",
-                        "by how much mu differs in the end from friction.coefficient, by the "
-                        "temperature of the surfaces where they touch; it changes linearly between",
-                        {.required = true}),
-             of_friction<&contact::FrictionTemperature::change>},
-            {quantity_key("friction.temperature.from", temperature, temperatures, R"("0 degC")",
-                          "up to which mu is friction.coefficient", {.required = true}),
-             of_friction<&contact::FrictionTemperature::from>},
-            {quantity_key("friction.temperature.to", temperature, temperatures, R"("400 degC")",
-                          "from which on mu has changed", {.required = true}),
-             of_friction<&contact::FrictionTemperature::to>}};
+             heat_of_substrate<&ThermalBody::temperature>}};
 }
 
 }  // namespace tricontact::io
