@@ -45,7 +45,7 @@ void StaggeredSolver::focus(const std::vector<std::uint8_t>& on) {
 }
 
 /// Completes a solution that was found on some points by the displacements of all. False if others
-/// penetrate, which then belong to them.
+/// penetrate, or carry a part beside the contact: then they belong to them.
 bool StaggeredSolver::look_at_all() {
     if (focus_.empty()) return true;
     std::vector<std::uint8_t> on = std::exchange(focus_, {});
@@ -58,7 +58,8 @@ bool StaggeredSolver::look_at_all() {
     const double depth = substrate_.stiffness() * normal.indentation;
     bool complete = true;
     for (std::size_t i = 0; i < on.size(); ++i) {
-        if (on[i] || !(normal.displacement[i] + height[i] < depth)) continue;
+        const bool penetrates = normal.displacement[i] + height[i] < depth;
+        if (on[i] || (!penetrates && !(now_.bound[i] > 0))) continue;
         on[i] = 1;
         complete = false;
     }

@@ -66,12 +66,12 @@ Lens drawn_lens(Random& random) {
 void write_tables(const Lens& lens, const std::string& folder, Random& random) {
     std::normal_distribution<double> gauss;
     const double force = *lens.truth.load.normal_force,
-                 limit = experiments::sliding_forces(lens.truth, {force}).front();
+                 limit = experiments::sliding_forces(false, lens.truth, {force}).front();
     std::ofstream shifts(folder + "/shift.csv"), sliding(folder + "/sliding.csv");
     shifts << "tangential_force [N], shift [m], shift_error [m]\n";
     for (int k = 1; k <= 6; ++k) {
         const double f = .12 * k * limit;
-        const double u = experiments::half_space_shifts(lens.truth, {f}).front();
+        const double u = experiments::theory_shifts(false, lens.truth, {f}).front();
         shifts << fmt::format("{}, {}, {}\n", f, u * (1 + noise * gauss(random)), noise * u);
     }
     sliding << "normal_force [N], sliding_force [N], sliding_force_error [N]\n";
