@@ -106,9 +106,9 @@ void normalise(ExperimentEvaluation& e, const Case& given,
         return amplitude_limit(k) * contact::half_space_scales(k).contact_radius;
     });
     r.is_coulomb = c.friction.is_coulomb();
-    r.thesis_limit =
-        r.is_coulomb ? result([](const Case& k, double) { return 1 - tangential_ratio(k); })
-                     : Estimate{.value = contact::undefined};
+    r.thesis_limit = r.is_coulomb
+                         ? result([](const Case& k, double) { return 1 - tangential_ratio(k); })
+                         : Estimate{.value = contact::undefined};
     r.radius = c.indenter.radius;
     e.normalised = r;
 }

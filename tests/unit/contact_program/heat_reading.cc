@@ -60,7 +60,10 @@ TEST(ImportedHeat, HeatAndALayerBetweenTheBodies) {
     }
     const auto without = cases_of(heated_case("8200 0 0 0"));
     EXPECT_FALSE(without.at(0).interface.is_elastic());
-    EXPECT_THROW(cases_of(heated_case("8200 1.25 300 0")), contact::InputError);
+    const auto yielding = cases_of(heated_case("8200 1.25 300 0"));
+    EXPECT_DOUBLE_EQ(yielding.at(0).friction.yield->stress, 3e8);
+    EXPECT_EQ(yielding.at(0).friction.yield->hardening, 0);
+    EXPECT_THROW(cases_of(heated_case("8200 1.25 300 5")), contact::InputError);  // it rolls on
 }
 
 TEST(ImportedHeat, WrittenHeatAndLayerComeBack) {

@@ -157,8 +157,7 @@ rolling::SteadyRolling imported(const std::string& example, std::size_t number_o
     problem.rate = c.friction.rate;
     problem.slip_start = slip_start;
     if (const auto* heat = c.kept.find<contact::ContactHeat>()) problem.heat = *heat;
-    if (const auto& law = c.friction.temperature)
-        problem.friction_temperature = *law;
+    if (const auto& law = c.friction.temperature) problem.friction_temperature = *law;
     const auto substrate = bem::make_substrate(c, 1, bem::Body::half_space, .3);
     return rolling::steady_rolling(*substrate, problem);
 }

@@ -45,6 +45,8 @@ TEST(HistoryCsv, HoldsEveryNumberOfEveryStepExactly) {
     s.largest_stretch = 12. / 11;
     s.largest_shear = 2. / 11;
     s.stored_energy = 1e-3 / 7;
+    s.released_energy = 1e-4 / 7;
+    s.may_differ = 1;
     s.contact_area = 1. / 11;
     s.stick_area = 1. / 13;
     s.slip_area = 1. / 17;
@@ -73,6 +75,8 @@ TEST(HistoryCsv, HoldsEveryNumberOfEveryStepExactly) {
                                                  {"dissipation_J", s.dissipation},
                                                  {"material_dissipation_J", s.material_dissipation},
                                                  {"stored_energy_J", s.stored_energy},
+                                                 {"released_energy_J", s.released_energy},
+                                                 {"may_differ", 1},
                                                  {"contact_area_m2", s.contact_area},
                                                  {"stick_area_m2", s.stick_area},
                                                  {"slip_area_m2", s.slip_area},
