@@ -148,7 +148,7 @@ double rolled_kappa(double w, double f, double poisson, double angle, double cel
 }
 
 // The formula between the punch of the common contact and the exact limit: it and cells of a/30,
-// which count whole, are off by 2 % each at the most.
+// in parts at the edge, are off by 2 % each at the most.
 TEST(BemShearStrength, SettlesByTheMappedFormula) {
     for (const double poisson : poissons)
         for (const double angle : {0., pi / 2})
@@ -160,13 +160,18 @@ TEST(BemShearStrength, SettlesByTheMappedFormula) {
 }
 
 // Small loads: the lens that the contacts of the path share is a flat punch, of a known compliance
-// at nu = 0. 4/pi of springs is 40 % off.
+// at nu = 0. Parts of cells converge to it at first order from below; extrapolated, what is left
+// is that a tenth of the limit is no infinitely small load (1 %, of the formula itself). 4/pi of
+// springs is 40 % off.
 TEST(BemShearStrength, SettlesUnderSmallLoadsAsTheLensDoes) {
-    for (const double w : {.3, .6})
-        EXPECT_NEAR(rolled_kappa(w, .1 * theory::strength_rolling.exact_limit(w), 0, 0, 30) /
-                        theory::small_load_mapping(w, theory::strength_rolling),
-                    1, .015)
-            << w;
+    for (const double w : {.3, .6}) {
+        const double f = .1 * theory::strength_rolling.exact_limit(w),
+                     limit = theory::small_load_mapping(w, theory::strength_rolling),
+                     coarse = rolled_kappa(w, f, 0, 0, 30), fine = rolled_kappa(w, f, 0, 0, 60);
+        EXPECT_LT(coarse, fine) << w;
+        EXPECT_LT(fine, limit) << w;
+        EXPECT_NEAR((2 * fine - coarse) / limit, 1, .015) << w;
+    }
 }
 
 }  // namespace

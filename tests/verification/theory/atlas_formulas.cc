@@ -76,7 +76,7 @@ theory::MappedRolling strength_of(const Point& p) {
 
 TEST(AtlasFormulas, ShearStrength) {
     const Table settled("sphere_half_space_strength", quantities::settled_shift_ratio);
-    settled.check({"u_sd, shear strength", {1.5, .3}, [](const Point& p) {
+    settled.check({"u_sd, shear strength", {1.6, .12}, [](const Point& p) {
                        return *theory::strength_settled_shift_ratio(strength_of(p));
                    }});
     settled.check({"u_sd, shear strength, MDR", {120, 29}, [](const Point& p) {
@@ -86,14 +86,14 @@ TEST(AtlasFormulas, ShearStrength) {
                                                        law.mdr_mapping);
                    }});
     const Table mapping("sphere_half_space_strength", quantities::kappa);
-    mapping.check({"kappa, shear strength", {2.7, .29}, [](const Point& p) {
+    mapping.check({"kappa, shear strength", {2.5, .2}, [](const Point& p) {
                        return theory::strength_mapping(strength_of(p));
                    }});
     mapping.check({"kappa, shear strength, MDR", {72, 35}, [](const Point&) {
                        return theory::strength_rolling.mdr_mapping;
                    }});
     const Table still("sphere_half_space_strength_static", quantities::static_shift_ratio);
-    still.check({"u_stat, shear strength", {.33, .021}, [](const Point& p) {
+    still.check({"u_stat, shear strength", {.33, .028}, [](const Point& p) {
                      return theory::strength_rolling.static_shift(p[0]);
                  }});
 }
