@@ -122,7 +122,7 @@ void SurfaceModel::update_slip(const StepStart& before) {
 /// on the straight way from their last values, do more than that is set free: in a jump.
 void SurfaceModel::update_memory(const StepStart& before) {
     const ContactSolution& s = now();
-    std::vector<double> way(s.bound.size(), 0), expected = before.way;
+    std::vector<double> way(s.bound.size(), 0);
     work_.assign(way.size(), 0);
     released_ = 0;
     for (std::size_t i = 0; i < way.size(); ++i) {
@@ -134,13 +134,13 @@ void SurfaceModel::update_memory(const StepStart& before) {
             way[i] = friction_->healed(before.way[i]);
             continue;
         }
-        way[i] = expected[i] = friction_->way(before.way[i], length, pressure);
+        way[i] = friction_->way(before.way[i], length, pressure);
         work_[i] = friction_->work(pressure, before.way[i], length);
         const Vector2 mean = .5 * (before.traction.in_surface.at(i) + s.tangential.traction.at(i));
         released_ += points().area[i] * (dot(mean, told) - work_[i]);
     }
     std::vector<double> bound(way.size());
-    friction_->bounds({s.normal->pressure, points().x, points().y, expected}, bound);
+    friction_->bounds({s.normal->pressure, points().x, points().y, way}, bound);
     double misfit = 0, area = 0;
     for (std::size_t i = 0; i < bound.size(); ++i) {
         if (s.normal->pressure[i] > 0) area += points().area[i];

@@ -16,11 +16,6 @@ namespace tricontact::rolling {
 
 namespace {
 
-// One after the other they stay on their side of the state, so that which one is found is known;
-// then what they tell of each other is combined.
-constexpr int plain_iterations = 30;
-constexpr int most_iterations = 500;
-
 double carried_at_rest(const contact::ContactPoints& grid, const SteadyProblem& problem) {
     return std::inner_product(grid.area.begin(), grid.area.end(), problem.bound.begin(), 0.);
 }
@@ -79,9 +74,9 @@ double solve_steady_rated(const contact::Compliance& compliance, const SteadyPro
     const auto [least, most] = std::minmax({1., friction.in_the_end});
     if (left.empty()) left.assign(grid.size(), from == SlipStart::slow ? 1 : friction.in_the_end);
     std::vector<double> bound(grid.size());
-    contact::FixedPoint accelerated;
+    contact::OneSidedFixedPoint iteration;
     int iterations = 0;
-    for (int k = 0; k < most_iterations; ++k) {
+    for (int k = 0; k < contact::OneSidedFixedPoint::max_iterations; ++k) {
         for (std::size_t i = 0; i < bound.size(); ++i) bound[i] = left[i] * problem.bound[i];
         try {
             solve_steady(compliance, {bound, problem.displacement, problem.drive, problem.centre},
@@ -101,13 +96,13 @@ double solve_steady_rated(const contact::Compliance& compliance, const SteadyPro
         for (std::size_t i = 0; i < bound.size(); ++i)
             if (bound[i] > 0) change = contact::larger(change, std::abs(next[i] - left[i]));
         if (change <= tolerance) return change;
-        left = k < plain_iterations ? next : accelerated.next(left, next, change);
+        left = iteration.next(left, next, change);
         for (double& one : left) one = std::clamp(one, least, most);
     }
-    throw contact::NotConverged(
-        fmt::format("steady rolling: after {} iterations friction still follows the slip from one "
-                    "state to another: it {} too steeply for single cells; {}",
-                    most_iterations, friction.changes, friction.remedy));
+    throw contact::NotConverged(fmt::format(
+        "steady rolling: after {} iterations friction still follows the slip from one "
+        "state to another: it {} too steeply for single cells; {}",
+        contact::OneSidedFixedPoint::max_iterations, friction.changes, friction.remedy));
 }
 
 }  // namespace tricontact::rolling

@@ -32,4 +32,23 @@ class FixedPoint {
     double least_ = 0, damping_ = 1;
 };
 
+/// The same of states that may be several: the first iterates are taken as they are, one after the
+/// other. Where g is monotone they stay on their side of the state, so that which one is found is
+/// known; then what they tell of each other is combined.
+class OneSidedFixedPoint {
+  public:
+    static constexpr int max_iterations = 500;
+
+    /// `first`: iterates that are taken as they are.
+    explicit OneSidedFixedPoint(int first = 30) : first_(first) {}
+    std::vector<double> next(const std::vector<double>& x, const std::vector<double>& g,
+                             double residual) {
+        return n_++ < first_ ? g : accelerated_.next(x, g, residual);
+    }
+
+  private:
+    int first_, n_ = 0;
+    FixedPoint accelerated_;
+};
+
 }  // namespace tricontact::contact

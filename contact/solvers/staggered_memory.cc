@@ -14,11 +14,6 @@ namespace tricontact::contact {
 
 namespace {
 
-// One after the other they stay on their side of the state, so that the one of least slip is found;
-// then what they tell of each other is combined.
-constexpr int plain_bound_iterations = 30;
-constexpr int most_bound_iterations = 500;
-
 /// Of bounds, over their mean: states in which a point differs by more are others.
 constexpr double unlike = 1e-3;
 
@@ -58,8 +53,9 @@ void StaggeredSolver::settle_bounds(const LoadStep& step, const StepStart& befor
     const double weight = 1 / (1 + friction_->hardening() * compliance);
     const double mean = now_.total_bound / contact_area;
     now_.bound = bounds_by_way(now_.way, at_rest);
-    FixedPoint accelerated;
-    for (int k = 0; k < most_bound_iterations; ++k) {
+    // Bounds that rise have one state alone.
+    OneSidedFixedPoint iteration = weight < 1 ? OneSidedFixedPoint(0) : OneSidedFixedPoint();
+    for (int k = 0; k < OneSidedFixedPoint::max_iterations; ++k) {
         solve_under_bounds(step, before, contact_area);
         update_way(before);
         std::vector<double> next = bounds_by_way(now_.way, at_rest);
@@ -70,15 +66,14 @@ void StaggeredSolver::settle_bounds(const LoadStep& step, const StepStart& befor
             next[i] = now_.bound[i] + weight * rise;
         }
         if (change <= looseness_ * tolerance_) return;
-        if (k >= plain_bound_iterations || weight < 1)
-            next = accelerated.next(now_.bound, next, change);
+        next = iteration.next(now_.bound, next, change);
         for (double& bound : next) bound = std::max(bound, 0.);
         now_.bound = std::move(next);
     }
     throw NotConverged(fmt::format(
         "{}: after {} iterations the bounds of friction still follow the slip from one state to "
         "another at phase {:.4g}; take smaller steps, or let the bound change less with the slip",
-        name_, most_bound_iterations, step.phase));
+        name_, OneSidedFixedPoint::max_iterations, step.phase));
 }
 
 /// From the slip at the start of the step bounds that fall with it fall from one iterate to the

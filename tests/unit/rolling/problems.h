@@ -87,6 +87,26 @@ struct Rig {
     }
 };
 
+/// Steady states of a rig's row, on one grid; all of their checks have passed.
+class SteadyRow {
+  public:
+    explicit SteadyRow(const Rig& rig)
+        : grid_(rig.row_grid()), sliding_(rig.friction * rig.row_force()) {}
+    rolling::SteadyRolling operator()(const rolling::RollingProblem& problem) const {
+        auto found = rolling::steady_rolling(*grid_, problem);
+        EXPECT_TRUE(found.audit.passed());
+        return found;
+    }
+    /// F_x over mu F_N [-].
+    double force(const rolling::RollingProblem& problem) const {
+        return (*this)(problem).state.force[0] / sliding_;
+    }
+
+  private:
+    std::shared_ptr<const contact::Compliance> grid_;
+    double sliding_;  // mu F_N [N]
+};
+
 /// States of every cell rolled over a distance [m] from rest, all of whose checks have passed.
 inline std::vector<rolling::RollingState> rolled_from_rest(const contact::Substrate& substrate,
                                                            const rolling::RollingProblem& problem,

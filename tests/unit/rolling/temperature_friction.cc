@@ -32,15 +32,10 @@ RollingProblem row(double creepage, std::optional<FrictionTemperature> law) {
     return problem;
 }
 
-rolling::SteadyRolling steady(const RollingProblem& problem) {
-    static const auto grid = rig.row_grid();
-    auto found = rolling::steady_rolling(*grid, problem);
-    EXPECT_TRUE(found.audit.passed());
-    return found;
-}
+const rolling_test::SteadyRow steady(rig);
 
 double force(const RollingProblem& problem) {
-    return steady(problem).state.force[0] / (rig.friction * rig.row_force());
+    return steady.force(problem);
 }
 
 /// Of a constant mu.
