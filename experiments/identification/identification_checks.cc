@@ -6,6 +6,7 @@
 #include <variant>
 
 #include "comparisons/quantities/left_out.h"
+#include "experiments/identification/law_parameters.h"
 #include "io/case/measurement_models.h"
 #include "io/case/rig_keys.h"
 #include "io/keys/field_reader.h"
@@ -125,9 +126,12 @@ void check_find(const Input& input, const std::vector<std::string>& find,
     };
     const bool has_friction =
         input.find(Measurement::static_shift) || input.find(Measurement::sliding_force);
-    if (is_free("friction.coefficient") && !has_friction)
+    if (is_free(coefficient_key) && !has_friction)
         refuse("without tangential force nothing determines the coefficient of friction",
                "leave out friction.coefficient");
+    for (const std::string& key : find)
+        if (is_of_law(key) && !has_friction)
+            refuse("without tangential force nothing determines " + key, "leave it out");
     check_rolling(input, find, refuse);
     const auto tells = [](const Table& table) { return tells_young(table.measurement); };
     if (is_free("substrate.young") && std::ranges::none_of(input.tables, tells) &&

@@ -9,6 +9,8 @@
 #include "contact/base/error.h"
 #include "experiments/identification/identification_checks.h"
 #include "experiments/identification/interface_parameters.h"
+#include "experiments/identification/law_parameters.h"
+#include "experiments/identification/rig_guesses.h"
 #include "io/case/case_reader.h"
 #include "io/case/measurement_models.h"
 #include "io/case/rig_file.h"
@@ -25,7 +27,6 @@ namespace {
 using Input = IdentificationInput;
 using Measurement = Input::Measurement;
 constexpr double guessed_poisson = .45;
-constexpr double guessed_plane_share = .75;  // E/E* of a rigid indenter
 
 using Table = Input::Table;
 
@@ -61,78 +62,13 @@ std::vector<std::string> case_models(const Input& input, bool has_springs) {
     return {models.begin(), models.end()};
 }
 
-double zero_of(const Table& table) {
-    return table.has_free_zero ? zero_depth_guess(table) : 0;
-}
-
-/// E by Hertz' theory of an incompressible half-space from the row of the largest value [Pa]; mu
-/// infinite, relaxed.
-double guessed_young(const Table& table, double radius, double normal_force) {
-    const auto row = std::ranges::max_element(table.observed) - table.observed.begin();
-    const double x = table.given[row] - zero_of(table), y = table.observed[row];
-    constexpr double shear_over_plane = 2. / 3;    // G*/E*
-    double cube = 3. / 4 * radius * normal_force;  // a^3 E*
-    const auto of_depth = [&](double force, double depth) {
-        return guessed_plane_share * 3. / 4 * force / std::sqrt(radius * depth * depth * depth);
-    };
-    switch (table.measurement) {
-        case Measurement::force_indentation:
-            return of_depth(y, x);
-        case Measurement::contact_radius:
-            return guessed_plane_share * 3. / 4 * radius * x / (y * y * y);
-        case Measurement::force_relaxation:
-            return of_depth(std::ranges::min(table.observed), table.held);
-        case Measurement::indentation_creep:
-            return of_depth(table.held, y);
-        default:
-            break;
-    }
-    if (!table.normal_forces.empty()) cube *= table.normal_forces[row] / normal_force;
-    return guessed_plane_share * std::pow(x / (2 * shear_over_plane * y * std::cbrt(cube)), 1.5);
-}
-
-/// Of a table without tangential forces [N].
-double largest_force(const Table& table) {
-    switch (table.measurement) {
-        case Measurement::contact_radius:
-        case Measurement::sliding_force:
-            return std::ranges::max(table.given);
-        case Measurement::indentation_creep:
-            return table.held;
-        default:
-            return std::ranges::max(table.observed);
-    }
-}
-
-/// mu of the shifts and the sliding that were measured, larger than what held.
-double guessed_friction(const Input& input, double normal_force) {
-    constexpr double over_held = 1.5;
-    double guess = 0;
-    if (const Table* shifts = input.find(Measurement::static_shift))
-        for (std::size_t row = 0; row < shifts->given.size(); ++row)
-            guess = std::max(
-                guess,
-                over_held * shifts->given[row] /
-                    (shifts->normal_forces.empty() ? normal_force : shifts->normal_forces[row]));
-    if (const Table* sliding = input.find(Measurement::sliding_force))
-        for (std::size_t row = 0; row < sliding->given.size(); ++row)
-            guess = std::max(guess, sliding->observed[row] / sliding->given[row]);
-    return guess;
-}
-
-/// The first one that tells it.
-const Table& table_of_young(const Input& input) {
-    return *std::ranges::find_if(input.tables,
-                                 [](const Table& table) { return tells_young(table.measurement); });
-}
-
 /// The rig as a case: what is to be found has a guess.
 contact::Case rig_of(const Input& input, const std::vector<std::string>& find,
                      const io::Document& document) {
     io::Document rig = document;
     std::erase_if(rig.entries, [&](const io::Entry& entry) {
-        const bool is_guessed =
-            entry.path == "substrate.young" || entry.path == "friction.coefficient";
+        const bool is_guessed = entry.path == "substrate.young" ||
+                                (is_of_law(entry.path) && entry.path != exponent_key);
         if (!input.laws.empty() && entry.path.starts_with("friction.")) return true;
         return (is_guessed && std::ranges::count(find, entry.path)) || !describes_rig(entry.path);
     });
@@ -148,8 +84,9 @@ contact::Case rig_of(const Input& input, const std::vector<std::string>& find,
     std::vector<io::Entry> guesses{io::overriding("models", case_models(input, has_springs),
                                                   document.place_of("measurement.models"))};
     const auto is_free = [&](std::string_view key) { return std::ranges::count(find, key) > 0; };
-    const auto guess = [&](const char* path, io::Value value) {
-        guesses.push_back(io::overriding(path, std::move(value), input.tables.front().data_file));
+    const auto guess = [&](std::string_view path, io::Value value) {
+        guesses.push_back(
+            io::overriding(std::string(path), std::move(value), input.tables.front().data_file));
     };
     guess("load.tangential_ratio", 0.);
     double normal_force = 0;
@@ -191,11 +128,13 @@ contact::Case rig_of(const Input& input, const std::vector<std::string>& find,
                            " Pa/m");
     if (is_free("substrate.poisson") && !rig.find("substrate.poisson"))
         guess("substrate.poisson", guessed_poisson);
-    const bool finds_friction = is_free("friction.coefficient") || !input.laws.empty();
-    const bool needs_friction =
-        !sheared && !rig.find("friction.coefficient") && !rig.find("friction.shear_strength");
-    if (finds_friction || needs_friction)
-        guess("friction.coefficient", finds_friction ? guessed_friction(input, normal_force) : 1.);
+    const double ratio = guessed_friction(input, normal_force);
+    const bool needs_friction = !sheared && !rig.find(coefficient_key) && !rig.find(strength_key) &&
+                                std::ranges::none_of(find, is_of_law);
+    if (is_free(coefficient_key) || !input.laws.empty() || needs_friction)
+        guess(coefficient_key, needs_friction && input.laws.empty() ? 1. : ratio);
+    for (auto& [key, value] : guessed_law(find, rig, ratio, young, radius, normal_force))
+        guess(key, value);
     try {
         return io::resolve_case(rig, guesses);
     } catch (const contact::InputError& error) {
@@ -226,8 +165,7 @@ std::vector<Input::RigError> read_rig_errors(const Input& input, const io::Docum
     std::vector<Input::RigError> errors;
     for (const io::UncertainKey& one : io::uncertain_numbers(document, input.rig)) {
         const std::string_view path = one.key->path;
-        const bool is_used =
-            sheared || (path != "friction.coefficient" && path != "load.normal_force");
+        const bool is_used = sheared || (path != coefficient_key && path != "load.normal_force");
         if (io::find_key(path) && describes_rig(path) && !input.is_free(path) && is_used)
             errors.push_back({io::find_key(path), one.number.value.standard_error});
     }

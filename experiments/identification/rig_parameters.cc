@@ -136,8 +136,8 @@ std::vector<FreeParameter> free_parameters(const IdentificationInput& input,
                                   .low = 0,
                                   .high = .5,
                                   .start = rig.substrate.poisson});
-        } else if (key == "friction.coefficient") {
-            parameters.push_back(coulomb_parameter(input));
+        } else if (is_of_law(key)) {
+            parameters.push_back(law_parameter(input, stated_law(rig.friction), key));
         } else if (key == "indenter.radius") {
             parameters.push_back(length(key, "indenter_radius_m", "R", rig.indenter.radius));
         } else if (key == "substrate.thickness") {
