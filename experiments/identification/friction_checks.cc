@@ -69,8 +69,15 @@ void check_laws(const Input& input, const std::vector<std::string>& find,
 }
 
 void check_loads(const Input& input, const io::Document& document) {
-    const auto* shifts = input.find(Measurement::static_shift);
-    if (!shifts || shifts->normal_forces.empty()) return;
+    const auto tables = input.all(Measurement::static_shift);
+    const auto has_loads = [](const Input::Table* table) { return !table->normal_forces.empty(); };
+    if (std::ranges::none_of(tables, has_loads)) return;
+    const auto without = std::ranges::find_if_not(tables, has_loads);
+    if (without != tables.end())
+        io::refuse(document, "measurement.static_shift",
+                   "of several tables all have a column normal_force or none, and " +
+                       (*without)->label + " has none",
+                   "add it there, the load of each row");
     if (document.find("load.normal_force") && !document.find_section("record"))
         io::refuse(document, "load.normal_force",
                    "the rows of static_shift state their own normal forces", "omit it");
@@ -95,7 +102,6 @@ void check_rows_of_laws(const Input& input, const io::Document& document) {
 }
 
 void check_friction(const Input& input, const io::Document& document) {
-    const auto* shifts = input.find(Measurement::static_shift);
     const contact::Friction& friction = input.rig.friction;
     if (friction.map)
         io::refuse(document, "friction.map",
@@ -122,20 +128,22 @@ void check_friction(const Input& input, const io::Document& document) {
                            "take half-space or layer, or give friction.coefficient alone");
     check_layer_theory(input, document);
     const auto is_found = [](const FreeParameter& p) { return is_of_law(p.key); };
-    if (!shifts || std::ranges::any_of(input.parameters, is_found) || !input.laws.empty()) return;
+    if (std::ranges::any_of(input.parameters, is_found) || !input.laws.empty()) return;
     // Of other laws what the contact carries depends on its area, thus on E.
     if (!friction.is_coulomb() && input.is_free("substrate.young")) return;
-    for (const LoadedRows& load : rows_by_load(*shifts, input.rig, shifts->given)) {
-        const double largest = std::ranges::max(load.given);
-        const double limit = sliding_forces(false, input.rig, {load.normal_force}).front();
-        if (largest >= limit)
-            io::refuse(
-                document, friction.coefficient ? "friction.coefficient" : "friction.shear_strength",
-                "the contact would slide: F_T of the table reaches " + io::shortest(largest) +
-                    (friction.is_coulomb() ? " N, mu F_N is " : " N, friction carries ") +
-                    io::shortest(limit) + " N",
-                "correct it, or name it in measurement.find");
-    }
+    for (const auto* shifts : input.all(Measurement::static_shift))
+        for (const LoadedRows& load : rows_by_load(*shifts, input.rig, shifts->given)) {
+            const double largest = std::ranges::max(load.given);
+            const double limit = sliding_forces(false, input.rig, {load.normal_force}).front();
+            if (largest >= limit)
+                io::refuse(
+                    document,
+                    friction.coefficient ? "friction.coefficient" : "friction.shear_strength",
+                    "the contact would slide: F_T of the table reaches " + io::shortest(largest) +
+                        (friction.is_coulomb() ? " N, mu F_N is " : " N, friction carries ") +
+                        io::shortest(limit) + " N",
+                    "correct it, or name it in measurement.find");
+        }
 }
 
 }  // namespace tricontact::experiments

@@ -4,6 +4,7 @@
 #include <array>
 #include <boost/algorithm/string/replace.hpp>
 #include <cmath>
+#include <filesystem>
 #include <set>
 
 #include "contact/base/error.h"
@@ -96,10 +97,13 @@ contact::Case rig_of(const Input& input, const std::vector<std::string>& find,
                        "shifts were measured under a normal force, which follows from no depth "
                        "before the modulus is known",
                        "give load.normal_force");
-        const Table* shifts = input.find(Measurement::static_shift);
-        const bool has_loads = shifts && !shifts->normal_forces.empty();
+        bool has_loads = false;
+        for (const Table* shifts : input.all(Measurement::static_shift))
+            for (const double load : shifts->normal_forces) {
+                has_loads = true;
+                normal_force = std::max(normal_force, load);
+            }
         if (has_loads) {
-            normal_force = std::ranges::max(shifts->normal_forces);
             guess("load.normal_force", io::shortest(normal_force) + " N");
         } else if (!document.find("load.normal_force"))
             io::fail(
@@ -144,6 +148,32 @@ contact::Case rig_of(const Input& input, const std::vector<std::string>& find,
     }
 }
 
+/// A table for each file that a key names.
+std::vector<Table> tables_of(const TableKey& one, const io::Document& document) {
+    const io::Key& key = io::rig_key(one.key);
+    std::vector<std::string> files(1);
+    const bool is_list = key.kind == io::Key::Kind::choice_list;
+    io::read_field(key, *document.find(one.key),
+                   is_list ? io::Field(&files) : io::Field(&files.front()));
+    std::vector<Table> tables;
+    std::set<std::string> opened;
+    for (const std::string& file : files) {
+        Table& table = tables.emplace_back(
+            Table{.measurement = one.measurement, .data_file = document.path_of(file)});
+        if (!one.held.empty())
+            io::read_or_default(io::rig_key(one.held), io::Field(&table.held), document,
+                                io::case_file_keys());
+        if (files.size() == 1) continue;
+        table.place = tables.size() - 1;
+        table.label = file;
+        if (!opened.insert(std::filesystem::path(table.data_file).lexically_normal().string())
+                 .second)
+            io::refuse(document, std::string(one.key), file + " stands twice",
+                       "name each table once");
+    }
+    return tables;
+}
+
 std::vector<std::string> unread_keys(const io::Document& document) {
     constexpr std::array<std::string_view, 4> sections{"load", "rolling", "tractive_rolling",
                                                        "rig"};
@@ -179,6 +209,13 @@ const Table* Input::find(Measurement measurement) const {
     return found == tables.end() ? nullptr : &*found;
 }
 
+std::vector<const Table*> Input::all(Measurement measurement) const {
+    std::vector<const Table*> found;
+    for (const Table& table : tables)
+        if (table.measurement == measurement) found.push_back(&table);
+    return found;
+}
+
 bool Input::is_free(std::string_view key) const {
     return std::ranges::find(parameters, key, &FreeParameter::key) != parameters.end();
 }
@@ -199,10 +236,7 @@ Input read_identification(const std::string& path, const std::vector<std::string
     };
     for (const TableKey& one : table_keys()) {
         if (!document.find(one.key)) continue;
-        Table& table = input.tables.emplace_back(Table{.measurement = one.measurement});
-        read(one.key, &table.data_file);
-        table.data_file = document.path_of(table.data_file);
-        if (!one.held.empty()) read(one.held, &table.held);
+        for (Table& table : tables_of(one, document)) input.tables.push_back(std::move(table));
     }
     if (input.tables.empty())
         io::fail(document.place_of("measurement.find"), "", "nothing was measured",

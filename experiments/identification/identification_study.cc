@@ -223,7 +223,7 @@ std::vector<std::pair<std::string, std::string>> settings_of(const Identificatio
     for (const std::string& line : left_out_lines(input)) settings.emplace_back("left out", line);
     for (const auto& table : input.tables)
         settings.emplace_back(
-            std::string(name_of(table.measurement)),
+            name_of(table),
             fmt::format("{}, {} observations{}",
                         std::filesystem::path(table.data_file).filename().string(),
                         table.observed.size(), table.reading.empty() ? "" : "; " + table.reading));
@@ -243,7 +243,7 @@ std::vector<std::pair<std::string, std::string>> settings_of(const Identificatio
             report::given_quantity(*rig.interface.tangential_stiffness, "Pa/m"));
     if (!input.find(Measurement::static_shift) && !input.find(Measurement::rolling_shift))
         return settings;
-    const auto* shifts = input.find(Measurement::static_shift);
+    const auto* shifts = input.find(Measurement::static_shift);  // all of them state loads or none
     if (!shifts || shifts->normal_forces.empty())
         settings.emplace_back("F_N", report::given_quantity(*rig.load.normal_force, "N"));
     if (!rig.friction.is_coulomb()) {

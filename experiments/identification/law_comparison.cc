@@ -91,12 +91,11 @@ void name(LawComparison& comparison, const contact::ModelRunner& runner) {
 
 double largest_held_share(bool on_layer, const LawFit& fit) {
     double share = 0;
-    const auto* shifts = fit.input.find(Measurement::static_shift);
-    if (!shifts) return 0;
     const contact::Case rig = rig_with(fit.input, fit.found.free, fit.found.best()).as_case;
-    for (const LoadedRows& load : rows_by_load(*shifts, rig, shifts->given))
-        share = std::max(share, std::ranges::max(load.given) /
-                                    sliding_forces(on_layer, rig, {load.normal_force}).front());
+    for (const auto* shifts : fit.input.all(Measurement::static_shift))
+        for (const LoadedRows& load : rows_by_load(*shifts, rig, shifts->given))
+            share = std::max(share, std::ranges::max(load.given) /
+                                        sliding_forces(on_layer, rig, {load.normal_force}).front());
     return share;
 }
 

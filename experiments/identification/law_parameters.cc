@@ -35,14 +35,14 @@ Guess guess_of(const IdentificationInput& input) {
         guess.normal_force = normal_force;
         guess.friction = std::max(guess.friction, friction);
     };
-    if (const auto* shifts = input.find(Measurement::static_shift))
+    for (const auto* shifts : input.all(Measurement::static_shift))
         for (const LoadedRows& load : rows_by_load(*shifts, input.rig, shifts->given))
             take(load.normal_force, guessed_margin * std::ranges::max(load.given));
-    if (const auto* sliding = input.find(Measurement::sliding_force)) {
-        guess = {};  // which shows it
+    const auto all_sliding = input.all(Measurement::sliding_force);
+    if (!all_sliding.empty()) guess = {};  // which shows it
+    for (const auto* sliding : all_sliding)
         for (std::size_t row = 0; row < sliding->given.size(); ++row)
             take(sliding->given[row], sliding->observed[row]);
-    }
     return guess;
 }
 
@@ -102,7 +102,7 @@ FreeParameter unnamed_coefficient() {
 
 double largest_held_ratio(const IdentificationInput& input) {
     double ratio = 0;
-    if (const auto* shifts = input.find(Measurement::static_shift))
+    for (const auto* shifts : input.all(Measurement::static_shift))
         for (const LoadedRows& load : rows_by_load(*shifts, input.rig, shifts->given))
             ratio = std::max(ratio, std::ranges::max(load.given) / load.normal_force);
     return ratio;
@@ -193,8 +193,9 @@ double mean_friction(bool on_layer, const contact::Case& rig, double normal_forc
 
 LoadRange loads_of_friction(const IdentificationInput& input) {
     std::vector<double> loads;
-    if (const auto* sliding = input.find(Measurement::sliding_force)) loads = sliding->given;
-    if (const auto* shifts = input.find(Measurement::static_shift))
+    for (const auto* sliding : input.all(Measurement::sliding_force))
+        loads.insert(loads.end(), sliding->given.begin(), sliding->given.end());
+    for (const auto* shifts : input.all(Measurement::static_shift))
         for (const LoadedRows& load : rows_by_load(*shifts, input.rig, shifts->given))
             loads.push_back(load.normal_force);
     const auto [least, largest] = std::ranges::minmax(loads);

@@ -69,13 +69,13 @@ double largest_force(const Table& table) {
 double guessed_friction(const Input& input, double normal_force) {
     constexpr double over_held = 1.5;
     double guess = 0;
-    if (const Table* shifts = input.find(Measurement::static_shift))
+    for (const Table* shifts : input.all(Measurement::static_shift))
         for (std::size_t row = 0; row < shifts->given.size(); ++row)
             guess = std::max(
                 guess,
                 over_held * shifts->given[row] /
                     (shifts->normal_forces.empty() ? normal_force : shifts->normal_forces[row]));
-    if (const Table* sliding = input.find(Measurement::sliding_force))
+    for (const Table* sliding : input.all(Measurement::sliding_force))
         for (std::size_t row = 0; row < sliding->given.size(); ++row)
             guess = std::max(guess, sliding->observed[row] / sliding->given[row]);
     return guess;

@@ -61,18 +61,24 @@ std::vector<Choice> measurement_law_choices() {
     return choices;
 }
 
+/// A table, or several of the same kind.
+Key tables_key(std::string_view path, std::string_view example, std::string_view text) {
+    return bare_list_of(choice_key(path, {}, example, text));
+}
+
 std::vector<Key> measurement_keys() {
     return {
-        text_key("measurement.static_shift", R"("shift.csv")",
-                 "table of tangential forces and the shifts they caused under load.normal_force, "
-                 "before any rolling; with a column normal_force, under several"),
-        text_key("measurement.sliding_force", R"("sliding.csv")",
-                 "table of normal forces and the tangential forces at which the contact slid as a "
-                 "whole"),
-        text_key("measurement.force_indentation", R"("indentation.csv")",
-                 "table of indentations and the normal forces they took"),
-        text_key("measurement.contact_radius", R"("radius.csv")",
-                 "table of normal forces and contact radii"),
+        tables_key("measurement.static_shift", R"("shift.csv")",
+                   "table of tangential forces and the shifts they caused under load.normal_force, "
+                   "before any rolling; with a column normal_force, under several"),
+        tables_key(
+            "measurement.sliding_force", R"("sliding.csv")",
+            "table of normal forces and the tangential forces at which the contact slid as a "
+            "whole"),
+        tables_key("measurement.force_indentation", R"("indentation.csv")",
+                   "table of indentations and the normal forces they took"),
+        tables_key("measurement.contact_radius", R"("radius.csv")",
+                   "table of normal forces and contact radii"),
         text_key(
             "measurement.force_relaxation", R"("relaxation.csv")",
             "table of times since measurement.held_indentation was reached at once, and normal "
@@ -87,9 +93,9 @@ std::vector<Key> measurement_keys() {
         quantity_key("measurement.held_force", force, above_zero(1e9), R"("5 N")",
                      "normal force of indentation_creep",
                      {.needs = "measurement.indentation_creep"}),
-        text_key("measurement.rolling_shift", R"("rolling.csv")",
-                 "table of rolling offsets within a period and the shifts at them, along the "
-                 "drive, without tangential force"),
+        tables_key("measurement.rolling_shift", R"("rolling.csv")",
+                   "table of rolling offsets within a period and the shifts at them, along the "
+                   "drive, without tangential force"),
         list_of(
             choice_key("measurement.find",
                        {{"substrate.young"},
