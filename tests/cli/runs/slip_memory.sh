@@ -49,12 +49,17 @@ rolled=$source_dir/examples/cases/rig_sphere_parallel.toml
 run "$rolled" --models bem --set bem.cells_per_radius=10 --set 'interface.yield_stress="0.1 MPa"' --set 'interface.hardening="2 MPa/mm"' \
     --output hard || complain "rolled: $(cat told.txt)"
 run "$rolled" --models bem --set bem.cells_per_radius=10 --output coulomb || complain "rolled: $(cat told.txt)"
-for key in limit_tangential_ratio U_max_m; do
+for key in unit_shift_m limit_tangential_ratio limit_amplitude_ratio; do
     awk -v a="$(value bem $key hard/summary.json)" -v b="$(value bem $key coulomb/summary.json)" 'BEGIN { exit !(a > 0 && (a / b - 1) ^ 2 < 1e-20) }' ||
         complain "$key: $(value bem $key hard/summary.json), $(value bem $key coulomb/summary.json) of the surfaces"
 done
 awk -v a="$(value bem settled_shift_m hard/summary.json)" -v b="$(value bem settled_shift_m coulomb/summary.json)" 'BEGIN { exit !(a > 1.01 * b) }' ||
     complain "the layer does not flow: $(value bem settled_shift_m hard/summary.json) and $(value bem settled_shift_m coulomb/summary.json) m"
+
+run "$rolled" --set models='["bem-layer", "fem"]' --set 'substrate.thickness="12 mm"' --set bem.cells_per_radius=10 --set rolling.periods=2 \
+    --set 'interface.yield_stress="0.08 MPa"' --set 'interface.hardening="1 MPa/mm"' --output rolled_layer || complain "rolled on a layer: $(cat told.txt)"
+awk -v a="$(value fem final_shift_m rolled_layer/summary.json)" -v b="$(value bem-layer final_shift_m rolled_layer/summary.json)" 'BEGIN { exit !(a > 0 && (a / b - 1) ^ 2 < 1e-4) }' ||
+    complain "rolled: fem $(value fem final_shift_m rolled_layer/summary.json), bem-layer $(value bem-layer final_shift_m rolled_layer/summary.json) m"
 
 # 6. Bodies that relax have it too.
 run "$case_file" --set 'substrate.relaxation.relative_moduli=[0.5]' --set 'substrate.relaxation.times=["0.5 s"]' --set bem.cells_per_radius=8 \
