@@ -9,7 +9,7 @@
 
 #include "contact/base/error.h"
 #include "contact/base/special_values.h"
-#include "contact/solvers/projected_gradient.h"
+#include "contact/solvers/friction_disc.h"
 #include "contact/substrates/substrate.h"
 
 namespace tricontact::rolling {
