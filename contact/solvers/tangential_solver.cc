@@ -36,6 +36,7 @@ class Newton {
           tolerance_(problem.looseness * tolerance),
           force_tolerance_(problem.looseness * force_tolerance),
           alpha_(problem.contact_compliance),
+          zone_alpha_(problem.zone_compliance(compliance.local_tangential())),
           solution_(solution),
           points_(active.size(), compliance.n_threads()),
           all_points_(compliance.points().size(), compliance.n_threads()),
@@ -177,12 +178,12 @@ class Newton {
     }
 
     /// t + s/alpha: inside the friction disc where the point sticks.
-    Vector2 trial(std::size_t k) const { return traction_.at(k) + slip_.at(k) / alpha_; }
+    Vector2 trial(std::size_t k, double a) const { return traction_.at(k) + slip_.at(k) / a; }
 
     void update_residual() {
         const auto [worst, force, on_bound] =
             points_.sum_points<Misfit>([&](Misfit& sum, std::size_t k) {
-                const Vector2 t = traction_.at(k), y = trial(k);
+                const Vector2 t = traction_.at(k), y = trial(k, alpha_);
                 sum.worst = larger(sum.worst, norm(t - project_on_disc(y, bound_[k])));
                 // A start from other bounds may be close and yet slip below the bound: not
                 // accepted.
@@ -229,8 +230,7 @@ class Newton {
         // Zones still move while the residual is large: solve no more exactly than that deserves.
         const double forcing = std::clamp(std::sqrt(solution_.residual), 1e-3, 0.3);
         // Rotating slipping tractions costs force in the second order: keep the rotations small.
-        // The system's residual is a mean, ours a maximum: go finer where that makes the
-        // difference.
+        // The system's residual is a mean, ours a maximum: go finer where that differs.
         const double fine = std::min(tolerance_, 0.01 * std::sqrt(force_tolerance_)) *
                             std::pow(0.1, without_progress_);
         const auto& result = system_->solve(
@@ -258,7 +258,7 @@ class Newton {
     void classify() {
         points_.for_points([&](std::size_t k) {
             const double bound = bound_[k];
-            const Vector2 y = trial(k);
+            const Vector2 y = trial(k, zone_alpha_);
             slipping_[k] = norm(y) > bound;
             traction_.set(
                 k, slipping_[k] ? onto_edge(y, bound) : project_on_disc(traction_.at(k), bound));
@@ -289,7 +289,7 @@ class Newton {
     const TangentialProblem& problem_;
     const Tilt tilt_;
     const double tolerance_, force_tolerance_;
-    const double alpha_;  // contact compliance [m/Pa]
+    const double alpha_, zone_alpha_;  // of the contact; what tells the zones [m/Pa]
     TangentialSolution& solution_;
     std::array<bool, 2> force_controlled_{};
     const Blocks points_, all_points_;  // active ones
