@@ -33,6 +33,7 @@ class TangentialNewton {
           tolerance_(problem.looseness * tolerance),
           force_tolerance_(problem.looseness * force_tolerance),
           alpha_(problem.contact_compliance),
+          zone_alpha_(problem.zone_compliance(compliance.local_tangential())),
           solution_(solution),
           points_(active.size(), compliance.n_threads()),
           all_points_(compliance.points().size(), compliance.n_threads()),
@@ -184,13 +185,13 @@ class TangentialNewton {
     }
 
     /// t + s/alpha: inside the friction disc where the point sticks.
-    Vector2 trial(std::size_t k) const { return traction_.at(k) + slip_.at(k) / alpha_; }
+    Vector2 trial(std::size_t k, double a) const { return traction_.at(k) + slip_.at(k) / a; }
 
     void update_residual() {
         if (problem_.hardening) sum_present_bounds();
         const auto [worst, force, on_bound] =
             points_.sum_points<Misfit>([&](Misfit& sum, std::size_t k) {
-                const Vector2 t = traction_.at(k), y = trial(k);
+                const Vector2 t = traction_.at(k), y = trial(k, alpha_);
                 const FrictionDisc& disc = disc_[k];
                 sum.worst = larger(sum.worst, norm(t - disc.project(y, alpha_)));
                 // A start from other bounds may be close and yet slip below the bound: not
@@ -294,9 +295,9 @@ class TangentialNewton {
     /// New zones from traction and slip; slipping points are put on their friction disc.
     void classify() {
         points_.for_points([&](std::size_t k) {
-            const Vector2 y = trial(k);
-            const Zone before = std::exchange(zone_[k], disc_[k].zone(norm(y), alpha_));
-            traction_.set(k, disc_[k].started(zone_[k], before, traction_.at(k), y, alpha_));
+            const Vector2 y = trial(k, zone_alpha_);
+            const Zone before = std::exchange(zone_[k], disc_[k].zone(norm(y), zone_alpha_));
+            traction_.set(k, disc_[k].started(zone_[k], before, traction_.at(k), y, zone_alpha_));
         });
     }
 
@@ -324,7 +325,7 @@ class TangentialNewton {
     const TangentialProblem& problem_;
     const Tilt tilt_;
     const double tolerance_, force_tolerance_;
-    const double alpha_;  // contact compliance [m/Pa]
+    const double alpha_, zone_alpha_;  // of the contact; what tells the zones [m/Pa]
     TangentialSolution& solution_;
     std::array<bool, 2> force_controlled_{};
     const Blocks points_, all_points_;  // active ones

@@ -65,6 +65,14 @@ struct TangentialProblem {
         return hardening ? FrictionDisc{hardening->at_start[i], bound[i], hardening->slope}
                          : FrictionDisc{bound[i], bound[i], 0};
     }
+
+    /// The alpha that tells the zones on the way [m/Pa]. Where a traction makes a point slip by far
+    /// more (`alone`) than the contact as a whole, as springs of an interface on mdr's line do,
+    /// zones by the contact's compliance jump from step to step and lead nowhere.
+    double zone_compliance(double alone) const {
+        constexpr double alike = 4;  // on half-spaces and layers a point's is the smaller one
+        return alone > alike * contact_compliance ? alone : contact_compliance;
+    }
 };
 
 struct TangentialSolution {
