@@ -1,0 +1,254 @@
+#include "meshes/half_ball_mesh.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "contact/base/special_values.h"
+#include "meshes/layer_grid.h"
+#include "meshes/messages.h"
+
+// Blocks of a quarter of the meridian section; the ball has them around its axis:
+//
+//      pole _______
+//          |  patch\__
+//          |   top    \      m  layers of `top` and `side` between core and sphere: first `size`,
+//          |           \        growing inwards
+//          |____________\    k  rows of `core` and `side` between rim and base
+//          |  core  |    |   i, j  lateral lines of `top` and `core`: regular in the patch, graded
+//          |________|side|      from there to the rim, where they are a square in number and a
+//                base           circle in shape
+//
+// A node has the number (i, j, k, m): m = 0 on the core, k = 0 on the core's upper face and above
+// it; with k, m > 0 it lies beside the core, (i, j) on the edge of its square. Nothing is merged by
+// position, so that images are images to the last bit.
+
+namespace tricontact::meshes {
+
+namespace {
+
+constexpr const char* mesh_name = "half ball mesh";
+constexpr double rim_angle = std::numbers::pi / 3;        // between top and side, from the pole
+constexpr double widest_patch = std::numbers::pi / 4;     // of the patch's corner, from the pole
+constexpr double core_half_side = .5, core_height = .32;  // over R
+constexpr double evenness = .35;  // of the core's lateral lines: 0 as on the sphere, 1 even
+constexpr int n_rows = 3;         // of the core
+constexpr double most = 1e7;      // elements
+
+void check(const HalfBallMeshSpec& s) {
+    for (const double length : {s.radius, s.size, s.patch_x, s.patch_y})
+        if (!contact::is_positive_and_finite(length))
+            fail(mesh_name, fmt::format("a length is {:g} m", length), "make it positive");
+    if (!(s.growth >= 1) || !std::isfinite(s.growth))
+        fail(mesh_name, fmt::format("growth is {:g}", s.growth), "make it 1 or more");
+    for (const double patch : {s.patch_x, s.patch_y}) {
+        const double n = patch / s.size;
+        if (!(n > .5) || std::abs(n - std::round(n)) > 1e-9 * n)
+            fail(mesh_name, fmt::format("half a patch of {:.9g} elements", n),
+                 "make it a whole multiple of size");
+    }
+    const double corner = std::hypot(s.patch_x, s.patch_y);
+    if (!(corner <= s.radius * std::sin(widest_patch)))
+        fail(mesh_name,
+             fmt::format("the contact patch of {:.4g} m x {:.4g} m is too wide for a ball of the "
+                         "radius {:.4g} m: its corners are more than 45 degrees from the pole",
+                         2 * s.patch_x, 2 * s.patch_y, s.radius),
+             "reduce the load or enlarge the radius");
+}
+
+class HalfBall {
+  public:
+    explicit HalfBall(const HalfBallMeshSpec& s)
+        : s_(s), n_patch_{std::lround(s.patch_x / s.size), std::lround(s.patch_y / s.size)} {
+        // From the middle of a side of the patch to the rim, along the sphere.
+        const double angle = std::asin(std::max(s.patch_x, s.patch_y) / s.radius);
+        const double length = s.radius * (rim_angle - angle);
+        const Grading around = grade(length, s.size / std::cos(angle), s.growth);
+        for (const double distance : around.nodes()) rim_fraction_.push_back(distance / length);
+        const double depth = (1 - core_height) * s.radius;
+        const Grading inwards = grade(depth, s.size, std::pow(s.growth, .8));
+        for (const double distance : inwards.nodes())
+            layer_fraction_.insert(layer_fraction_.begin(), 1 - distance / depth);
+        n_strips_ = around.n;
+        n_ = {static_cast<int>(n_patch_[0]) + n_strips_, static_cast<int>(n_patch_[1]) + n_strips_};
+        n_layers_ = inwards.n;
+        const double n_y = (s.half_model ? 1. : 2.) * n_[1];
+        const double n_elements =
+            2. * n_[0] * n_y * (n_layers_ + n_rows) + 2. * (n_[0] + n_y) * n_rows * n_layers_;
+        if (!(n_elements <= most))
+            fail(mesh_name, fmt::format("size {:g} m makes {:.3g} elements", s.size, n_elements),
+                 "use a larger size");
+    }
+
+    HexMesh mesh() {
+        add_nodes();
+        const int low = first_j();
+        for (int j = low; j < n_[1]; ++j)
+            for (int i = -n_[0]; i < n_[0]; ++i) {
+                for (int k = n_rows - 1; k >= 0; --k) add_core(i, j, k);
+                for (int m = 0; m < n_layers_; ++m) add_top(i, j, m);
+            }
+        for (int k = n_rows - 1; k >= 0; --k)
+            for (int m = 0; m < n_layers_; ++m) {
+                for (int j = low; j < n_[1]; ++j) {
+                    add_side({n_[0], j}, {n_[0], j + 1}, k, m);
+                    add_side({-n_[0], j + 1}, {-n_[0], j}, k, m);
+                }
+                for (int i = -n_[0]; i < n_[0]; ++i) {
+                    add_side({i + 1, n_[1]}, {i, n_[1]}, k, m);
+                    if (!s_.half_model) add_side({i, -n_[1]}, {i + 1, -n_[1]}, k, m);
+                }
+            }
+        mesh_.regions.assign(mesh_.hexes.size(), Region::layer);
+        return std::move(mesh_);
+    }
+
+  private:
+    using Lateral = std::array<int, 2>;  // i, j
+
+    int first_j() const { return s_.half_model ? 0 : -n_[1]; }
+    bool is_rim(int i, int j) const {
+        return std::abs(i) == n_[0] || j == n_[1] || (j == -n_[1] && !s_.half_model);
+    }
+
+    // Lateral coordinate of a line along x (d = 0) or y [m]; R * rim_angle at the rim.
+    double lateral(int d, int index) const {
+        const int n = static_cast<int>(n_patch_[d]), a = std::abs(index);
+        const double patch = n * s_.size;
+        const double beyond = a <= n ? 0 : rim_fraction_[a - n];
+        const double inside = std::min(a, n) * s_.size;
+        const double value = inside + beyond * (s_.radius * rim_angle - patch);
+        return index < 0 ? -value : value;
+    }
+
+    // In the patch straight below its node in the plane z = 0; from the patch's edge to the rim
+    // along meridians.
+    Point on_sphere(int i, int j) const {
+        const int strip = std::max({std::abs(i) - static_cast<int>(n_patch_[0]),
+                                    std::abs(j) - static_cast<int>(n_patch_[1]), 0});
+        const double x = lateral(0, i), y = lateral(1, j), R = s_.radius;
+        const double r = std::hypot(x, y);
+        if (strip == 0) return {x, y, -r * r / (R + std::sqrt(R * R - r * r))};
+        const double edge = r * std::min(x == 0 ? contact::infinity : s_.patch_x / std::abs(x),
+                                         y == 0 ? contact::infinity : s_.patch_y / std::abs(y));
+        const double t = rim_fraction_[strip];
+        return beside_axis(x, y, (1 - t) * std::asin(edge / R) + t * rim_angle);
+    }
+
+    // On the sphere, `angle` from the pole in the direction (x, y).
+    Point beside_axis(double x, double y, double angle) const {
+        const double r = std::hypot(x, y), R = s_.radius;
+        return {R * std::sin(angle) * (x / r), R * std::sin(angle) * (y / r),
+                -2 * R * std::pow(std::sin(angle / 2), 2)};
+    }
+
+    Point in_core(int i, int j, int k) const {
+        const auto place = [&](int d, int index) {
+            const double as_above = lateral(d, index) / (s_.radius * rim_angle);
+            const double even = static_cast<double>(index) / n_[d];
+            return core_half_side * s_.radius * ((1 - evenness) * as_above + evenness * even);
+        };
+        const double height = core_height * (n_rows - k) / n_rows;
+        return {place(0, i), place(1, j), (height - 1) * s_.radius};
+    }
+
+    Point position(int i, int j, int k, int m) const {
+        const Point core = in_core(i, j, k);
+        if (m == 0) return core;
+        Point surface = on_sphere(i, j);
+        if (k > 0) {
+            const double share = static_cast<double>(k) / n_rows;
+            surface = beside_axis(surface[0], surface[1],
+                                  (1 - share) * rim_angle + share * std::numbers::pi / 2);
+            if (k == n_rows) surface[2] = -s_.radius;
+        }
+        if (m == n_layers_) return surface;
+        const double f = layer_fraction_[m];
+        Point p;
+        for (int d = 0; d < 3; ++d) p[d] = core[d] + f * (surface[d] - core[d]);
+        return p;
+    }
+
+    std::size_t index_of(int i, int j, int k, int m) const {
+        const std::size_t width = 2 * n_[0] + 1, at = (j - first_j()) * width + (i + n_[0]);
+        return (at * (n_rows + 1) + k) * (n_layers_ + 1) + m;
+    }
+    int node(int i, int j, int k, int m) const { return number_[index_of(i, j, k, m)]; }
+
+    void add_nodes() {
+        number_.assign(index_of(n_[0], n_[1], n_rows, n_layers_) + 1, -1);
+        for (int j = first_j(); j <= n_[1]; ++j)
+            for (int i = -n_[0]; i <= n_[0]; ++i)
+                for (int k = 0; k <= n_rows; ++k)
+                    for (int m = 0; m <= n_layers_; ++m) {
+                        if (k > 0 && m > 0 && !is_rim(i, j)) continue;
+                        number_[index_of(i, j, k, m)] = static_cast<int>(mesh_.nodes.size());
+                        mesh_.nodes.push_back(position(i, j, k, m));
+                    }
+    }
+
+    void add_face(std::array<int, 4> nodes, Boundary boundary) {
+        mesh_.faces.push_back({nodes, boundary});
+    }
+
+    void add_core(int i, int j, int k) {
+        const auto at = [&](int di, int dj, int dk) { return node(i + di, j + dj, k + dk, 0); };
+        mesh_.hexes.push_back({at(0, 0, 1), at(1, 0, 1), at(1, 1, 1), at(0, 1, 1), at(0, 0, 0),
+                               at(1, 0, 0), at(1, 1, 0), at(0, 1, 0)});
+        if (k == n_rows - 1)
+            add_face({at(0, 0, 1), at(0, 1, 1), at(1, 1, 1), at(1, 0, 1)}, Boundary::base);
+        if (s_.half_model && j == 0)
+            add_face({at(0, 0, 1), at(1, 0, 1), at(1, 0, 0), at(0, 0, 0)}, Boundary::symmetry);
+    }
+
+    void add_top(int i, int j, int m) {
+        const auto at = [&](int di, int dj, int dm) { return node(i + di, j + dj, 0, m + dm); };
+        mesh_.hexes.push_back({at(0, 0, 0), at(1, 0, 0), at(1, 1, 0), at(0, 1, 0), at(0, 0, 1),
+                               at(1, 0, 1), at(1, 1, 1), at(0, 1, 1)});
+        if (m == n_layers_ - 1) {
+            const auto within = [](int index, long n) { return -n <= index && index < n; };
+            const bool in_patch = within(i, n_patch_[0]) && within(j, n_patch_[1]);
+            add_face({at(0, 0, 1), at(1, 0, 1), at(1, 1, 1), at(0, 1, 1)},
+                     in_patch ? Boundary::contact : Boundary::sides);
+        }
+        if (s_.half_model && j == 0)
+            add_face({at(0, 0, 0), at(1, 0, 0), at(1, 0, 1), at(0, 0, 1)}, Boundary::symmetry);
+    }
+
+    // Beside the core, between two points of its edge that follow each other to the left.
+    void add_side(const Lateral& a, const Lateral& b, int k, int m) {
+        const auto at = [&](const Lateral& l, int dk, int dm) {
+            return node(l[0], l[1], k + dk, m + dm);
+        };
+        mesh_.hexes.push_back({at(a, 1, 0), at(a, 1, 1), at(b, 1, 1), at(b, 1, 0), at(a, 0, 0),
+                               at(a, 0, 1), at(b, 0, 1), at(b, 0, 0)});
+        if (k == n_rows - 1)
+            add_face({at(a, 1, 0), at(b, 1, 0), at(b, 1, 1), at(a, 1, 1)}, Boundary::base);
+        if (m == n_layers_ - 1)
+            add_face({at(a, 1, 1), at(b, 1, 1), at(b, 0, 1), at(a, 0, 1)}, Boundary::sides);
+        if (!s_.half_model) return;
+        if (a[1] == 0 && a[0] > 0)
+            add_face({at(a, 1, 0), at(a, 1, 1), at(a, 0, 1), at(a, 0, 0)}, Boundary::symmetry);
+        if (b[1] == 0 && b[0] < 0)
+            add_face({at(b, 1, 1), at(b, 1, 0), at(b, 0, 0), at(b, 0, 1)}, Boundary::symmetry);
+    }
+
+    HalfBallMeshSpec s_;
+    std::array<long, 2> n_patch_;  // elements of half the patch
+    std::array<int, 2> n_{};       // elements from the middle to the rim
+    int n_strips_ = 0, n_layers_ = 0;
+    std::vector<double> rim_fraction_;    // of the way from the patch's edge to the rim
+    std::vector<double> layer_fraction_;  // of the way from the core to the sphere
+    std::vector<int> number_;
+    HexMesh mesh_;
+};
+
+}  // namespace
+
+HexMesh make_half_ball_mesh(const HalfBallMeshSpec& spec) {
+    check(spec);
+    return HalfBall(spec).mesh();
+}
+
+}  // namespace tricontact::meshes

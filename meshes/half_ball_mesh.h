@@ -1,0 +1,25 @@
+#pragma once
+
+#include "meshes/hex_mesh.h"
+
+namespace tricontact::meshes {
+
+/// Half a ball whose contact patch about the pole matches that of a layer's mesh node by node: the
+/// same x and y. Lengths in m.
+struct HalfBallMeshSpec {
+    double radius = 0;                ///< R
+    double size = 0;                  ///< element edge h in the contact patch, along x and y
+    double patch_x = 0, patch_y = 0;  ///< half sides of the patch; whole numbers of `size`
+    double growth = 1.8;              ///< of neighbouring elements, outwards; inwards growth^0.8
+    bool half_model = false;          ///< y >= 0 only, plane of symmetry y = 0
+};
+
+/// The half of the ball about its pole, as a substrate of its own: z points out of the ball, the
+/// pole is the origin, the equator's plane z = -R its base; all of the sphere but the patch are
+/// sides. Corners of elements lie on the sphere, their edges are straight. The same spec gives the
+/// same mesh, and the mesh is its own mirror image in x = 0 to the last bit. Throws
+/// contact::InputError for a spec that is none, whose patch reaches more than 45 degrees from the
+/// pole, or that asks for more than 10 million elements.
+HexMesh make_half_ball_mesh(const HalfBallMeshSpec& spec);
+
+}  // namespace tricontact::meshes
