@@ -8,7 +8,7 @@
 #include <stdexcept>
 
 #include "fem/condensed_compliance.h"
-#include "meshes/half_ball_mesh.h"
+#include "meshes/round_body_mesh.h"
 
 namespace tricontact::pair_compliance_test {
 namespace {

@@ -3,12 +3,13 @@
 #include <Eigen/Dense>
 #include <cmath>
 #include <memory>
+#include <numbers>
 
 #include "contact/bodies/indenter.h"
 #include "contact/solvers/contact_region.h"
 #include "contact/solvers/normal_solver.h"
 #include "fem/pair_compliance.h"
-#include "meshes/half_ball_mesh.h"
+#include "meshes/round_body_mesh.h"
 
 // An indenter that deforms beside axisymmetric finite elements of another program (Q2, P1
 // discontinuous pressure, curved elements, three meshes each, their scatter at most 1e-4 of F and
@@ -178,6 +179,43 @@ TEST(FemTwoBodies, TangentialStiffnessOfAGluedCircle) {
         }
         const double extrapolated = 2 * found[1] - found[0];
         EXPECT_NEAR(extrapolated / g.stiffness, 1, .01) << g.nu << " " << g.a;
+    }
+}
+
+// Johnson (1985), eq. 5.57: half of the approach of two plates, E* d L/F = 2/pi [2 ln(4R/a) - 1]/2,
+// but for terms of the order (a/R)^2; 1e-3: eight elements in a.
+TEST(FemTwoBodies, CylinderBetweenPlates) {
+    for (const double nu : {.3, .495}) {
+        const contact::Material material{2 * MPa, nu};
+        const double a = .05 * R, E_star = 1 / material.plane_compliance();
+        const double L = 1 * mm, load = std::numbers::pi * E_star * a * a / (4 * R) * L;
+        const double size = a / 8;
+        const meshes::LayerMeshSpec s{.size = size,
+                                      .patch_x = 10 * size,
+                                      .patch_y = L / 2,
+                                      .half_x = 10 * size,
+                                      .half_y = L / 2,
+                                      .thickness = size,
+                                      .half_model = true,
+                                      .plane_strain = true,
+                                      .ends = {}};
+        auto problem = std::make_shared<LayerProblem>();
+        problem->mesh = meshes::make_cylinder_mesh(
+            {.radius = R, .size = size, .patch_x = s.patch_x, .half_y = L / 2});
+        problem->materials = {material, material};
+        problem->base = contact::Case::Base::frictionless;
+        problem->pinned = true;
+        problem->line_length = L;
+        CondensedLayer condensed = condense(*problem);
+        condensed.points = plane_patch(s).points;
+        const CondensedLayer line = contact_line(condensed);
+        const PairCompliance pair(ContactSurface{{}, line.points, {}}, {problem, line});
+        const auto heights = contact::heights_over(pair.points(), contact::Paraboloid(R), {0, 0});
+        const auto solution = contact::NormalSolver(pair, 1e-8)
+                                  .solve(heights, {contact::NormalControl::Kind::force, load});
+        const double approach = (2 * std::log(4 * R / a) - 1) / std::numbers::pi;
+        EXPECT_NEAR(E_star * solution.indentation * L / load / approach, 1, .001);
+        EXPECT_NEAR(contact::contact_radius(pair.points(), solution.pressure, {0, 0}) / a, 1, .003);
     }
 }
 

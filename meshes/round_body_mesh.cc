@@ -1,4 +1,4 @@
-#include "meshes/half_ball_mesh.h"
+#include "meshes/round_body_mesh.h"
 
 #include <fmt/format.h>
 
@@ -7,7 +7,7 @@
 
 #include "contact/base/special_values.h"
 #include "meshes/layer_grid.h"
-#include "meshes/messages.h"
+#include "meshes/round_body_parts.h"
 
 // Blocks of a quarter of the meridian section; the ball has them around its axis:
 //
@@ -20,6 +20,8 @@
 //          |________|side|      from there to the rim, where they are a square in number and a
 //                base           circle in shape
 //
+// Half a cylinder has the same section, and lines j along its axis instead.
+//
 // A node has the number (i, j, k, m): m = 0 on the core, k = 0 on the core's upper face and above
 // it; with k, m > 0 it lies beside the core, (i, j) on the edge of its square. Nothing is merged by
 // position, so that images are images to the last bit.
@@ -28,57 +30,30 @@ namespace tricontact::meshes {
 
 namespace {
 
-constexpr const char* mesh_name = "half ball mesh";
 constexpr double rim_angle = std::numbers::pi / 3;        // between top and side, from the pole
-constexpr double widest_patch = std::numbers::pi / 4;     // of the patch's corner, from the pole
 constexpr double core_half_side = .5, core_height = .32;  // over R
 constexpr double evenness = .35;  // of the core's lateral lines: 0 as on the sphere, 1 even
 constexpr int n_rows = 3;         // of the core
-constexpr double most = 1e7;      // elements
 
-void check(const HalfBallMeshSpec& s) {
-    for (const double length : {s.radius, s.size, s.patch_x, s.patch_y})
-        if (!contact::is_positive_and_finite(length))
-            fail(mesh_name, fmt::format("a length is {:g} m", length), "make it positive");
-    if (!(s.growth >= 1) || !std::isfinite(s.growth))
-        fail(mesh_name, fmt::format("growth is {:g}", s.growth), "make it 1 or more");
-    for (const double patch : {s.patch_x, s.patch_y}) {
-        const double n = patch / s.size;
-        if (!(n > .5) || std::abs(n - std::round(n)) > 1e-9 * n)
-            fail(mesh_name, fmt::format("half a patch of {:.9g} elements", n),
-                 "make it a whole multiple of size");
-    }
-    const double corner = std::hypot(s.patch_x, s.patch_y);
-    if (!(corner <= s.radius * std::sin(widest_patch)))
-        fail(mesh_name,
-             fmt::format("the contact patch of {:.4g} m x {:.4g} m is too wide for a ball of the "
-                         "radius {:.4g} m: its corners are more than 45 degrees from the pole",
-                         2 * s.patch_x, 2 * s.patch_y, s.radius),
-             "reduce the load or enlarge the radius");
-}
-
-class HalfBall {
+class HalfRound {
   public:
-    explicit HalfBall(const HalfBallMeshSpec& s)
-        : s_(s), n_patch_{std::lround(s.patch_x / s.size), std::lround(s.patch_y / s.size)} {
-        // From the middle of a side of the patch to the rim, along the sphere.
-        const double angle = std::asin(std::max(s.patch_x, s.patch_y) / s.radius);
-        const double length = s.radius * (rim_angle - angle);
-        const Grading around = grade(length, s.size / std::cos(angle), s.growth);
-        for (const double distance : around.nodes()) rim_fraction_.push_back(distance / length);
-        const double depth = (1 - core_height) * s.radius;
-        const Grading inwards = grade(depth, s.size, std::pow(s.growth, .8));
-        for (const double distance : inwards.nodes())
-            layer_fraction_.insert(layer_fraction_.begin(), 1 - distance / depth);
-        n_strips_ = around.n;
-        n_ = {static_cast<int>(n_patch_[0]) + n_strips_, static_cast<int>(n_patch_[1]) + n_strips_};
-        n_layers_ = inwards.n;
-        const double n_y = (s.half_model ? 1. : 2.) * n_[1];
-        const double n_elements =
-            2. * n_[0] * n_y * (n_layers_ + n_rows) + 2. * (n_[0] + n_y) * n_rows * n_layers_;
-        if (!(n_elements <= most))
-            fail(mesh_name, fmt::format("size {:g} m makes {:.3g} elements", s.size, n_elements),
-                 "use a larger size");
+    explicit HalfRound(const HalfBallMeshSpec& s)
+        : s_(s), n_patch_{elements_in(s.patch_x, s.size), elements_in(s.patch_y, s.size)} {
+        grade_all();
+        n_[1] = n_patch_[1] + n_[0] - n_patch_[0];
+    }
+    explicit HalfRound(const CylinderMeshSpec& s)
+        : s_{s.radius, s.size, s.patch_x, s.size, s.growth, true},
+          is_cylinder_(true),
+          half_y_(s.half_y),
+          n_patch_{elements_in(s.patch_x, s.size), 1} {
+        grade_all();
+        n_[1] = 1;
+    }
+
+    double n_elements() const {
+        const double n_y = (s_.half_model ? 1. : 2.) * n_[1];
+        return 2. * n_[0] * n_y * (n_layers_ + n_rows) + 2. * (n_[0] + n_y) * n_rows * n_layers_;
     }
 
     HexMesh mesh() {
@@ -95,7 +70,7 @@ class HalfBall {
                     add_side({n_[0], j}, {n_[0], j + 1}, k, m);
                     add_side({-n_[0], j + 1}, {-n_[0], j}, k, m);
                 }
-                for (int i = -n_[0]; i < n_[0]; ++i) {
+                for (int i = -n_[0]; i < n_[0] && !is_cylinder_; ++i) {
                     add_side({i + 1, n_[1]}, {i, n_[1]}, k, m);
                     if (!s_.half_model) add_side({i, -n_[1]}, {i + 1, -n_[1]}, k, m);
                 }
@@ -107,14 +82,30 @@ class HalfBall {
   private:
     using Lateral = std::array<int, 2>;  // i, j
 
+    void grade_all() {
+        // From the middle of a side of the patch to the rim, along the sphere.
+        const double patch = is_cylinder_ ? s_.patch_x : std::max(s_.patch_x, s_.patch_y);
+        const double angle = std::asin(patch / s_.radius);
+        const double length = s_.radius * (rim_angle - angle);
+        const Grading around = grade(length, s_.size / std::cos(angle), s_.growth);
+        for (const double distance : around.nodes()) rim_fraction_.push_back(distance / length);
+        const double depth = (1 - core_height) * s_.radius;
+        const Grading inwards = grade(depth, s_.size, std::pow(s_.growth, .8));
+        for (const double distance : inwards.nodes())
+            layer_fraction_.insert(layer_fraction_.begin(), 1 - distance / depth);
+        n_[0] = n_patch_[0] + around.n;
+        n_layers_ = inwards.n;
+    }
+
     int first_j() const { return s_.half_model ? 0 : -n_[1]; }
     bool is_rim(int i, int j) const {
-        return std::abs(i) == n_[0] || j == n_[1] || (j == -n_[1] && !s_.half_model);
+        if (std::abs(i) == n_[0]) return true;
+        return !is_cylinder_ && (j == n_[1] || (j == -n_[1] && !s_.half_model));
     }
 
     // Lateral coordinate of a line along x (d = 0) or y [m]; R * rim_angle at the rim.
     double lateral(int d, int index) const {
-        const int n = static_cast<int>(n_patch_[d]), a = std::abs(index);
+        const int n = n_patch_[d], a = std::abs(index);
         const double patch = n * s_.size;
         const double beyond = a <= n ? 0 : rim_fraction_[a - n];
         const double inside = std::min(a, n) * s_.size;
@@ -125,8 +116,7 @@ class HalfBall {
     // In the patch straight below its node in the plane z = 0; from the patch's edge to the rim
     // along meridians.
     Point on_sphere(int i, int j) const {
-        const int strip = std::max({std::abs(i) - static_cast<int>(n_patch_[0]),
-                                    std::abs(j) - static_cast<int>(n_patch_[1]), 0});
+        const int strip = std::max({std::abs(i) - n_patch_[0], std::abs(j) - n_patch_[1], 0});
         const double x = lateral(0, i), y = lateral(1, j), R = s_.radius;
         const double r = std::hypot(x, y);
         if (strip == 0) return {x, y, -r * r / (R + std::sqrt(R * R - r * r))};
@@ -154,6 +144,13 @@ class HalfBall {
     }
 
     Point position(int i, int j, int k, int m) const {
+        if (!is_cylinder_) return in_section(i, j, k, m);
+        Point p = in_section(i, 0, k, m);
+        p[1] = half_y_ * j / n_[1];
+        return p;
+    }
+
+    Point in_section(int i, int j, int k, int m) const {
         const Point core = in_core(i, j, k);
         if (m == 0) return core;
         Point surface = on_sphere(i, j);
@@ -200,6 +197,8 @@ class HalfBall {
             add_face({at(0, 0, 1), at(0, 1, 1), at(1, 1, 1), at(1, 0, 1)}, Boundary::base);
         if (s_.half_model && j == 0)
             add_face({at(0, 0, 1), at(1, 0, 1), at(1, 0, 0), at(0, 0, 0)}, Boundary::symmetry);
+        if (is_cylinder_ && j == n_[1] - 1)
+            add_face({at(0, 1, 1), at(0, 1, 0), at(1, 1, 0), at(1, 1, 1)}, Boundary::symmetry);
     }
 
     void add_top(int i, int j, int m) {
@@ -207,13 +206,16 @@ class HalfBall {
         mesh_.hexes.push_back({at(0, 0, 0), at(1, 0, 0), at(1, 1, 0), at(0, 1, 0), at(0, 0, 1),
                                at(1, 0, 1), at(1, 1, 1), at(0, 1, 1)});
         if (m == n_layers_ - 1) {
-            const auto within = [](int index, long n) { return -n <= index && index < n; };
-            const bool in_patch = within(i, n_patch_[0]) && within(j, n_patch_[1]);
+            const auto within = [](int index, int n) { return -n <= index && index < n; };
+            const bool in_patch =
+                within(i, n_patch_[0]) && (is_cylinder_ || within(j, n_patch_[1]));
             add_face({at(0, 0, 1), at(1, 0, 1), at(1, 1, 1), at(0, 1, 1)},
                      in_patch ? Boundary::contact : Boundary::sides);
         }
         if (s_.half_model && j == 0)
             add_face({at(0, 0, 0), at(1, 0, 0), at(1, 0, 1), at(0, 0, 1)}, Boundary::symmetry);
+        if (is_cylinder_ && j == n_[1] - 1)
+            add_face({at(0, 1, 0), at(0, 1, 1), at(1, 1, 1), at(1, 1, 0)}, Boundary::symmetry);
     }
 
     // Beside the core, between two points of its edge that follow each other to the left.
@@ -227,17 +229,21 @@ class HalfBall {
             add_face({at(a, 1, 0), at(b, 1, 0), at(b, 1, 1), at(a, 1, 1)}, Boundary::base);
         if (m == n_layers_ - 1)
             add_face({at(a, 1, 1), at(b, 1, 1), at(b, 0, 1), at(a, 0, 1)}, Boundary::sides);
-        if (!s_.half_model) return;
-        if (a[1] == 0 && a[0] > 0)
+        const auto on_symmetry = [&](const Lateral& l) {
+            return (s_.half_model && l[1] == 0) || (is_cylinder_ && l[1] == n_[1]);
+        };
+        if (on_symmetry(a) && std::abs(a[0]) == n_[0])
             add_face({at(a, 1, 0), at(a, 1, 1), at(a, 0, 1), at(a, 0, 0)}, Boundary::symmetry);
-        if (b[1] == 0 && b[0] < 0)
+        if (on_symmetry(b) && std::abs(b[0]) == n_[0])
             add_face({at(b, 1, 1), at(b, 1, 0), at(b, 0, 0), at(b, 0, 1)}, Boundary::symmetry);
     }
 
     HalfBallMeshSpec s_;
-    std::array<long, 2> n_patch_;  // elements of half the patch
-    std::array<int, 2> n_{};       // elements from the middle to the rim
-    int n_strips_ = 0, n_layers_ = 0;
+    bool is_cylinder_ = false;
+    double half_y_ = 0;
+    std::array<int, 2> n_patch_;  // elements of half the patch
+    std::array<int, 2> n_{};      // elements from the middle to the rim
+    int n_layers_ = 0;
     std::vector<double> rim_fraction_;    // of the way from the patch's edge to the rim
     std::vector<double> layer_fraction_;  // of the way from the core to the sphere
     std::vector<int> number_;
@@ -247,8 +253,25 @@ class HalfBall {
 }  // namespace
 
 HexMesh make_half_ball_mesh(const HalfBallMeshSpec& spec) {
-    check(spec);
-    return HalfBall(spec).mesh();
+    check_lengths({spec.radius, spec.size, spec.patch_x, spec.patch_y}, spec.growth);
+    check_width(std::hypot(spec.patch_x, spec.patch_y), spec.radius);
+    HalfRound ball(spec);
+    check_count(ball.n_elements(), spec.size);
+    return ball.mesh();
+}
+
+HexMesh make_cylinder_mesh(const CylinderMeshSpec& spec) {
+    check_lengths({spec.radius, spec.size, spec.patch_x, spec.half_y}, spec.growth);
+    check_width(spec.patch_x, spec.radius);
+    if (!(spec.hub_radius >= 0) || !(spec.hub_radius < spec.radius))
+        fail(round_body, fmt::format("a hub of the radius {:g} m", spec.hub_radius),
+             "make it thinner than the cylinder");
+    if (spec.hub_radius > 0) {
+        return cylinder_on_hub(spec);
+    }
+    HalfRound cylinder(spec);
+    check_count(cylinder.n_elements(), spec.size);
+    return cylinder.mesh();
 }
 
 }  // namespace tricontact::meshes
