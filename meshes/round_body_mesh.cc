@@ -30,7 +30,8 @@ namespace tricontact::meshes {
 
 namespace {
 
-constexpr double rim_angle = std::numbers::pi / 3;        // between top and side, from the pole
+// Between top and side, from the pole: so far at least, and from the patch's corner.
+constexpr double least_rim = std::numbers::pi / 3, rim_beyond_patch = std::numbers::pi / 12;
 constexpr double core_half_side = .5, core_height = .32;  // over R
 constexpr double evenness = .35;  // of the core's lateral lines: 0 as on the sphere, 1 even
 constexpr int n_rows = 3;         // of the core
@@ -86,7 +87,10 @@ class HalfRound {
         // From the middle of a side of the patch to the rim, along the sphere.
         const double patch = is_cylinder_ ? s_.patch_x : std::max(s_.patch_x, s_.patch_y);
         const double angle = std::asin(patch / s_.radius);
-        const double length = s_.radius * (rim_angle - angle);
+        const double corner =
+            is_cylinder_ ? angle : std::asin(std::hypot(s_.patch_x, s_.patch_y) / s_.radius);
+        rim_angle_ = std::max(least_rim, corner + rim_beyond_patch);
+        const double length = s_.radius * (rim_angle_ - angle);
         const Grading around = grade(length, s_.size / std::cos(angle), s_.growth);
         for (const double distance : around.nodes()) rim_fraction_.push_back(distance / length);
         const double depth = (1 - core_height) * s_.radius;
@@ -103,13 +107,13 @@ class HalfRound {
         return !is_cylinder_ && (j == n_[1] || (j == -n_[1] && !s_.half_model));
     }
 
-    // Lateral coordinate of a line along x (d = 0) or y [m]; R * rim_angle at the rim.
+    // Lateral coordinate of a line along x (d = 0) or y [m]; R times its angle at the rim.
     double lateral(int d, int index) const {
         const int n = n_patch_[d], a = std::abs(index);
         const double patch = n * s_.size;
         const double beyond = a <= n ? 0 : rim_fraction_[a - n];
         const double inside = std::min(a, n) * s_.size;
-        const double value = inside + beyond * (s_.radius * rim_angle - patch);
+        const double value = inside + beyond * (s_.radius * rim_angle_ - patch);
         return index < 0 ? -value : value;
     }
 
@@ -123,7 +127,7 @@ class HalfRound {
         const double edge = r * std::min(x == 0 ? contact::infinity : s_.patch_x / std::abs(x),
                                          y == 0 ? contact::infinity : s_.patch_y / std::abs(y));
         const double t = rim_fraction_[strip];
-        return beside_axis(x, y, (1 - t) * std::asin(edge / R) + t * rim_angle);
+        return beside_axis(x, y, (1 - t) * std::asin(edge / R) + t * rim_angle_);
     }
 
     // On the sphere, `angle` from the pole in the direction (x, y).
@@ -135,7 +139,7 @@ class HalfRound {
 
     Point in_core(int i, int j, int k) const {
         const auto place = [&](int d, int index) {
-            const double as_above = lateral(d, index) / (s_.radius * rim_angle);
+            const double as_above = lateral(d, index) / (s_.radius * rim_angle_);
             const double even = static_cast<double>(index) / n_[d];
             return core_half_side * s_.radius * ((1 - evenness) * as_above + evenness * even);
         };
@@ -157,7 +161,7 @@ class HalfRound {
         if (k > 0) {
             const double share = static_cast<double>(k) / n_rows;
             surface = beside_axis(surface[0], surface[1],
-                                  (1 - share) * rim_angle + share * std::numbers::pi / 2);
+                                  (1 - share) * rim_angle_ + share * std::numbers::pi / 2);
             if (k == n_rows) surface[2] = -s_.radius;
         }
         if (m == n_layers_) return surface;
@@ -244,6 +248,7 @@ class HalfRound {
     std::array<int, 2> n_patch_;  // elements of half the patch
     std::array<int, 2> n_{};      // elements from the middle to the rim
     int n_layers_ = 0;
+    double rim_angle_ = 0;                // from the pole
     std::vector<double> rim_fraction_;    // of the way from the patch's edge to the rim
     std::vector<double> layer_fraction_;  // of the way from the core to the sphere
     std::vector<int> number_;

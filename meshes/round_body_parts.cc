@@ -12,7 +12,7 @@ namespace tricontact::meshes {
 
 namespace {
 
-constexpr double widest_patch = std::numbers::pi / 4;     // of the patch's corner, from the pole
+constexpr double widest_patch = std::numbers::pi / 3;     // of the patch's corner, from the pole
 constexpr double widest_element = std::numbers::pi / 10;  // around a hub: chords of arcs
 constexpr double most = 1e7;                              // elements
 
@@ -119,7 +119,7 @@ void check_width(double farthest, double radius) {
     if (!(farthest <= radius * std::sin(widest_patch)))
         fail(round_body,
              fmt::format("the contact patch reaches {:.4g} m from the middle, too far for the "
-                         "radius {:.4g} m: more than 45 degrees",
+                         "radius {:.4g} m: more than 60 degrees",
                          farthest, radius),
              "reduce the load or enlarge the radius");
 }
