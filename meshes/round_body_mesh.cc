@@ -31,7 +31,8 @@ namespace tricontact::meshes {
 namespace {
 
 // Between top and side, from the pole: so far at least, and from the patch's corner.
-constexpr double least_rim = std::numbers::pi / 3, rim_beyond_patch = std::numbers::pi / 12;
+constexpr double least_rim = std::numbers::pi / 3, rim_beyond_patch = std::numbers::pi / 9;
+constexpr double steepest = 1.5;  // first over mean edge from the patch's corner to the rim: < 2
 constexpr double core_half_side = .5, core_height = .32;  // over R
 constexpr double evenness = .35;  // of the core's lateral lines: 0 as on the sphere, 1 even
 constexpr int n_rows = 3;         // of the core
@@ -90,6 +91,7 @@ class HalfRound {
         const double corner =
             is_cylinder_ ? angle : std::asin(std::hypot(s_.patch_x, s_.patch_y) / s_.radius);
         rim_angle_ = std::max(least_rim, corner + rim_beyond_patch);
+        side_angle_ = angle;
         const double length = s_.radius * (rim_angle_ - angle);
         const Grading around = grade(length, s_.size / std::cos(angle), s_.growth);
         for (const double distance : around.nodes()) rim_fraction_.push_back(distance / length);
@@ -126,8 +128,13 @@ class HalfRound {
         if (strip == 0) return {x, y, -r * r / (R + std::sqrt(R * R - r * r))};
         const double edge = r * std::min(x == 0 ? contact::infinity : s_.patch_x / std::abs(x),
                                          y == 0 ? contact::infinity : s_.patch_y / std::abs(y));
-        const double t = rim_fraction_[strip];
-        return beside_axis(x, y, (1 - t) * std::asin(edge / R) + t * rim_angle_);
+        // As far from line to line at the patch's corners as its sides ask for, and less farther
+        // out.
+        const double t = rim_fraction_[strip], from = std::asin(edge / R);
+        const double way = rim_angle_ - from, way_at_side = rim_angle_ - side_angle_;
+        const double first =
+            std::min(way_at_side * r / std::max(std::abs(x), std::abs(y)), steepest * way);
+        return beside_axis(x, y, from + t * (first + t * (way - first)));
     }
 
     // On the sphere, `angle` from the pole in the direction (x, y).
@@ -248,9 +255,9 @@ class HalfRound {
     std::array<int, 2> n_patch_;  // elements of half the patch
     std::array<int, 2> n_{};      // elements from the middle to the rim
     int n_layers_ = 0;
-    double rim_angle_ = 0;                // from the pole
-    std::vector<double> rim_fraction_;    // of the way from the patch's edge to the rim
-    std::vector<double> layer_fraction_;  // of the way from the core to the sphere
+    double rim_angle_ = 0, side_angle_ = 0;  // from the pole; the latter of the patch's sides
+    std::vector<double> rim_fraction_;       // of the way from the patch's edge to the rim
+    std::vector<double> layer_fraction_;     // of the way from the core to the sphere
     std::vector<int> number_;
     HexMesh mesh_;
 };

@@ -18,7 +18,7 @@ struct HalfBallMeshSpec {
 /// pole is the origin, the equator's plane z = -R its base; all of the sphere but the patch are
 /// sides. Corners of elements lie on the sphere, their edges are straight. The same spec gives the
 /// same mesh, and the mesh is its own mirror image in x = 0 to the last bit. Throws
-/// contact::InputError for a spec that is none, whose patch reaches more than 60 degrees from the
+/// contact::InputError for a spec that is none, whose patch reaches more than 49 degrees from the
 /// pole, or that asks for more than 10 million elements.
 HexMesh make_half_ball_mesh(const HalfBallMeshSpec& spec);
 

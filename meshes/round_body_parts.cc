@@ -12,7 +12,7 @@ namespace tricontact::meshes {
 
 namespace {
 
-constexpr double widest_patch = std::numbers::pi / 3;     // of the patch's corner, from the pole
+constexpr double widest_patch = .76;  // of its corner from the axis, over R: 49 degrees
 constexpr double widest_element = std::numbers::pi / 10;  // around a hub: chords of arcs
 constexpr double most = 1e7;                              // elements
 
@@ -116,10 +116,10 @@ int elements_in(double patch, double size) {
 }
 
 void check_width(double farthest, double radius) {
-    if (!(farthest <= radius * std::sin(widest_patch)))
+    if (!(farthest <= widest_patch * radius))
         fail(round_body,
              fmt::format("the contact patch reaches {:.4g} m from the middle, too far for the "
-                         "radius {:.4g} m: more than 60 degrees",
+                         "radius {:.4g} m: more than 49 degrees",
                          farthest, radius),
              "reduce the load or enlarge the radius");
 }

@@ -18,7 +18,7 @@ void check_lengths(std::initializer_list<double> lengths, double growth);
 /// Elements of `size` in half a patch; throws contact::InputError unless that is a whole number.
 int elements_in(double patch, double size);
 
-/// Throws contact::InputError where the patch reaches more than 60 degrees from the middle.
+/// Throws contact::InputError where the patch reaches more than 49 degrees from the middle.
 void check_width(double farthest, double radius);
 
 /// Throws contact::InputError for more than 10 million elements.

@@ -20,19 +20,19 @@ meshes::HexMesh mesh_of(const Case& c, const meshes::LayerMeshSpec& patch) {
     switch (body.form) {
         case ElasticBody::Form::hemisphere:
         case ElasticBody::Form::ball:
-            return make_half_ball_mesh({.radius = c.indenter.radius,
-                                        .size = patch.size,
-                                        .patch_x = patch.patch_x,
-                                        .patch_y = patch.patch_y,
-                                        .growth = patch.growth,
-                                        .half_model = patch.half_model});
+            return meshes::make_half_ball_mesh({.radius = c.indenter.radius,
+                                                .size = patch.size,
+                                                .patch_x = patch.patch_x,
+                                                .patch_y = patch.patch_y,
+                                                .growth = patch.growth,
+                                                .half_model = patch.half_model});
         case ElasticBody::Form::cylinder:
-            return make_cylinder_mesh({.radius = c.indenter.radius,
-                                       .size = patch.size,
-                                       .patch_x = patch.patch_x,
-                                       .half_y = patch.half_y,
-                                       .growth = patch.growth,
-                                       .hub_radius = body.hub_radius});
+            return meshes::make_cylinder_mesh({.radius = c.indenter.radius,
+                                               .size = patch.size,
+                                               .patch_x = patch.patch_x,
+                                               .half_y = patch.half_y,
+                                               .growth = patch.growth,
+                                               .hub_radius = body.hub_radius});
         case ElasticBody::Form::punch:
             break;
     }
