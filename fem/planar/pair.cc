@@ -37,12 +37,15 @@ ByComponent blocks_of(const std::vector<CondensedBody>& bodies, const ContactGri
 }
 
 contact::ContactPoints points_of(const ContactGrid& grid, Solid solid, const PairOptions& options) {
-    contact::ContactPoints points;
+    const int n = static_cast<int>(grid.size());
+    const double spacing = n > 1 ? (grid.along.back() - grid.along.front()) / (n - 1) : 0;
+    const bool line = solid == Solid::plane_strain;
+    auto points = contact::ContactPoints::grid(n, 1, {grid.along.front(), 0},
+                                               {spacing, line ? options.length : spacing});
     points.x = grid.along;
-    points.y.assign(grid.size(), 0);
     points.local_ratio = options.local_ratio;
     points.area = grid.area;
-    if (solid == Solid::of_revolution) return points;
+    if (!line) return points;
     for (double& area : points.area) area *= (options.halves ? 2 : 1) * options.length;
     points.line_length = options.length;
     return points;

@@ -89,7 +89,9 @@ TEST(FemPlanarBodiesOfRevolution, AMortarGivesThePressuresOfMatchingNodes) {
     const auto layer = body_of(layer_section(finer, 60, 5), Solid::of_revolution, {4, c.poisson});
     const Pressed pressed = press({ball, layer}, sphere, c.depth);
     EXPECT_FALSE(nodes_meet({ball, layer}));
-    expect(pressed, c);
+    EXPECT_NEAR(pressed.force / c.force, 1, 5e-4);
+    EXPECT_NEAR(pressed.radius / c.radius, 1, 3e-3);
+    EXPECT_NEAR(pressed.peak / c.peak, 1, 6e-3);  // three points beside the axis, extrapolated
     const Pressed matching = press(
         {ball, body_of(layer_section(sizes_for(c), 60, 5), Solid::of_revolution, {4, c.poisson})},
         sphere, c.depth);
