@@ -112,6 +112,7 @@ struct Case {
     std::vector<std::string> models;
     IndenterData indenter;
     Material substrate{0, 0};              ///< of a relaxing one: its relaxed state
+    bool has_rigid_substrate = false;      ///< a plane: `substrate` is rigid_material then
     Law law = Law::linear;                 ///< of the substrate in fem; others are linear
     std::optional<double> c01_ratio;       ///< c01/(c10 + c01) of Mooney and Rivlin's law [-]
     std::optional<Relaxation> relaxation;  ///< of the substrate; empty: elastic

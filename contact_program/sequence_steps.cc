@@ -36,6 +36,9 @@ void check_bodies(const Case& c, bool is_coupled) {
     if (c.period) io::fail("bem.period", "", "CONTACT has no periodic contacts", "omit it");
     if (is_coupled && !c.contact.coupling)
         io::fail("contact.coupling", "", "CONTACT always couples such bodies", "omit it");
+    if (c.has_rigid_substrate)
+        io::fail("substrate.rigid", "", "CONTACT takes a rigid upper body, no rigid lower one",
+                 "give the elastic body as the substrate");
     const auto out_of_range = [](const contact::Material& m) { return m.poisson < 0; };
     if (out_of_range(c.substrate) || (c.indenter.material && out_of_range(*c.indenter.material)))
         io::fail("poisson", "", "CONTACT takes Poisson's ratios from 0 to 1/2",

@@ -139,6 +139,8 @@ void set_friction(DeckModel& model, const contact::Case& c) {
 
 void set_materials(DeckModel& model, const contact::Case& c) {
     const contact::MaterialPair pair = c.materials();
+    if (c.has_rigid_substrate)
+        refuse("no deck has a rigid substrate", "give the elastic body as the substrate");
     if (c.indenter.material) {
         // Frictionless half-spaces: the same as a rigid body on a half-space of E*.
         if (c.layer.thickness)

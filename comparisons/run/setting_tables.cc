@@ -7,6 +7,7 @@
 #include "bem/settings.h"
 #include "comparisons/quantities/reference.h"
 #include "comparisons/run/report_tables.h"
+#include "contact/bodies/body_forms.h"
 #include "contact/bodies/body_shapes.h"
 #include "report/format.h"
 
@@ -114,6 +115,16 @@ void add_indenter(const Case& c, Settings& settings) {
     }
 }
 
+void add_elastic_body(const Case& c, Settings& settings) {
+    if (!c.indenter.body) return;
+    const contact::ElasticBody& body = *c.indenter.body;
+    settings.add("indenter's body",
+                 fmt::format("{}, held by {}", contact::body_form(body.form).title,
+                             contact::title_of(body.support)));
+    settings.add_unless_zero("radius of the hub", body.hub_radius, "m");
+    settings.add_unless_zero("height", body.height, "m");
+}
+
 void add_bodies(const Case& c, Settings& settings) {
     add_indenter(c, settings);
     if (c.indenter.material) {
@@ -122,8 +133,13 @@ void add_bodies(const Case& c, Settings& settings) {
     } else {
         settings.add("indenter material", "rigid");
     }
-    settings.add("substrate E_2", c.substrate.young, "Pa");
-    settings.add("substrate ν_2", c.substrate.poisson);
+    add_elastic_body(c, settings);
+    if (c.has_rigid_substrate) {
+        settings.add("substrate", "rigid plane");
+    } else {
+        settings.add("substrate E_2", c.substrate.young, "Pa");
+        settings.add("substrate ν_2", c.substrate.poisson);
+    }
     if (c.relaxation) {
         settings.add("unrelaxed over relaxed modulus G_0/G_inf",
                      c.relaxation->instantaneous_ratio());

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "contact/bodies/elastic_body.h"
 #include "contact/bodies/height_map.h"
 #include "contact/bodies/profile_curve.h"
 #include "contact/bodies/roughness.h"
@@ -49,6 +50,7 @@ struct IndenterData {
     std::vector<ProfileCurve::Point> profile;     ///< likewise
     std::optional<Roughness> roughness;           ///< upon the shape
     std::optional<Material> material;             ///< empty: rigid
+    std::optional<ElasticBody> body;              ///< empty: as large as a half-space
 };
 
 }  // namespace tricontact::contact

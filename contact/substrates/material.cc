@@ -1,15 +1,14 @@
 #include "contact/substrates/material.h"
 
 #include "contact/base/error.h"
-#include "contact/base/special_values.h"
 
 namespace tricontact::contact {
 
 namespace {
 
 void check(const Material& material, const char* body) {
-    if (!is_positive_and_finite(material.young))
-        throw InputError(std::string(body) + ": Young's modulus must be positive and finite");
+    if (!(material.young > 0))
+        throw InputError(std::string(body) + ": Young's modulus must be positive");
     if (!(material.poisson > -1 && material.poisson <= 0.5))
         throw InputError(std::string(body) + ": Poisson's ratio must lie in (-1, 0.5]");
 }
@@ -38,6 +37,7 @@ MaterialPair::MaterialPair(std::optional<Material> indenter, Material substrate)
         check(*indenter, "indenter");
         add(*indenter, -1);
     }
+    if (normal_compliance_ == 0) throw InputError("both bodies are rigid; one has to deform");
 }
 
 }  // namespace tricontact::contact

@@ -1,14 +1,18 @@
 #pragma once
 
+#include <cmath>
 #include <optional>
+
+#include "contact/base/special_values.h"
 
 namespace tricontact::contact {
 
 /// Linear elastic, isotropic body.
 struct Material {
-    double young;    ///< Young's modulus E [Pa], > 0
+    double young;    ///< Young's modulus E [Pa], > 0; infinite: rigid
     double poisson;  ///< Poisson's ratio nu [-], -1 < nu <= 1/2
 
+    bool is_rigid() const { return std::isinf(young); }
     /// Shear modulus G = E / (2 (1 + nu)) [Pa].
     double shear_modulus() const { return young / (2 * (1 + poisson)); }
     /// (1 - nu^2)/E [1/Pa]: what a half-space adds to 1/E*.
@@ -17,11 +21,15 @@ struct Material {
     Material with_shear_ratio(double ratio) const;
 };
 
-/// Elastic constants of two bodies in contact; the indenter may be rigid.
+/// A body that does not deform.
+inline constexpr Material rigid_material{infinity, 0};
+
+/// Elastic constants of two bodies in contact; one of them may be rigid.
 /// Sources: Johnson (1985), Contact Mechanics, ch. 4, 5, 7; Dundurs (1969).
 class MaterialPair {
   public:
-    /// `indenter` empty: rigid. Throws InputError if a modulus or a ratio is out of range.
+    /// `indenter` empty: rigid. Throws InputError if a modulus or a ratio is out of range, or if
+    /// both are rigid.
     MaterialPair(std::optional<Material> indenter, Material substrate);
 
     /// E* [Pa]: 1/E* = sum (1 - nu_i) / (2 G_i).

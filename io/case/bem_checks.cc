@@ -148,10 +148,11 @@ void check_shape_of_cells(const Case& c, const Document& document) {
 
 void check_inside(const Case& c, const Document& document) {
     if (c.of<Output>().volume == Output::Volume::none) return;
-    const char* why = c.of<bem::Settings>().influence
-                          ? "coefficients of the surface do not describe the interior"
-                      : c.period ? "the interior below periodic contacts is not computed"
-                                 : nullptr;
+    const char* why =
+        c.of<bem::Settings>().influence ? "coefficients of the surface do not describe the interior"
+        : c.has_rigid_substrate         ? "the interior is that of the substrate, which is rigid"
+        : c.period                      ? "the interior below periodic contacts is not computed"
+                                        : nullptr;
     if (why) refuse(document, "output.volume", why, "leave output.volume out");
 }
 

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <numbers>
 
+#include "contact/bodies/body_forms.h"
 #include "contact/bodies/body_shapes.h"
 #include "io/case/case_checks.h"
 #include "io/case/case_input.h"
@@ -13,6 +14,7 @@ namespace {
 
 using contact::BodyShape;
 using contact::Case;
+using contact::ElasticBody;
 using contact::Material;
 using contact::Relaxation;
 using contact::Roughness;
@@ -33,6 +35,27 @@ std::vector<Choice> shape_choices() {
     for (const BodyShape& one : contact::body_shapes())
         out.push_back({one.word, static_cast<int>(out.size())});
     return out;
+}
+
+std::vector<Choice> form_choices() {
+    std::vector<Choice> out;
+    for (const contact::BodyForm& one : contact::body_forms())
+        out.push_back({one.word, static_cast<int>(out.size())});
+    return out;
+}
+
+std::vector<Choice> support_choices() {
+    std::vector<Choice> out;
+    for (const auto support :
+         {ElasticBody::Support::holder, ElasticBody::Support::plates, ElasticBody::Support::hub})
+        out.push_back(choice(contact::word_of(support), support));
+    return out;
+}
+
+/// Of a substrate that deforms.
+template <double Material::*member>
+Field of_elastic_substrate(Case& c) {
+    return c.has_rigid_substrate ? Field() : Field(&(c.substrate.*member));
 }
 
 /// Whether the key goes with the shape: one that some shapes only take, or any other.
@@ -100,6 +123,32 @@ std::vector<CaseKey> indenter_keys() {
         {poisson_key("indenter.poisson", "0.3", "Poisson's ratio; 0.5 is incompressible",
                      {.needs = "indenter.young"}),
          at<&Case::indenter, &Indenter::material, &Material::poisson>},
+        {choice_key("indenter.body", form_choices(), R"("hemisphere")",
+                    "finite body of an indenter that deforms, as fem meshes it; see the table of "
+                    "bodies; half-space models do not see it",
+                    {.needs = "indenter.young"}),
+         at<&Case::indenter, &Indenter::body, &ElasticBody::form>},
+        {choice_key("indenter.support", support_choices(), R"("holder")",
+                    "what holds this body: a rigid holder bonded to the face opposite of the "
+                    "contact, a second plate like the substrate, or a rigid hub in its axis",
+                    {.required = true, .needs = "indenter.body"}),
+         at<&Case::indenter, &Indenter::body, &ElasticBody::support>},
+        {length_key("indenter.hub_radius", R"("3 mm")", "radius of the hub",
+                    {.required = true, .needs = "indenter.body"}),
+         [](Case& c) {
+             const auto& body = c.indenter.body;
+             return body && body->support == ElasticBody::Support::hub
+                        ? Field(&c.indenter.body->hub_radius)
+                        : Field();
+         }},
+        {length_key("indenter.height", R"("20 mm")", "of a punch, from its face to the holder",
+                    {.required = true, .needs = "indenter.body"}),
+         [](Case& c) {
+             const auto& body = c.indenter.body;
+             return body && contact::body_form(body->form).has_height
+                        ? Field(&c.indenter.body->height)
+                        : Field();
+         }},
         {number_key("indenter.roughness.hurst", {0, 1}, "0.8",
                     "Hurst exponent H: the power spectral density falls as q^(-2(1 + H))",
                     {.default_value = "0.8"}),
@@ -126,11 +175,15 @@ std::vector<CaseKey> indenter_keys() {
 
 std::vector<CaseKey> substrate_keys() {
     return {
+        {boolean_key("substrate.rigid", "true",
+                     "the substrate is a rigid plane, on which an elastic indenter is pressed",
+                     {.needs = "indenter.young"}),
+         [](Case& c) { return c.has_rigid_substrate ? Field(&c.has_rigid_substrate) : Field(); }},
         {modulus_key("substrate.young", R"("5.2 MPa")", "Young's modulus", {.required = true}),
-         at<&Case::substrate, &Material::young>},
+         of_elastic_substrate<&Material::young>},
         {poisson_key("substrate.poisson", "0.5", "Poisson's ratio; 0.5 is incompressible",
                      {.required = true}),
-         at<&Case::substrate, &Material::poisson>},
+         of_elastic_substrate<&Material::poisson>},
         {choice_key(
              "substrate.material",
              {choice("linear", Case::Law::linear), choice("neo-hookean", Case::Law::neo_hookean),

@@ -19,6 +19,8 @@ constexpr double most_work = 3e13;       // unknowns squared times steps: days
 constexpr double thinnest = 0.02;        // b/a: thin elements in hundreds
 
 void check_indenter(const Case& c, const Document& document) {
+    if (c.indenter.body)
+        refuse(document, "indenter.body", "fem takes the indenter as rigid", "leave out fem");
     if (!c.indenter.material) return;
     const double ratio = c.indenter.material->plane_compliance() / c.substrate.plane_compliance();
     if (ratio <= largest_compliance_ratio) return;

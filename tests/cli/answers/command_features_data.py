@@ -57,6 +57,7 @@ heated = {f"{body}.heat.{key}": value for body, conductivity in (("indenter", 50
                              ("density", '"7850 kg/m3"'))}
 by_heat = {**heated, "friction.temperature.change": "-0.2", "friction.temperature.from": '"0 degC"', "friction.temperature.to": '"5 degC"'}
 body = {"indenter.radius": None}
+elastic = {"indenter.young": '"20 MPa"', "indenter.poisson": "0.5"}
 mapped = {**body, "indenter.shape": '"height-map"', "indenter.file": '"map.txt"', "indenter.spacing": '"0.2 mm"',
           "bem.cells_per_radius": None, "bem.spacing": '"0.4 mm"', "load.normal_force": '"1 N"',
           "rolling.amplitude_ratio": None, "rolling.amplitude": '"0.4 mm"'}
@@ -140,6 +141,10 @@ features = [
             {**layer, "substrate.width": '"20 mm"', "substrate.depth": '"20 mm"'}),
     feature("elastic indenter", "indenter.young indenter.poisson", "indenter.young|elastic indenter|rigid", {},
             {"indenter.young": '"20 MPa"', "indenter.poisson": "0.5"}),
+    feature("body of the indenter", "indenter.body indenter.support indenter.hub_radius indenter.height",
+            "indenter.body|indenter.young|elastic indenter|rigid", elastic, {**elastic, "indenter.body": '"hemisphere"', "indenter.support": '"holder"'}),
+    feature("rigid substrate", "substrate.rigid", "substrate.rigid|substrate.thickness|substrate.young|rigid|layer", elastic,
+            {**elastic, "substrate.*": None, "substrate.rigid": "true"}),
     feature("coupled contact", "contact.coupling", "contact.coupling|coupl", {"contact.coupling": "false"},
             {"contact.coupling": "true"}, {**layer, "substrate.poisson": "0.3"},
             over_for={"design": {"substrate.poisson": "0.5"}}),
