@@ -26,12 +26,15 @@ double half_width_squared(double m1, double m2) {
     return discriminant >= 0 ? 6 * m1 - std::sqrt(discriminant) : -1;
 }
 
+// A row of points without a length along y is the radius of a contact of revolution: it begins at
+// the axis.
 bool edge_of_grid_carries(const ContactPoints& points, const std::vector<double>& pressure) {
+    const bool radius = points.n_y == 1 && points.line_length == 0;
     for (int j = 0; j < points.n_y; ++j)
         for (int i = 0; i < points.n_x; ++i) {
             const bool edge_in_y = (j == 0 && !points.mirrored) || j == points.n_y - 1;
-            const bool edge =
-                i == 0 || i == points.n_x - 1 || (edge_in_y && points.line_length == 0);
+            const bool edge_in_x = (i == 0 && !radius) || i == points.n_x - 1;
+            const bool edge = edge_in_x || (edge_in_y && points.line_length == 0 && !radius);
             if (edge && pressure[static_cast<std::size_t>(j) * points.n_x + i] > 0) return true;
         }
     return false;

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <memory>
+
+#include "contact/surface_model.h"
+
+namespace tricontact::fem {
+
+/// A contact of revolution, pressed along its axis: points are radii, tractions in the surface are
+/// radial, and no force along x exists. Steps that prescribe F_T = 0 hold the axis instead. Shows
+/// its surface as a line through the axis, with the points at -r.
+class ModelOfRevolution final : public contact::Model {
+  public:
+    explicit ModelOfRevolution(std::unique_ptr<contact::Model> radial)
+        : radial_(std::move(radial)) {}
+
+    std::string name() const override { return radial_->name(); }
+    double step_accuracy() const override { return radial_->step_accuracy(); }
+    bool is_coupled() const override { return radial_->is_coupled(); }
+    /// Throws contact::InputError also for a step with a load along the surface or an offset.
+    contact::StepRecord advance(const contact::LoadStep& step) override;
+    void release() override { radial_->release(); }
+    void enlarge(const contact::ContactAtEdge& reached) override { radial_->enlarge(reached); }
+    void start_period() override { radial_->start_period(); }
+    /// There is no shift that friction along x could make: `unit_shift` is that of the half-space
+    /// which a sphere of the same contact would have, 0.
+    contact::Scales scales() const override;
+    contact::Surface surface() const override;
+    std::vector<contact::ContactState> contact_states() const override;
+    double limit_tangential_ratio() const override { return radial_->limit_tangential_ratio(); }
+    void start_limit() override { radial_->start_limit(); }
+    std::unique_ptr<contact::Model> sibling(const contact::Case::Contact& options) const override;
+    std::string write_state() const override { return radial_->write_state(); }
+    void read_state(std::string_view bytes) override { radial_->read_state(bytes); }
+    const contact::Audit& audit() const override { return radial_->audit(); }
+
+  private:
+    std::unique_ptr<contact::Model> radial_;
+};
+
+}  // namespace tricontact::fem

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <vector>
+
+#include "contact/substrates/material.h"
+#include "fem/matrices.h"
+#include "fem/planar/element.h"
+#include "fem/planar/mesh.h"
+
+namespace tricontact::fem::planar {
+
+/// How a body is held where its section says `support`.
+enum class Support {
+    bonded,   ///< not displaced at all
+    sliding,  ///< not displaced along z: a frictionless ground, or the middle plane of a body
+              ///< between two equal plates
+    point     ///< a node of the support nearest to x = 0 alone, along z: a body that a force at
+              ///< this point presses, whose displacement there is part of the approach
+};
+
+/// Along what a contact surface is measured, and across what bodies approach.
+enum class Frame {
+    plane,  ///< x; along -z
+    round   ///< radius times the angle from the lowest point; along the radius of the body's circle
+};
+
+struct BodyProblem {
+    Mesh mesh;
+    Solid solid = Solid::plane_strain;
+    contact::Material material{0, 0};
+    Support support = Support::bonded;
+    Frame frame = Frame::plane;
+    double radius = 0;                ///< of a round frame, whose centre is (0, radius) [m]
+    double largest_bulk_ratio = 1e6;  ///< K/G is cut here
+};
+
+/// A body as its contact surface sees it: nodes in the order of their coordinate along it.
+struct CondensedBody {
+    Solid solid = Solid::plane_strain;
+    std::vector<double> along;  ///< coordinate of each node [m]
+    std::vector<double> x;      ///< of each node, what the extent depends on [m]
+    /// Elements of the surface: numbers of their first, middle and last node.
+    std::vector<std::array<int, 3>> edges;
+    /// Displacement [m] over force [N] (of plane strain over force per length [N/m]): 2n x 2n, by
+    /// columns, symmetric; components along the surface of all nodes first, then those into the
+    /// substrate. Rows and columns of what the plane or axis of symmetry holds are zero.
+    std::vector<double> compliance;
+
+    std::size_t size() const { return along.size(); }
+};
+
+/// Discretises and condenses. Throws contact::InputError (inverted elements, no contact),
+/// contact::NotConverged (nothing holds the body).
+CondensedBody condense(const BodyProblem& problem);
+
+}  // namespace tricontact::fem::planar

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <Eigen/Sparse>
+#include <vector>
+
+#include "fem/planar/body.h"
+
+// Contact pressures live on points of their own. Where the nodes of both bodies meet, the points
+// are these nodes, and a pressure's force on a node is it times the node's tributary area. Else
+// pressures are piecewise linear between points (a mortar), and a body gets the forces that do the
+// same work on its surface:
+//
+//     f = M p,   M_ik = int phi_i^body psi_k dA,      gap_k = int psi_k gap dA / int psi_k dA
+//
+// so that a uniform pressure loads both bodies uniformly, whatever their nodes. Linear pressures on
+// points no closer than the nodes of the coarser body are stable; forces of one body spread over
+// the other's nodes are not (pressures are then off by more than a tenth on any mesh).
+
+namespace tricontact::fem::planar {
+
+struct ContactGrid {
+    std::vector<double> along;  ///< coordinate of each point [m]
+    std::vector<double> area;   ///< int psi_k dA, of plane strain per length along y [m]
+    /// Per body: M, nodes by points.
+    std::vector<Eigen::SparseMatrix<double>> transfer;
+
+    std::size_t size() const { return along.size(); }
+};
+
+/// Whether all bodies have the same nodes there, but for 1e-6 of their distance.
+bool nodes_meet(const std::vector<CondensedBody>& bodies);
+
+/// Points on the nodes of the first body, where all have some: those on the axis of a body of
+/// revolution have no area and are left out. Tributary areas are row sums of the surface mass.
+ContactGrid points_on_nodes(const std::vector<CondensedBody>& bodies);
+
+/// A mortar on the nodes of that body whose nodes are the farthest apart, over what all bodies
+/// share.
+ContactGrid mortar(const std::vector<CondensedBody>& bodies);
+
+/// The grid for these bodies: `points_on_nodes` where they meet.
+ContactGrid grid_between(const std::vector<CondensedBody>& bodies);
+
+}  // namespace tricontact::fem::planar

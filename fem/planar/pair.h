@@ -1,0 +1,35 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "fem/dense_compliance.h"
+#include "fem/planar/contact_grid.h"
+
+namespace tricontact::fem::planar {
+
+/// How the contact of sections is seen in three dimensions.
+struct PairOptions {
+    double length = 1;  ///< along y of bodies in plane strain [m]
+    /// The sections are halves: areas and forces count both. Along the surface both halves of a
+    /// contact move against each other, so that the only tangential load there is a shift of zero.
+    bool halves = false;
+    /// Cosine of the angle at which each point is pressed, of a conforming contact: see below.
+    bool conforming = false;
+    double radius = 0;       ///< of a conforming contact [m]
+    double local_ratio = 1;  ///< see contact::ContactPoints
+};
+
+/// The compliance of all deformable bodies that touch, on the points of `grid`: A = sum M'CM over
+/// both areas. Displacements are those of the substrate less those of the body that presses; rigid
+/// bodies add nothing. Bodies of revolution: x is the radius; there is no row at the axis.
+///
+/// Of a conforming contact of radius R the body that presses approaches by d cos(theta). With
+/// pressures p cos(theta), and gaps and displacements over cos(theta), the approach is the same
+/// everywhere and the force that is carried the sum of pressures times areas: frictionless contact
+/// is that of flat bodies. Points beyond 85 degrees are left out of it.
+std::unique_ptr<DenseCompliance> pair_compliance(const std::vector<CondensedBody>& bodies,
+                                                 const ContactGrid& grid,
+                                                 const PairOptions& options);
+
+}  // namespace tricontact::fem::planar
