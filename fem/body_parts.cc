@@ -4,6 +4,7 @@
 #include <iterator>
 #include <numeric>
 #include <optional>
+#include <stdexcept>
 
 #include "fem/dissection_order.h"
 #include "fem/memory.h"
@@ -64,6 +65,7 @@ class Halves {
   public:
     Halves(const Discretisation& body, const MirrorSymmetry& mirror, Elimination elimination)
         : body_(body.unknowns),
+          slides_along_x_(body.slides_along_x),
           mirror_(mirror),
           half_(half_of(body.unknowns, mirror)),
           n_interior_(n_interior(half_, elimination)),
@@ -72,8 +74,10 @@ class Halves {
 
     BodyPart part(const Signs& changes) const {
         const auto is_held = [&](std::int64_t h) {
-            return mirror_.side[half_.node_of_unknown[h]] == 0 &&
-                   changes[half_.direction_of_unknown[h]];
+            const int node = half_.node_of_unknown[h], direction = half_.direction_of_unknown[h];
+            if (direction == 0 && !changes[0] && !slides_along_x_.empty() && slides_along_x_[node])
+                return true;
+            return mirror_.side[node] == 0 && changes[direction];
         };
         std::vector<std::int64_t> order;
         std::ranges::remove_copy_if(order_, std::back_inserter(order), is_held);
@@ -99,6 +103,7 @@ class Halves {
 
   private:
     const Unknowns& body_;
+    const std::vector<bool>& slides_along_x_;
     const MirrorSymmetry& mirror_;
     Unknowns half_;
     int n_interior_;
@@ -124,6 +129,8 @@ std::vector<BodyPart> parts_of(const Discretisation& body, Elimination eliminati
         parts.push_back(halves.part({true, false, false}));
         parts.push_back(halves.part({false, true, true}));
     } else {
+        if (!body.slides_along_x.empty())
+            throw std::logic_error("a body held by symmetry whose mesh no plane x = const mirrors");
         parts.push_back(whole(body, elimination));
     }
     trim_freed_memory();  // the analysis leaves many blocks too small to go by themselves

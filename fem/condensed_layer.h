@@ -27,9 +27,11 @@ struct LayerProblem {
     Sides sides = Sides::free;
     double largest_bulk_ratio = incompressible_bulk_ratio;  ///< K/G is cut here
     double line_length = 0;  ///< see contact::ContactPoints [m]; the stiffness knows nothing of it
-    /// The node of the base next to the axis x = y = 0 is held in x and y. It holds half a model
-    /// that nothing else keeps from sliding, and takes no force where the tractions have none.
-    bool pinned = false;
+    /// Half of a body (y >= 0) whose other half is its mirror image in the plane of the base, which
+    /// is frictionless: nothing keeps it from sliding along x. Displacements that are mirrored in x
+    /// = 0 do not slide; for all others the base is held along x, so that they have an answer,
+    /// which misses the reaction to a resultant along x.
+    bool held_by_symmetry = false;
 };
 
 /// All that contact has to know about a discretised layer.

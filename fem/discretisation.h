@@ -70,6 +70,8 @@ struct Discretisation {
     std::array<Moduli, meshes::n_regions> moduli{};
     ContactSurface surface;
     Unknowns unknowns;
+    /// Nodes of the base of a body that is held by symmetry, see LayerProblem; else empty.
+    std::vector<bool> slides_along_x;
 };
 
 }  // namespace tricontact::fem

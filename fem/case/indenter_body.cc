@@ -5,8 +5,8 @@
 #include "meshes/round_body_mesh.h"
 
 // What holds a body is its base (meshes/round_body_mesh.h): a holder and a hub are bonded to it. Of
-// a body between plates the base is the plane of symmetry between them, which takes no shear; what
-// keeps it from sliding away is pinned, since there is no force that would do it.
+// a body between plates the base is the plane of symmetry between them, which takes no shear: what
+// slides along it is held by that symmetry, since no force may pull it.
 
 namespace tricontact::fem {
 
@@ -49,7 +49,7 @@ LayerProblem indenter_problem(const Case& c, const meshes::LayerMeshSpec& patch)
     problem.materials = {*c.indenter.material, *c.indenter.material};
     if (c.indenter.body->support == ElasticBody::Support::plates) {
         problem.base = Case::Base::frictionless;
-        problem.pinned = true;
+        problem.held_by_symmetry = true;
     }
     if (c.is_cylindrical()) problem.line_length = c.indenter.length;
     return problem;

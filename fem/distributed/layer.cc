@@ -287,7 +287,8 @@ std::array<std::vector<double>, 3> missing_reaction(
 }  // namespace
 
 LayerProblem broadcast(LayerProblem problem, const Session& session) {
-    auto& [mesh, materials, base, sides, largest_bulk_ratio, line_length, pinned] = problem;
+    auto& [mesh, materials, base, sides, largest_bulk_ratio, line_length, held_by_symmetry] =
+        problem;
     session.broadcast(mesh.nodes);
     session.broadcast(mesh.hexes);
     session.broadcast(mesh.regions);
@@ -300,7 +301,7 @@ LayerProblem broadcast(LayerProblem problem, const Session& session) {
     session.broadcast(&sides, sizeof(sides));
     session.broadcast(&largest_bulk_ratio, sizeof(largest_bulk_ratio));
     session.broadcast(&line_length, sizeof(line_length));
-    session.broadcast(&pinned, sizeof(pinned));
+    session.broadcast(&held_by_symmetry, sizeof(held_by_symmetry));
     return problem;
 }
 

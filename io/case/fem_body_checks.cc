@@ -15,23 +15,30 @@ namespace {
 using contact::Case;
 using contact::ElasticBody;
 
+/// The first of these keys that the document has.
+std::string first_of(std::initializer_list<const char*> keys, const Document& document) {
+    for (const char* key : keys)
+        if (document.find(key)) return key;
+    return *keys.begin();
+}
+
 void check_motion(const Case& c, const Document& document) {
     const auto& body = contact::body_form(c.indenter.body->form);
     const std::string held =
         "a " + std::string(body.title) + " held by " + contact::title_of(c.indenter.body->support);
     const char* const remedy = "leave out fem, or indenter.body";
     if (c.rolling)
-        refuse(document, "rolling",
+        refuse(document, first_of({"rolling.amplitude", "rolling.amplitude_ratio"}, document),
                "fem presses and loads the body of an indenter where it stands; " + held +
                    " that rolls is not computed",
                remedy);
     if (c.tractive_rolling)
-        refuse(document, "tractive_rolling", "fem does not roll the body of an indenter on",
-               remedy);
+        refuse(document, "tractive_rolling.distance",
+               "fem does not roll the body of an indenter on", remedy);
     if (!c.prescribed_path) return;
     const contact::Vector2 reach = c.prescribed_path->reach();
     if (reach[0] > 0 || reach[1] > 0)
-        refuse(document, "path",
+        refuse(document, path_key(document),
                "fem presses and loads the body of an indenter where it stands; " + held +
                    " that is moved by rolling is not computed",
                "leave its offsets out, or " + std::string(remedy));
@@ -50,7 +57,12 @@ void check_plates(const Case& c, const Document& document) {
             return row.tangential[0].value != 0 || row.tangential[1].value != 0;
         });
     if (loaded || moved || pulled)
-        refuse(document, c.prescribed_path ? "path" : "load",
+        refuse(document,
+               c.prescribed_path ? path_key(document)
+                                 : first_of({"load.tangential_ratio", "load.tangential_force",
+                                             "load.tangential_amplitude_ratio",
+                                             "load.limit_fraction", "load.limit_excess"},
+                                            document),
                "a body between two plates rolls or spins under a tangential load: nothing holds it",
                "set the tangential load to 0, or take another support");
 }

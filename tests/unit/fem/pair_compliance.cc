@@ -32,13 +32,13 @@ meshes::LayerMeshSpec patch(int n = 1) {
             .ends = {}};
 }
 
-CondensedPart condensed(meshes::HexMesh mesh, const Material& material, bool pinned = false) {
+CondensedPart condensed(meshes::HexMesh mesh, const Material& material, bool half_ball = false) {
     auto problem = std::make_shared<fem::LayerProblem>();
     problem->mesh = std::move(mesh);
     problem->materials = {material, material};
-    if (pinned) {
+    if (half_ball) {
         problem->base = contact::Case::Base::frictionless;
-        problem->pinned = true;
+        problem->held_by_symmetry = true;
     }
     fem::CondensedLayer layer = condense(*problem);
     return {problem, std::move(layer)};
@@ -48,7 +48,7 @@ CondensedPart layer(const Material& material) {
     return condensed(make_layer_mesh(patch()), material);
 }
 
-CondensedPart hemisphere(const Material& material, bool pinned = false) {
+CondensedPart hemisphere(const Material& material, bool half_ball = false) {
     const auto s = patch();
     return condensed(meshes::make_half_ball_mesh({.radius = 3e-3,
                                                   .size = s.size,
@@ -56,7 +56,7 @@ CondensedPart hemisphere(const Material& material, bool pinned = false) {
                                                   .patch_y = s.patch_y,
                                                   .growth = s.growth,
                                                   .half_model = s.half_model}),
-                     material, pinned);
+                     material, half_ball);
 }
 
 using Matrix = Eigen::MatrixXd;
@@ -149,8 +149,8 @@ TEST(FemPairCompliance, BothBodiesAreHeld) {
               nullptr);
 }
 
-// Held in its middle only, a half ball does not react to a force that has no resultant.
-TEST(FemPairCompliance, APinTakesNoForce) {
+// A half ball that symmetry holds does not react along x to what has no resultant there.
+TEST(FemPairCompliance, SymmetryTakesNoForce) {
     const PairCompliance pair(fem::plane_patch(patch()), hemisphere(soft, true));
     Tractions tractions(pair.points());
     std::fill(tractions.t.x.begin(), tractions.t.x.end(), 0.);

@@ -51,7 +51,7 @@ CondensedPart body(Body kind, const contact::Material& material, const meshes::L
     problem->materials = {material, material};
     if (kind == Body::ball) {
         problem->base = contact::Case::Base::frictionless;
-        problem->pinned = true;
+        problem->held_by_symmetry = true;
     }
     CondensedLayer condensed = condense(*problem);
     return {problem, std::move(condensed)};
@@ -204,7 +204,7 @@ TEST(FemTwoBodies, CylinderBetweenPlates) {
             {.radius = R, .size = size, .patch_x = s.patch_x, .half_y = L / 2});
         problem->materials = {material, material};
         problem->base = contact::Case::Base::frictionless;
-        problem->pinned = true;
+        problem->held_by_symmetry = true;
         problem->line_length = L;
         CondensedLayer condensed = condense(*problem);
         condensed.points = plane_patch(s).points;

@@ -1,0 +1,32 @@
+#!/usr/bin/env bash
+# usage: hemisphere.sh PROGRAM SOURCE_DIR
+# A hemisphere glued to a holder, on a rigid plane: fem meshes the body, bem takes it for a half-space, and
+# says so. What lies between both is the half-space deviation of the body.
+source "$(dirname "$0")/../prepare.bash"
+"$program" list | grep -q '^  fem ' || { printf 'built without fem\n'; exit 0; }
+export TRICONTACT_CACHE=$work/cache
+
+# of FOLDER MODEL QUANTITY
+of() {
+    $python -c "import json, sys; print(json.load(open(sys.argv[1] + '/summary.json'))['models'][sys.argv[2]][sys.argv[3]])" "$@"
+}
+# near NAME VALUE REFERENCE RELATIVE_TOLERANCE
+near() {
+    $python -c "import sys; v, r, t = map(float, sys.argv[1:]); sys.exit(abs(v / r - 1) > t)" "$2" "$3" "$4" ||
+        complain "$1: $2 instead of $3"
+}
+case=$source_dir/examples/cases/hemisphere.toml
+quick=(--no-report --no-studies --set "load.indentation=1 mm" --set "fem.size=0.84 mm" --set load.press=frictionless)
+
+# Reference: axisymmetric finite elements of another program, F = 14.3762(6) N; with the parabola as gap 1.3072 of Hertz' force.
+"$program" run "$case" "${quick[@]}" -o sphere >log 2>&1 || complain "$(cat log)"
+near "force of the hemisphere" "$(of sphere fem normal_force_N)" 14.3762 .003
+near "peak pressure" "$(of sphere fem peak_pressure_Pa)" 590600 .01
+"$program" run "$case" "${quick[@]}" --set indenter.shape=paraboloid -o parabola >log 2>&1 || complain "$(cat log)"
+ratio=$($python -c "print($(of parabola fem normal_force_N) / $(of parabola bem normal_force_N))")
+near "force over that of the half-space" "$ratio" 1.3072 .004
+grep -q "leaves out indenter.body: the indenter is a half-space" log || complain "bem does not say what it leaves out"
+refused "indenter.body: mesh writes the layer under a rigid indenter; leave indenter.body out" mesh "$case" -o out \
+    --set "substrate.rigid=false" --set "substrate.young=4 MPa" --set substrate.poisson=0.495 --set "substrate.thickness=5 mm"
+
+finish
