@@ -62,13 +62,17 @@ void check_section_elements(const Case& c, const Document& document, const Refus
 }
 
 void check_rolling_section(const Case& c, const Document& document, const Refusal& refuse_key) {
-    const char* rolls = c.rolling                 ? "rolling.amplitude"
-                        : c.tractive_rolling      ? "rolling"
-                        : document.find("path.x") ? "path.x"
-                                                  : nullptr;
-    if (!rolls && c.prescribed_path) rolls = "path";
-    if (rolls)
-        refuse_key(rolls, "presses the bodies where they are", "leave it out, or take bem or fem");
+    if (c.rolling)
+        refuse_key(used(document, "rolling.amplitude_ratio", "rolling.amplitude"),
+                   "presses the bodies where they are and takes no [rolling]",
+                   "leave that section out, or take bem or fem");
+    if (c.tractive_rolling)
+        refuse_key("tractive_rolling.distance",
+                   "presses the bodies where they are and takes no [tractive_rolling]",
+                   "leave that section out, or take bem");
+    if (c.prescribed_path)
+        refuse_key(path_key(document), "presses the bodies where they are and takes no [path]",
+                   "leave that section out, or take bem or fem");
 }
 
 bool has_tangential_load(const Case& c) {
