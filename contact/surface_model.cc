@@ -119,36 +119,42 @@ void SurfaceModel::update_slip(const StepStart& before) {
 }
 
 /// Work by the law itself, which end values know as well as steps are short. What the tractions,
-/// on the straight way from their last values, do more than that is set free: in a jump.
+/// on the straight way from their last values, do more than that is set free: in a jump. What
+/// hardens is known by its tractions, and compared with what its slip makes of it.
 void SurfaceModel::update_memory(const StepStart& before) {
     const ContactSolution& s = now();
-    std::vector<double> way(s.bound.size(), 0);
+    const bool hardens = friction_->hardening() > 0;
+    std::vector<double> way = s.way, by_slip = before.way;
     work_.assign(way.size(), 0);
     released_ = 0;
     for (std::size_t i = 0; i < way.size(); ++i) {
         const double pressure = s.normal->pressure[i];
+        if (!hardens) way[i] = friction_->healed(before.way[i]);
         if (!(pressure > 0)) continue;
         const Vector2 told = slip(i);
         const double length = norm(told);
-        if (!(length > 0)) {
-            way[i] = friction_->healed(before.way[i]);
-            continue;
-        }
-        way[i] = friction_->way(before.way[i], length, pressure);
-        work_[i] = friction_->work(pressure, before.way[i], length);
+        if (!(length > 0)) continue;
+        by_slip[i] = friction_->way(before.way[i], length, pressure);
+        if (!hardens) way[i] = by_slip[i];
+        work_[i] = friction_->work(pressure, before.way[i], way[i], length);
         const Vector2 mean = .5 * (before.traction.in_surface.at(i) + s.tangential.traction.at(i));
         released_ += points().area[i] * (dot(mean, told) - work_[i]);
     }
     std::vector<double> bound(way.size());
-    friction_->bounds({s.normal->pressure, points().x, points().y, way}, bound);
+    friction_->bounds({s.normal->pressure, points().x, points().y, by_slip}, bound);
     double misfit = 0, area = 0;
     for (std::size_t i = 0; i < bound.size(); ++i) {
         if (s.normal->pressure[i] > 0) area += points().area[i];
         if (contact_state_[i] == ContactState::slip && s.bound[i] > 0)
             misfit = std::max(misfit, std::abs(bound[i] - s.bound[i]));
     }
+    // Slips are known to the tolerance times the contact's compliance.
+    const double compliance =
+        std::max(s.shift_factor, 1.) * s.normal->length * area / s.normal->force;
     if (misfit > 0)
-        audit_.record("friction_follows_slip", misfit * area / s.total_bound, 10 * tolerance_);
+        audit_.record("friction_follows_slip",
+                      misfit / (1 + friction_->hardening() * compliance) * area / s.total_bound,
+                      10 * tolerance_);
     solver_->remember(std::move(way));
 }
 

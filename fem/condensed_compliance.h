@@ -3,7 +3,10 @@
 #include <memory>
 
 #include "contact/compliances/compliance.h"
+#include "fem/condensed_body.h"
 #include "fem/condensed_layer.h"
+#include "fem/consistent_mass.h"
+#include "fem/contact_frame.h"
 #include "fem/dense_compliance.h"
 #include "fem/whole_body.h"
 
@@ -20,29 +23,32 @@ class CondensedCompliance final : public DenseCompliance {
     ~CondensedCompliance() override;
 
     std::vector<double> consistent_traction(std::span<const double> t,
-                                            bool odd_in_y) const override;
+                                            bool odd_in_y) const override {
+        return mass_.traction(points(), t, odd_in_y);
+    }
     std::optional<std::array<double, 3>> missing_reaction(
-        std::span<const double> p, const contact::TangentialField& t) const override;
-    double allowed_missing_reaction() const override;
+        std::span<const double> p, const contact::TangentialField& t) const override {
+        return body_.missing_reaction(points(), p, t);
+    }
+    double allowed_missing_reaction() const override {
+        return body_.allowed_missing_reaction(points());
+    }
     /// Factorises the whole body, see WholeBody.
     std::unique_ptr<const contact::Interior> interior(
-        std::span<const double> p, const contact::TangentialField& t) const override;
+        std::span<const double> p, const contact::TangentialField& t) const override {
+        return std::make_unique<contact::Interior>(body_.interior(points(), p, t));
+    }
 
     /// The whole body for corrections, made when first asked for: as long as a condensation.
     const CorrectedBody& corrected() const;
 
   private:
-    CondensedCompliance(std::shared_ptr<const LayerProblem> problem, contact::ContactPoints points,
-                        CondensedLayer&& layer, const contact::Interface& interface);
+    CondensedCompliance(std::shared_ptr<const LayerProblem> problem, ContactSide side,
+                        CondensedLayer&& layer);
 
-    struct SurfaceMass;  // factors of the contact patch's mass
-
-    std::shared_ptr<const LayerProblem> problem_;
-    SparseMatrix mass_;
-    std::array<std::vector<double>, 3> missing_reaction_;  // see CondensedLayer
-    mutable std::unique_ptr<WholeBody> whole_;
+    CondensedBody body_;
+    ConsistentMass mass_;
     mutable std::unique_ptr<const CorrectedBody> corrected_;
-    mutable std::unique_ptr<SurfaceMass> surface_mass_;
 };
 
 }  // namespace tricontact::fem

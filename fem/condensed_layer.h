@@ -27,6 +27,9 @@ struct LayerProblem {
     Sides sides = Sides::free;
     double largest_bulk_ratio = incompressible_bulk_ratio;  ///< K/G is cut here
     double line_length = 0;  ///< see contact::ContactPoints [m]; the stiffness knows nothing of it
+    /// The node of the base next to the axis x = y = 0 is held in x and y. It holds half a model
+    /// that nothing else keeps from sliding, and takes no force where the tractions have none.
+    bool pinned = false;
 };
 
 /// All that contact has to know about a discretised layer.

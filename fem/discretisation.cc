@@ -1,6 +1,7 @@
 #include "fem/discretisation.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "contact/base/error.h"
 #include "fem/memory.h"
@@ -55,19 +56,35 @@ void refuse_rigid_motions(bool has_base, bool has_sides, Case::Base base, Sides 
 
 namespace {
 
+int pinned_node(const Q2Space& space) {
+    int nearest = -1;
+    const auto distance = [&](int node) {
+        return std::hypot(space.nodes[node][0], space.nodes[node][1]);
+    };
+    for (const auto& face : space.faces)
+        if (face.boundary == Boundary::base)
+            for (const int node : face.nodes)
+                if (nearest < 0 || distance(node) < distance(nearest)) nearest = node;
+    if (nearest < 0) throw contact::InputError("mesh: a pinned body without a base");
+    return nearest;
+}
+
 // Contact unknowns come by direction, x of all nodes, then y, then z: the blocks of the compliance
 // are then contiguous. Those of the interior come node by node, in which order does not matter:
 // dissection_order() finds a better one.
 Unknowns number_unknowns(const Q2Space& space, const std::vector<int>& contact_nodes,
-                         Case::Base base, Sides sides) {
+                         const LayerProblem& problem) {
+    const auto [base, sides] = std::pair(problem.base, problem.sides);
     const auto has = [&](Boundary boundary) {
         return std::ranges::any_of(space.faces,
                                    [&](const auto& face) { return face.boundary == boundary; });
     };
-    refuse_rigid_motions(has(Boundary::base), has(Boundary::sides), base, sides);
+    if (!problem.pinned)
+        refuse_rigid_motions(has(Boundary::base), has(Boundary::sides), base, sides);
     std::vector<Directions> held(space.nodes.size(), none);
     for (const auto& face : space.faces)
         for (const int node : face.nodes) held[node] |= held_on(face.boundary, base, sides);
+    if (problem.pinned) held[pinned_node(space)] = all;
     std::vector<bool> in_contact(held.size(), false);
     for (const int node : contact_nodes) in_contact[node] = true;
 
@@ -96,7 +113,7 @@ Unknowns number_unknowns(const Q2Space& space, const std::vector<int>& contact_n
 Discretisation::Discretisation(const LayerProblem& problem)
     : space(problem.mesh),
       surface(contact_surface(space)),
-      unknowns(number_unknowns(space, surface.nodes, problem.base, problem.sides)) {
+      unknowns(number_unknowns(space, surface.nodes, problem)) {
     for (std::size_t r = 0; r < moduli.size(); ++r)
         moduli[r] = moduli_of(problem.materials[r], problem.largest_bulk_ratio);
     return_freed_memory();

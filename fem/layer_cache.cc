@@ -249,6 +249,7 @@ std::string LayerCache::key(const LayerProblem& problem) {
     for (const auto& material : problem.materials) digest << material.young << material.poisson;
     digest << static_cast<int>(problem.base) << static_cast<int>(problem.sides)
            << problem.largest_bulk_ratio;
+    if (problem.pinned) digest << 1;
     return digest.text();
 }
 

@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <optional>
 #include <string>
+#include <utility>
 
 #include "contact/base/error.h"
 #include "contact/base/special_values.h"
@@ -24,23 +26,53 @@ double carried_at_rest(const contact::ContactPoints& grid, const SteadyProblem& 
 
 ChangingFriction friction_by_rate(const contact::ContactPoints& grid,
                                   const contact::FrictionRate& rate, double at_rest, double speed) {
-    const auto left_of = [&grid, &rate, at_rest, speed](const SteadySolution& solution) {
-        const double time = grid.spacing[0] / speed;  // over a cell
-        std::vector<double> left(grid.size(), 1.);
+    const double time = grid.spacing[0] / speed;  // over a cell
+    const auto left_of_cell = [&rate, at_rest, time](double v, double ahead) {
+        const double kept = rate.memory(time, v);
+        return kept * ahead + (1 - kept) * rate.coefficient(at_rest, v) / at_rest;
+    };
+    // From the leading edge on: a cell, its speed, what the one ahead has left.
+    const auto for_cells = [&grid, speed, left_of_cell](const SteadySolution& solution,
+                                                        const auto& action) {
         for (int row = 0; row < grid.n_y; ++row) {
             double ahead = 1;
             for (int i = grid.n_x - 1; i >= 0; --i) {
                 const std::size_t k = static_cast<std::size_t>(row) * grid.n_x + i;
                 const double v = speed * contact::norm(solution.slip.at(k));
-                const double kept = rate.memory(time, v);
-                left[k] = ahead =
-                    kept * ahead + (1 - kept) * rate.coefficient(at_rest, v) / at_rest;
+                action(k, v, ahead);
+                ahead = left_of_cell(v, ahead);
             }
         }
-        return left;
     };
-    return {left_of, rate.least(at_rest) / at_rest, "falls with the speed of slip",
-            "give it a friction.rate.memory_length, or fall less"};
+    const auto left = [&grid, for_cells, left_of_cell](const SteadySolution& solution) {
+        std::vector<double> all(grid.size());
+        for_cells(solution,
+                  [&](std::size_t k, double v, double ahead) { all[k] = left_of_cell(v, ahead); });
+        return all;
+    };
+    const auto slopes = [&grid, &rate, for_cells, left_of_cell, time,
+                         speed](const SteadySolution& solution) {
+        constexpr double apart = 1e-6;  // of the speed: half the digits
+        BoundSlopes all{std::vector<double>(grid.size()), std::vector<double>(grid.size())};
+        for_cells(solution, [&](std::size_t k, double v, double ahead) {
+            all.ahead[k] = rate.memory(time, v);
+            if (!(v > 0)) return;
+            const double more = v * (1 + apart), less = v * (1 - apart);
+            all.own[k] =
+                speed * (left_of_cell(more, ahead) - left_of_cell(less, ahead)) / (more - less);
+        });
+        return all;
+    };
+    // Each law by d_k/v_k at most.
+    double steepest = 0;
+    for (std::size_t k = 0; k < rate.drops.size(); ++k)
+        steepest += rate.drops[k] / rate.speeds[k] * speed / at_rest;
+    return {left,
+            rate.least(at_rest) / at_rest,
+            "falls with the speed of slip",
+            "give it a friction.rate.memory_length, or fall less",
+            slopes,
+            steepest};
 }
 
 ChangingFriction friction_by_temperature(const contact::ContactPoints& grid,
@@ -67,42 +99,145 @@ ChangingFriction friction_by_temperature(const contact::ContactPoints& grid,
             "let it change less"};
 }
 
-double solve_steady_rated(const contact::Compliance& compliance, const SteadyProblem& problem,
-                          const ChangingFriction& friction, SlipStart from, double tolerance,
-                          SteadySolution& solution, std::vector<double>& left) {
-    const contact::ContactPoints& grid = compliance.points();
-    const auto [least, most] = std::minmax({1., friction.in_the_end});
-    if (left.empty()) left.assign(grid.size(), from == SlipStart::slow ? 1 : friction.in_the_end);
-    std::vector<double> bound(grid.size());
-    contact::OneSidedFixedPoint iteration;
-    int iterations = 0;
-    for (int k = 0; k < contact::OneSidedFixedPoint::max_iterations; ++k) {
-        for (std::size_t i = 0; i < bound.size(); ++i) bound[i] = left[i] * problem.bound[i];
+namespace {
+
+// Of the last change of mu, how exactly the state under it is solved for the next one; and from
+// which change on, over all that mu may lose, Newton's method is tried, with how many steps.
+constexpr double of_change = .3;
+constexpr double close_by = .06;
+constexpr int newton_steps = 8;
+constexpr int steps_before_another_try = 6;
+
+/// The search for a state, field of mu after field of mu.
+class Search {
+  public:
+    Search(const contact::Compliance& compliance, const SteadyProblem& problem,
+           const ChangingFriction& friction, double tolerance, SteadySolution& solution,
+           std::vector<double>& left)
+        : compliance_(compliance),
+          problem_(problem),
+          friction_(friction),
+          tolerance_(tolerance),
+          solution_(solution),
+          left_(left),
+          range_(std::abs(1 - friction.in_the_end)) {
+        double bound = 0, n = 0;
+        for (const double one : problem.bound)
+            if (one > 0) bound += one, ++n;
+        const double local = compliance.local_tangential() / compliance.points().spacing[0];
+        if (n > 0) steepness_ = std::max(1., friction.steepest * local * bound / n);
+    }
+
+    double run() {
+        const auto [least, most] = std::minmax({1., friction_.in_the_end});
+        contact::OneSidedFixedPoint iteration;
+        int n_tries = 0, next_try = 0;
+        double before = 1;  // change
+        for (int k = 0; k < contact::OneSidedFixedPoint::max_iterations; ++k) {
+            const double asked = std::max(tolerance_, of_change / steepness_ * before);
+            solve(asked, k == 0);
+            std::vector<double> next = friction_.left(told());
+            const double change = largest_change(next);
+            if (change <= tolerance_ && asked == tolerance_) return change;
+            const bool contracts = change < before && change < close_by * range_;
+            if (friction_.slopes && contracts && k >= next_try && n_tries < 3) {
+                if (const auto left_over = try_newton(next, change, change / before))
+                    return *left_over;
+                ++n_tries;
+                next_try = k + steps_before_another_try;
+            }
+            before = change;
+            left_ = iteration.next(left_, next, change);
+            for (double& one : left_) one = std::clamp(one, least, most);
+        }
+        throw contact::NotConverged(fmt::format(
+            "steady rolling: after {} iterations friction still follows the slip from one "
+            "state to another: it {} too steeply for single cells; {}",
+            contact::OneSidedFixedPoint::max_iterations, friction_.changes, friction_.remedy));
+    }
+
+  private:
+    /// The steady state under the present mu.
+    void solve(double tolerance, bool is_first) {
+        std::vector<double> bound(left_.size());
+        for (std::size_t i = 0; i < bound.size(); ++i) bound[i] = left_[i] * problem_.bound[i];
+        SteadyTolerances tolerances{tolerance};
+        if (tolerance > tolerance_) tolerances.force = of_change * tolerance;
+        const int before = is_first ? 0 : solution_.iterations;
         try {
-            solve_steady(compliance, {bound, problem.displacement, problem.drive, problem.centre},
-                         tolerance, solution);
+            solve_steady(compliance_,
+                         {bound, problem_.displacement, problem_.drive, problem_.centre},
+                         tolerances, solution_);
         } catch (const contact::InputError&) {
-            if (k == 0) throw;  // at rest, too
+            if (is_first) throw;  // at rest, too
             throw contact::InputError(fmt::format(
                 "rolling: the force {:.6g} N is more than friction carries that {} ({:.6g} N at "
                 "rest); lower it, or prescribe the creepage",
-                contact::norm(problem.drive.force), friction.changes,
-                carried_at_rest(grid, problem)));
+                contact::norm(problem_.drive.force), friction_.changes,
+                carried_at_rest(compliance_.points(), problem_)));
         }
-        solution.iterations += iterations;
-        iterations = solution.iterations;
-        const std::vector<double> next = friction.left(solution);
-        double change = 0;
-        for (std::size_t i = 0; i < bound.size(); ++i)
-            if (bound[i] > 0) change = contact::larger(change, std::abs(next[i] - left[i]));
-        if (change <= tolerance) return change;
-        left = iteration.next(left, next, change);
-        for (double& one : left) one = std::clamp(one, least, most);
+        solution_.iterations += before;
     }
-    throw contact::NotConverged(fmt::format(
-        "steady rolling: after {} iterations friction still follows the slip from one "
-        "state to another: it {} too steeply for single cells; {}",
-        contact::OneSidedFixedPoint::max_iterations, friction.changes, friction.remedy));
+
+    /// The solution without what its tolerance leaves of slip where points stick.
+    SteadySolution told() const {
+        SteadySolution told = solution_;
+        for (std::size_t i = 0; i < left_.size(); ++i)
+            if (contact::norm(told.traction.at(i)) < left_[i] * problem_.bound[i] * (1 - 1e-9))
+                told.slip.set(i, {0, 0});
+        return told;
+    }
+
+    double largest_change(const std::vector<double>& next) const {
+        double change = 0;
+        for (std::size_t i = 0; i < next.size(); ++i)
+            if (problem_.bound[i] > 0)
+                change = contact::larger(change, std::abs(next[i] - left_[i]));
+        return change;
+    }
+
+    /// Newton's method on tractions and mu together, from the last iterate, whose `next` is known,
+    /// by a `change` that is `factor` times the one before. Taken where it arrives no farther away
+    /// than iterates that go on so could lead, and on their side; else null, and nothing changes.
+    std::optional<double> try_newton(const std::vector<double>& next, double change,
+                                     double factor) {
+        SteadySolution found = solution_;
+        const FollowingBound following{friction_.left, friction_.slopes};
+        SteadyNewton newton(compliance_, problem_, {tolerance_}, found, &following);
+        try {
+            newton.run(newton_steps);
+        } catch (const contact::NotConverged&) {
+            return {};
+        }
+        const std::vector<double> left = newton.left();
+        double along = 0;
+        for (std::size_t i = 0; i < left.size(); ++i)
+            along += problem_.bound[i] * (left[i] - left_[i]) * (next[i] - left_[i]);
+        if (!(along > 0) || largest_change(left) > 2 * change / (1 - factor)) return {};
+        found.iterations += solution_.iterations;
+        solution_ = std::move(found);
+        left_ = left;
+        return largest_change(friction_.left(solution_));
+    }
+
+    const contact::Compliance& compliance_;
+    const SteadyProblem& problem_;
+    const ChangingFriction& friction_;
+    const double tolerance_;
+    SteadySolution& solution_;
+    std::vector<double>& left_;
+    const double range_;    // of what is left
+    double steepness_ = 1;  // change of mu over the residual of the state that it follows [-]
+};
+
+}  // namespace
+
+double solve_steady_rated(const contact::Compliance& compliance, const SteadyProblem& problem,
+                          const ChangingFriction& friction, SlipStart from, double tolerance,
+                          SteadySolution& solution, std::vector<double>& left) {
+    if (left.empty())
+        left.assign(problem.bound.size(), from == SlipStart::slow ? 1 : friction.in_the_end);
+    return Search(compliance, problem, friction, tolerance, solution, left).run();
 }
 
 }  // namespace tricontact::rolling

@@ -6,7 +6,7 @@
 
 #include "contact/friction/friction_rate.h"
 #include "contact/heat.h"
-#include "rolling/steady_solver.h"
+#include "rolling/steady_newton.h"
 
 namespace tricontact::rolling {
 
@@ -17,6 +17,9 @@ struct ChangingFriction {
     double in_the_end = 0;  ///< the same where slip, or heat, has no bounds [-]
     std::string changes;    ///< "falls with the speed of slip"
     std::string remedy;     ///< where that is too steep: "let it fall less"
+    /// How `left` changes with the slip, for Newton's method; empty: unknown.
+    std::function<BoundSlopes(const SteadySolution&)> slopes = {};
+    double steepest = 0;  ///< of them, by size; 0: unknown
 };
 
 /// mu by the speed of slip: from the leading edge, where it is 1. `speed`: of rolling [m/s];
@@ -34,6 +37,9 @@ ChangingFriction friction_by_temperature(const contact::ContactPoints& grid,
 /// solve_steady under bounds that follow from the slip: a fixed point of mu, each step of which is
 /// the steady state under given bounds. `problem.bound` is that at rest [Pa]. `left`: mu over mu at
 /// rest per point, the start and the result; empty: that of `from`.
+///
+/// Each iterate is solved as exactly as its change deserves; once changes shrink and slopes are
+/// known, Newton's method ends the search if it does so near by on their side.
 ///
 /// By the speed of slip mu falls, from slow slip, from one iterate to the next and slip grows, from
 /// fast slip the other way round: what they come to are the states of least and of most slip. By

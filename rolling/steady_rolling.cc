@@ -155,7 +155,7 @@ class StaggeredIteration {
         if (problem_.rate || problem_.friction_temperature)
             solve_rated(problem);
         else
-            solve_steady(compliance_, problem, problem_.tolerance, steady_);
+            solve_steady(compliance_, problem, {problem_.tolerance}, steady_);
         iterations_ += steady_.iterations;
     }
 

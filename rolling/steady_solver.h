@@ -3,6 +3,7 @@
 #include <Eigen/Dense>
 #include <array>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "contact/base/vector2.h"
@@ -45,6 +46,14 @@ class SteadySystem {
     /// creepage. Where nearly all slip along the force, hardly any rotation carries more of it.
     void set_zones(std::vector<std::uint8_t> slipping, std::vector<contact::Vector2> tangent,
                    std::vector<double> curvature, double relief);
+    /// Bounds that follow from the slip, per active point: what is missing of them [Pa], and their
+    /// change by `own` [Pa] times that of the slip's length, and by `ahead` [-] times that of the
+    /// point ahead. Slipping points then move along their traction as well; rows in this direction
+    /// are local (z_e - db) = local missing. Empty: bounds are given.
+    struct Following {
+        std::vector<double> missing, own, ahead;
+    };
+    void set_following(Following following) { following_ = std::move(following); }
     /// `r` [-] on the points, `c` [N]: right-hand sides. `tolerance`: on the residual over the
     /// first.
     Result solve(const contact::TangentialField& r, const contact::Vector2& c,
@@ -60,6 +69,9 @@ class SteadySystem {
     Eigen::VectorXd without_balance(const Eigen::VectorXd& r) const;
     Eigen::VectorXd unrolled(const Eigen::VectorXd& r) const;
     Eigen::VectorXd sliding(const Eigen::VectorXd& z) const;
+    Eigen::VectorXd admissible(const Eigen::VectorXd& z) const;
+    Eigen::VectorXd bound_change(const Eigen::VectorXd& slip_change) const;
+    contact::Vector2 direction(Eigen::Index k) const { return {tangent_[k][1], -tangent_[k][0]}; }
     Eigen::Vector2d total(const Eigen::VectorXd& z) const;
 
     const contact::Compliance& compliance_;
@@ -70,6 +82,7 @@ class SteadySystem {
     std::vector<std::uint8_t> slipping_;
     std::vector<contact::Vector2> tangent_;
     std::vector<double> curvature_;
+    Following following_;
     bool all_stick_ = true;
     std::array<Eigen::VectorXd, 2> answer_;  // without balance, to a creepage of 1
     double relief_ = 0;
@@ -100,6 +113,11 @@ struct SteadySolution {
     double force_residual = 0;  ///< |sum t A - F| / sum bound A, worst force-controlled direction
 };
 
+struct SteadyTolerances {
+    double residual = 0;
+    double force = 1e-10;  ///< on force_residual; as in contact::TangentialSolver
+};
+
 /// Semismooth Newton method (active set) as in contact::TangentialSolver, for the one state that
 /// rolling on no longer changes: a monotone variational inequality, whose Newton systems are not
 /// symmetric (see SteadySystem). Its solution is where transient rolling on the same grid ends.
@@ -110,6 +128,6 @@ struct SteadySolution {
 /// `solution`, whose traction and creepage are the start (may be zero; clipped). Throws
 /// NotConverged; InputError when the force exceeds what friction carries.
 void solve_steady(const contact::Compliance& compliance, const SteadyProblem& problem,
-                  double tolerance, SteadySolution& solution);
+                  const SteadyTolerances& tolerances, SteadySolution& solution);
 
 }  // namespace tricontact::rolling

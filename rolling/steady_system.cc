@@ -85,6 +85,25 @@ VectorXd SteadySystem::projected(const VectorXd& f) const {
     return p;
 }
 
+/// What of z displaces: without slipping points' tractions that their bounds hold.
+VectorXd SteadySystem::admissible(const VectorXd& z) const {
+    return following_.own.empty() ? projected(z) : VectorXd(z.head(2 * active_.size()));
+}
+
+/// Of the bounds [Pa] per active point, by this change of the slip [-].
+VectorXd SteadySystem::bound_change(const VectorXd& slip_change) const {
+    const Eigen::Index m = active_.size();
+    VectorXd change = VectorXd::Zero(m);
+    for (Eigen::Index k = m - 1; k >= 0; --k) {
+        if (slipping_[k]) {
+            const contact::Vector2 e = direction(k);
+            change[k] = following_.own[k] * (e[0] * slip_change[k] + e[1] * slip_change[m + k]);
+        }
+        if (following_.ahead[k] != 0) change[k] += following_.ahead[k] * change[k + 1];
+    }
+    return change;
+}
+
 /// M z.
 VectorXd SteadySystem::sliding(const VectorXd& z) const {
     const contact::ContactPoints& points = compliance_.points();
@@ -105,15 +124,29 @@ Eigen::Vector2d SteadySystem::total(const VectorXd& z) const {
 
 VectorXd SteadySystem::product(const VectorXd& z) const {
     const Eigen::Index m = active_.size();
-    const VectorXd admissible = projected(z);
-    VectorXd r = sliding(admissible);
+    const VectorXd held = projected(z);
+    const bool follows = !following_.own.empty();
+    const VectorXd all_of_it = follows ? VectorXd(z.head(2 * m)) : VectorXd();
+    const VectorXd& moved = follows ? all_of_it : held;
+    VectorXd r = sliding(moved);
     for (int d = 0; d < 2; ++d) r.segment(d * m, m).array() -= z[2 * m + d];
     VectorXd all(size());
     all.head(2 * m) = projected(r);
-    // Directions that are held have equations of their own: they stay at zero.
+    // Directions that are held have equations of their own: they stay at zero, or follow the slip.
     for (Eigen::Index k = 0; k < 2 * m; ++k)
-        all[k] += curvature_[k % m] * z[k] + local_ * (z[k] - admissible[k]);
-    const Eigen::Vector2d force = total(admissible);
+        all[k] += curvature_[k % m] * z[k] + local_ * (z[k] - held[k]);
+    if (follows) {
+        const VectorXd change = bound_change(-r);
+        for (Eigen::Index k = 0; k < m; ++k) {
+            if (!slipping_[k]) continue;
+            const contact::Vector2 e = direction(k);
+            const double along = e[0] * z[k] + e[1] * z[m + k];
+            const double extra = -local_ * change[k] - curvature_[k] * along;
+            all[k] += extra * e[0];
+            all[m + k] += extra * e[1];
+        }
+    }
+    const Eigen::Vector2d force = total(moved);
     for (int d = 0; d < 2; ++d)
         all[2 * m + d] = force_controlled_[d] ? force[d] + relief_ * z[2 * m + d] : z[2 * m + d];
     return all;
@@ -147,7 +180,7 @@ VectorXd SteadySystem::preconditioned(const VectorXd& r) const {
     const Eigen::Index m = active_.size();
     VectorXd z(size());
     z.head(2 * m) = without_balance(r);
-    const Eigen::Vector2d force = total(projected(z));
+    const Eigen::Vector2d force = total(admissible(z));
     Eigen::Vector2d missing = r.tail(2);
     for (int d = 0; d < 2; ++d)
         if (force_controlled_[d]) missing[d] -= force[d];
@@ -161,13 +194,21 @@ SteadySystem::Result SteadySystem::solve(const contact::TangentialField& r,
     const Eigen::Index m = active_.size();
     VectorXd right_hand_side(size());
     right_hand_side.head(2 * m) = projected(gathered(r, active_));
+    if (!following_.own.empty()) {
+        for (Eigen::Index k = 0; k < m; ++k) {
+            if (!slipping_[k]) continue;
+            const contact::Vector2 e = direction(k);
+            right_hand_side[k] += local_ * following_.missing[k] * e[0];
+            right_hand_side[m + k] += local_ * following_.missing[k] * e[1];
+        }
+    }
     for (int d = 0; d < 2; ++d)
         right_hand_side[2 * m + d] = force_controlled_[d] ? c[d] * local_ / area_ : 0;
 
     const GmresResult found = gmres([&](const VectorXd& x) { return product(x); },
                                     [&](const VectorXd& x) { return preconditioned(x); },
                                     right_hand_side, tolerance, max_iterations);
-    Result result{scattered(projected(found.x), active_, compliance_.points().size()),
+    Result result{scattered(admissible(found.x), active_, compliance_.points().size()),
                   {},
                   found.iterations,
                   found.residual};

@@ -99,6 +99,13 @@ void say(const std::string& line) {
     say_plainly("fem: " + line);
 }
 
+/// `does`: "mesh writes"; what it does with layers, and with no body of an indenter.
+void require_rigid_indenter(const Case& c, const std::string& does) {
+    if (c.indenter.body)
+        throw contact::InputError("indenter.body: " + does +
+                                  " the layer under a rigid indenter; leave indenter.body out");
+}
+
 /// A case's layer on its way into the cache.
 class Order {
   public:
@@ -114,6 +121,7 @@ class Order {
 
     /// Empty when the layer is there already.
     std::optional<fem::LayerProblem> problem() {
+        require_rigid_indenter(case_, "cache condense condenses");
         auto problem = fem::problem_of(case_, fem::make_mesh(case_, say_plainly));
         key_ = fem::LayerCache::key(problem);
         n_elements_ = problem.mesh.hexes.size();
@@ -193,6 +201,7 @@ Answer clear(const std::string& folder, const std::vector<fem::KeptLayer>& layer
 
 Answer write_mesh_of(CommandOptions options) {
     const Case c = io::read_case(options.file, options.overrides);
+    require_rigid_indenter(c, "mesh writes");
     options.choose_folder();
     std::string geometry;  // of a mesh of our own
     meshes::HexMesh mesh;

@@ -103,7 +103,10 @@ std::optional<double> own_amplitude_limit(const contact::Case& c, const contact:
     if (is_line && !is_coulomb && !c.relaxation && theory::has_body_theory(c) &&
         contact::model_kind(history.model).is_independent() && !c.interface.is_elastic())
         return theory::amplitude_limit(c, f);
-    const Surface grid = is_line || is_grid(s) ? s : Resampling(s)(s);
+    Surface grid = is_line || is_grid(s) ? s : Resampling(s)(s);
+    // What hardens comes to carry the most that it may.
+    if (c.friction.remembers())
+        c.friction.law()->bounds({grid.normal_traction}, grid.friction_bound);
     const auto distance =
         distance_at(grid,
                     is_line      ? is_coulomb ? grid.normal_line_load : line_bounds(grid, radius)

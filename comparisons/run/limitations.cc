@@ -140,6 +140,10 @@ std::vector<std::string> slip_memory_sentences(const contact::Case& c, const Sum
     constexpr double noticed = 1e-3, long_steps = .01;  // of the frictional work so far
     std::vector<std::string> sentences;
     if (!c.friction.remembers()) return sentences;
+    if (c.rolling)
+        sentences.emplace_back(
+            "What the layer between the surfaces has flowed stays, and it hardens until it carries "
+            "what the surfaces do: the limits of shakedown are theirs.");
     for (const Results& s : summaries) {
         const std::string name = report::display_name(s.model);
         const double others = s.number(quantities::steps_of_other_states).value_or(0);

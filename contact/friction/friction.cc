@@ -63,8 +63,8 @@ class WeakeningLaw final : public FrictionLaw {
     bool remembers() const override { return true; }
     bool weakens() const override { return true; }
     double healed(double) const override { return 0; }
-    double work(double pressure, double way, double slip) const override {
-        const double left = weakening_.integral(way + slip) - weakening_.integral(way);
+    double work(double pressure, double from, double to, double slip) const override {
+        const double left = weakening_.integral(to) - weakening_.integral(from);
         return pressure * (at_rest_ * slip - weakening_.drop * (slip - left));
     }
 
@@ -77,7 +77,8 @@ class WeakeningLaw final : public FrictionLaw {
     FrictionWeakening weakening_;
 };
 
-/// Of a layer that flows before the surfaces slip, by what remains of its material's way.
+/// Of a layer that flows before the surfaces slip, by its material's way. Without a way: the most
+/// that it comes to carry, which is that of the surfaces where it hardens.
 class YieldingLaw final : public FrictionLaw {
   public:
     YieldingLaw(std::shared_ptr<const FrictionLaw> surfaces, const InterfaceYield& yield)
@@ -85,6 +86,7 @@ class YieldingLaw final : public FrictionLaw {
 
     void bounds(const Points& points, std::span<double> bound) const override {
         surfaces_->bounds({points.pressure, points.x, points.y}, bound);
+        if (points.way.empty() && yield_.hardening > 0) return;
         for (std::size_t i = 0; i < bound.size(); ++i)
             bound[i] = std::min(bound[i], strength(points.way.empty() ? 0 : points.way[i]));
     }
@@ -96,13 +98,18 @@ class YieldingLaw final : public FrictionLaw {
     double way(double before, double slip, double pressure) const override {
         return before + flow(before, slip, surfaces_->bound(pressure));
     }
-    double work(double pressure, double way, double slip) const override {
-        const double friction = surfaces_->bound(pressure);
-        const double flows = flow(way, slip, friction);
-        const double carries = yield_.hardening > 0
-                                   ? flows
-                                   : std::clamp(-yield_.stress / yield_.hardening - way, 0., flows);
-        return carries * strength(way + carries / 2) + (slip - flows) * friction;
+    double work(double pressure, double from, double to, double slip) const override {
+        if (yield_.hardening > 0) {
+            const double friction = surfaces_->bound(pressure);
+            const double start = strength(from), end = strength(to);
+            // Steep hardening tells the flow better than the slip: what it carries has it all.
+            const bool slides = end >= friction * (1 - 1e-9);
+            const double flows = slides ? std::min(slip, to - from) : slip;
+            return flows * std::min(friction, (start + end) / 2) + (slip - flows) * friction;
+        }
+        const double flows = to - from;
+        const double carries = std::clamp(-yield_.stress / yield_.hardening - from, 0., flows);
+        return carries * strength(from + carries / 2) + (slip - flows) * surfaces_->bound(pressure);
     }
 
   private:

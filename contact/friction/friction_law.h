@@ -15,7 +15,7 @@ class FrictionLaw {
         std::span<const double> pressure;  ///< on the true area [Pa]
         std::span<const double> x = {},
                                 y = {};  ///< on the substrate [m]; empty: it is the same all over
-        /// Of what remembers(): the way that it has slipped [m]; empty: none.
+        /// Of what remembers(): the way that it has slipped [m]; empty: that of the largest bound.
         std::span<const double> way = {};
     };
     /// The contact as a whole.
@@ -33,7 +33,8 @@ class FrictionLaw {
 
     /// Whether a bound depends on the way that its point has slipped.
     virtual bool remembers() const { return false; }
-    /// The most by which a bound rises with the way [Pa/m], and whether any falls with it.
+    /// By how much bounds rise with the way [Pa/m], from what they are at rest to what they are
+    /// after an infinite one; and whether any falls with it.
     virtual double hardening() const { return 0; }
     virtual bool weakens() const { return false; }
     /// The way after a point at this pressure has slipped by `slip` more [m], and what is left of
@@ -43,9 +44,10 @@ class FrictionLaw {
         return before + slip;
     }
     virtual double healed(double way) const { return way; }
-    /// Frictional work per area of a point that goes on from this way by `slip` [J/m^2].
-    virtual double work(double pressure, double way, double slip) const {
-        static_cast<void>(way);
+    /// Frictional work per area of a point that slips by `slip`, from a way to another [J/m^2].
+    virtual double work(double pressure, double from, double to, double slip) const {
+        static_cast<void>(from);
+        static_cast<void>(to);
         return bound(pressure) * slip;
     }
 

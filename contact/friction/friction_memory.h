@@ -18,8 +18,8 @@ struct FrictionWeakening {
 };
 
 /// Yield of a layer between the surfaces: it flows, and carries tau_c = stress + hardening u, by
-/// the way u that it has flowed since its material came into contact. Hou, Kalousek and Magel
-/// (1997); Meierhofer et al. (2014).
+/// the way u that it has flowed at a place of the substrate. Hou, Kalousek and Magel (1997);
+/// Meierhofer et al. (2014).
 struct InterfaceYield {
     double stress = 0;     ///< tau_c0 [Pa]
     double hardening = 0;  ///< k_tau [Pa/m]; below 0 it softens

@@ -95,6 +95,8 @@ constexpr std::array kinds{
               .sees_sides = true,
               .sees_finite_strains = true,
               .sees_elastic_indenter = false,
+              .sees_indenter_body = true,
+              .sees_rigid_substrate = true,
               .sees_elastic_interface = true,
               .maps = models::bem_layer},
     ModelKind{.name = models::fem_plane,

@@ -67,8 +67,8 @@ struct ModelKind {
     bool couples = true;      ///< normal and tangential contact, where the bodies do
     bool sees_sides = false;  ///< of a layer of finite width and depth
     bool sees_finite_strains = false;
-    bool sees_elastic_indenter = true;
-    bool sees_indenter_body = false;  ///< of finite size
+    bool sees_elastic_indenter = true;  ///< as a half-space
+    bool sees_indenter_body = false;    ///< of finite size
     bool sees_rigid_substrate = false;
     bool sees_elastic_interface = false;
     bool sees_period = false;  ///< contacts that repeat

@@ -39,15 +39,14 @@ class OneSidedFixedPoint {
   public:
     static constexpr int max_iterations = 500;
 
-    /// `first`: iterates that are taken as they are.
-    explicit OneSidedFixedPoint(int first = 30) : first_(first) {}
     std::vector<double> next(const std::vector<double>& x, const std::vector<double>& g,
                              double residual) {
-        return n_++ < first_ ? g : accelerated_.next(x, g, residual);
+        return n_++ < first ? g : accelerated_.next(x, g, residual);
     }
 
   private:
-    int first_, n_ = 0;
+    static constexpr int first = 30;  // iterates that are taken as they are
+    int n_ = 0;
     FixedPoint accelerated_;
 };
 

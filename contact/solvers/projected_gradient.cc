@@ -14,6 +14,9 @@
 // first for which the projected tractions carry it: a balance of two equations, monotone in two
 // unknowns. Nesterov's momentum makes the error fall as 1/k^2; it is dropped where a step goes
 // uphill (O'Donoghue and Candes 2015).
+//
+// Where bounds rise with the slip the work of flow (|t| - at_start)^2/(2 slope) joins the minimum,
+// and its proximal point takes the place of the nearest admissible one (FrictionDisc::project).
 
 namespace tricontact::contact {
 
@@ -48,11 +51,11 @@ class ProjectedGradient {
           tilt_(problem.tilt.among(active)),
           points_(active.size(), compliance.n_threads()),
           area_(active.size()),
-          bound_(active.size()),
+          disc_(active.size()),
           previous_(active.size()) {
         points_.for_points([&](std::size_t k) {
             area_[k] = compliance.points().area[active[k]];
-            bound_[k] = problem.bound[active[k]];
+            disc_[k] = problem.disc(active[k]);
             previous_.set(k, problem.previous_displacement.at(active[k]));
         });
         stiffness_ = 1 / largest_eigenvalue();
@@ -120,19 +123,22 @@ class ProjectedGradient {
     Balance balance_at(const TangentialField& point, const Vector2& shift) const {
         Balance all = points_.sum_points<Balance>([&](Balance& b, std::size_t k) {
             const Vector2 v = point.at(k) + tilt_.apply(k, shift);
-            const double bound = bound_[k], size = norm(v);
-            const bool slips = size > bound;
-            const Vector2 p = slips ? (bound / size) * v : v;
+            const FrictionDisc& disc = disc_[k];
+            const double size = norm(v), radius = disc.radius(size, 1 / stiffness_);
+            const bool slips = size > disc.at_start;
+            const Vector2 p = slips ? (radius / size) * v : v;
             b.missing = b.missing - area_[k] * tilt_.apply(k, p);
-            b.scale += area_[k] * bound;
+            b.scale += area_[k] * disc.bound;
             b.area += area_[k];
-            b.potential += area_[k] * (slips ? bound * (size - bound / 2) : size * size / 2);
-            const double a = area_[k] * (slips ? bound / size : 1);
+            b.potential += area_[k] * disc.potential(size, 1 / stiffness_);
+            const double a = area_[k] * (slips ? radius / size : 1);
+            // What the radius turns with and does not grow.
+            const double c = slips ? a - area_[k] * disc.rise(size, 1 / stiffness_) : 0;
             const Vector2 e = slips ? v / size : Vector2{};
             const Vector2 x = tilt_.apply(k, {1, 0}), y = tilt_.apply(k, {0, 1});
-            b.j_xx += a * (dot(x, x) - dot(e, x) * dot(e, x));
-            b.j_xy += a * (dot(x, y) - dot(e, x) * dot(e, y));
-            b.j_yy += a * (dot(y, y) - dot(e, y) * dot(e, y));
+            b.j_xx += a * dot(x, x) - c * dot(e, x) * dot(e, x);
+            b.j_xy += a * dot(x, y) - c * dot(e, x) * dot(e, y);
+            b.j_yy += a * dot(y, y) - c * dot(e, y) * dot(e, y);
         });
         for (int d = 0; d < 2; ++d) {
             if (force_controlled(d)) {
@@ -175,7 +181,7 @@ class ProjectedGradient {
             }
         }
         points_.for_points([&](std::size_t k) {
-            t.set(k, project_on_disc(point.at(k) + tilt_.apply(k, shift_), bound_[k]));
+            t.set(k, disc_[k].project(point.at(k) + tilt_.apply(k, shift_), 1 / stiffness_));
         });
     }
 
@@ -192,7 +198,8 @@ class ProjectedGradient {
     const TangentialProblem& problem_;
     const Tilt tilt_;
     const Blocks points_;
-    std::vector<double> area_, bound_;
+    std::vector<double> area_;
+    std::vector<FrictionDisc> disc_;
     TangentialField previous_;
     double stiffness_ = 0;  // step length of the gradient [Pa/m]
     Vector2 shift_{};       // multiplier of the force balance, dU times stiffness [Pa]

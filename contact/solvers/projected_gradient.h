@@ -2,7 +2,6 @@
 
 #include <vector>
 
-#include "contact/base/vector2.h"
 #include "contact/solvers/tangential_solver.h"
 
 namespace tricontact::contact {
@@ -14,17 +13,5 @@ namespace tricontact::contact {
 void projected_gradient(const Compliance& compliance, const std::vector<std::size_t>& active,
                         const ActiveOperator& products, const TangentialProblem& problem,
                         int iterations, TangentialSolution& solution);
-
-/// Point of the edge of the disc of radius `bound` (Coulomb's friction disc) in the direction of
-/// `t`, which is not zero.
-inline Vector2 onto_edge(const Vector2& t, double bound) {
-    const double factor = bound / norm(t);
-    return {t[0] * factor, t[1] * factor};
-}
-
-/// Nearest point to `t` in that disc.
-inline Vector2 project_on_disc(const Vector2& t, double bound) {
-    return norm(t) <= bound ? t : onto_edge(t, bound);
-}
 
 }  // namespace tricontact::contact

@@ -110,7 +110,8 @@ void StaggeredSolver::solve_growing(const TangentialProblem& problem, const Step
                .control = problem.control,
                .contact_compliance = problem.contact_compliance,
                .looseness = problem.looseness,
-               .displaces_all = problem.displaces_all});
+               .displaces_all = problem.displaces_all,
+               .hardening = problem.hardening});
         const std::vector<double> found = traction_ratio(met, radius);
         double change = 0;
         for (int d = 0; d < 3; ++d)

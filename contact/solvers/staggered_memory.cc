@@ -30,13 +30,27 @@ std::vector<double> StaggeredSolver::bounds_by_way(const std::vector<double>& wa
     return bound;
 }
 
+/// A layer that flows and hardens: what it carries in the step rises with its flow from what it has
+/// carried before up to what the surfaces do, and is solved for together with the tractions. Flow
+/// is told by the tractions: where the layer hardens steeply it is less than slips are known to.
+void StaggeredSolver::harden(const LoadStep& step, const StepStart& before, double contact_area) {
+    const std::vector<double> at_start = bounds_by_way(before.way, now_.bound);
+    const Hardening hardening{at_start, friction_->hardening() / substrate_.stiffness()};
+    solve_under_bounds(step, before, contact_area, &hardening);
+    blocks().for_points([&](std::size_t i) {
+        const double carried = norm(now_.tangential.traction.at(i));
+        now_.bound[i] = std::clamp(carried, at_start[i], now_.bound[i]);
+        now_.way[i] = before.way[i] + (now_.bound[i] - at_start[i]) / friction_->hardening();
+    });
+}
+
 /// The ways of points after the present solution's slip.
 void StaggeredSolver::update_way(const StepStart& before) {
     const TangentialField old = displaced_before(before);
     const double stiffness = substrate_.stiffness();
     blocks().for_points([&](std::size_t i) {
         const double pressure = now_.normal->pressure[i];
-        now_.way[i] = 0;
+        now_.way[i] = friction_->healed(before.way[i]);
         if (!(pressure > 0)) return;
         const Vector2 moved = (old.at(i) - now_.tangential.displacement.at(i)) / stiffness;
         const Vector2 slip = now_.tangential.shift_increment + moved - before_touch(i);
@@ -48,23 +62,16 @@ void StaggeredSolver::update_way(const StepStart& before) {
 /// given ones. Throws InputError when the force is more than what slips carries, NotConverged.
 void StaggeredSolver::settle_bounds(const LoadStep& step, const StepStart& before,
                                     const std::vector<double>& at_rest, double contact_area) {
-    const double compliance =
-        now_.normal->length * std::max(now_.shift_factor, 1.) * contact_area / now_.normal->force;
-    const double weight = 1 / (1 + friction_->hardening() * compliance);
     const double mean = now_.total_bound / contact_area;
     now_.bound = bounds_by_way(now_.way, at_rest);
-    // Bounds that rise have one state alone.
-    OneSidedFixedPoint iteration = weight < 1 ? OneSidedFixedPoint(0) : OneSidedFixedPoint();
+    OneSidedFixedPoint iteration;
     for (int k = 0; k < OneSidedFixedPoint::max_iterations; ++k) {
         solve_under_bounds(step, before, contact_area);
         update_way(before);
         std::vector<double> next = bounds_by_way(now_.way, at_rest);
         double change = 0;
-        for (std::size_t i = 0; i < next.size(); ++i) {
-            const double rise = next[i] - now_.bound[i];
-            change = larger(change, std::abs(rise) / mean);
-            next[i] = now_.bound[i] + weight * rise;
-        }
+        for (std::size_t i = 0; i < next.size(); ++i)
+            change = larger(change, std::abs(next[i] - now_.bound[i]) / mean);
         if (change <= looseness_ * tolerance_) return;
         next = iteration.next(now_.bound, next, change);
         for (double& bound : next) bound = std::max(bound, 0.);
@@ -78,8 +85,7 @@ void StaggeredSolver::settle_bounds(const LoadStep& step, const StepStart& befor
 
 /// From the slip at the start of the step bounds that fall with it fall from one iterate to the
 /// next and slip grows: what they come to is the state of least slip, which the last one goes over
-/// into as the load grows, and where that ends the next one, into which the contact jumps. Bounds
-/// that rise with the slip have one state alone.
+/// into as the load grows, and where that ends the next one, into which the contact jumps.
 void StaggeredSolver::follow_slip(const LoadStep& step, const StepStart& before,
                                   double contact_area) {
     const std::vector<double> at_rest = now_.bound;

@@ -233,14 +233,16 @@ double StaggeredSolver::update_bounds() {
 
 void StaggeredSolver::solve_tangential(const LoadStep& step, const StepStart& before) {
     const double contact_area = update_bounds();
-    if (friction_->remembers() && contact_area > 0)
+    if (friction_->hardening() > 0 && contact_area > 0)
+        harden(step, before, contact_area);
+    else if (friction_->remembers() && contact_area > 0)
         follow_slip(step, before, contact_area);
     else
         solve_under_bounds(step, before, contact_area);
 }
 
 void StaggeredSolver::solve_under_bounds(const LoadStep& step, const StepStart& before,
-                                         double contact_area) {
+                                         double contact_area, const Hardening* hardening) {
     // Where friction lowers the surface, its errors come back in the gap, mu times those over mu p.
     if (!coupling_.is_decoupled())
         tangential_solver_->set_tolerance(std::min(1., .1 / friction_ratio()) * tolerance_);
@@ -261,7 +263,8 @@ void StaggeredSolver::solve_under_bounds(const LoadStep& step, const StepStart& 
                    .control = control,
                    .contact_compliance = contact_compliance,
                    .looseness = looseness_,
-                   .displaces_all = focus_.empty() || friction_->remembers()},
+                   .displaces_all = focus_.empty() || friction_->remembers(),
+                   .hardening = hardening},
                   before);
     for (int d = 0; d < 2; ++d) {
         now_.tangential.shift_increment[d] /= stiffness;

@@ -125,7 +125,9 @@ class StaggeredSolver {
     void share_points(const std::vector<double>& height, NormalSolution& solution);
     void solve_friction(const LoadStep& step, const StepStart& before);
     void solve_tangential(const LoadStep& step, const StepStart& before);
-    void solve_under_bounds(const LoadStep& step, const StepStart& before, double contact_area);
+    void solve_under_bounds(const LoadStep& step, const StepStart& before, double contact_area,
+                            const Hardening* hardening = nullptr);
+    void harden(const LoadStep& step, const StepStart& before, double contact_area);
     void follow_slip(const LoadStep& step, const StepStart& before, double contact_area);
     std::vector<double> bounds_by_way(const std::vector<double>& way,
                                       const std::vector<double>& at_rest) const;

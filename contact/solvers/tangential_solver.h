@@ -6,6 +6,7 @@
 
 #include "contact/compliances/compliance.h"
 #include "contact/solvers/control.h"
+#include "contact/solvers/friction_disc.h"
 #include "contact/solvers/tangential_system.h"
 
 // The problem: docs/explanation/models/common.md, "What is solved in a step". Coulomb's law is one
@@ -26,6 +27,11 @@
 // stays positive definite. Afterwards t is put back on the edge (`onto_edge`), an error of second
 // order.
 //
+// Where bounds rise with the slip (Hardening), P is that of FrictionDisc: a third zone flows, with
+// two unknowns and the equation s = (|t| - at_start)/slope t/|t|. It adds to the matrix what a
+// layer of the compliance 1/slope along t would, from none (infinite slope: it sticks) to one that
+// holds |t| (no slope: it slips). So any slope is solved in as many steps as Coulomb's law.
+//
 // Pressures stand still here. That keeps the matrix symmetric; with p as an unknown the bound mu p
 // would make it unsymmetric. StaggeredSolver changes the pressures.
 //
@@ -37,7 +43,7 @@ namespace tricontact::contact {
 
 /// One step of frictional contact at given pressures: find tractions t on the substrate,
 /// |t| <= bound, such that the slip s = D dU + u_previous - A t vanishes where |t| < bound and
-/// points along t where |t| = bound.
+/// points along t where |t| = bound. With `hardening` it may be less than bound where it slips.
 struct TangentialProblem {
     const std::vector<double>& bound;              ///< per point [Pa], 0 outside the contact
     const TangentialField& previous_displacement;  ///< [m], before the step
@@ -52,6 +58,21 @@ struct TangentialProblem {
     double looseness = 1;
     /// The displacements of all points are wanted.
     bool displaces_all = true;
+    /// Of bounds that rise with the slip; null: they do not.
+    const Hardening* hardening = nullptr;
+
+    FrictionDisc disc(std::size_t i) const {
+        return hardening ? FrictionDisc{hardening->at_start[i], bound[i], hardening->slope}
+                         : FrictionDisc{bound[i], bound[i], 0};
+    }
+
+    /// The alpha that tells the zones on the way [m/Pa]. Where a traction makes a point slip by far
+    /// more (`alone`) than the contact as a whole, as springs of an interface on mdr's line do,
+    /// zones by the contact's compliance jump from step to step and lead nowhere.
+    double zone_compliance(double alone) const {
+        constexpr double alike = 4;  // on half-spaces and layers a point's is the smaller one
+        return alone > alike * contact_compliance ? alone : contact_compliance;
+    }
 };
 
 struct TangentialSolution {

@@ -62,14 +62,16 @@ TangentialSystem::TangentialSystem(const Compliance& compliance,
         *field = TangentialField(active.size());
 }
 
-bool TangentialSystem::set_zones(const std::vector<std::uint8_t>& slipping,
-                                 std::vector<Vector2> tangent, std::vector<double> curvature) {
-    slipping_ = slipping;
-    tangent_ = std::move(tangent);
-    curvature_ = std::move(curvature);
+bool TangentialSystem::set_zones(Zones zones) {
+    zones_ = std::move(zones);
+    radial_scaling_.resize(zones_.radial.size());
     // Points held by a large curvature hardly move: the scaling tells the preconditioner so.
     points_.for_points([&](std::size_t k) {
-        scaling_[k] = slipping_[k] ? std::sqrt(local_ / (local_ + curvature_[k])) : 1;
+        const auto part = [&](double resistance) {
+            return std::sqrt(local_ / (local_ + resistance));
+        };
+        scaling_[k] = zones_.slipping[k] || flows(k) ? part(zones_.curvature[k]) : 1;
+        if (flows(k)) radial_scaling_[k] = part(zones_.radial[k]);
     });
 
     for (int d = 0; d < 2; ++d) {
@@ -92,9 +94,22 @@ bool TangentialSystem::set_zones(const std::vector<std::uint8_t>& slipping,
 }
 
 void TangentialSystem::precondition(const TangentialField& r, TangentialField& z) {
-    points_.for_points([&](std::size_t k) { scaled_.set(k, scaling_[k] * r.at(k)); });
+    points_.for_points([&](std::size_t k) { scaled_.set(k, scaled(k, r.at(k))); });
     products_.precondition(scaled_, z);
-    points_.for_points([&](std::size_t k) { z.set(k, projected(k, scaling_[k] * z.at(k))); });
+    points_.for_points([&](std::size_t k) { z.set(k, projected(k, scaled(k, z.at(k)))); });
+}
+
+/// Of what flows along its traction what it comes to in tractions, times the local compliance: a
+/// layer that is much softer than the body would multiply rounding.
+double TangentialSystem::rms_residual() const {
+    if (zones_.radial.empty()) return std::sqrt(inner(residual_, residual_) / area_);
+    const double sum = points_.sum_terms([&](std::size_t k) {
+        const Vector2 r = residual_.at(k);
+        const double across = flows(k) ? radial_scaling_[k] * radial_scaling_[k] : 1;
+        const Vector2 weighed = flows(k) ? stretched(k, r, 1, across) : r;
+        return areas_[k] * dot(weighed, weighed);
+    });
+    return std::sqrt(sum / area_);
 }
 
 double TangentialSystem::inner(const TangentialField& a, const TangentialField& b) const {
@@ -184,7 +199,7 @@ void TangentialSystem::apply() {
     products_.apply_roughly(direction_, a_direction_);
     ++result_.iterations;
     points_.for_points([&](std::size_t k) {
-        h_direction_.set(k, projected(k, a_direction_.at(k)) + curvature_[k] * direction_.at(k));
+        h_direction_.set(k, projected(k, a_direction_.at(k)) + resisted(k, direction_.at(k)));
     });
 }
 

@@ -40,7 +40,8 @@ class Tilt {
 /// unknowns; slipping ones move along the tangent of their friction disc only:
 ///   P A z + D z - C dU = r,   C' z = c,
 /// P the projection onto the admissible directions, D = (s.e)/bound on slipping points (the
-/// curvature of the disc), C the total forces in the force-controlled directions.
+/// curvature of the disc), C the total forces in the force-controlled directions. Points that flow
+/// have two unknowns too, and in D a part along their traction as well.
 class TangentialSystem {
   public:
     /// Conjugate gradients stop when the r.m.s. residual [m] is below both limits.
@@ -63,16 +64,35 @@ class TangentialSystem {
                      Tilt tilt = {});
 
     /// What stands per active point: whether it slips, and if so the unit tangent of its friction
-    /// disc and the curvature D [m/Pa]. False if the force balance is singular on these zones.
-    bool set_zones(const std::vector<std::uint8_t>& slipping, std::vector<Vector2> tangent,
-                   std::vector<double> curvature);
+    /// disc and the curvature D [m/Pa]. What flows does not slip and has D along its traction in
+    /// `radial` > 0 [m/Pa] (empty: nothing flows), tangent and curvature.
+    struct Zones {
+        std::vector<std::uint8_t> slipping;
+        std::vector<Vector2> tangent;
+        std::vector<double> curvature, radial;
+    };
+    /// False if the force balance is singular on these zones.
+    bool set_zones(Zones zones);
 
     /// `r` [m], `c` [N]: right-hand sides. The result stays valid until the next call.
     const Result& solve(const TangentialField& r, const Vector2& c, const Limits& limits);
 
   private:
     Vector2 projected(std::size_t k, const Vector2& f) const {
-        return slipping_[k] ? dot(tangent_[k], f) * tangent_[k] : f;
+        return zones_.slipping[k] ? dot(zones_.tangent[k], f) * zones_.tangent[k] : f;
+    }
+    bool flows(std::size_t k) const { return !zones_.radial.empty() && zones_.radial[k] > 0; }
+    /// Along the tangent and across it, each times a factor.
+    Vector2 stretched(std::size_t k, const Vector2& f, double along, double across) const {
+        const Vector2 part = dot(zones_.tangent[k], f) * zones_.tangent[k];
+        return along * part + across * (f - part);
+    }
+    Vector2 scaled(std::size_t k, const Vector2& f) const {
+        return flows(k) ? stretched(k, f, scaling_[k], radial_scaling_[k]) : scaling_[k] * f;
+    }
+    Vector2 resisted(std::size_t k, const Vector2& f) const {
+        return flows(k) ? stretched(k, f, zones_.curvature[k], zones_.radial[k])
+                        : zones_.curvature[k] * f;
     }
     void precondition(const TangentialField& r, TangentialField& z);
     double inner(const TangentialField& a, const TangentialField& b) const;
@@ -85,7 +105,7 @@ class TangentialSystem {
     void move(double step);
     void turn(double beta);
     void precondition_balanced();
-    double rms_residual() const { return std::sqrt(inner(residual_, residual_) / area_); }
+    double rms_residual() const;
 
     const double local_;  // see Compliance::local_tangential [m/Pa]
     const ActiveOperator& products_;
@@ -94,9 +114,8 @@ class TangentialSystem {
     Tilt tilt_;
     std::vector<double> areas_;  // of the active points [m^2]
     double area_ = 0;            // their sum
-    std::vector<std::uint8_t> slipping_;
-    std::vector<Vector2> tangent_;
-    std::vector<double> curvature_, scaling_;
+    Zones zones_;
+    std::vector<double> scaling_, radial_scaling_;
     std::array<TangentialField, 2> constraint_;      // C
     std::array<TangentialField, 2> preconditioned_;  // M^-1 C
     std::array<std::array<double, 2>, 2> schur_inverse_{};

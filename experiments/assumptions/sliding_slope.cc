@@ -25,8 +25,14 @@ struct SlidingForces {
     std::vector<double> loads, forces, errors;  // [N]
 };
 
-SlidingForces read_sliding(const std::string& file) {
-    const std::string name = std::filesystem::path(file).filename().string();
+constexpr const char* few_loads = "a slope and its error need three different loads at least";
+
+std::size_t n_loads(const SlidingForces& read) {
+    return std::set<double>(read.loads.begin(), read.loads.end()).size();
+}
+
+/// `name`: for messages. `is_alone`: no other table has further loads.
+SlidingForces read_sliding(const std::string& file, const std::string& name, bool is_alone) {
     const io::CsvTable table(
         io::utf8_text(io::read_input_file(file, "table of a measurement", 1), name), name,
         {.kind = "table of a measurement",
@@ -43,9 +49,25 @@ SlidingForces read_sliding(const std::string& file) {
         read.errors = table.values("sliding_force_error", io::Dimension::force);
         table.check_positive("sliding_force_error");
     }
-    if (std::set<double>(read.loads.begin(), read.loads.end()).size() < least_loads)
-        table.refuse_header("a slope and its error need three different loads at least");
+    if (is_alone && n_loads(read) < least_loads) table.refuse_header(few_loads);
     return read;
+}
+
+SlidingForces read_all(const std::vector<std::string>& files, const io::Document& document) {
+    SlidingForces all;
+    for (const std::string& file : files) {
+        const std::string name =
+            files.size() > 1 ? file : std::filesystem::path(file).filename().string();
+        const SlidingForces one = read_sliding(document.path_of(file), name, files.size() == 1);
+        if (!all.loads.empty() && all.errors.empty() != one.errors.empty())
+            io::fail(name, "", "of several tables all state errors or none",
+                     "add sliding_force_error to all of them, or leave it out");
+        all.loads.insert(all.loads.end(), one.loads.begin(), one.loads.end());
+        all.forces.insert(all.forces.end(), one.forces.begin(), one.forces.end());
+        all.errors.insert(all.errors.end(), one.errors.begin(), one.errors.end());
+    }
+    if (n_loads(all) < least_loads) io::fail(io::joined(files), "", few_loads, "measure more");
+    return all;
 }
 
 }  // namespace
@@ -53,10 +75,10 @@ SlidingForces read_sliding(const std::string& file) {
 std::optional<SlidingSlope> sliding_slope(const io::Document& document) {
     const io::Entry* entry = document.find(sliding_key);
     if (!entry) return {};
-    std::string file;
-    io::read_field(io::rig_key(sliding_key), *entry, io::Field(&file));
-    const SlidingForces read = io::told_at(document, std::string(sliding_key),
-                                           [&] { return read_sliding(document.path_of(file)); });
+    std::vector<std::string> files;
+    io::read_field(io::rig_key(sliding_key), *entry, io::Field(&files));
+    const SlidingForces read =
+        io::told_at(document, std::string(sliding_key), [&] { return read_all(files, document); });
     std::vector<double> x, y, weights;
     for (std::size_t i = 0; i < read.loads.size(); ++i) {
         x.push_back(std::log(read.loads[i]));

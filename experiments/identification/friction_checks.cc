@@ -4,6 +4,7 @@
 
 #include "experiments/identification/friction_values.h"
 #include "experiments/identification/identification_checks.h"
+#include "experiments/identification/law_parameters.h"
 #include "io/case/measurement_laws.h"
 #include "io/case/measurement_models.h"
 #include "io/keys/key_checks.h"
@@ -14,35 +15,49 @@ namespace tricontact::experiments {
 using Input = IdentificationInput;
 using Measurement = Input::Measurement;
 
+namespace {
+
+/// What is found is of the law that [friction] states, the number itself or not.
+void check_stated_law(const std::vector<std::string>& find, const io::Document& document) {
+    const auto is_free = [&](std::string_view key) { return std::ranges::count(find, key) > 0; };
+    for (const std::string_view key : {exponent_key, strength_limit_key})
+        if (is_free(key) && !is_free(coefficient_key) && !document.find(coefficient_key))
+            io::refuse(document, "measurement.find",
+                       "has " + std::string(key) + " of a law without mu",
+                       "add friction.coefficient, to it or to [friction]");
+    if (is_free(exponent_key) && !document.find(exponent_key))
+        io::refuse(document, "measurement.find",
+                   "has n of mu p_r (p/p_r)^n, which [friction] does not state",
+                   "add pressure_exponent = 0.8 or the like, where the search starts, and "
+                   "reference_pressure to [friction]");
+}
+
+}  // namespace
+
 bool tells_young(Measurement measurement) {
     return measurement != Measurement::rolling_shift && measurement != Measurement::sliding_force;
 }
 
 void check_laws(const Input& input, const std::vector<std::string>& find,
                 const io::Document& document) {
-    const bool finds_coefficient = std::ranges::count(find, "friction.coefficient") > 0;
     if (input.find(Measurement::rolling_shift) && !input.find(Measurement::static_shift) &&
         input.find(Measurement::sliding_force))
         io::refuse(document, "measurement.sliding_force",
                    "beside rolling_shift friction follows from static shifts",
                    "add static_shift, or leave out one of both");
     if (input.laws.empty()) {
-        for (const char* key :
-             {"friction.shear_strength", "friction.pressure_exponent", "friction.strength_limit"})
-            if (finds_coefficient && document.find(key))
-                io::refuse(document, key,
-                           "measurement.find has friction.coefficient, that of Coulomb's law",
-                           "name laws in measurement.laws instead, and leave out [friction]");
+        check_stated_law(find, document);
         return;
     }
     if (!input.find(Measurement::static_shift) && !input.find(Measurement::sliding_force))
         io::refuse(document, "measurement.laws", "no table has friction",
                    "add static_shift or sliding_force, or leave measurement.laws out");
-    if (finds_coefficient)
-        io::refuse(document, "measurement.find",
-                   "has friction.coefficient beside measurement.laws, each of which finds its own "
-                   "numbers",
-                   "leave out friction.coefficient");
+    for (const std::string& key : find)
+        if (is_of_law(key))
+            io::refuse(
+                document, "measurement.find",
+                "has " + key + " beside measurement.laws, each of which finds its own numbers",
+                "leave out " + key);
     if (const auto* friction = document.find_section("friction"))
         io::fail(friction->place, "[friction]",
                  "measurement.laws names the laws whose numbers are found", "omit it");
@@ -54,8 +69,15 @@ void check_laws(const Input& input, const std::vector<std::string>& find,
 }
 
 void check_loads(const Input& input, const io::Document& document) {
-    const auto* shifts = input.find(Measurement::static_shift);
-    if (!shifts || shifts->normal_forces.empty()) return;
+    const auto tables = input.all(Measurement::static_shift);
+    const auto has_loads = [](const Input::Table* table) { return !table->normal_forces.empty(); };
+    if (std::ranges::none_of(tables, has_loads)) return;
+    const auto without = std::ranges::find_if_not(tables, has_loads);
+    if (without != tables.end())
+        io::refuse(document, "measurement.static_shift",
+                   "of several tables all have a column normal_force or none, and " +
+                       (*without)->label + " has none",
+                   "add it there, the load of each row");
     if (document.find("load.normal_force") && !document.find_section("record"))
         io::refuse(document, "load.normal_force",
                    "the rows of static_shift state their own normal forces", "omit it");
@@ -76,11 +98,10 @@ void check_rows_of_laws(const Input& input, const io::Document& document) {
         io::refuse(document, "measurement.laws",
                    std::to_string(n_rows) + " rows do not determine " + std::to_string(n_numbers) +
                        " values and how well they are known",
-                   "measure more, or leave out the laws of two numbers");
+                   "measure more, or leave out the laws of most numbers");
 }
 
 void check_friction(const Input& input, const io::Document& document) {
-    const auto* shifts = input.find(Measurement::static_shift);
     const contact::Friction& friction = input.rig.friction;
     if (friction.map)
         io::refuse(document, "friction.map",
@@ -90,6 +111,10 @@ void check_friction(const Input& input, const io::Document& document) {
         io::refuse(document, "friction.rate.law",
                    "material constants are identified under friction that no speed changes",
                    "leave out [friction.rate]");
+    if (friction.temperature)
+        io::refuse(document, "friction.temperature.change",
+                   "material constants are identified under friction that no heat changes",
+                   "leave out [friction.temperature]");
     if (friction.remembers())
         io::refuse(document, friction.weakening ? "friction.weakening.law" : "interface.hardening",
                    "material constants are identified under friction that no way of slip changes",
@@ -102,20 +127,23 @@ void check_friction(const Input& input, const io::Document& document) {
                                friction.formula(),
                            "take half-space or layer, or give friction.coefficient alone");
     check_layer_theory(input, document);
-    if (!shifts || input.is_free("friction.coefficient") || !input.laws.empty()) return;
+    const auto is_found = [](const FreeParameter& p) { return is_of_law(p.key); };
+    if (std::ranges::any_of(input.parameters, is_found) || !input.laws.empty()) return;
     // Of other laws what the contact carries depends on its area, thus on E.
     if (!friction.is_coulomb() && input.is_free("substrate.young")) return;
-    for (const LoadedRows& load : rows_by_load(*shifts, input.rig, shifts->given)) {
-        const double largest = std::ranges::max(load.given);
-        const double limit = sliding_forces(false, input.rig, {load.normal_force}).front();
-        if (largest >= limit)
-            io::refuse(
-                document, friction.coefficient ? "friction.coefficient" : "friction.shear_strength",
-                "the contact would slide: F_T of the table reaches " + io::shortest(largest) +
-                    (friction.is_coulomb() ? " N, mu F_N is " : " N, friction carries ") +
-                    io::shortest(limit) + " N",
-                "correct it, or name it in measurement.find");
-    }
+    for (const auto* shifts : input.all(Measurement::static_shift))
+        for (const LoadedRows& load : rows_by_load(*shifts, input.rig, shifts->given)) {
+            const double largest = std::ranges::max(load.given);
+            const double limit = sliding_forces(false, input.rig, {load.normal_force}).front();
+            if (largest >= limit)
+                io::refuse(
+                    document,
+                    friction.coefficient ? "friction.coefficient" : "friction.shear_strength",
+                    "the contact would slide: F_T of the table reaches " + io::shortest(largest) +
+                        (friction.is_coulomb() ? " N, mu F_N is " : " N, friction carries ") +
+                        io::shortest(limit) + " N",
+                    "correct it, or name it in measurement.find");
+        }
 }
 
 }  // namespace tricontact::experiments

@@ -6,6 +6,7 @@
 #include <variant>
 
 #include "comparisons/quantities/left_out.h"
+#include "experiments/identification/law_parameters.h"
 #include "io/case/measurement_models.h"
 #include "io/case/rig_keys.h"
 #include "io/keys/field_reader.h"
@@ -42,7 +43,8 @@ void check_rolling(const Input& input, const std::vector<std::string>& find, con
     const auto is_told = [](std::string_view key) {
         return key == pivot_key || key == "indenter.radius";
     };
-    if (input.tables.size() == 1 && !std::ranges::all_of(find, is_told))
+    const bool is_alone = input.all(Measurement::rolling_shift).size() == input.tables.size();
+    if (is_alone && !std::ranges::all_of(find, is_told))
         refuse("rolling_shift alone determines the pivot's height, and nothing of the substrate",
                "add static_shift or another table, or find rig.pivot_height alone");
 }
@@ -125,9 +127,12 @@ void check_find(const Input& input, const std::vector<std::string>& find,
     };
     const bool has_friction =
         input.find(Measurement::static_shift) || input.find(Measurement::sliding_force);
-    if (is_free("friction.coefficient") && !has_friction)
+    if (is_free(coefficient_key) && !has_friction)
         refuse("without tangential force nothing determines the coefficient of friction",
                "leave out friction.coefficient");
+    for (const std::string& key : find)
+        if (is_of_law(key) && !has_friction)
+            refuse("without tangential force nothing determines " + key, "leave it out");
     check_rolling(input, find, refuse);
     const auto tells = [](const Table& table) { return tells_young(table.measurement); };
     if (is_free("substrate.young") && std::ranges::none_of(input.tables, tells) &&
@@ -138,7 +143,9 @@ void check_find(const Input& input, const std::vector<std::string>& find,
     if (is_free(zero_depth_key) && !input.find(Measurement::force_indentation))
         refuse("zero_depth is where force_indentation begins, and there is no such table",
                "add it, or leave zero_depth out");
-    if (is_free(zero_depth_key) && find.size() == 1 && input.tables.size() == 1)
+    const bool presses_alone =
+        input.all(Measurement::force_indentation).size() == input.tables.size();
+    if (is_free(zero_depth_key) && find.size() == 1 && presses_alone)
         refuse("force_indentation determines zero_depth only together with the modulus",
                "add \"substrate.young\"");
     const bool is_timed = std::ranges::any_of(input.tables, &Table::is_history);

@@ -70,7 +70,7 @@ report::DocumentTable goodness_table(const IdentificationStudy& study) {
             const TableFit& fit = model.found.tables[t];
             const auto& correlation = model.found.residuals.at(t).correlation;
             table.rows.push_back(
-                {model.name, std::string(name_of(study.input.tables[t].measurement)),
+                {model.name, name_of(study.input.tables[t]),
                  fit.goodness ? fit.sum_of_squares : contact::undefined, fit.degrees_of_freedom,
                  report::p_number(fit.goodness.value_or(contact::undefined)), fit.r_squared,
                  fit.residual_standard_deviation,

@@ -56,8 +56,15 @@ std::vector<double> ordered(const std::vector<double>& x, const std::vector<doub
 /// Of a table, with the words in front where there are several.
 std::string id_of(const IdentificationStudy& study, const std::string& word, std::size_t t) {
     if (study.input.tables.size() == 1) return word;
-    const std::string name(name_of(study.input.tables[t].measurement));
-    return word + "_" + boost::replace_all_copy(name, "-", "_");
+    const auto& table = study.input.tables[t];
+    const std::string name(name_of(table.measurement));
+    return word + "_" + boost::replace_all_copy(name, "-", "_") +
+           (table.place > 0 ? fmt::format("_{}", table.place + 1) : "");
+}
+
+/// With the table's file where there are several of its kind.
+std::string title_of(const std::string& title, const IdentificationInput::Table& table) {
+    return table.label.empty() ? title : title + ": " + table.label;
 }
 
 /// Of a model's fitted values, or of further observations where a posterior tells them.
@@ -103,7 +110,7 @@ report::Figure fit_figure(const IdentificationStudy& study, std::size_t t, std::
         std::ranges::all_of(study.models, [](const auto& m) { return m.posterior.has_value(); });
     report::Figure figure{
         .id = id_of(study, "fit", t),
-        .title = "What was measured, and the models at their best",
+        .title = title_of("What was measured, and the models at their best", table),
         .caption = fmt::format(
             "{}: where {} with a confidence of {:g} %{}.",
             table.normal_forces.empty() ? "Bands"
@@ -143,7 +150,7 @@ report::Figure residual_figure(const IdentificationStudy& study, std::size_t t) 
     const auto& columns = columns_of(table.measurement);
     const Scaled given(table.given, columns.given.unit), scale(all, columns.observed.unit);
     report::Figure figure{.id = id_of(study, "residuals", t),
-                          .title = "What the models leave unexplained",
+                          .title = title_of("What the models leave unexplained", table),
                           .caption =
                               "Observed minus fitted. Without a pattern the rest is noise; a wave "
                               "or a bend is a model that does not fit.",

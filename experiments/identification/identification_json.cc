@@ -68,7 +68,7 @@ json outlying_json(const IdentificationStudy& study, const Identification& found
         for (std::size_t k = 0; k < found.free.size(); ++k)
             without[found.free[k].name] =
                 found.free[k].changed(found.parameters[k].value, one.change[k]);
-        list.push_back({{"table", name_of(study.input.tables[t].measurement)},
+        list.push_back({{"table", name_of(study.input.tables[t])},
                         {"row", row + 1},
                         {"deviation_over_standard_error", one.deviation},
                         {"chance", one.chance},
@@ -126,7 +126,7 @@ json model_json(const IdentifiedModel& model, const IdentificationStudy& study) 
     result["interpolation_error"] = model.interpolation_error;
     result["posterior"] = posterior_json(model);
     for (std::size_t t = 0; t < found.tables.size(); ++t)
-        result["tables"][std::string(name_of(study.input.tables[t].measurement))] =
+        result["tables"][name_of(study.input.tables[t])] =
             table_json(found.tables[t], found.residuals.at(t));
     return result;
 }
@@ -148,14 +148,12 @@ json identification_json(const IdentificationStudy& study) {
     result["confidence"] = study.models.front().found.confidence;
     for (const auto& [name, value] : study.settings) result["settings"][name] = value;
     for (const auto& table : study.input.tables)
-        result["tables"][std::string(name_of(table.measurement))] = {
-            {"given", table.given},
-            {"observed", table.observed},
-            {"standard_errors", table.standard_errors}};
+        result["tables"][name_of(table)] = {{"given", table.given},
+                                            {"observed", table.observed},
+                                            {"standard_errors", table.standard_errors}};
     for (const auto& table : study.input.tables)
         if (!table.normal_forces.empty())
-            result["tables"][std::string(name_of(table.measurement))]["normal_forces"] =
-                table.normal_forces;
+            result["tables"][name_of(table)]["normal_forces"] = table.normal_forces;
     const IdentifiedModel& reference = reference_model(study);
     result["reference"] = reference.name;
     result["thickness_over_contact_width"] = study.thickness_ratio;

@@ -43,7 +43,8 @@ TableModel rolling_model(const std::string& model, const IdentificationInput& in
         return [&table](const IdentifiedRig& at) { return rolled_shifts(at, 0, table.given); };
     std::vector<double> forces;  // that bound mu where it is free
     if (input.is_free("friction.coefficient"))
-        forces = input.find(Measurement::static_shift)->given;
+        for (const auto* shifts : input.all(Measurement::static_shift))
+            forces.insert(forces.end(), shifts->given.begin(), shifts->given.end());
     const auto own = std::make_shared<WobbleTable>(shift_model(model), rig,
                                                    largest_offset(table.given), forces, runner);
     return [own, &table](const IdentifiedRig& at) {
@@ -117,27 +118,33 @@ std::vector<InputContribution> own_contributions(const std::string& model,
                                                  const IdentificationTask& task,
                                                  const Identification& found, const Case& rig,
                                                  const std::vector<double>& observed) {
-    const auto table = std::ranges::find(input.tables, Measurement::static_shift,
-                                         &IdentificationInput::Table::measurement);
-    if (table == input.tables.end()) return {};
-    const auto errors =
-        by_load(*table, relaxed(rig), table->given, [&](const Case& loaded, const auto& forces) {
-            return static_shift_errors(model, loaded, forces);
-        });
-    if (errors.empty()) return {};
+    // Of all rows; of other tables none.
+    std::vector<double> errors, forces;
+    std::vector<std::size_t> rows;
     std::size_t row = 0;
-    for (auto before = input.tables.begin(); before != table; ++before)
-        row += before->observed.size();
-    const auto [least, largest] = std::ranges::minmax(table->given);
+    for (const auto& table : input.tables) {
+        if (table.measurement == Measurement::static_shift) {
+            const auto own = by_load(table, relaxed(rig), table.given,
+                                     [&](const Case& loaded, const auto& given) {
+                                         return static_shift_errors(model, loaded, given);
+                                     });
+            errors.insert(errors.end(), own.begin(), own.end());
+            forces.insert(forces.end(), table.given.begin(), table.given.end());
+            for (std::size_t i = 0; i < own.size(); ++i) rows.push_back(row + i);
+        }
+        row += table.observed.size();
+    }
+    if (errors.empty()) return {};
+    const auto [least, largest] = std::ranges::minmax(forces);
     std::vector<InputContribution> contributions;
     for (const bool alike : {true, false}) {
         std::vector<double> moved = observed;
         for (std::size_t i = 0; i < errors.size(); ++i) {
             const double place =
-                largest > least ? (2 * table->given[i] - least - largest) / (largest - least) : 0;
+                largest > least ? (2 * forces[i] - least - largest) / (largest - least) : 0;
             // Mean squares of 1, of forces that are evenly spread.
             const double pattern = alike ? 1 : std::sqrt(3.) * place;
-            moved[row + i] -= pattern * errors[i] / std::sqrt(2.);
+            moved[rows[i]] -= pattern * errors[i] / std::sqrt(2.);
         }
         std::vector<double> change = best_nearby(task, found, moved);
         for (std::size_t k = 0; k < change.size(); ++k) change[k] -= found.parameters[k].value;
@@ -179,8 +186,8 @@ IdentificationTask task_of(const IdentificationInput& input, const std::string& 
     IdentificationTask task{.parameters = parameters_of(input, model),
                             .confidence = input.confidence};
     for (const auto& table : input.tables)
-        task.tables.push_back({std::string(name_of(table.measurement)), table.observed,
-                               table.standard_errors, table.has_free_origin(), order_of(table)});
+        task.tables.push_back({name_of(table), table.observed, table.standard_errors,
+                               table.has_free_origin(), order_of(table)});
     return task;
 }
 
@@ -207,6 +214,7 @@ IdentifiedRig rig_with(const IdentificationInput& input,
                        const std::vector<FreeParameter>& parameters,
                        const std::vector<double>& values) {
     IdentifiedRig rig{input.rig};
+    rig.zero_depths.assign(input.all(Measurement::force_indentation).size(), 0);
     Case& c = rig.as_case;
     std::vector<double> relative;
     if (c.relaxation)
@@ -219,7 +227,7 @@ IdentifiedRig rig_with(const IdentificationInput& input,
         else if (p.key == pivot_key)
             rig.pivot_height = values[k];
         else if (p.key == zero_depth_key)
-            rig.zero_depth = values[k];
+            rig.zero_depths.at(p.index) = values[k];
         else
             *io::number_of(*io::find_key(p.key), c) = values[k];
     }

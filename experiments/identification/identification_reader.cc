@@ -4,11 +4,14 @@
 #include <array>
 #include <boost/algorithm/string/replace.hpp>
 #include <cmath>
+#include <filesystem>
 #include <set>
 
 #include "contact/base/error.h"
 #include "experiments/identification/identification_checks.h"
 #include "experiments/identification/interface_parameters.h"
+#include "experiments/identification/law_parameters.h"
+#include "experiments/identification/rig_guesses.h"
 #include "io/case/case_reader.h"
 #include "io/case/measurement_models.h"
 #include "io/case/rig_file.h"
@@ -25,7 +28,6 @@ namespace {
 using Input = IdentificationInput;
 using Measurement = Input::Measurement;
 constexpr double guessed_poisson = .45;
-constexpr double guessed_plane_share = .75;  // E/E* of a rigid indenter
 
 using Table = Input::Table;
 
@@ -61,78 +63,13 @@ std::vector<std::string> case_models(const Input& input, bool has_springs) {
     return {models.begin(), models.end()};
 }
 
-double zero_of(const Table& table) {
-    return table.has_free_zero ? zero_depth_guess(table) : 0;
-}
-
-/// E by Hertz' theory of an incompressible half-space from the row of the largest value [Pa]; mu
-/// infinite, relaxed.
-double guessed_young(const Table& table, double radius, double normal_force) {
-    const auto row = std::ranges::max_element(table.observed) - table.observed.begin();
-    const double x = table.given[row] - zero_of(table), y = table.observed[row];
-    constexpr double shear_over_plane = 2. / 3;    // G*/E*
-    double cube = 3. / 4 * radius * normal_force;  // a^3 E*
-    const auto of_depth = [&](double force, double depth) {
-        return guessed_plane_share * 3. / 4 * force / std::sqrt(radius * depth * depth * depth);
-    };
-    switch (table.measurement) {
-        case Measurement::force_indentation:
-            return of_depth(y, x);
-        case Measurement::contact_radius:
-            return guessed_plane_share * 3. / 4 * radius * x / (y * y * y);
-        case Measurement::force_relaxation:
-            return of_depth(std::ranges::min(table.observed), table.held);
-        case Measurement::indentation_creep:
-            return of_depth(table.held, y);
-        default:
-            break;
-    }
-    if (!table.normal_forces.empty()) cube *= table.normal_forces[row] / normal_force;
-    return guessed_plane_share * std::pow(x / (2 * shear_over_plane * y * std::cbrt(cube)), 1.5);
-}
-
-/// Of a table without tangential forces [N].
-double largest_force(const Table& table) {
-    switch (table.measurement) {
-        case Measurement::contact_radius:
-        case Measurement::sliding_force:
-            return std::ranges::max(table.given);
-        case Measurement::indentation_creep:
-            return table.held;
-        default:
-            return std::ranges::max(table.observed);
-    }
-}
-
-/// mu of the shifts and the sliding that were measured, larger than what held.
-double guessed_friction(const Input& input, double normal_force) {
-    constexpr double over_held = 1.5;
-    double guess = 0;
-    if (const Table* shifts = input.find(Measurement::static_shift))
-        for (std::size_t row = 0; row < shifts->given.size(); ++row)
-            guess = std::max(
-                guess,
-                over_held * shifts->given[row] /
-                    (shifts->normal_forces.empty() ? normal_force : shifts->normal_forces[row]));
-    if (const Table* sliding = input.find(Measurement::sliding_force))
-        for (std::size_t row = 0; row < sliding->given.size(); ++row)
-            guess = std::max(guess, sliding->observed[row] / sliding->given[row]);
-    return guess;
-}
-
-/// The first one that tells it.
-const Table& table_of_young(const Input& input) {
-    return *std::ranges::find_if(input.tables,
-                                 [](const Table& table) { return tells_young(table.measurement); });
-}
-
 /// The rig as a case: what is to be found has a guess.
 contact::Case rig_of(const Input& input, const std::vector<std::string>& find,
                      const io::Document& document) {
     io::Document rig = document;
     std::erase_if(rig.entries, [&](const io::Entry& entry) {
-        const bool is_guessed =
-            entry.path == "substrate.young" || entry.path == "friction.coefficient";
+        const bool is_guessed = entry.path == "substrate.young" ||
+                                (is_of_law(entry.path) && entry.path != exponent_key);
         if (!input.laws.empty() && entry.path.starts_with("friction.")) return true;
         return (is_guessed && std::ranges::count(find, entry.path)) || !describes_rig(entry.path);
     });
@@ -148,8 +85,9 @@ contact::Case rig_of(const Input& input, const std::vector<std::string>& find,
     std::vector<io::Entry> guesses{io::overriding("models", case_models(input, has_springs),
                                                   document.place_of("measurement.models"))};
     const auto is_free = [&](std::string_view key) { return std::ranges::count(find, key) > 0; };
-    const auto guess = [&](const char* path, io::Value value) {
-        guesses.push_back(io::overriding(path, std::move(value), input.tables.front().data_file));
+    const auto guess = [&](std::string_view path, io::Value value) {
+        guesses.push_back(
+            io::overriding(std::string(path), std::move(value), input.tables.front().data_file));
     };
     guess("load.tangential_ratio", 0.);
     double normal_force = 0;
@@ -159,10 +97,13 @@ contact::Case rig_of(const Input& input, const std::vector<std::string>& find,
                        "shifts were measured under a normal force, which follows from no depth "
                        "before the modulus is known",
                        "give load.normal_force");
-        const Table* shifts = input.find(Measurement::static_shift);
-        const bool has_loads = shifts && !shifts->normal_forces.empty();
+        bool has_loads = false;
+        for (const Table* shifts : input.all(Measurement::static_shift))
+            for (const double load : shifts->normal_forces) {
+                has_loads = true;
+                normal_force = std::max(normal_force, load);
+            }
         if (has_loads) {
-            normal_force = std::ranges::max(shifts->normal_forces);
             guess("load.normal_force", io::shortest(normal_force) + " N");
         } else if (!document.find("load.normal_force"))
             io::fail(
@@ -191,11 +132,13 @@ contact::Case rig_of(const Input& input, const std::vector<std::string>& find,
                            " Pa/m");
     if (is_free("substrate.poisson") && !rig.find("substrate.poisson"))
         guess("substrate.poisson", guessed_poisson);
-    const bool finds_friction = is_free("friction.coefficient") || !input.laws.empty();
-    const bool needs_friction =
-        !sheared && !rig.find("friction.coefficient") && !rig.find("friction.shear_strength");
-    if (finds_friction || needs_friction)
-        guess("friction.coefficient", finds_friction ? guessed_friction(input, normal_force) : 1.);
+    const double ratio = guessed_friction(input, normal_force);
+    const bool needs_friction = !sheared && !rig.find(coefficient_key) && !rig.find(strength_key) &&
+                                std::ranges::none_of(find, is_of_law);
+    if (is_free(coefficient_key) || !input.laws.empty() || needs_friction)
+        guess(coefficient_key, needs_friction && input.laws.empty() ? 1. : ratio);
+    for (auto& [key, value] : guessed_law(find, rig, ratio, young, radius, normal_force))
+        guess(key, value);
     try {
         return io::resolve_case(rig, guesses);
     } catch (const contact::InputError& error) {
@@ -203,6 +146,32 @@ contact::Case rig_of(const Input& input, const std::vector<std::string>& find,
         throw contact::InputError(boost::replace_all_copy(
             std::string(error.what()), io::layer_theory().rules, io::layer_theory().name));
     }
+}
+
+/// A table for each file that a key names.
+std::vector<Table> tables_of(const TableKey& one, const io::Document& document) {
+    const io::Key& key = io::rig_key(one.key);
+    std::vector<std::string> files(1);
+    const bool is_list = key.kind == io::Key::Kind::choice_list;
+    io::read_field(key, *document.find(one.key),
+                   is_list ? io::Field(&files) : io::Field(&files.front()));
+    std::vector<Table> tables;
+    std::set<std::string> opened;
+    for (const std::string& file : files) {
+        Table& table = tables.emplace_back(
+            Table{.measurement = one.measurement, .data_file = document.path_of(file)});
+        if (!one.held.empty())
+            io::read_or_default(io::rig_key(one.held), io::Field(&table.held), document,
+                                io::case_file_keys());
+        if (files.size() == 1) continue;
+        table.place = tables.size() - 1;
+        table.label = file;
+        if (!opened.insert(std::filesystem::path(table.data_file).lexically_normal().string())
+                 .second)
+            io::refuse(document, std::string(one.key), file + " stands twice",
+                       "name each table once");
+    }
+    return tables;
 }
 
 std::vector<std::string> unread_keys(const io::Document& document) {
@@ -226,8 +195,7 @@ std::vector<Input::RigError> read_rig_errors(const Input& input, const io::Docum
     std::vector<Input::RigError> errors;
     for (const io::UncertainKey& one : io::uncertain_numbers(document, input.rig)) {
         const std::string_view path = one.key->path;
-        const bool is_used =
-            sheared || (path != "friction.coefficient" && path != "load.normal_force");
+        const bool is_used = sheared || (path != coefficient_key && path != "load.normal_force");
         if (io::find_key(path) && describes_rig(path) && !input.is_free(path) && is_used)
             errors.push_back({io::find_key(path), one.number.value.standard_error});
     }
@@ -239,6 +207,13 @@ std::vector<Input::RigError> read_rig_errors(const Input& input, const io::Docum
 const Table* Input::find(Measurement measurement) const {
     const auto found = std::ranges::find(tables, measurement, &Table::measurement);
     return found == tables.end() ? nullptr : &*found;
+}
+
+std::vector<const Table*> Input::all(Measurement measurement) const {
+    std::vector<const Table*> found;
+    for (const Table& table : tables)
+        if (table.measurement == measurement) found.push_back(&table);
+    return found;
 }
 
 bool Input::is_free(std::string_view key) const {
@@ -261,10 +236,7 @@ Input read_identification(const std::string& path, const std::vector<std::string
     };
     for (const TableKey& one : table_keys()) {
         if (!document.find(one.key)) continue;
-        Table& table = input.tables.emplace_back(Table{.measurement = one.measurement});
-        read(one.key, &table.data_file);
-        table.data_file = document.path_of(table.data_file);
-        if (!one.held.empty()) read(one.held, &table.held);
+        for (Table& table : tables_of(one, document)) input.tables.push_back(std::move(table));
     }
     if (input.tables.empty())
         io::fail(document.place_of("measurement.find"), "", "nothing was measured",

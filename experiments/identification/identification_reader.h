@@ -34,6 +34,8 @@ struct IdentificationInput {
     struct Table {
         Measurement measurement = Measurement::static_shift;
         std::string data_file;                ///< as it is opened
+        std::size_t place = 0;                ///< among the tables of its measurement
+        std::string label;                    ///< its file as stated, of several; else empty
         std::string reading;                  ///< what of it was taken; empty: all its columns
         double held = 0;                      ///< of a history: indentation [m] or force [N]
         bool has_free_zero = false;           ///< depths count from anywhere, see zero_depth_key
@@ -69,7 +71,9 @@ struct IdentificationInput {
     std::optional<double> work_of_adhesion;
     double interatomic_distance = 0.3e-9;
 
+    /// The first table; null without one.
     const Table* find(Measurement measurement) const;
+    std::vector<const Table*> all(Measurement measurement) const;
     bool is_free(std::string_view key) const;
 };
 
@@ -103,6 +107,8 @@ struct TableKey {
 std::span<const TableKey> table_keys();
 std::string_view name_of(IdentificationInput::Measurement measurement);
 std::string_view key_of(IdentificationInput::Measurement measurement);
+/// "static-shift", of several "static-shift (shift_5N.csv)".
+std::string name_of(const IdentificationInput::Table& table);
 
 /// What rolling_shift tells: no key of a case.
 inline constexpr std::string_view pivot_key = "rig.pivot_height";

@@ -11,7 +11,7 @@
 #include "experiments/identification/identification_checks.h"
 #include "experiments/identification/identification_models.h"
 #include "experiments/identification/interface_parameters.h"
-#include "io/case/measurement_laws.h"
+#include "experiments/identification/law_parameters.h"
 #include "io/case/measurement_models.h"
 #include "report/format.h"
 
@@ -113,10 +113,11 @@ struct Identifier {
     }
 
     /// The largest force is all that this mu holds: models have no state there.
-    static bool slides(const Identification& found) {
+    bool slides(const Identification& found) const {
         constexpr double margin = 1e-6;
         const auto k = found.find("friction.coefficient");
-        return k && found.parameters[*k].value < (1 + margin) * found.free[*k].low;
+        return k && input_.rig.friction.is_coulomb() &&
+               found.parameters[*k].value < (1 + margin) * found.free[*k].low;
     }
 
     void check_interpolation(IdentifiedModel& model, const IdentifiedRig& rig) const {
@@ -149,14 +150,28 @@ struct Identifier {
 /// The law of friction with its numbers, of the found ones their symbols.
 std::string law_text(const IdentificationInput& input) {
     const contact::Friction& friction = input.rig.friction;
-    if (input.laws.empty()) return friction.formula();
+    const auto is_found = [](const FreeParameter& p) { return is_of_law(p.key); };
+    if (std::ranges::none_of(input.parameters, is_found) && input.laws.empty())
+        return friction.formula();
+    const auto shown = [&](std::string_view key, const char* symbol, double value,
+                           const std::string& unit) {
+        const bool is_free = input.is_free(key) || !input.laws.empty();
+        return is_free        ? std::string(symbol)
+               : unit.empty() ? report::as_given(value)
+                              : report::given_quantity(value, unit);
+    };
     std::string text;
-    for (const auto& law : io::measurement_laws())
-        if (law.has_strength == friction.shear_strength.has_value() &&
-            law.has_coefficient == friction.coefficient.has_value() &&
-            law.has_exponent == friction.pressure_exponent.has_value() &&
-            law.has_limit == friction.strength_limit.has_value())
-            text = law.formula;
+    if (friction.shear_strength)
+        text = shown(strength_key, "tau_0", *friction.shear_strength, "Pa");
+    if (friction.coefficient)
+        text += (text.empty() ? "" : " + ") +
+                shown(coefficient_key, "mu", *friction.coefficient, "") +
+                (friction.pressure_exponent
+                     ? " p_r (p/p_r)^" + shown(exponent_key, "n", *friction.pressure_exponent, "")
+                     : " p");
+    if (friction.strength_limit)
+        text = "min(" + text + ", " +
+               shown(strength_limit_key, "tau_cap", *friction.strength_limit, "Pa") + ")";
     if (friction.reference_pressure)
         text += ", p_r = " + report::given_quantity(*friction.reference_pressure, "Pa");
     return text;
@@ -167,7 +182,8 @@ std::vector<std::string> laws_to_compare(const IdentificationInput& input) {
     if (!input.laws.empty()) return input.laws;
     const bool has_half_space =
         !std::ranges::all_of(input.models, &io::MeasurementModel::is_layer, io::measurement_model);
-    if (!has_half_space || !input.is_free("friction.coefficient")) return {};
+    if (!has_half_space || !input.is_free(coefficient_key) || !input.rig.friction.is_coulomb())
+        return {};
     return {"coulomb", "shear-strength"};
 }
 
@@ -207,7 +223,7 @@ std::vector<std::pair<std::string, std::string>> settings_of(const Identificatio
     for (const std::string& line : left_out_lines(input)) settings.emplace_back("left out", line);
     for (const auto& table : input.tables)
         settings.emplace_back(
-            std::string(name_of(table.measurement)),
+            name_of(table),
             fmt::format("{}, {} observations{}",
                         std::filesystem::path(table.data_file).filename().string(),
                         table.observed.size(), table.reading.empty() ? "" : "; " + table.reading));
@@ -227,7 +243,7 @@ std::vector<std::pair<std::string, std::string>> settings_of(const Identificatio
             report::given_quantity(*rig.interface.tangential_stiffness, "Pa/m"));
     if (!input.find(Measurement::static_shift) && !input.find(Measurement::rolling_shift))
         return settings;
-    const auto* shifts = input.find(Measurement::static_shift);
+    const auto* shifts = input.find(Measurement::static_shift);  // all of them state loads or none
     if (!shifts || shifts->normal_forces.empty())
         settings.emplace_back("F_N", report::given_quantity(*rig.load.normal_force, "N"));
     if (!rig.friction.is_coulomb()) {

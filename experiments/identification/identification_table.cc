@@ -31,6 +31,11 @@ std::string_view name_of(Measurement measurement) {
     return table_keys()[static_cast<std::size_t>(measurement)].name;
 }
 
+std::string name_of(const IdentificationInput::Table& table) {
+    std::string name(name_of(table.measurement));
+    return table.label.empty() ? name : name + " (" + table.label + ")";
+}
+
 std::string_view key_of(Measurement measurement) {
     return table_keys()[static_cast<std::size_t>(measurement)].key;
 }
@@ -114,7 +119,9 @@ void read_force_curve(IdentificationInput::Table& measured, const std::string& t
 }  // namespace
 
 void read_measured_table(IdentificationInput::Table& measured, std::size_t least_rows) {
-    const std::string name = std::filesystem::path(measured.data_file).filename().string();
+    const std::string name = measured.label.empty()
+                                 ? std::filesystem::path(measured.data_file).filename().string()
+                                 : measured.label;
     const std::string text = io::utf8_text(
         io::read_input_file(measured.data_file, "table of a measurement", most_megabytes), name);
     if (io::is_force_curve(text)) return read_force_curve(measured, text, name, least_rows);

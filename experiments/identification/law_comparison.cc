@@ -9,6 +9,7 @@
 #include "experiments/identification/friction_values.h"
 #include "experiments/identification/identification_models.h"
 #include "experiments/identification/identification_report.h"
+#include "experiments/identification/law_remainder.h"
 #include "experiments/identification/likelihood.h"
 #include "io/case/measurement_models.h"
 #include "report/format.h"
@@ -58,62 +59,7 @@ void exclude(LawComparison& comparison) {
     }
 }
 
-double found_number(const LawFit& fit, const char* key) {
-    return fit.found.parameters[*fit.found.find(key)].value;
-}
-
-Interval found_interval(const LawFit& fit, const char* key) {
-    return fit.found.parameters[*fit.found.find(key)].likelihood;
-}
-
-std::string part_text(const char* what, const std::string& end, double part) {
-    return fmt::format("{} {}, {} % of friction", what, end,
-                       report::significant(100 * std::min(part, 1.), 2));
-}
-
-/// What the wider law may be beside the narrower one, empty if that is little.
-std::string what_is_left(bool on_layer, const LawFit& narrow, const LawFit& wide) {
-    const bool is_coulomb = narrow.law->has_coefficient;
-    const contact::Case rig = rig_with(wide.input, wide.found.free, wide.found.best()).as_case;
-    const LoadRange loads = loads_of_friction(wide.input);
-    const auto parameter = [&](const char* key) { return wide.found.free[*wide.found.find(key)]; };
-    if (wide.law->has_exponent) {
-        const Interval n = found_interval(wide, "friction.pressure_exponent");
-        const double target = is_coulomb ? 1 : 0;
-        const double off = std::max(std::abs(n.low - target), std::abs(n.high - target));
-        return off <= negligible_part
-                   ? ""
-                   : fmt::format("n from {} to {}", report::significant(n.low, 2),
-                                 report::significant(n.high, 2));
-    }
-    if (wide.law->has_strength) {
-        const char* key = is_coulomb ? "friction.shear_strength" : "friction.coefficient";
-        const double end = found_interval(wide, key).high, force = loads.middle();
-        const double part = is_coulomb
-                                ? end / mean_friction(on_layer, rig, force)
-                                : end * force / sliding_forces(on_layer, rig, {force}).front();
-        return part <= negligible_part ? ""
-                                       : part_text(is_coulomb ? "tau_0 up to" : "mu up to",
-                                                   parameter(key).shown(end), part);
-    }
-    // What the cap takes from mu p, or mu p from the cap.
-    const char* key = is_coulomb ? "friction.strength_limit" : "friction.coefficient";
-    const double end = found_interval(wide, key).low;
-    contact::Case at_end = rig, without = rig;
-    (is_coulomb ? at_end.friction.strength_limit : at_end.friction.coefficient) = end;
-    if (is_coulomb)
-        without.friction.strength_limit.reset();
-    else
-        without.friction = {.shear_strength = found_number(wide, "friction.strength_limit")};
-    const double force = loads.middle();
-    const double part = 1 - sliding_forces(on_layer, at_end, {force}).front() /
-                                sliding_forces(on_layer, without, {force}).front();
-    return part <= negligible_part ? ""
-                                   : part_text(is_coulomb ? "tau_cap down to" : "mu down to",
-                                               parameter(key).shown(end), part);
-}
-
-void name(LawComparison& comparison) {
+void name(LawComparison& comparison, const contact::ModelRunner& runner) {
     const auto supported = comparison.supported();
     for (const std::size_t i : supported) {
         LawFit& fit = comparison.laws[i];
@@ -125,7 +71,7 @@ void name(LawComparison& comparison) {
                 is_told = false;
                 continue;
             }
-            const std::string left = what_is_left(is_on_layer(comparison), fit, other);
+            const std::string left = what_is_left(comparison.model, fit, other, runner);
             if (left.empty()) continue;
             fit.not_told_from += (fit.not_told_from.empty() ? "" : "; ") + left;
             is_told = false;
@@ -145,12 +91,11 @@ void name(LawComparison& comparison) {
 
 double largest_held_share(bool on_layer, const LawFit& fit) {
     double share = 0;
-    const auto* shifts = fit.input.find(Measurement::static_shift);
-    if (!shifts) return 0;
     const contact::Case rig = rig_with(fit.input, fit.found.free, fit.found.best()).as_case;
-    for (const LoadedRows& load : rows_by_load(*shifts, rig, shifts->given))
-        share = std::max(share, std::ranges::max(load.given) /
-                                    sliding_forces(on_layer, rig, {load.normal_force}).front());
+    for (const auto* shifts : fit.input.all(Measurement::static_shift))
+        for (const LoadedRows& load : rows_by_load(*shifts, rig, shifts->given))
+            share = std::max(share, std::ranges::max(load.given) /
+                                        sliding_forces(on_layer, rig, {load.normal_force}).front());
     return share;
 }
 
@@ -181,7 +126,7 @@ LawComparison compare_laws(const IdentificationInput& input, const std::vector<s
     }
     add_nested(comparison);
     exclude(comparison);
-    name(comparison);
+    name(comparison, runner);
     return comparison;
 }
 

@@ -18,13 +18,9 @@ using Scale = FreeParameter::Scale;
 // Of a number around its guess; of one that may be zero, over it.
 constexpr double widest_number = 1e3, widest_from_zero = 100;
 constexpr double largest_exponent = 2;  // as [friction] has it
+constexpr double guessed_exponent = .8;
 // Whatever held was this far from sliding, until more is known.
 constexpr double guessed_margin = 1.3;
-
-/// Hertz' contact of the guessed rig under a force.
-contact::HalfSpaceScales hertz_under(const contact::Case& rig, double force) {
-    return contact::hertz_scales(rig.materials(), rig.indenter.radius, force, 1);
-}
 
 /// What friction may carry under the largest load.
 struct Guess {
@@ -39,15 +35,22 @@ Guess guess_of(const IdentificationInput& input) {
         guess.normal_force = normal_force;
         guess.friction = std::max(guess.friction, friction);
     };
-    if (const auto* shifts = input.find(Measurement::static_shift))
+    for (const auto* shifts : input.all(Measurement::static_shift))
         for (const LoadedRows& load : rows_by_load(*shifts, input.rig, shifts->given))
             take(load.normal_force, guessed_margin * std::ranges::max(load.given));
-    if (const auto* sliding = input.find(Measurement::sliding_force)) {
-        guess = {};  // which shows it
+    const auto all_sliding = input.all(Measurement::sliding_force);
+    if (!all_sliding.empty()) guess = {};  // which shows it
+    for (const auto* sliding : all_sliding)
         for (std::size_t row = 0; row < sliding->given.size(); ++row)
             take(sliding->given[row], sliding->observed[row]);
-    }
     return guess;
+}
+
+/// Of Hertz' contact of the guessed rig [m^2].
+double area_under(const IdentificationInput& input, const Guess& guess) {
+    const contact::HalfSpaceScales hertz = contact::hertz_scales(
+        input.rig.materials(), input.rig.indenter.radius, guess.normal_force, 1);
+    return std::numbers::pi * std::pow(hertz.contact_radius, 2);
 }
 
 double one_digit(double value) {
@@ -84,9 +87,11 @@ FreeParameter above(FreeParameter p, double guess) {
     return p;
 }
 
-FreeParameter strength_of(std::string key, std::string name, std::string symbol) {
-    return {
-        .key = std::move(key), .name = std::move(name), .symbol = std::move(symbol), .unit = "Pa"};
+FreeParameter strength_of(std::string_view key, std::string name, std::string symbol) {
+    return {.key = std::string(key),
+            .name = std::move(name),
+            .symbol = std::move(symbol),
+            .unit = "Pa"};
 }
 
 FreeParameter unnamed_coefficient() {
@@ -97,7 +102,7 @@ FreeParameter unnamed_coefficient() {
 
 double largest_held_ratio(const IdentificationInput& input) {
     double ratio = 0;
-    if (const auto* shifts = input.find(Measurement::static_shift))
+    for (const auto* shifts : input.all(Measurement::static_shift))
         for (const LoadedRows& load : rows_by_load(*shifts, input.rig, shifts->given))
             ratio = std::max(ratio, std::ranges::max(load.given) / load.normal_force);
     return ratio;
@@ -110,43 +115,69 @@ FreeParameter coulomb_parameter(const IdentificationInput& input) {
     return around(unnamed_coefficient(), guess.friction / guess.normal_force);
 }
 
+bool is_of_law(std::string_view key) {
+    return key == coefficient_key || key == strength_key || key == exponent_key ||
+           key == strength_limit_key;
+}
+
+io::MeasurementLaw stated_law(const contact::Friction& friction) {
+    return {.has_strength = friction.shear_strength.has_value(),
+            .has_coefficient = friction.coefficient.has_value(),
+            .has_exponent = friction.pressure_exponent.has_value(),
+            .has_limit = friction.strength_limit.has_value()};
+}
+
+FreeParameter law_parameter(const IdentificationInput& input, const io::MeasurementLaw& law,
+                            std::string_view key) {
+    if (key == coefficient_key && law.n_numbers() == 1) return coulomb_parameter(input);
+    if (key == exponent_key)
+        return {.key = std::string(key),
+                .name = "pressure_exponent",
+                .symbol = "n",
+                .scale = Scale::from_zero,
+                .low = 0,
+                .high = largest_exponent,
+                .start = input.rig.friction.pressure_exponent.value_or(guessed_exponent),
+                .size = 1,
+                .further_starts = {.3}};
+    const Guess guess = guess_of(input);
+    const double mean = guess.friction / area_under(input, guess),
+                 ratio = guess.friction / guess.normal_force;
+    if (key == strength_limit_key)
+        return above(strength_of(key, "strength_limit_Pa", "tau_cap"), mean);
+    if (key == strength_key) {
+        const auto p = strength_of(key, "shear_strength_Pa", "tau_0");
+        return law.has_coefficient ? sized(p, mean) : around(p, mean);
+    }
+    return law.has_strength ? sized(unnamed_coefficient(), ratio)
+           : law.has_limit  ? above(unnamed_coefficient(), ratio)
+                            : around(unnamed_coefficient(), ratio);
+}
+
 IdentificationInput with_law(const IdentificationInput& input, const io::MeasurementLaw& law) {
     IdentificationInput result = input;
     const Guess guess = guess_of(input);
-    const contact::HalfSpaceScales hertz = hertz_under(input.rig, guess.normal_force);
-    const double area = std::numbers::pi * std::pow(hertz.contact_radius, 2);
-    const double mean = guess.friction / area, ratio = guess.friction / guess.normal_force;
+    const double area = area_under(input, guess), mean = guess.friction / area;
     contact::Friction friction;
-    auto& parameters = result.parameters;
+    const auto find = [&](std::string_view key) {
+        result.parameters.push_back(law_parameter(input, law, key));
+    };
     if (law.has_strength) {
         friction.shear_strength = mean;
-        const auto p = strength_of("friction.shear_strength", "shear_strength_Pa", "tau_0");
-        parameters.push_back(law.has_coefficient ? sized(p, mean) : around(p, mean));
+        find(strength_key);
     }
     if (law.has_coefficient) {
-        friction.coefficient = ratio;
-        parameters.push_back(law.n_numbers() == 1 ? coulomb_parameter(input)
-                             : law.has_strength   ? sized(unnamed_coefficient(), ratio)
-                             : law.has_limit      ? above(unnamed_coefficient(), ratio)
-                                                  : around(unnamed_coefficient(), ratio));
+        friction.coefficient = guess.friction / guess.normal_force;
+        find(coefficient_key);
     }
     if (law.has_exponent) {
         friction.reference_pressure = one_digit(guess.normal_force / area);
-        friction.pressure_exponent = .8;
-        parameters.push_back({.key = "friction.pressure_exponent",
-                              .name = "pressure_exponent",
-                              .symbol = "n",
-                              .scale = Scale::from_zero,
-                              .low = 0,
-                              .high = largest_exponent,
-                              .start = .8,
-                              .size = 1,
-                              .further_starts = {.3}});
+        friction.pressure_exponent = guessed_exponent;
+        find(exponent_key);
     }
     if (law.has_limit) {
         friction.strength_limit = guessed_margin * mean;
-        parameters.push_back(
-            above(strength_of("friction.strength_limit", "strength_limit_Pa", "tau_cap"), mean));
+        find(strength_limit_key);
     }
     result.rig.friction = friction;
     return result;
@@ -162,8 +193,9 @@ double mean_friction(bool on_layer, const contact::Case& rig, double normal_forc
 
 LoadRange loads_of_friction(const IdentificationInput& input) {
     std::vector<double> loads;
-    if (const auto* sliding = input.find(Measurement::sliding_force)) loads = sliding->given;
-    if (const auto* shifts = input.find(Measurement::static_shift))
+    for (const auto* sliding : input.all(Measurement::sliding_force))
+        loads.insert(loads.end(), sliding->given.begin(), sliding->given.end());
+    for (const auto* shifts : input.all(Measurement::static_shift))
         for (const LoadedRows& load : rows_by_load(*shifts, input.rig, shifts->given))
             loads.push_back(load.normal_force);
     const auto [least, largest] = std::ranges::minmax(loads);

@@ -8,6 +8,7 @@
 
 #include "contact/base/special_values.h"
 #include "experiments/identification/identification_report.h"
+#include "experiments/identification/law_parameters.h"
 #include "io/keys/messages.h"
 #include "report/format.h"
 #include "report/json_number.h"
@@ -114,6 +115,18 @@ std::optional<Verdict> coulomb_beside_strength(const LawComparison& laws) {
                     law_numbers(strength), what_to_do)};
 }
 
+/// Numbers of another law than Coulomb's were found.
+std::optional<Verdict> law_stated(const IdentificationStudy& study) {
+    const auto tau =
+        std::ranges::find(study.settings, "tau", [](const auto& s) { return s.first; });
+    const auto is_found = [](const FreeParameter& p) { return is_of_law(p.key); };
+    if (tau == study.settings.end() || std::ranges::none_of(study.input.parameters, is_found))
+        return {};
+    return Verdict{finding, fmt::format("One law of friction, tau = {}, was stated: it was not "
+                                        "compared (measurement.laws).",
+                                        tau->second)};
+}
+
 }  // namespace
 
 std::string law_name(const LawFit& fit) {
@@ -129,7 +142,10 @@ std::string law_numbers(const LawFit& fit) {
 
 std::vector<Verdict> law_verdicts(const IdentificationStudy& study) {
     std::vector<Verdict> verdicts;
-    if (!study.laws) return verdicts;
+    if (!study.laws) {
+        if (auto verdict = law_stated(study)) verdicts.push_back(std::move(*verdict));
+        return verdicts;
+    }
     const LawComparison& laws = *study.laws;
     if (study.input.laws.empty()) {
         // Where the layer matters, the half-space's comparison is that of a wrong model; a strength

@@ -254,17 +254,18 @@ std::vector<double> from_zero_depth(
     const std::function<std::vector<double>(const std::vector<double>&)>& values) {
     if (!table.has_free_zero) return values(given);
     // Forces go with the depth's power 3/2 at least: below this of the deepest there is none.
+    const double zero = rig.zero_depths.at(table.place);
     constexpr double least = 1e-6;
-    const double deepest = std::ranges::max(given) - rig.zero_depth;
+    const double deepest = std::ranges::max(given) - zero;
     if (!(deepest > 0)) throw contact::InputError("zero_depth: no row is in contact");
     std::vector<double> depths;
     for (const double depth : given)
-        if (depth - rig.zero_depth > least * deepest) depths.push_back(depth - rig.zero_depth);
+        if (depth - zero > least * deepest) depths.push_back(depth - zero);
     const std::vector<double> forces = values(depths);
     std::vector<double> all;
     std::size_t next = 0;
     for (const double depth : given)
-        all.push_back(depth - rig.zero_depth > least * deepest ? forces[next++] : 0.);
+        all.push_back(depth - zero > least * deepest ? forces[next++] : 0.);
     return all;
 }
 

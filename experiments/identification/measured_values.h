@@ -15,7 +15,8 @@ namespace tricontact::experiments {
 struct IdentifiedRig {
     contact::Case as_case;
     double pivot_height = 0;  ///< Dh over the contact [m]
-    double zero_depth = 0;    ///< of force_indentation: where the contact begins [m]
+    /// Of each table of force_indentation: where the contact begins [m]; empty: at 0.
+    std::vector<double> zero_depths = {};
 };
 
 /// Rigid shifts U [m] of a rig's indenter under its normal force and each of these tangential ones
@@ -62,8 +63,8 @@ std::vector<double> values_of_presses(const IdentificationInput::Table& table,
                                       const contact::Case& rig, const std::vector<double>& given,
                                       const std::vector<Pressed>& all);
 
-/// Values of a table, by the rows in contact: depths count from zero_depth, and where there is no
-/// contact there is no force.
+/// Values of a table, by the rows in contact: depths count from its zero_depth, and where there is
+/// no contact there is no force.
 std::vector<double> from_zero_depth(
     const IdentificationInput::Table& table, const IdentifiedRig& rig,
     const std::vector<double>& given,

@@ -48,7 +48,7 @@ std::string place_of(const IdentificationInput& input, std::size_t row) {
     while (row >= input.tables[t].observed.size()) row -= input.tables[t++].observed.size();
     const auto& table = input.tables[t];
     const MeasuredColumn& given = columns_of(table.measurement).given;
-    return fmt::format("row {} of {} ({} = {})", row + 1, name_of(table.measurement), given.axis,
+    return fmt::format("row {} of {} ({} = {})", row + 1, name_of(table), given.axis,
                        report::given_quantity(table.given[row], std::string(given.unit)));
 }
 
@@ -90,10 +90,8 @@ std::vector<Verdict> residual_verdicts(const IdentificationStudy& study,
     for (std::size_t t = 0; t < model.found.residuals.size() && !is_rejected(model); ++t) {
         const TableResiduals& one = model.found.residuals[t];
         if (one.has_pattern)
-            verdicts.push_back(
-                {one.has_strong_one ? fail : not_resolved,
-                 pattern_sentence(model, one,
-                                  std::string(name_of(study.input.tables[t].measurement)))});
+            verdicts.push_back({one.has_strong_one ? fail : not_resolved,
+                                pattern_sentence(model, one, name_of(study.input.tables[t]))});
     }
     // Rows far off a rejected model are its misfit where another one explains them.
     const bool is_misfit = is_rejected(model) && !std::ranges::all_of(study.models, &is_rejected);

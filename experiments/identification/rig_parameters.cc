@@ -33,13 +33,16 @@ FreeParameter length(std::string key, std::string name, std::string symbol, doub
             .start = start};
 }
 
-/// Dh = R dU/dW (Wetter 2016, 5.1.11), of the size that the table's shifts over its offsets have.
-FreeParameter pivot_height(const IdentificationInput::Table& rolled, double radius) {
+/// Dh = R dU/dW (Wetter 2016, 5.1.11), of the size that the tables' shifts over their offsets have.
+FreeParameter pivot_height(const std::vector<const IdentificationInput::Table*>& rolled,
+                           double radius) {
     const auto range = [](const std::vector<double>& values) {
         const auto [least, largest] = std::ranges::minmax(values);
         return largest - least;
     };
-    const double slope = std::max(range(rolled.observed) / range(rolled.given), least_pivot_slope);
+    double slope = least_pivot_slope;
+    for (const auto* table : rolled)
+        slope = std::max(slope, range(table->observed) / range(table->given));
     FreeParameter p{.key = std::string(pivot_key),
                     .name = "pivot_height_m",
                     .symbol = "Dh",
@@ -51,14 +54,16 @@ FreeParameter pivot_height(const IdentificationInput::Table& rolled, double radi
     return p;
 }
 
-/// Of the size of the table's range of depths.
-FreeParameter zero_depth(const IdentificationInput::Table& pressed) {
+/// Of the size of the table's range of depths. `n_tables`: each has one of its own.
+FreeParameter zero_depth(const IdentificationInput::Table& pressed, std::size_t n_tables) {
     const auto [least, largest] = std::ranges::minmax(pressed.given);
     const double range = largest - least;
     if (!(range > 0)) throw contact::InputError("zero_depth: all depths are the same");
+    const std::string number = n_tables > 1 ? std::to_string(pressed.place + 1) : "";
     return {.key = std::string(zero_depth_key),
-            .name = "zero_depth_m",
-            .symbol = "d_0",
+            .index = pressed.place,
+            .name = "zero_depth" + (number.empty() ? "" : "_" + number) + "_m",
+            .symbol = "d_0" + (number.empty() ? "" : "_" + number),
             .unit = "m",
             .scale = Scale::either_sign,
             .low = least - widest_zero * range,
@@ -136,8 +141,8 @@ std::vector<FreeParameter> free_parameters(const IdentificationInput& input,
                                   .low = 0,
                                   .high = .5,
                                   .start = rig.substrate.poisson});
-        } else if (key == "friction.coefficient") {
-            parameters.push_back(coulomb_parameter(input));
+        } else if (is_of_law(key)) {
+            parameters.push_back(law_parameter(input, stated_law(rig.friction), key));
         } else if (key == "indenter.radius") {
             parameters.push_back(length(key, "indenter_radius_m", "R", rig.indenter.radius));
         } else if (key == "substrate.thickness") {
@@ -149,9 +154,11 @@ std::vector<FreeParameter> free_parameters(const IdentificationInput& input,
             parameters.push_back(stiffness_parameter(input, key));
         } else if (key == pivot_key) {
             parameters.push_back(
-                pivot_height(*input.find(Measurement::rolling_shift), rig.indenter.radius));
+                pivot_height(input.all(Measurement::rolling_shift), rig.indenter.radius));
         } else if (key == zero_depth_key) {
-            parameters.push_back(zero_depth(*input.find(Measurement::force_indentation)));
+            const auto tables = input.all(Measurement::force_indentation);
+            for (const auto* table : tables)
+                parameters.push_back(zero_depth(*table, tables.size()));
         } else {
             add_terms(*rig.relaxation, key, parameters);
         }

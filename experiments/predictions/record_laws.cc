@@ -10,6 +10,7 @@
 #include "contact/base/special_values.h"
 #include "contact/models/model_kind.h"
 #include "experiments/identification/identification_models.h"
+#include "experiments/identification/law_parameters.h"
 #include "io/case/case_keys.h"
 #include "report/format.h"
 
@@ -65,6 +66,13 @@ bool is_at_an_end(const LawFit& fit) {
     return false;
 }
 
+/// The end of n that is no narrower law.
+bool has_largest_exponent(const LawFit& fit) {
+    const auto k = fit.found.find(std::string(exponent_key));
+    return k && fit.found.parameters[*k].value > 1 &&
+           fit.found.free[*k].is_at_bound(fit.found.parameters[*k].value);
+}
+
 bool tells_all(const LawFit& fit) {
     return std::ranges::all_of(fit.found.parameters, [](const ParameterEstimate& p) {
         return std::isfinite(p.standard_error);
@@ -108,6 +116,10 @@ RecordedLaw law_of(const LawFit& fit, const ExperimentEvaluation& record,
                    const ExperimentInput& input, const PredictionRuns& runs) {
     RecordedLaw law;
     law.overrides = overrides_of(fit);
+    if (has_largest_exponent(fit)) {
+        law.why_not = "its exponent is at the end of its range";
+        return law;
+    }
     if (is_at_an_end(fit)) {
         law.why_not =
             "its numbers are at the end of their range, where it is a law that it "
@@ -185,7 +197,7 @@ std::vector<std::size_t> RecordLaws::supported() const {
 std::optional<std::size_t> RecordLaws::end_of(std::size_t law) const {
     const LawFit& wide = tables.laws[law];
     std::optional<std::size_t> nearest;
-    if (!is_at_an_end(wide)) return nearest;
+    if (!is_at_an_end(wide) || has_largest_exponent(wide)) return nearest;
     double least = contact::infinity;
     for (std::size_t k = 0; k < laws.size(); ++k) {
         const LawFit& narrow = tables.laws[k];

@@ -68,6 +68,11 @@ class RecordPredictions {
                 *input_.case_file +
                 ": friction.map: records are compared under one law of friction over the whole "
                 "substrate; leave the map out, tricontact run computes it");
+        if (c.friction.remembers())
+            throw contact::InputError(
+                *input_.case_file +
+                ": interface.hardening: records are compared by formulas of friction that does not "
+                "change with the way of slip; leave it out, tricontact run computes it");
         if (c.load.is_by_limit())
             throw contact::InputError(
                 fmt::format("{}: {}: the rig sets a force; give load.tangential_force",

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <chrono>
 
+#include "fem/case/indenter_body.h"
 #include "fem/condensed_layer.h"
 #include "fem/settings.h"
 
@@ -34,32 +35,62 @@ LayerProblem problem_of(const Case& c, meshes::HexMesh mesh) {
 LayerCondenser::LayerCondenser(const Case& c, Say say)
     : case_(c), cache_(c.of<Settings>().cache), say_(std::move(say)) {}
 
-std::unique_ptr<CondensedCompliance> LayerCondenser::make(meshes::HexMesh mesh) {
-    auto problem = std::make_shared<const LayerProblem>(problem_of(case_, std::move(mesh)));
+CondensedPart LayerCondenser::part(LayerProblem of_body, const char* what) const {
+    auto problem = std::make_shared<const LayerProblem>(std::move(of_body));
     const std::string key = LayerCache::key(*problem);
-    const auto compliance_of = [&](CondensedLayer layer) {
-        return std::make_unique<CondensedCompliance>(
-            problem, case_.is_line_contact() ? contact_line(layer) : std::move(layer),
-            case_.interface);
-    };
-    LayerCache::Claim claim = cache_.claim(
-        key, [&] { say("another process condenses this layer, which is waited for"); });
+    LayerCache::Claim claim = cache_.claim(key, [&] {
+        say(fmt::format("another process condenses this {}, which is waited for", what));
+    });
     if (claim.layer) {
-        say(fmt::format("condensed layer reused from {} ({} contact nodes)", cache_.path_of(key),
+        say(fmt::format("condensed {} reused from {} ({} contact nodes)", what, cache_.path_of(key),
                         claim.layer->points.size()));
-        return compliance_of(std::move(*claim.layer));
+        return {std::move(problem), std::move(*claim.layer)};
     }
-    if (!claim.why.empty()) say(fmt::format("condensed layer recomputed: {}", claim.why));
+    if (!claim.why.empty()) say(fmt::format("condensed {} recomputed: {}", what, claim.why));
     const auto start = std::chrono::steady_clock::now();
     CondensedLayer layer = condense(*problem);
     std::string why;
     const bool kept = cache_.store(key, layer, &why);
-    if (!kept && !why.empty()) say(fmt::format("condensed layer not kept: {}", why));
-    say(fmt::format("layer of {} elements condensed to {} contact nodes in {:.1f} s{}",
+    if (!kept && !why.empty()) say(fmt::format("condensed {} not kept: {}", what, why));
+    say(fmt::format("{} of {} elements condensed to {} contact nodes in {:.1f} s{}", what,
                     problem->mesh.hexes.size(), layer.points.size(),
                     std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(),
                     kept ? fmt::format(", kept in {}", cache_.path_of(key)) : ""));
-    return compliance_of(std::move(layer));
+    return {std::move(problem), std::move(layer)};
+}
+
+std::unique_ptr<CondensedCompliance> LayerCondenser::make(meshes::HexMesh mesh) {
+    CondensedPart layer = part(problem_of(case_, std::move(mesh)), "layer");
+    return std::make_unique<CondensedCompliance>(
+        std::move(layer.problem),
+        case_.is_line_contact() ? contact_line(layer.layer) : std::move(layer.layer),
+        case_.interface);
+}
+
+// Areas of a line are those of the plane, as in space.
+std::unique_ptr<contact::Compliance> LayerCondenser::on_rigid_plane(
+    const meshes::LayerMeshSpec& spec, CondensedPart indenter) const {
+    ContactSurface plane = plane_patch(spec);
+    if (case_.is_line_contact()) {
+        indenter.layer.points = plane.points;
+        indenter.layer = contact_line(indenter.layer);
+        plane = {{}, indenter.layer.points, {}};
+    }
+    return std::make_unique<PairCompliance>(std::move(plane), std::move(indenter), case_.interface);
+}
+
+std::unique_ptr<contact::Compliance> LayerCondenser::make_contact(
+    const meshes::LayerMeshSpec& spec) {
+    if (!case_.indenter.body) return make(make_layer_mesh(spec));
+    CondensedPart indenter = part(indenter_problem(case_, spec), "indenter");
+    if (case_.has_rigid_substrate) return on_rigid_plane(spec, std::move(indenter));
+    CondensedPart layer = part(problem_of(case_, make_layer_mesh(spec)), "layer");
+    if (case_.is_line_contact()) {
+        indenter.layer.points = layer.layer.points;
+        indenter.layer = contact_line(indenter.layer);
+        layer.layer = contact_line(layer.layer);
+    }
+    return std::make_unique<PairCompliance>(std::move(layer), std::move(indenter), case_.interface);
 }
 
 }  // namespace tricontact::fem

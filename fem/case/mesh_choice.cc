@@ -11,6 +11,7 @@
 #include "contact/solvers/contact_region.h"
 #include "contact/solvers/normal_solver.h"
 #include "contact/surface_model.h"
+#include "fem/case/indenter_body.h"
 #include "fem/settings.h"
 #include "meshes/layer_mesh.h"
 
@@ -98,7 +99,7 @@ std::array<double, 4> pressed_values(const Case& c, double size, double radius,
     still.rolling.reset();
     still.prescribed_path.reset();
     contact::SurfaceModel model(
-        contact::models::fem, condenser.make(make_layer_mesh(spec_for(still, size, radius))),
+        contact::models::fem, condenser.make_contact(spec_for(still, size, radius)),
         still.make_indenter(), c.friction.law(), c.of<Settings>().tolerance, c.contact);
     contact::LoadStep press = contact::press_step(c);
     press.friction = false;
@@ -126,6 +127,17 @@ meshes::LayerMeshSpec resized(meshes::LayerMeshSpec spec, double size) {
     return spec;
 }
 
+/// Of the larger of the case's bodies on the mesh of `spec`, and the compliance of the other.
+double predicted_bytes_of(const Case& c, const meshes::LayerMeshSpec& spec) {
+    const auto of_layer = [&] { return predicted_bytes(problem_of(c, make_layer_mesh(spec))); };
+    if (!c.indenter.body) return of_layer();
+    const double of_indenter = predicted_bytes(indenter_problem(c, spec));
+    if (c.has_rigid_substrate) return of_indenter;
+    const double n_x = 4 * spec.patch_x / spec.size + 1,
+                 n_y = (spec.half_model ? 2 : 4) * spec.patch_y / spec.size + 1;
+    return std::max(of_indenter, of_layer()) + 8 * std::pow(3 * n_x * n_y, 2);
+}
+
 /// The least size found whose condensation is predicted to fit [m]; 0: none was.
 double size_that_fits(const Case& c, meshes::LayerMeshSpec spec, const MemoryShort& shortage) {
     // Factor and dense compliance of a layer grow with about h^-2.5.
@@ -134,9 +146,7 @@ double size_that_fits(const Case& c, meshes::LayerMeshSpec spec, const MemorySho
     for (int attempt = 0; attempt < 4; ++attempt) {
         spec = resized(spec, std::min(1.05 * spec.size * std::pow(ratio, 0.4), 16 * first));
         try {
-            const double needed =
-                predicted_bytes(problem_of(c, make_layer_mesh(spec))) + blas_buffer_bytes();
-            ratio = needed / shortage.available_bytes;
+            ratio = (predicted_bytes_of(c, spec) + blas_buffer_bytes()) / shortage.available_bytes;
         } catch (const std::bad_alloc&) {
             ratio = 4;
         }
@@ -155,12 +165,13 @@ meshes::LayerMeshSpec spec_for(const Case& c, double size, double contact_radius
     meshes::LayerMeshSpec spec;
     spec.size = size;
     spec.growth = c.of<Settings>().growth;
-    spec.thickness = *c.layer.thickness;
+    // Below a body on a rigid plane nothing is meshed but the patch.
+    spec.thickness = c.has_rigid_substrate ? size : *c.layer.thickness;
     spec.lower_thickness = c.layer.lower.empty() ? 0 : c.layer.lower.front().thickness;
     spec.half_model = contact::is_mirror_symmetric(c);
     spec.patch_x = whole_elements(contact_radius + extent[0] + shift, size);
     const double total = spec.thickness + spec.lower_thickness;
-    const double reach = far_sides(c) * total;
+    const double reach = c.has_rigid_substrate ? 0 : far_sides(c) * total;
     auto half_side = [&](const std::optional<double>& given, double patch) {
         return given ? *given / 2 : std::max(reach, patch + reach / 2);
     };
@@ -185,8 +196,7 @@ double probe_radius(const Case& c, const contact::NormalControl& control,
     double guess = widest * std::sqrt(control.value / contact::press_step(c).normal.value);
     for (;; guess *= enlargement) {
         const double size = narrowness(c) * guess / probe_elements;
-        const auto compliance =
-            condenser.make(make_layer_mesh(spec_for(still, size, probe_margin * guess)));
+        const auto compliance = condenser.make_contact(spec_for(still, size, probe_margin * guess));
         const double radius = pressed_radius(c, control, *compliance);
         if (radius > 0) return radius + size / 2;
     }
@@ -210,16 +220,31 @@ double size_for_accuracy(const Case& c, double radius, LayerCondenser& condenser
     return fine * std::min(1., factor);
 }
 
-std::unique_ptr<CondensedCompliance> make_fitting(const Case& c, const meshes::LayerMeshSpec& spec,
-                                                  LayerCondenser& condenser) {
+namespace {
+
+template <class Make>
+auto made_or_size_named(const Case& c, const meshes::LayerMeshSpec& spec, const Make& make) {
     try {
-        return condenser.make(make_layer_mesh(spec));
+        return make();
     } catch (const MemoryShort& shortage) {
         const double size = size_that_fits(c, spec, shortage);
         throw contact::InputError(fmt::format(
             "fem: {}{}", shortage.what(),
             size > 0 ? fmt::format("; fem.size = \"{:.3g} mm\" would fit", 1e3 * size) : ""));
     }
+}
+
+}  // namespace
+
+std::unique_ptr<contact::Compliance> make_fitting(const Case& c, const meshes::LayerMeshSpec& spec,
+                                                  LayerCondenser& condenser) {
+    return made_or_size_named(c, spec, [&] { return condenser.make_contact(spec); });
+}
+
+std::unique_ptr<CondensedCompliance> make_fitting_layer(const Case& c,
+                                                        const meshes::LayerMeshSpec& spec,
+                                                        LayerCondenser& condenser) {
+    return made_or_size_named(c, spec, [&] { return condenser.make(make_layer_mesh(spec)); });
 }
 
 }  // namespace tricontact::fem

@@ -24,10 +24,14 @@ double probe_radius(const contact::Case& c, const contact::NormalControl& contro
 /// order 1.5, less than is observed. `radius` [m]: of the contact.
 double size_for_accuracy(const contact::Case& c, double radius, LayerCondenser& condenser);
 
-/// The layer on the mesh of `spec`. When the memory does not suffice, the error names the size
-/// that would.
-std::unique_ptr<CondensedCompliance> make_fitting(const contact::Case& c,
+/// What the contact sees on the mesh of `spec`, see LayerCondenser::make_contact(). When the memory
+/// does not suffice, the error names the size that would.
+std::unique_ptr<contact::Compliance> make_fitting(const contact::Case& c,
                                                   const meshes::LayerMeshSpec& spec,
                                                   LayerCondenser& condenser);
+/// The same of a layer under a rigid indenter.
+std::unique_ptr<CondensedCompliance> make_fitting_layer(const contact::Case& c,
+                                                        const meshes::LayerMeshSpec& spec,
+                                                        LayerCondenser& condenser);
 
 }  // namespace tricontact::fem

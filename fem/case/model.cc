@@ -36,6 +36,11 @@ constexpr double patch_margin = 1.03;
 constexpr double patch_growth = 1.3;
 
 void require_layer(const Case& c) {
+    if (c.indenter.body && c.of<Settings>().mesh)
+        throw contact::InputError(
+            "fem.mesh: the nodes of a mesh file do not match those of the indenter's body; leave "
+            "out fem.mesh or indenter.body");
+    if (c.has_rigid_substrate) return;
     if (!c.layer.thickness && !c.of<Settings>().mesh)
         throw contact::InputError(
             "fem: the finite element layer needs substrate.thickness (or a fem.mesh)");
@@ -47,6 +52,7 @@ void require_layer(const Case& c) {
 
 void say_what_was_chosen(const Case& c, const meshes::LayerMeshSpec& spec,
                          const LayerCondenser& condenser) {
+    if (c.has_rigid_substrate) return;
     const double total = spec.thickness + spec.lower_thickness;
     if (!c.layer.width || !c.layer.depth)
         condenser.say(fmt::format("block of {:.4g} mm x {:.4g} mm where the case gives no size",
@@ -75,6 +81,7 @@ struct Plan {
 
 meshes::LayerMeshSpec spec_of(const Case& c, const Plan& plan) {
     const auto spec = spec_for(c, plan.size, plan.contact_radius, plan.shift);
+    if (c.has_rigid_substrate) return spec;
     require_room("width", spec.half_x, spec.patch_x, spec.size);
     if (!c.is_cylindrical()) require_room("depth", spec.half_y, spec.patch_y, spec.size);
     return spec;
@@ -138,7 +145,7 @@ std::unique_ptr<contact::Model> make_strained(const Case& c, const std::optional
     }
     const auto on = [c, say](const Plan& plan) -> std::shared_ptr<const CondensedCompliance> {
         LayerCondenser condenser(c, say);
-        return make_fitting(c, spec_of(c, plan), condenser);
+        return make_fitting_layer(c, spec_of(c, plan), condenser);
     };
     setup.layer = on(*own);
     setup.larger_layer = [on, plan = *own]() mutable {
@@ -157,6 +164,9 @@ meshes::LayerMeshSpec mesh_spec(const Case& c, const Say& say) {
 }
 
 meshes::HexMesh make_mesh(const Case& c, const Say& say) {
+    if (c.has_rigid_substrate)
+        throw contact::InputError(
+            "substrate.rigid: a rigid substrate has no mesh; give the substrate a thickness");
     return c.of<Settings>().mesh ? read_users_mesh(c) : make_layer_mesh(mesh_spec(c, say));
 }
 
@@ -166,10 +176,10 @@ std::unique_ptr<contact::Model> make_model(const Case& c, const Say& say) {
     std::optional<Plan> own;
     if (!c.of<Settings>().mesh) own = plan(c, condenser);
     if (c.law != Case::Law::linear) return make_strained(c, own, say);
-    auto of_elastic = [&](const Case& elastic) {
+    auto of_elastic = [&](const Case& elastic) -> std::unique_ptr<contact::Compliance> {
         LayerCondenser other(elastic, say);
-        return own ? make_fitting(elastic, spec_of(c, *own), other)
-                   : other.make(read_users_mesh(elastic));
+        if (!own) return other.make(read_users_mesh(elastic));
+        return make_fitting(elastic, spec_of(c, *own), other);
     };
     auto relaxed = contact::relaxes_as_one(c) ? of_elastic(c) : nullptr;
     return std::make_unique<contact::SurfaceModel>(

@@ -287,7 +287,7 @@ std::array<std::vector<double>, 3> missing_reaction(
 }  // namespace
 
 LayerProblem broadcast(LayerProblem problem, const Session& session) {
-    auto& [mesh, materials, base, sides, largest_bulk_ratio, line_length] = problem;
+    auto& [mesh, materials, base, sides, largest_bulk_ratio, line_length, pinned] = problem;
     session.broadcast(mesh.nodes);
     session.broadcast(mesh.hexes);
     session.broadcast(mesh.regions);
@@ -300,6 +300,7 @@ LayerProblem broadcast(LayerProblem problem, const Session& session) {
     session.broadcast(&sides, sizeof(sides));
     session.broadcast(&largest_bulk_ratio, sizeof(largest_bulk_ratio));
     session.broadcast(&line_length, sizeof(line_length));
+    session.broadcast(&pinned, sizeof(pinned));
     return problem;
 }
 

@@ -251,11 +251,12 @@ void check_ground(const Case& c, const Document& document) {
 }
 
 void check_layer(const std::string& model, const Case& c, const Document& document) {
+    const ModelKind& kind = contact::model_kind(model);
+    if (kind.is_meshed() && c.has_rigid_substrate) return;
     if (!c.layer.thickness)
         refuse(document, "models",
                model + " models a layer, but the case has no substrate.thickness",
                "add thickness = \"8 mm\" or the like to [substrate], or leave out " + model);
-    const ModelKind& kind = contact::model_kind(model);
     if (kind.is_on_line() && c.layer.base == Base::frictionless)
         refuse(document, "substrate.base",
                model +

@@ -193,7 +193,7 @@ std::vector<CaseKey> substrate_keys() {
              "paraboloid or sphere, whose contact is that of the deformed surface; all "
              "other models are linear",
              {.default_value = R"("linear")"}),
-         at<&Case::law>},
+         [](Case& c) { return c.has_rigid_substrate ? Field() : Field(&c.law); }},
         {number_key("substrate.c01_ratio", {0, 1, true, true}, "0.2",
                     "share of the second constant, c01/(c10 + c01), in the shear modulus of a "
                     "Mooney-Rivlin material, 2 (c10 + c01)",

@@ -72,6 +72,8 @@ RadiusBounds contact_radius_bounds(const contact::Case& c);
 /// and rolling path have elements enough and not too many and fit on the block. `steps` [-]: of the
 /// whole run.
 void check_fem(const contact::Case& c, double steps, const Document& document);
+/// What fem computes of an indenter's body.
+void check_fem_body(const contact::Case& c, const Document& document);
 
 /// The key that says how thick the layer is.
 inline std::string thickness_key(const Document& document) {

@@ -18,9 +18,14 @@ constexpr double most_elements = 1e7;    // of the block
 constexpr double most_work = 3e13;       // unknowns squared times steps: days
 constexpr double thinnest = 0.02;        // b/a: thin elements in hundreds
 
+// Without a body of finite size there is nothing to mesh of the indenter.
 void check_indenter(const Case& c, const Document& document) {
-    if (c.indenter.body)
-        refuse(document, "indenter.body", "fem takes the indenter as rigid", "leave out fem");
+    if (c.indenter.body) return;
+    const std::string remedy = "give indenter.body, the finite body that it is";
+    if (c.has_rigid_substrate)
+        refuse(document, "substrate.rigid",
+               "fem meshes no half-space: neither body is one that it can deform",
+               remedy + ", or leave out fem");
     if (!c.indenter.material) return;
     const double ratio = c.indenter.material->plane_compliance() / c.substrate.plane_compliance();
     if (ratio <= largest_compliance_ratio) return;
@@ -28,7 +33,7 @@ void check_indenter(const Case& c, const Document& document) {
            "fem takes the indenter as rigid, but its compliance (1 - poisson^2)/young is " +
                rounded(ratio) + " of the substrate's, more than " +
                rounded(largest_compliance_ratio),
-           "omit young and poisson of the indenter to make it rigid, or leave out fem");
+           remedy + ", omit young and poisson of the indenter to make it rigid, or leave out fem");
 }
 
 // What fem computes at finite strains.
@@ -66,7 +71,7 @@ Patch patch_of(const Case& c, double contact_radius) {
 
 void check_extent(const Case& c, const Patch& patch, const RadiusBounds& a,
                   const Document& document) {
-    if (*c.layer.thickness < thinnest * a.low)
+    if (!c.has_rigid_substrate && *c.layer.thickness < thinnest * a.low)
         refuse(document, thickness_key(document),
                "the layer is thinner than " + rounded(thinnest) +
                    " of the contact radius, at least " + rounded(a.low) + " m: it cannot be meshed",
@@ -83,6 +88,7 @@ void check_extent(const Case& c, const Patch& patch, const RadiusBounds& a,
 }
 
 void check_indentation(const Case& c, const Document& document) {
+    if (c.has_rigid_substrate) return;
     const double thickness = c.layer.total_thickness();
     if (!c.load.indentation || *c.load.indentation < thickness) return;
     refuse(document, "load.indentation",
@@ -102,9 +108,14 @@ double n_along(const Case& c, double h) {
            n_graded(c.indenter.length / 2, h / 4, c.of<fem::Settings>().growth);
 }
 
+// Of what is meshed below the patch [m].
+double depth_of(const Case& c) {
+    return c.has_rigid_substrate ? c.indenter.radius : c.layer.total_thickness();
+}
+
 // Of the block that the patch, its elements and their growth ask for; not narrower than 6 b.
 double n_elements(const Case& c, const Patch& patch, double h) {
-    const double b = c.layer.total_thickness();
+    const double b = depth_of(c);
     const double growth = c.of<fem::Settings>().growth;
     const auto across = [&](double half, const std::optional<double>& side) {
         const double outside = (side ? *side / 2 : std::max(6 * b, half)) - half;
@@ -160,6 +171,11 @@ double growth_at_crest(const Case& c) {
     return c.load.normal_force && !c.is_cylindrical() ? std::cbrt(growth) : std::sqrt(growth);
 }
 
+// Of the layer in contact [m]; a body on a rigid plane is no thin layer.
+double thickness_of(const Case& c) {
+    return c.layer.thickness.value_or(contact::infinity);
+}
+
 // Of the softest layer below over the one in contact [-].
 double softness_below(const Case& c) {
     double softer = 0;
@@ -176,24 +192,22 @@ RadiusBounds line_bounds(const Case& c) {
     const double softer = softness_below(c);
     if (c.load.normal_force) {
         const double hertz = contact::half_space_scales(c).contact_radius * growth_at_crest(c);
-        const double thin = 1.88 * std::pow(*c.layer.thickness / hertz, .6);
+        const double thin = 1.88 * std::pow(thickness_of(c) / hertz, .6);
         return {hertz / (1 + 1 / thin), hertz * std::sqrt(std::max(1., softer))};
     }
     const double deepest = *c.load.indentation * (1 + c.load.normal_amplitude_ratio);
     // Where the half-space's d ends with the length, the layer's ends with its thickness.
     Case as_long = c;
-    as_long.indenter.length = std::max(c.indenter.length, c.layer.total_thickness());
+    as_long.indenter.length = std::max(c.indenter.length, depth_of(c));
     const double least = contact::half_space_scales(as_long).contact_radius * growth_at_crest(c);
     return {softer > 1 ? 0 : least, std::sqrt(6 * c.indenter.radius * deepest)};
 }
 
-}  // namespace
-
-RadiusBounds contact_radius_bounds(const Case& c) {
+RadiusBounds bounds_of_rigid_indenter(const Case& c) {
     if (c.is_cylindrical()) return line_bounds(c);
     const contact::HalfSpaceScales scales = contact::half_space_scales(c);
     const double hertz = scales.contact_radius * growth_at_crest(c);
-    const double b = *c.layer.thickness, softer = softness_below(c);
+    const double b = thickness_of(c), softer = softness_below(c);
     // A cone's contact, which grows with d, is 2.4 times as wide on a thin incompressible layer;
     // no other body's grows faster or is wider.
     if (!contact::is_hertz_round(c))
@@ -210,8 +224,20 @@ RadiusBounds contact_radius_bounds(const Case& c) {
     return {softer > 1 ? 0 : hertz, 2 * hertz};
 }
 
+}  // namespace
+
+// What a body's finite size does to the contact radius is at most some ten per cent as long as it
+// can be meshed.
+RadiusBounds contact_radius_bounds(const Case& c) {
+    const RadiusBounds a = bounds_of_rigid_indenter(c);
+    if (!c.indenter.body) return a;
+    constexpr double finite_body = 1.25;
+    return {a.low / finite_body, a.high * finite_body};
+}
+
 void check_fem(const Case& c, double steps, const Document& document) {
     check_indenter(c, document);
+    if (c.indenter.body) check_fem_body(c, document);
     check_law(c, document);
     const RadiusBounds a = contact_radius_bounds(c);
     const Patch patch = patch_of(c, a.low);

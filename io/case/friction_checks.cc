@@ -73,17 +73,24 @@ void check_rate(const Case& c, const Document& document) {
                "give friction.rate.memory_length too, or omit this key");
 }
 
-/// What points remember of their slip, in steps of elastic bodies that do not roll.
-void check_memory(const Case& c, const Document& document, const std::string& key) {
+/// What points remember of their slip: of a bound that falls with it a contact at rest or along a
+/// path, of one that rises also one that rolls back and forth on an elastic body.
+void check_memory(const Case& c, const Document& document, const std::string& key, bool falls) {
     const std::string omit = "omit " + key;
-    if (c.rolling || c.tractive_rolling)
+    if (c.tractive_rolling)
         refuse(document, key,
-               "what becomes of a contact that rolls is decided for friction that does not change "
-               "with the slip",
+               "rolling on is computed for friction that does not change with the way of slip",
+               omit + ", or [tractive_rolling]: [path] follows any load");
+    if (c.rolling && falls)
+        refuse(document, key,
+               "what becomes of a contact that rolls is not decided where friction falls with the "
+               "slip: Melan's argument needs bounds that do not",
                omit + ", or [rolling]: [path] follows any load");
-    if (c.relaxation)
-        refuse(document, key, "no relaxing substrate knows friction that changes with the slip",
-               omit + " or [substrate.relaxation]");
+    if (c.rolling && c.relaxation)
+        refuse(document, key,
+               "a contact that rolls on a relaxing substrate knows no friction that changes with "
+               "the slip",
+               omit + " or [substrate.relaxation], or use [path]");
     if (c.law != Case::Law::linear)
         refuse(document, key, "at finite strains friction does not change with the slip",
                omit + R"(, or set substrate.material to "linear")");
@@ -92,7 +99,9 @@ void check_memory(const Case& c, const Document& document, const std::string& ke
                omit + " or friction.map");
     for (const std::string& model : c.models)
         if (contact::model_kind(model).is_on_line())
-            refuse(document, key, "what a spring of " + model + " slips is the slip of no point",
+            refuse(document, key,
+                   "what a spring of " + model +
+                       " slips is the slip of no point: a point's is a mean over springs",
                    "leave out " + model + ", or " + omit);
 }
 
@@ -108,7 +117,7 @@ void check_weakening(const Case& c, const Document& document) {
         refuse(document, "friction.weakening.drop",
                "leaves nothing of friction.coefficient = " + rounded(*friction.coefficient),
                "give less than that");
-    check_memory(c, document, key);
+    check_memory(c, document, key, true);
 }
 
 void check_yield(const Case& c, const Document& document) {
@@ -124,7 +133,8 @@ void check_yield(const Case& c, const Document& document) {
                "is not above friction.shear_strength = " + rounded(*friction.shear_strength) +
                    " Pa: the surfaces would never slip",
                "enlarge it, or omit the shear strength");
-    if (friction.remembers()) check_memory(c, document, "interface.hardening");
+    if (friction.remembers())
+        check_memory(c, document, "interface.hardening", friction.yield->hardening < 0);
 }
 
 }  // namespace

@@ -23,14 +23,22 @@ constexpr std::array laws{
     MeasurementLaw{.name = "capped",
                    .formula = "min(mu p, tau_cap)",
                    .has_coefficient = true,
-                   .has_limit = true}};
+                   .has_limit = true},
+    MeasurementLaw{.name = "strength-and-power",
+                   .formula = "tau_0 + mu p_r (p/p_r)^n",
+                   .has_strength = true,
+                   .has_coefficient = true,
+                   .has_exponent = true}};
 
 }  // namespace
 
-// All laws of two numbers become Coulomb's (tau_0 = 0, n = 1, tau_cap without end) and a strength
-// (mu = 0, n = 0, mu without end).
 bool MeasurementLaw::contains(const MeasurementLaw& other) const {
-    return other.n_numbers() == 1 && n_numbers() == 2;
+    if (other.n_numbers() >= n_numbers()) return false;
+    const bool frees_all = has_strength >= other.has_strength &&
+                           has_coefficient >= other.has_coefficient &&
+                           has_exponent >= other.has_exponent && has_limit >= other.has_limit;
+    const bool is_strength = !other.has_coefficient && !other.has_limit;
+    return frees_all || (is_strength && (has_exponent || has_limit));
 }
 
 std::span<const MeasurementLaw> measurement_laws() {

@@ -13,7 +13,8 @@ struct MeasurementLaw {
     bool has_strength = false, has_coefficient = false, has_exponent = false, has_limit = false;
 
     int n_numbers() const { return has_strength + has_coefficient + has_exponent + has_limit; }
-    /// Whether the other one is this with one of its numbers at an end of its range or at 1.
+    /// Whether the other one, of fewer numbers, is this with the others at 0, 1 or none; a strength
+    /// is also a power of n = 0, and a cap with mu without end.
     bool contains(const MeasurementLaw& other) const;
 };
 

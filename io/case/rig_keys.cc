@@ -61,18 +61,24 @@ std::vector<Choice> measurement_law_choices() {
     return choices;
 }
 
+/// A table, or several of the same kind.
+Key tables_key(std::string_view path, std::string_view example, std::string_view text) {
+    return bare_list_of(choice_key(path, {}, example, text));
+}
+
 std::vector<Key> measurement_keys() {
     return {
-        text_key("measurement.static_shift", R"("shift.csv")",
-                 "table of tangential forces and the shifts they caused under load.normal_force, "
-                 "before any rolling; with a column normal_force, under several"),
-        text_key("measurement.sliding_force", R"("sliding.csv")",
-                 "table of normal forces and the tangential forces at which the contact slid as a "
-                 "whole"),
-        text_key("measurement.force_indentation", R"("indentation.csv")",
-                 "table of indentations and the normal forces they took"),
-        text_key("measurement.contact_radius", R"("radius.csv")",
-                 "table of normal forces and contact radii"),
+        tables_key("measurement.static_shift", R"("shift.csv")",
+                   "table of tangential forces and the shifts they caused under load.normal_force, "
+                   "before any rolling; with a column normal_force, under several"),
+        tables_key(
+            "measurement.sliding_force", R"("sliding.csv")",
+            "table of normal forces and the tangential forces at which the contact slid as a "
+            "whole"),
+        tables_key("measurement.force_indentation", R"("indentation.csv")",
+                   "table of indentations and the normal forces they took"),
+        tables_key("measurement.contact_radius", R"("radius.csv")",
+                   "table of normal forces and contact radii"),
         text_key(
             "measurement.force_relaxation", R"("relaxation.csv")",
             "table of times since measurement.held_indentation was reached at once, and normal "
@@ -87,26 +93,30 @@ std::vector<Key> measurement_keys() {
         quantity_key("measurement.held_force", force, above_zero(1e9), R"("5 N")",
                      "normal force of indentation_creep",
                      {.needs = "measurement.indentation_creep"}),
-        text_key("measurement.rolling_shift", R"("rolling.csv")",
-                 "table of rolling offsets within a period and the shifts at them, along the "
-                 "drive, without tangential force"),
-        list_of(choice_key("measurement.find",
-                           {{"substrate.young"},
-                            {"substrate.poisson"},
-                            {"substrate.thickness"},
-                            {"substrate.relaxation.relative_moduli"},
-                            {"substrate.relaxation.times"},
-                            {"indenter.radius"},
-                            {"friction.coefficient"},
-                            {"interface.normal_stiffness"},
-                            {"interface.tangential_stiffness"},
-                            {"rig.pivot_height"},
-                            {"zero_depth"}},
-                           R"(["substrate.young"])",
-                           "what follows from the tables; of E, mu and the pivot the case holds no "
-                           "values that are used, of others they are where the search starts; "
-                           "zero_depth: the depth at which force_indentation begins to touch",
-                           {.required = true})),
+        tables_key("measurement.rolling_shift", R"("rolling.csv")",
+                   "table of rolling offsets within a period and the shifts at them, along the "
+                   "drive, without tangential force"),
+        list_of(
+            choice_key("measurement.find",
+                       {{"substrate.young"},
+                        {"substrate.poisson"},
+                        {"substrate.thickness"},
+                        {"substrate.relaxation.relative_moduli"},
+                        {"substrate.relaxation.times"},
+                        {"indenter.radius"},
+                        {"friction.coefficient"},
+                        {"friction.shear_strength"},
+                        {"friction.pressure_exponent"},
+                        {"friction.strength_limit"},
+                        {"interface.normal_stiffness"},
+                        {"interface.tangential_stiffness"},
+                        {"rig.pivot_height"},
+                        {"zero_depth"}},
+                       R"(["substrate.young"])",
+                       "what follows from the tables; of E, mu, strengths and the pivot the case "
+                       "holds no values that are used, of others they are where the search starts; "
+                       "zero_depth: the depth at which force_indentation begins to touch",
+                       {.required = true})),
         list_of(choice_key("measurement.models", measurement_model_choices(),
                            R"(["half-space", "layer"])",
                            "models that explain the tables: closed forms of the half-space, the "

@@ -123,6 +123,11 @@ const Choice& choice_of(const std::string& word, const Key& key, const Entry& en
 }
 
 std::vector<std::string> list_of(const Key& key, const Entry& entry) {
+    if (key.bare && !is_list(entry)) {
+        const auto* text = std::get_if<std::string>(&entry.value);
+        if (!text) refuse_kind(key, entry, "a text in quotes, or a list of such");
+        return {*text};
+    }
     const auto* list = std::get_if<std::vector<std::string>>(&entry.value);
     if (!list) refuse_kind(key, entry, "a list of texts");
     if (list->empty()) refuse(key, entry, "the list is empty: nothing would be computed");
@@ -202,7 +207,8 @@ struct Show {
     std::string operator()(std::monostate) const { return {}; }
     std::string operator()(const std::string* v) const { return toml_string(*v); }
     std::string operator()(const std::vector<std::string>* v) const {
-        return '[' + joined(*v, toml_string) + ']';
+        const std::string out = joined(*v, toml_string);
+        return key.bare && v->size() == 1 ? out : '[' + out + ']';
     }
     std::string operator()(const double* v) const { return number_text(key, *v); }
     std::string operator()(const std::vector<double>* v) const {

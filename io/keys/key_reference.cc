@@ -31,6 +31,7 @@ std::string admissible(const Key& key) {
     if (key.kind == text) return "text";
     if (key.kind == boolean) return "`true`, `false`";
     if (key.kind == choice) return listed(key.choices);
+    if (key.kind == choice_list && key.bare) return "text, or a list of texts";
     if (key.kind == choice_list) return "list of " + listed(key.choices);
     const bool quantities = key.kind == quantity || key.kind == quantity_list;
     std::string one(quantities ? name_of(key.dimension) : "number");

@@ -2,6 +2,7 @@
 
 #include <random>
 #include <string>
+#include <vector>
 
 #include "contact/model_makers.h"
 #include "experiments/identification/identification_models.h"
@@ -18,16 +19,15 @@ struct DrawnLawRig {
     experiments::IdentificationInput input;
 };
 
-/// Static shifts under four loads, limits of sliding under six, indentations; noise of `noise` of
-/// the largest value of each table, stated or not. Both parts of a law of two have a third of
-/// friction at least; exponents are .35 to .75.
-inline DrawnLawRig drawn_law_rig(Random& random, double noise, bool states_errors) {
+/// One of the laws. Static shifts under four loads, limits of sliding under six, indentations;
+/// noise of `noise` of the largest value of each table, stated or not. Both parts of a sum have a
+/// third of friction at least; exponents are .35 to .75, beside a strength also 1.4 to 1.9.
+inline DrawnLawRig drawn_law_rig(Random& random, const std::vector<std::string>& laws, double noise,
+                                 bool states_errors) {
     using Measurement = experiments::IdentificationInput::Measurement;
     constexpr int n_loads = 4, n_forces = 6, n_limits = 8, n_depths = 10;
-    static const char* const names[] = {"coulomb", "shear-strength", "strength-and-coulomb",
-                                        "power"};
     DrawnLawRig rig;
-    rig.law = names[std::uniform_int_distribution<int>(0, 3)(random)];
+    rig.law = laws[std::uniform_int_distribution<std::size_t>(0, laws.size() - 1)(random)];
     contact::Case& c = rig.truth;
     c.indenter.radius = between(random, {5e-3, 40e-3});
     c.substrate = {std::exp(between(random, {std::log(.5e6), std::log(5e6)})), .5};
@@ -49,6 +49,11 @@ inline DrawnLawRig drawn_law_rig(Random& random, double noise, bool states_error
         c.friction.pressure_exponent = n;
         c.friction.reference_pressure = mean;
     }
+    if (rig.law == "strength-and-power")
+        c.friction = {.coefficient = (1 - share) * mu,
+                      .shear_strength = share * mu * mean,
+                      .pressure_exponent = random() % 2 ? n : between(random, {1.4, 1.9}),
+                      .reference_pressure = mean};
     const LawRig real(c.indenter.radius, c.substrate.young, [f = c.friction](double p) {
         const double by_pressure =
             f.pressure_exponent

@@ -33,15 +33,13 @@ inline double truth_of_law(const experiments::FreeParameter& p, const experiment
     return mu;
 }
 
-/// Noise of 1 or 2 %, stated or not, in turn.
-inline LawCounts count_law_rigs(std::uint64_t seed, int n) {
+/// The laws that are drawn are those compared. Noise of 1 or 2 %, stated or not, in turn.
+inline LawCounts count_law_rigs(std::uint64_t seed, int n, const std::vector<std::string>& laws) {
     Random random(seed);
-    const std::vector<std::string> laws{"coulomb", "shear-strength", "strength-and-coulomb",
-                                        "power"};
     const contact::ModelMakers makers;
     LawCounts counts;
     for (int i = 0; i < n; ++i) {
-        const DrawnLawRig rig = drawn_law_rig(random, i % 2 ? .01 : .02, i / 2 % 2);
+        const DrawnLawRig rig = drawn_law_rig(random, laws, i % 2 ? .01 : .02, i / 2 % 2);
         const auto found = experiments::compare_laws(rig.input, laws, {makers, 1});
         const auto& of_truth = *std::find_if(found.laws.begin(), found.laws.end(),
                                              [&](const auto& f) { return f.law->name == rig.law; });

@@ -36,6 +36,23 @@ sed '/^laws\|^sliding/d; s/^find = .*/find = ["substrate.young", "friction.coeff
 "$program" identify old.toml --output out --quiet >text || complain "E and mu"
 grep -q "^Coulomb's law .*shear strength" text || complain "Coulomb's law without a word: $(cat text)"
 
+# A law that [friction] states: its numbers are found, one or all, and three are more than a strength tells.
+stated() { sed '/^laws/d; s/^find = .*/find = ["substrate.young", '"$2"']/; s/^\[measurement\]/[friction]\n'"$1"'\n&/' lens.toml >stated.toml; }
+stated '' '"friction.shear_strength"'
+"$program" identify stated.toml --output out --quiet >text || complain "a stated strength: $(cat text)"
+holds "347e3 < $(number "['models']['half-space']['shear_strength_Pa']['value']") && $(number \
+    "['models']['half-space']['shear_strength_Pa']['value']") < 353e3" "tau_0 of a stated strength"
+stated 'coefficient = 20' '"friction.strength_limit"'
+"$program" identify stated.toml --output out --quiet >text || complain "a cap: $(cat text)"
+holds "345e3 < $(number "['models']['half-space']['strength_limit_Pa']['value']") && $(number \
+    "['models']['half-space']['strength_limit_Pa']['value']") < 357e3" "tau_cap of mu = 20"
+stated 'coefficient = 1\npressure_exponent = 0.8\nreference_pressure = "0.1 MPa"' \
+    '"friction.shear_strength", "friction.coefficient", "friction.pressure_exponent"'
+"$program" identify stated.toml --output out --quiet >text || complain "three numbers: $(cat text)"
+grep -q "n is not identifiable: no value from 0 to 2.00 is excluded" text || complain "three numbers: $(cat text)"
+grep -q "^One law of friction, tau = tau_0 + mu p_r (p/p_r)^n, p_r = 100 kPa, was stated: it was not compared" text ||
+    complain "the law as stated: $(cat text)"
+
 # Coulomb's law alone, no errors stated: the pattern of its residuals calls it wrong.
 sed 's/^laws = .*/laws = ["coulomb"]/' lens.toml >alone.toml
 "$program" identify alone.toml --output out --quiet >text || complain "Coulomb's law alone"
@@ -88,5 +105,13 @@ refused 'load.normal_force = "21.1 ± 0.1 N": the rows of static_shift state the
     'normal_force [N], tangential_force [N], shift [um]\n5, 1, 20\n10, 2, 45\n20, 3, 70\n'
 refused 'bem-layer identifies under Coulomb' \
     's/^find = .*/find = ["substrate.young"]/; s/^\[load\]/[friction]\nshear_strength = "1 MPa"\n[load]/; s/"layer"/"bem-layer"/'
+refused 'has friction.strength_limit of a law without mu' 's/"friction.coefficient"/"friction.strength_limit"/'
+refused 'has n of mu p_r (p/p_r)^n, which [friction] does not state' 's/"friction.coefficient"/&, "friction.pressure_exponent"/'
+refused 'without tangential force nothing determines friction.shear_strength' \
+    's/"friction.coefficient"/"friction.shear_strength"/; s/^static_shift/force_indentation/' \
+    'indentation [um], normal_force [N]\n100, 2\n200, 7\n300, 13\n'
+refused 'has friction.shear_strength beside measurement.laws' \
+    's/"friction.coefficient"/"friction.shear_strength"/; s/^models.*/models = ["half-space"]\n'"$laws"'/'
+refused 'bem-layer identifies under Coulomb' 's/"friction.coefficient"/"friction.shear_strength"/; s/"layer"/"bem-layer"/'
 printf '%d files refused\n' "$n"
 finish

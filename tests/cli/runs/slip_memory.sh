@@ -44,7 +44,29 @@ print("fem over bem-layer:", ratio)
 raise SystemExit(abs(ratio - 1) > .01)
 PYTHON
 
-# 5. Refused by name.
+# 5. Rolled back and forth a layer that hardens is worn in: the limit is that of the surfaces, from where it settles.
+rolled=$source_dir/examples/cases/rig_sphere_parallel.toml
+run "$rolled" --models bem --set bem.cells_per_radius=10 --set 'interface.yield_stress="0.1 MPa"' --set 'interface.hardening="2 MPa/mm"' \
+    --output hard || complain "rolled: $(cat told.txt)"
+run "$rolled" --models bem --set bem.cells_per_radius=10 --output coulomb || complain "rolled: $(cat told.txt)"
+for key in unit_shift_m limit_tangential_ratio limit_amplitude_ratio; do
+    awk -v a="$(value bem $key hard/summary.json)" -v b="$(value bem $key coulomb/summary.json)" 'BEGIN { exit !(a > 0 && (a / b - 1) ^ 2 < 1e-20) }' ||
+        complain "$key: $(value bem $key hard/summary.json), $(value bem $key coulomb/summary.json) of the surfaces"
+done
+awk -v a="$(value bem settled_shift_m hard/summary.json)" -v b="$(value bem settled_shift_m coulomb/summary.json)" 'BEGIN { exit !(a > 1.01 * b) }' ||
+    complain "the layer does not flow: $(value bem settled_shift_m hard/summary.json) and $(value bem settled_shift_m coulomb/summary.json) m"
+
+run "$rolled" --set models='["bem-layer", "fem"]' --set 'substrate.thickness="12 mm"' --set bem.cells_per_radius=10 --set rolling.periods=2 \
+    --set 'interface.yield_stress="0.08 MPa"' --set 'interface.hardening="1 MPa/mm"' --output rolled_layer || complain "rolled on a layer: $(cat told.txt)"
+awk -v a="$(value fem final_shift_m rolled_layer/summary.json)" -v b="$(value bem-layer final_shift_m rolled_layer/summary.json)" 'BEGIN { exit !(a > 0 && (a / b - 1) ^ 2 < 1e-4) }' ||
+    complain "rolled: fem $(value fem final_shift_m rolled_layer/summary.json), bem-layer $(value bem-layer final_shift_m rolled_layer/summary.json) m"
+
+# 6. Bodies that relax have it too.
+run "$case_file" --set 'substrate.relaxation.relative_moduli=[0.5]' --set 'substrate.relaxation.times=["0.5 s"]' --set bem.cells_per_radius=8 \
+    --set path.table='"time [s], indentation [mm], shift_x [um], shift_y [um]\n1, 0.3, 0, 0\n2, 0.3, 200, 0\n9, 0.3, 200, 0"' --output relaxing ||
+    complain "a relaxing body: $(cat told.txt)"
+
+# 7. Refused by name.
 refused() {
     local expected=$1
     shift
@@ -59,7 +81,15 @@ refused "only Coulomb's law falls with the way of slip" "$case_file" --set 'fric
 refused "is a second friction.strength_limit" yield.toml --set 'friction.strength_limit="0.1 MPa"'
 refused "is not above friction.shear_strength" yield.toml --set 'friction.shear_strength="0.1 MPa"'
 refused "has no effect without interface.yield_stress" "$source_dir/examples/cases/path_twist.toml" --set 'interface.hardening="1 MPa/mm"'
-refused "what becomes of a contact that rolls is decided for friction that does not change with the slip" \
-    "$source_dir/examples/cases/rig_sphere_parallel.toml" --set 'interface.yield_stress="0.1 MPa"' --set 'interface.hardening="1 MPa/mm"'
+rolled=$source_dir/examples/cases/rig_sphere_parallel.toml
+refused "what becomes of a contact that rolls is not decided where friction falls with the slip" "$rolled" --models bem \
+    --set 'interface.yield_stress="0.1 MPa"' --set 'interface.hardening="-1 MPa/mm"'
+refused "what becomes of a contact that rolls is not decided where friction falls with the slip" "$rolled" --models bem \
+    --set 'friction.weakening.law="linear"' --set friction.weakening.drop=0.1 --set 'friction.weakening.length="10 um"'
+refused "what a spring of mdr slips is the slip of no point: a point's is a mean over springs" "$rolled" \
+    --set 'interface.yield_stress="0.1 MPa"' --set 'interface.hardening="1 MPa/mm"'
+refused "a contact that rolls on a relaxing substrate knows no friction that changes with the slip" "$rolled" --models bem \
+    --set 'interface.yield_stress="0.1 MPa"' --set 'interface.hardening="1 MPa/mm"' --set 'substrate.relaxation.relative_moduli=[0.4]' \
+    --set 'substrate.relaxation.times=["0.5 s"]' --set 'rolling.speed="1 mm/s"'
 
 finish

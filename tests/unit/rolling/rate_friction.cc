@@ -5,7 +5,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "rolling/rolling_report.h"
 #include "tests/unit/rolling/problems.h"
@@ -164,6 +166,50 @@ TEST(RateFriction, OfCoupledBodies) {
         }
     }
     EXPECT_NEAR(fast.state.force[0] / slow.state.force[0], 1, 1e-6);
+}
+
+/// The plain iteration: the steady state under given bounds, mu of its slip, and so on. Here half a
+/// dozen digits remain of each.
+std::vector<double> plainly_iterated(const contact::Compliance& grid, const RollingProblem& problem,
+                                     double mu, const std::vector<double>& pressure, double start) {
+    const auto law = rolling::friction_by_rate(grid.points(), *problem.rate, mu, problem.speed);
+    const contact::TangentialField none(pressure.size());
+    std::vector<double> left(pressure.size(), start), bound(pressure.size());
+    rolling::SteadySolution solution;
+    for (int k = 0; k < 60; ++k) {
+        for (std::size_t i = 0; i < bound.size(); ++i) bound[i] = left[i] * mu * pressure[i];
+        rolling::solve_steady(grid, {bound, none, problem.drive}, {1e-8}, solution);
+        left = law.left(solution);
+    }
+    return solution.traction.x;
+}
+
+// Newton's method comes last: the states are those of the plain iteration from both ends, with and
+// without a memory, for up to 1.5 times the products of Coulomb's law.
+TEST(RateFriction, IsThePlainIterationForLess) {
+    Rig ball{.n = 10};
+    const auto grid = ball.sphere_grid();
+    RollingProblem problem = ball.sphere(0);
+    problem.drive.creepage = {.5 * ball.creepage(), .4 * ball.creepage()};
+    problem.speed = speed;
+    const int coulombs = rolling::steady_rolling(*grid, problem).state.iterations;
+    problem.rate = FrictionRate{Law::exponential, {.12}, {.5 * speed * ball.creepage()}};
+    for (const double memory : {0., .3}) {
+        problem.rate->memory_length = memory * ball.half_length * ball.creepage();
+        for (const SlipStart start : {SlipStart::slow, SlipStart::fast}) {
+            problem.slip_start = start;
+            const auto found = rolling::steady_rolling(*grid, problem);
+            EXPECT_TRUE(found.audit.passed());
+            EXPECT_LT(found.state.iterations, 2 * coulombs);
+            const auto plain =
+                plainly_iterated(*grid, problem, ball.friction, found.surface.normal_traction,
+                                 start == SlipStart::slow ? 1 : 1 - .12 / ball.friction);
+            double most = 0;
+            for (const double t : plain) most = std::max(most, std::abs(t));
+            for (std::size_t i = 0; i < plain.size(); ++i)
+                EXPECT_NEAR(found.surface.tangential_traction_x[i] / most, plain[i] / most, 1e-6);
+        }
+    }
 }
 
 // On a sphere, along both axes: friction falls with the magnitude of slip.

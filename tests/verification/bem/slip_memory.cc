@@ -138,11 +138,11 @@ TEST(BemSlipMemory, PointsOnSoftSpringsJump) {
     EXPECT_EQ(h.steps.back().may_differ, 1);
 }
 
-TEST(BemSlipMemory, LayerOnSoftSpringsHardens) {
+void expect_hardening_alone(double hardening_over_spring) {
     const std::vector<double> at{.3, .6, .9, .2, -.3};
     SoftRig rig = soft(at);
     const double mu = *rig.c.friction.coefficient, K = rig.spring, flow = .3 * mu * rig.peak,
-                 hardening = .4 * K;
+                 hardening = hardening_over_spring * K;
     rig.c.friction.yield = contact::InterfaceYield{flow, hardening};
     const History h = run_bem(rig.c);
     const auto force = forces(h, at.size());
@@ -169,7 +169,11 @@ TEST(BemSlipMemory, LayerOnSoftSpringsHardens) {
     for (std::size_t k = 0; k < at.size(); ++k)
         EXPECT_NEAR((force[k] - summed(rig, [&](double p) { return traction(p, k); })) / scale, 0,
                     allowed)
-            << k;
+            << k << ' ' << hardening_over_spring;
+}
+
+TEST(BemSlipMemory, LayerOnSoftSpringsHardens) {
+    for (const double hardening : {.01, .4, 30., 1e6}) expect_hardening_alone(hardening);
 }
 
 /// Slow viscous slip along x over the dense matrix, from rest: ds/dt ~ t - B(s) where it slips. It
@@ -255,12 +259,44 @@ TEST(BemSlipMemory, ElasticBodyWeakensAsByViscousSlip) {
 }
 
 TEST(BemSlipMemory, ElasticBodyHardensAsByViscousSlip) {
-    for (const double hardening : {1e9, 1e10}) {  // [Pa/m]: as stiff as the contact, ten times
+    for (const double hardening : {1e9, 1e10, 1e11}) {  // [Pa/m]; the contact: about 2e9
         Case c = shifted(rising(4e-4, 8), 6);
         const double mu = *c.friction.coefficient, flow = 5e4;
         c.friction.yield = contact::InterfaceYield{flow, hardening};
         expect_viscous_states(
             c, [&](double p, double s) { return std::min(mu * p, flow + hardening * s); });
+    }
+}
+
+// A layer that does not harden is a limit of strength, one that hardens endlessly does not flow.
+// The contact resists by about 2e9 Pa/m; pressed and coupled, loaded and unloaded.
+TEST(BemSlipMemory, HardeningFromNoneToNoYield) {
+    const std::vector<double> shifts{1e-4, 2e-4, 3e-4, 1e-4, -2e-4};
+    Case c = shifted(shifts, 8);
+    c.substrate.poisson = .3;
+    c.contact.coupling = true;
+    constexpr double flow = 1e5;
+    const auto after = [&](double hardening) {
+        Case with = c;
+        with.friction.yield = contact::InterfaceYield{flow, hardening};
+        return forces(run_bem(with), shifts.size());
+    };
+    Case capped = c;
+    capped.friction.strength_limit = flow;
+    const auto none = forces(run_bem(capped), shifts.size());
+    const auto never = forces(run_bem(c), shifts.size());
+    const auto soft = after(10), stiff = after(1e16);
+    std::vector<double> last = none;
+    for (std::size_t k = 0; k < shifts.size(); ++k) {
+        EXPECT_NEAR(soft[k] / none[k], 1, 1e-6) << k;  // 10 Pa/m times 0.3 mm over 0.1 MPa: 3e-8
+        EXPECT_NEAR(stiff[k] / never[k], 1, 1e-6) << k;
+    }
+    // Between both the force of the first step rises with the hardening; all converge.
+    for (const double hardening : {1e8, 1e9, 1e10, 1e11, 1e12, 1e13}) {
+        const auto force = after(hardening);
+        EXPECT_GT(force[0], last[0]) << hardening;
+        EXPECT_LT(force[0], never[0]) << hardening;
+        last = force;
     }
 }
 

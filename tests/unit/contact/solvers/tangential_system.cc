@@ -122,7 +122,7 @@ void compare(const Zones& zones, std::array<bool, 2> force_controlled) {
     const RightHandSide rhs;
     const auto products = make_active_operator(compliance, zones.active);
     TangentialSystem system(compliance, zones.active, *products, force_controlled);
-    ASSERT_TRUE(system.set_zones(zones.slipping, zones.tangent, zones.curvature));
+    ASSERT_TRUE(system.set_zones({zones.slipping, zones.tangent, zones.curvature, {}}));
     const auto& result = system.solve(among(zones, rhs.r), rhs.c, {0, 1e-13, 2000});
     const TangentialField all = on_all(zones, result.z);
     const Eigen::VectorXd expected = dense_solution(compliance, zones, rhs, force_controlled);
@@ -156,13 +156,13 @@ TEST(TangentialSystem, EarlierZonesLeaveNoTrace) {
     const RightHandSide rhs;
     const auto products_fresh = make_active_operator(compliance, second.active);
     TangentialSystem fresh(compliance, second.active, *products_fresh, {true, true});
-    fresh.set_zones(second.slipping, second.tangent, second.curvature);
+    fresh.set_zones({second.slipping, second.tangent, second.curvature, {}});
     const auto expected = fresh.solve(among(second, rhs.r), rhs.c, {1e-8, 0, 2000});
     const auto products_used = make_active_operator(compliance, second.active);
     TangentialSystem used(compliance, second.active, *products_used, {true, true});
-    used.set_zones(first.slipping, first.tangent, first.curvature);
+    used.set_zones({first.slipping, first.tangent, first.curvature, {}});
     used.solve(among(first, rhs.r), rhs.c, {1e-8, 0, 2000});
-    used.set_zones(second.slipping, second.tangent, second.curvature);
+    used.set_zones({second.slipping, second.tangent, second.curvature, {}});
     const auto& result = used.solve(among(second, rhs.r), rhs.c, {1e-8, 0, 2000});
     EXPECT_EQ(result.z.x, expected.z.x);  // bit by bit
     EXPECT_EQ(result.z.y, expected.z.y);
@@ -176,7 +176,7 @@ TEST(TangentialSystem, KeepsTheForceWhateverTheAccuracy) {
     const RightHandSide rhs;
     const auto products = make_active_operator(compliance, zones.active);
     TangentialSystem system(compliance, zones.active, *products, {true, true});
-    ASSERT_TRUE(system.set_zones(zones.slipping, zones.tangent, zones.curvature));
+    ASSERT_TRUE(system.set_zones({zones.slipping, zones.tangent, zones.curvature, {}}));
     for (const int iterations : {1, 3, 10}) {
         const auto& result = system.solve(among(zones, rhs.r), rhs.c, {0, 0, iterations});
         Vector2 force{};
@@ -194,7 +194,7 @@ TEST(TangentialSystem, StopsAtEitherLimit) {
     const RightHandSide rhs;
     const auto products = make_active_operator(compliance, zones.active);
     TangentialSystem system(compliance, zones.active, *products, {true, true});
-    ASSERT_TRUE(system.set_zones(zones.slipping, zones.tangent, zones.curvature));
+    ASSERT_TRUE(system.set_zones({zones.slipping, zones.tangent, zones.curvature, {}}));
     const int coarse = system.solve(among(zones, rhs.r), rhs.c, {.1, 0, 2000}).iterations;
     const int fine = system.solve(among(zones, rhs.r), rhs.c, {1e-6, 0, 2000}).iterations;
     EXPECT_LT(coarse, fine);
@@ -208,13 +208,13 @@ TEST(TangentialSystem, SaysWhenTheZonesCannotCarryTheForce) {
     // everything slips in x: no force in x can be added
     const auto products_both = make_active_operator(compliance, zones.active);
     TangentialSystem both(compliance, zones.active, *products_both, {true, true});
-    EXPECT_FALSE(both.set_zones(zones.slipping, zones.tangent, zones.curvature));
+    EXPECT_FALSE(both.set_zones({zones.slipping, zones.tangent, zones.curvature, {}}));
     const auto products_across = make_active_operator(compliance, zones.active);
     TangentialSystem across(compliance, zones.active, *products_across, {false, true});
-    EXPECT_TRUE(across.set_zones(zones.slipping, zones.tangent, zones.curvature));
+    EXPECT_TRUE(across.set_zones({zones.slipping, zones.tangent, zones.curvature, {}}));
     // and other zones may follow
     const Zones others(3);
-    EXPECT_TRUE(both.set_zones(others.slipping, others.tangent, others.curvature));
+    EXPECT_TRUE(both.set_zones({others.slipping, others.tangent, others.curvature, {}}));
 }
 
 }  // namespace

@@ -54,8 +54,9 @@ TEST(LawSeparation, IsLessWithUncertainNumbers) {
 }
 
 TEST(LawSeparation, OfItsOwnLawIsNone) {
-    const LawPlan plan{
-        .laws = {"shear-strength", "power"}, .sliding_error = .03, .shift_error = .02};
+    const LawPlan plan{.laws = {"shear-strength", "power", "strength-and-power"},
+                       .sliding_error = .03,
+                       .shift_error = .02};
     for (const double distance : law_separation(lens(10, .5), plan).distances)
         EXPECT_LT(distance, 1e-3);
 }

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <map>
 #include <random>
 
 #include "contact/model_makers.h"
@@ -89,6 +90,64 @@ TEST(LawComparison, CoulombsLawIsNamedOnceMoreIsBounded) {
     EXPECT_LT(fit_of(laws, "power").wider.size(), 1U);
     EXPECT_LT(fit_of(laws, "coulomb").wider.front().likelihood_ratio, 4);
     EXPECT_NEAR(fit_of(laws, "power").found.parameters[2].value, 1, .1);
+}
+
+const std::vector<std::string> laws_of_three{"coulomb", "shear-strength", "strength-and-coulomb",
+                                             "power", "strength-and-power"};
+
+// Of three numbers, none at an end, measured within .05 %: all of fewer numbers are excluded.
+TEST(LawComparison, ThreeNumbersAreFoundOfExactTables) {
+    const LawRig rig(radius, young,
+                     [](double p) { return 1e5 + .6 * 2e5 * std::pow(p / 2e5, 1.7); });
+    const auto laws =
+        compared(lens(rig, {.05, .3, 2}, true, 5e-4), {"coulomb", "power", "strength-and-power"});
+    ASSERT_TRUE(laws.named);
+    const LawFit& named = laws.laws[*laws.named];
+    ASSERT_EQ(named.law->name, "strength-and-power");
+    EXPECT_EQ(laws.supported().size(), 1U);
+    const double p_r = *named.input.rig.friction.reference_pressure;
+    for (const auto& [k, value] :
+         std::map<int, double>{{0, young}, {1, 1e5}, {2, .6 * std::pow(p_r / 2e5, .7)}, {3, 1.7}}) {
+        const Interval interval = named.found.parameters[k].likelihood;
+        EXPECT_LT(interval.low, value) << k;
+        EXPECT_GT(interval.high, value) << k;
+        EXPECT_LT(interval.high - interval.low, .4 * value) << k;
+    }
+    // -2 ln L falls by what two more numbers take: chi^2 or F of two degrees of freedom.
+    const LawFit& coulomb = fit_of(laws, "coulomb");
+    EXPECT_EQ(named.n_fitted, coulomb.n_fitted + 2);
+    EXPECT_EQ(fit_of(laws, "power").n_fitted, coulomb.n_fitted + 1);
+}
+
+// Of 1 % of noise a strength is named, though mu may be anything where n = 0, and n where mu = 0;
+// Coulomb's law is not: there is room for a strength and n above 1.
+TEST(LawComparison, ThreeNumbersLeaveRoomBesideCoulombsLaw) {
+    const LawRig strong(radius, young, [](double) { return strength; });
+    const auto named = compared(lens(strong, {.1, .3, 1}, true, .01), laws_of_three);
+    ASSERT_TRUE(named.named);
+    EXPECT_EQ(named.laws[*named.named].law->name, "shear-strength");
+    const Interval n = fit_of(named, "strength-and-power").found.parameters[3].likelihood;
+    EXPECT_GT(n.high - n.low, 1);
+    const LawRig weak(radius, young, [](double p) { return .8 * p; });
+    const auto open = compared(lens(weak, {.1, .3, 1}, true, .02), laws_of_three);
+    EXPECT_FALSE(open.named);
+    EXPECT_FALSE(fit_of(open, "coulomb").is_excluded());
+    EXPECT_NE(fit_of(open, "coulomb").not_told_from.find("n from"), std::string::npos);
+}
+
+// A law that is stated is found as the one that is compared.
+TEST(LawComparison, AStatedLawHasTheNumbersOfTheComparedOne) {
+    const LawRig rig(radius, young, [](double) { return strength; });
+    IdentificationInput input = lens(rig, {.1, .3, 1}, true, .01);
+    const LawFit fit = compared(input, {"shear-strength"}).laws.front();
+    input.rig.friction = {.shear_strength = 1e5};
+    input.parameters = free_parameters(input, {"substrate.young", "friction.shear_strength"});
+    const contact::ModelMakers makers;
+    const auto study = identification_study(input, false, {makers, 1}, [](const auto&) {});
+    for (int k = 0; k < 2; ++k)
+        EXPECT_NEAR(study.models.front().found.parameters[k].value, fit.found.parameters[k].value,
+                    1e-9 * fit.found.parameters[k].value);
+    EXPECT_FALSE(study.laws);
 }
 
 // From shifts of few forces under one load, far from sliding, nothing is told.

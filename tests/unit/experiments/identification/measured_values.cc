@@ -69,13 +69,13 @@ TEST(MeasuredValues, OfTheHalfSpaceAreHertzAndCattaneo) {
 TEST(MeasuredValues, NoForceBeforeContact) {
     const Table table{.measurement = Measurement::force_indentation, .has_free_zero = true};
     const double zero = 2e-4;
-    const auto forces = half_space_values(table, {.as_case = rig(), .zero_depth = zero},
+    const auto forces = half_space_values(table, {.as_case = rig(), .zero_depths = {zero}},
                                           {1e-4, zero, zero + depth(7), zero + depth(9)});
     EXPECT_EQ(forces[0], 0);
     EXPECT_EQ(forces[1], 0);
     EXPECT_NEAR(forces[2], 7, 1e-9);
     EXPECT_NEAR(forces[3], 9, 1e-9);
-    EXPECT_THROW(half_space_values(table, {.as_case = rig(), .zero_depth = zero}, {1e-4}),
+    EXPECT_THROW(half_space_values(table, {.as_case = rig(), .zero_depths = {zero}}, {1e-4}),
                  contact::InputError);
 }
 

@@ -1,0 +1,58 @@
+#include "fem/case/indenter_body.h"
+
+#include "contact/base/error.h"
+#include "fem/settings.h"
+#include "meshes/round_body_mesh.h"
+
+// What holds a body is its base (meshes/round_body_mesh.h): a holder and a hub are bonded to it. Of
+// a body between plates the base is the plane of symmetry between them, which takes no shear; what
+// keeps it from sliding away is pinned, since there is no force that would do it.
+
+namespace tricontact::fem {
+
+using contact::Case;
+using contact::ElasticBody;
+
+namespace {
+
+meshes::HexMesh mesh_of(const Case& c, const meshes::LayerMeshSpec& patch) {
+    const ElasticBody& body = *c.indenter.body;
+    switch (body.form) {
+        case ElasticBody::Form::hemisphere:
+        case ElasticBody::Form::ball:
+            return meshes::make_half_ball_mesh({.radius = c.indenter.radius,
+                                                .size = patch.size,
+                                                .patch_x = patch.patch_x,
+                                                .patch_y = patch.patch_y,
+                                                .growth = patch.growth,
+                                                .half_model = patch.half_model});
+        case ElasticBody::Form::cylinder:
+            return meshes::make_cylinder_mesh({.radius = c.indenter.radius,
+                                               .size = patch.size,
+                                               .patch_x = patch.patch_x,
+                                               .half_y = patch.half_y,
+                                               .growth = patch.growth,
+                                               .hub_radius = body.hub_radius});
+        case ElasticBody::Form::punch:
+            break;
+    }
+    throw contact::InputError(
+        "indenter.body: fem meshes hemispheres, balls and cylinders; choose one of these or leave "
+        "out fem");
+}
+
+}  // namespace
+
+LayerProblem indenter_problem(const Case& c, const meshes::LayerMeshSpec& patch) {
+    LayerProblem problem;
+    problem.mesh = mesh_of(c, patch);
+    problem.materials = {*c.indenter.material, *c.indenter.material};
+    if (c.indenter.body->support == ElasticBody::Support::plates) {
+        problem.base = Case::Base::frictionless;
+        problem.pinned = true;
+    }
+    if (c.is_cylindrical()) problem.line_length = c.indenter.length;
+    return problem;
+}
+
+}  // namespace tricontact::fem

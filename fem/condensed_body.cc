@@ -1,0 +1,66 @@
+#include "fem/condensed_body.h"
+
+#include "fem/dense_compliance.h"
+
+namespace tricontact::fem {
+
+using contact::TangentialField;
+
+CondensedBody::CondensedBody(std::shared_ptr<const LayerProblem> problem,
+                             std::array<std::vector<double>, 3> missing_reaction)
+    : problem_(std::move(problem)), missing_reaction_(std::move(missing_reaction)) {}
+CondensedBody::CondensedBody(CondensedBody&&) noexcept = default;
+CondensedBody::~CondensedBody() = default;
+
+// Reaction of the ground plus the contact's forces: zero in equilibrium, from one product per
+// direction with what unit forces leave (condensed_layer.cc). The sign of p: z out of the body
+// there.
+std::array<double, 3> CondensedBody::missing_reaction(const contact::ContactPoints& points,
+                                                      std::span<const double> p,
+                                                      const TangentialField& t) const {
+    const std::size_t n = points.size();
+    std::array<double, 3> missing{};
+    for (std::size_t direction = 0; direction < 3; ++direction) {
+        if (points.mirrored && direction == 1) continue;  // both halves cancel
+        const auto& by_unit_force = missing_reaction_[direction];
+        for (std::size_t i = 0; i < n; ++i)
+            missing[direction] +=
+                points.area[i] * (by_unit_force[i] * t.x[i] + by_unit_force[n + i] * t.y[i] -
+                                  by_unit_force[2 * n + i] * p[i]);
+    }
+    return missing;
+}
+
+// A layer that only sides 40 thicknesses away keep from sliding is soft against translation: what
+// the rounding of K/G = 1e6 makes of it has reached 4e-8 of a tangential force, against 4e-9 of any
+// force on a bonded layer. It grows with the fineness: under a line, which can afford elements of
+// b/200, it has reached 6e-7 of some forces.
+double CondensedBody::allowed_missing_reaction(const contact::ContactPoints& points) const {
+    if (points.n_y == 1) return 1e-6;
+    return problem_->base == contact::Case::Base::bonded ? 1e-8 : 1e-7;
+}
+
+contact::Interior CondensedBody::interior(const contact::ContactPoints& points,
+                                          std::span<const double> p,
+                                          const TangentialField& t) const {
+    if (!whole_) whole_ = std::make_unique<WholeBody>(*problem_);
+    const Discretisation& discretisation = whole_->discretisation;
+    const auto& unknown = discretisation.unknowns.of_contact;
+    const std::size_t n = points.size(), n_nodes = discretisation.surface.points.size();
+    std::vector<double> force(discretisation.unknowns.n);
+    // Of a line that stands for some rows of nodes, each has its own share of the area.
+    const std::vector<double>& area =
+        n == n_nodes ? points.area : discretisation.surface.points.area;
+    for (std::size_t k = 0; k < n_nodes; ++k) {
+        const double own = area[k] * modelled_part(points);
+        const std::size_t i = k % n;
+        const std::array<double, 3> f = {own * t.x[i], own * t.y[i], -own * p[i]};
+        for (std::size_t c = 0; c < 3; ++c)
+            if (const int u = unknown[c * n_nodes + k]; u >= 0)
+                force[discretisation.unknowns.n_interior + u] = f[c];
+    }
+    const std::vector<double> displacement = whole_->displacement(force);
+    return discretisation.interior(displacement, force);
+}
+
+}  // namespace tricontact::fem

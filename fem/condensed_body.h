@@ -1,0 +1,41 @@
+#pragma once
+
+#include <array>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "contact/compliances/compliance.h"
+#include "fem/condensed_layer.h"
+#include "fem/whole_body.h"
+
+namespace tricontact::fem {
+
+/// What a contact asks of a body that was condensed besides the compliance of its patch. Pressure
+/// acts into the body, traction in the plane of its patch, z points out of it.
+class CondensedBody {
+  public:
+    /// `missing_reaction`: see CondensedLayer, of the same problem.
+    CondensedBody(std::shared_ptr<const LayerProblem> problem,
+                  std::array<std::vector<double>, 3> missing_reaction);
+    CondensedBody(CondensedBody&&) noexcept;
+    ~CondensedBody();
+
+    const LayerProblem& problem() const { return *problem_; }
+    /// Force of what holds the body plus that of these tractions [N], zero but for errors.
+    std::array<double, 3> missing_reaction(const contact::ContactPoints& points,
+                                           std::span<const double> p,
+                                           const contact::TangentialField& t) const;
+    /// What that may be over the force, for the rounding of a stiff material.
+    double allowed_missing_reaction(const contact::ContactPoints& points) const;
+    /// Factorises the whole body, see WholeBody.
+    contact::Interior interior(const contact::ContactPoints& points, std::span<const double> p,
+                               const contact::TangentialField& t) const;
+
+  private:
+    std::shared_ptr<const LayerProblem> problem_;
+    std::array<std::vector<double>, 3> missing_reaction_;
+    mutable std::unique_ptr<WholeBody> whole_;
+};
+
+}  // namespace tricontact::fem

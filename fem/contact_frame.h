@@ -1,0 +1,44 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "contact/compliances/compliance.h"
+#include "contact/interface.h"
+#include "fem/condensed_layer.h"
+
+// Frames: elements have z out of their body and x, y, z of each node; contact has z into the
+// substrate. The cross blocks of the substrate change their sign, normal and tangential ones stay:
+//
+//    fem:  z ^                  contact:   --------> x
+//            |                                 |
+//            +-----> x                         v z,  p > 0 into the substrate
+//
+// An indenter that deforms is condensed as a substrate of its own, mirrored in z, so that its z is
+// contact's. Pressure and traction act on it the other way round, and its displacement is
+// subtracted: no block changes the sign.
+//
+// A mirrored body is half of one. Forces on the whole contact are twice those on the model, and the
+// compliance is per force on the whole.
+
+namespace tricontact::fem {
+
+/// Which of two bodies in contact.
+enum class Side : std::uint8_t { substrate, indenter };
+
+/// What the contact of a body on its own would see.
+struct ContactSide {
+    contact::ContactPoints points;
+    std::vector<double> compliance;  ///< as contact::Compliance::dense() says
+};
+
+/// The compliance of the patch in the frame of contact, moved out of `layer`. What a plane of
+/// symmetry holds stays where it is.
+std::vector<double> in_contact_frame(CondensedLayer& layer, Side side);
+
+/// Adds the springs of an elastic interface to a compliance, and says of its points what solvers
+/// ask for: `line_length`, and `elastic_ratio`, that of ContactPoints::local_ratio without springs.
+ContactSide joined(contact::ContactPoints points, std::vector<double> compliance,
+                   double line_length, double elastic_ratio, const contact::Interface& interface);
+
+}  // namespace tricontact::fem

@@ -1,0 +1,104 @@
+// What fem computes of an indenter's body, and what it refuses.
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "comparisons/quantities/left_out.h"
+#include "contact/base/error.h"
+#include "io/case/case_reader.h"
+
+namespace tricontact::io::fem_bodies_test {
+namespace {
+
+using contact::Case;
+
+const std::string silicone = "young = \"2 MPa\"\npoisson = 0.495\n";
+const std::string hemisphere =
+    "shape = \"sphere\"\n" + silicone + "body = \"hemisphere\"\nsupport = \"holder\"\n";
+const std::string ball =
+    "shape = \"sphere\"\n" + silicone + "body = \"ball\"\nsupport = \"plates\"\n";
+const std::string layer = "young = \"4 MPa\"\npoisson = 0.495\nthickness = \"5 mm\"\n";
+const std::string loaded = "[load]\nindentation = \"0.1 mm\"\ntangential_ratio = 0.3\n";
+const std::string pressed = "[load]\nindentation = \"0.1 mm\"\ntangential_force = 0\n";
+
+Case parsed(const std::string& indenter, const std::string& substrate, const std::string& rest,
+            const std::string& models = "\"fem\"") {
+    return parse_case("models = [" + models + "]\n[indenter]\nradius = \"10 mm\"\n" + indenter +
+                          "[substrate]\n" + substrate + "[friction]\ncoefficient = 0.5\n" + rest,
+                      "case.toml");
+}
+
+// From the place on, without the line.
+std::string refusal(const std::string& indenter, const std::string& substrate,
+                    const std::string& rest) {
+    try {
+        parsed(indenter, substrate, rest);
+    } catch (const contact::InputError& error) {
+        const std::string what = error.what();
+        return what.substr(what.find(": ") + 2);
+    }
+    return "accepted";
+}
+
+TEST(FemBodies, AreAcceptedOnLayersAndRigidPlanes) {
+    for (const std::string& substrate : {std::string("rigid = true\n"), layer}) {
+        EXPECT_NO_THROW(parsed(hemisphere, substrate, loaded));
+        EXPECT_NO_THROW(parsed(hemisphere, substrate, pressed));
+        EXPECT_NO_THROW(parsed(ball, substrate, pressed));
+    }
+}
+
+TEST(FemBodies, HalfSpaceModelsSayThatTheyLeaveThemOut) {
+    const Case c = parsed(hemisphere, "rigid = true\n", loaded, "\"bem\", \"fem\"");
+    EXPECT_EQ(comparisons::left_out(c, "bem"),
+              std::vector<std::string>{"indenter.body: the indenter is a half-space"});
+    EXPECT_TRUE(comparisons::left_out(c, "fem").empty());
+}
+
+TEST(FemBodies, OfAHalfSpaceNothingIsMeshed) {
+    EXPECT_EQ(refusal("shape = \"sphere\"\n" + silicone, "rigid = true\n", loaded),
+              "substrate.rigid = true: fem meshes no half-space: neither body is one that it can "
+              "deform; give indenter.body, the finite body that it is, or leave out fem");
+    EXPECT_EQ(
+        refusal("shape = \"sphere\"\n" + silicone, layer, loaded),
+        "indenter.young = \"2 MPa\": fem takes the indenter as rigid, but its compliance (1 - "
+        "poisson^2)/young is 2 of the substrate's, more than 0.001; give indenter.body, the "
+        "finite body that it is, omit young and poisson of the indenter to make it rigid, or "
+        "leave out fem");
+}
+
+TEST(FemBodies, DoNotRoll) {
+    EXPECT_EQ(
+        refusal(hemisphere, "rigid = true\n",
+                loaded + "[rolling]\namplitude_ratio = 0.2\nperiods = 2\n"),
+        "rolling: fem presses and loads the body of an indenter where it stands; a hemisphere "
+        "held by a rigid holder that rolls is not computed; leave out fem, or indenter.body");
+}
+
+TEST(FemBodies, BetweenPlatesTakeNoTangentialLoad) {
+    EXPECT_EQ(refusal(ball, "rigid = true\n", loaded),
+              "load: a body between two plates rolls or spins under a tangential load: nothing "
+              "holds it; set the tangential load to 0, or take another support");
+}
+
+TEST(FemBodies, AreNeitherRelaxingNorFinitelyStrainedNorMeshedByAFile) {
+    EXPECT_EQ(refusal(hemisphere, layer + "material = \"neo-hookean\"\n", loaded),
+              "indenter.body = \"hemisphere\": at finite strains fem takes the indenter as rigid; "
+              "leave it out, or set substrate.material to \"linear\"");
+    EXPECT_EQ(
+        refusal(hemisphere,
+                layer + "[substrate.relaxation]\nrelative_moduli = [0.5]\ntimes = [\"1 s\"]\n",
+                loaded),
+        "indenter.body = \"hemisphere\": fem takes the indenter of a relaxing substrate as "
+        "rigid; leave it out, or omit [substrate.relaxation]");
+    EXPECT_EQ(refusal(hemisphere, layer, loaded + "[fem]\nmesh = \"layer.msh\"\n"),
+              "fem.mesh = \"layer.msh\": the nodes of a mesh file do not match those of the "
+              "indenter's body; omit it, or leave out indenter.body");
+    EXPECT_EQ(refusal(hemisphere, "rigid = true\n", loaded + "[output]\nvolume = \"last\"\n"),
+              "output.volume = \"last\": the interior is that of the substrate, which is rigid; "
+              "leave output.volume out");
+}
+
+}  // namespace
+}  // namespace tricontact::io::fem_bodies_test
