@@ -19,7 +19,8 @@ constexpr double scanned_ratios[] = {.3, .6, .85, .97};
 constexpr double scanned_poissons[] = {.25, .47};
 // Errors estimated from residuals and parameters found with them stand still to this.
 constexpr double error_tolerance = 1e-6;
-constexpr int most_rounds = 60;
+// Of a wrong model each round may take a fifth off the change alone.
+constexpr int most_rounds = 200;
 // Of the largest value of a table: exact data have rounding for an error.
 constexpr double least_relative_error = 1e-12;
 constexpr double first_relative_error = 1e-2;
