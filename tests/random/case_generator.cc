@@ -201,7 +201,7 @@ class Drawing {
     /// A layer between the surfaces that yields and hardens, of points that know their slip: within
     /// a flow of the order of the contact.
     void draw_layer_between() {
-        if (is_mdr_ || relaxes_ || !further_.chance(1)) return;
+        if (is_mdr_ || relaxes_ || !further_.chance(.3)) return;
         const double modulus = contact::MaterialPair(indenter_, substrate_).effective_modulus();
         add("[interface]\nyield_stress = \"{} Pa\"\nhardening = \"{} Pa/m\"\n",
             std::max(friction_ * modulus * depth_ / radius_ * further_.scale(1e-2, 1), 1e-300),
