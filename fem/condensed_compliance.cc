@@ -2,6 +2,8 @@
 
 #include <Eigen/Sparse>
 #include <algorithm>
+#include <array>
+#include <cmath>
 
 #include "contact/substrates/material.h"
 
@@ -14,6 +16,10 @@
 //
 // A mirrored body is half of one. Forces on the whole contact are twice those on the model, and the
 // compliance is per force on the whole.
+//
+// Where a traction jumps, what it displaces across the surface swings from node to node, by a few
+// per cent of tau h/G: a law of friction that jumps at the edge of the contact would roughen that
+// edge. What each element displaces on the mean does not (`take_element_means`).
 //
 // Tractions on nodes are forces over row sums of the surface mass: those are positive for nine-node
 // faces, so that p >= 0 is a condition on forces. As a field on the surface the consistent mass is
@@ -73,6 +79,44 @@ std::vector<double> seen_from_the_indenter(CondensedLayer& layer,
     return std::move(layer.compliance);
 }
 
+/// Of what tractions along the surface displace into it, and pressures along it, the mean over the
+/// elements about each node. Nodes' parts of an element are Simpson's weights: that mean is
+/// self-adjoint by their areas, and the matrix stays symmetric.
+void take_element_means(const contact::ContactPoints& points, std::vector<double>& matrix) {
+    constexpr std::array<double, 9> part{1, 1, 1, 1, 4, 4, 4, 4, 16};  // of 36; corners, edges
+    const std::size_t n = points.size();
+    std::vector<double> sum(n), parts(n, 0);
+    std::vector<double> size;
+    for (const auto& quad : points.quads) {
+        const auto side = [&](int from, int to) {
+            return std::hypot(points.x[quad[to]] - points.x[quad[from]],
+                              points.y[quad[to]] - points.y[quad[from]]);
+        };
+        size.push_back(side(0, 1) * side(1, 2));
+        for (std::size_t k = 0; k < 9; ++k) parts[quad[k]] += size.back() * part[k];
+    }
+    for (std::size_t column = 0; column < 2 * n; ++column) {
+        double* const down = &matrix[column * 3 * n + 2 * n];
+        std::ranges::fill(sum, 0);
+        for (std::size_t e = 0; e < points.quads.size(); ++e) {
+            const auto& quad = points.quads[e];
+            double mean = 0;
+            for (std::size_t k = 0; k < 9; ++k) mean += part[k] / 36 * down[quad[k]];
+            for (std::size_t k = 0; k < 9; ++k) sum[quad[k]] += size[e] * part[k] * mean;
+        }
+        for (std::size_t i = 0; i < n; ++i)
+            if (parts[i] > 0) matrix[(2 * n + i) * 3 * n + column] = down[i] = sum[i] / parts[i];
+    }
+}
+
+/// The matrix of the contact.
+std::vector<double> matrix_of(CondensedLayer& layer, const contact::Interface& interface,
+                              bool by_element_means) {
+    std::vector<double> matrix = seen_from_the_indenter(layer, interface);
+    if (by_element_means) take_element_means(layer.points, matrix);
+    return matrix;
+}
+
 }  // namespace
 
 struct CondensedCompliance::SurfaceMass {
@@ -81,14 +125,15 @@ struct CondensedCompliance::SurfaceMass {
 };
 
 CondensedCompliance::CondensedCompliance(std::shared_ptr<const LayerProblem> problem,
-                                         CondensedLayer layer, const contact::Interface& interface)
+                                         CondensedLayer layer, const contact::Interface& interface,
+                                         bool by_element_means)
     : CondensedCompliance(problem, points_of(layer, *problem, interface), std::move(layer),
-                          interface) {}
+                          interface, by_element_means) {}
 
 CondensedCompliance::CondensedCompliance(std::shared_ptr<const LayerProblem> problem,
                                          contact::ContactPoints points, CondensedLayer&& layer,
-                                         const contact::Interface& interface)
-    : DenseCompliance(std::move(points), seen_from_the_indenter(layer, interface)),
+                                         const contact::Interface& interface, bool by_element_means)
+    : DenseCompliance(std::move(points), matrix_of(layer, interface, by_element_means)),
       problem_(std::move(problem)),
       mass_(std::move(layer.contact_mass)),
       missing_reaction_(std::move(layer.missing_reaction)) {}

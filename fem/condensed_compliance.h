@@ -14,9 +14,10 @@ namespace tricontact::fem {
 class CondensedCompliance final : public DenseCompliance {
   public:
     /// `layer` is the condensation of `problem`, which is kept for interior().
-    /// `interface`: springs of each point, with its area.
+    /// `interface`: springs of each point, with its area. `by_element_means`: normal and tangential
+    /// contact couple by what elements displace on the mean, for tractions that jump.
     CondensedCompliance(std::shared_ptr<const LayerProblem> problem, CondensedLayer layer,
-                        const contact::Interface& interface = {});
+                        const contact::Interface& interface = {}, bool by_element_means = false);
     ~CondensedCompliance() override;
 
     std::vector<double> consistent_traction(std::span<const double> t,
@@ -33,7 +34,8 @@ class CondensedCompliance final : public DenseCompliance {
 
   private:
     CondensedCompliance(std::shared_ptr<const LayerProblem> problem, contact::ContactPoints points,
-                        CondensedLayer&& layer, const contact::Interface& interface);
+                        CondensedLayer&& layer, const contact::Interface& interface,
+                        bool by_element_means);
 
     struct SurfaceMass;  // factors of the contact patch's mass
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <chrono>
 
+#include "contact/solvers/contact_share.h"
 #include "fem/condensed_layer.h"
 #include "fem/settings.h"
 
@@ -40,7 +41,8 @@ std::unique_ptr<CondensedCompliance> LayerCondenser::make(meshes::HexMesh mesh) 
     const auto compliance_of = [&](CondensedLayer layer) {
         return std::make_unique<CondensedCompliance>(
             problem, case_.is_line_contact() ? contact_line(layer) : std::move(layer),
-            case_.interface);
+            case_.interface,
+            case_.law == Case::Law::linear && contact::jumps_at_edge(*case_.friction.law()));
     };
     LayerCache::Claim claim = cache_.claim(
         key, [&] { say("another process condenses this layer, which is waited for"); });
