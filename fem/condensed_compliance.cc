@@ -14,17 +14,19 @@ double elastic_ratio(const LayerProblem& problem) {
 }
 
 ContactSide side_of(const LayerProblem& problem, CondensedLayer& layer,
-                    const contact::Interface& interface) {
+                    const contact::Interface& interface, bool by_element_means) {
     std::vector<double> compliance = in_contact_frame(layer, Side::substrate);
     return joined(layer.points, std::move(compliance), problem.line_length, elastic_ratio(problem),
-                  interface);
+                  interface, by_element_means);
 }
 
 }  // namespace
 
 CondensedCompliance::CondensedCompliance(std::shared_ptr<const LayerProblem> problem,
-                                         CondensedLayer layer, const contact::Interface& interface)
-    : CondensedCompliance(problem, side_of(*problem, layer, interface), std::move(layer)) {}
+                                         CondensedLayer layer, const contact::Interface& interface,
+                                         bool by_element_means)
+    : CondensedCompliance(problem, side_of(*problem, layer, interface, by_element_means),
+                          std::move(layer)) {}
 
 CondensedCompliance::CondensedCompliance(std::shared_ptr<const LayerProblem> problem,
                                          ContactSide side, CondensedLayer&& layer)

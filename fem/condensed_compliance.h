@@ -17,9 +17,9 @@ namespace tricontact::fem {
 class CondensedCompliance final : public DenseCompliance {
   public:
     /// `layer` is the condensation of `problem`, which is kept for interior().
-    /// `interface`: springs of each point, with its area.
+    /// `interface`: springs of each point, with its area. `by_element_means`: see joined().
     CondensedCompliance(std::shared_ptr<const LayerProblem> problem, CondensedLayer layer,
-                        const contact::Interface& interface = {});
+                        const contact::Interface& interface = {}, bool by_element_means = false);
     ~CondensedCompliance() override;
 
     std::vector<double> consistent_traction(std::span<const double> t,

@@ -1,5 +1,9 @@
 #include "fem/contact_frame.h"
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+
 #include "fem/dense_compliance.h"
 
 namespace tricontact::fem {
@@ -15,6 +19,36 @@ double local_normal(const contact::ContactPoints& points, const std::vector<doub
     return sum / static_cast<double>(n);
 }
 
+/// Of what tractions along the surface displace into it, and pressures along it, the mean over the
+/// elements about each node. Nodes' parts of an element are Simpson's weights: that mean is
+/// self-adjoint by their areas, and the matrix stays symmetric.
+void take_element_means(const contact::ContactPoints& points, std::vector<double>& matrix) {
+    constexpr std::array<double, 9> part{1, 1, 1, 1, 4, 4, 4, 4, 16};  // of 36; corners, edges
+    const std::size_t n = points.size();
+    std::vector<double> sum(n), parts(n, 0);
+    std::vector<double> size;
+    for (const auto& quad : points.quads) {
+        const auto side = [&](int from, int to) {
+            return std::hypot(points.x[quad[to]] - points.x[quad[from]],
+                              points.y[quad[to]] - points.y[quad[from]]);
+        };
+        size.push_back(side(0, 1) * side(1, 2));
+        for (std::size_t k = 0; k < 9; ++k) parts[quad[k]] += size.back() * part[k];
+    }
+    for (std::size_t column = 0; column < 2 * n; ++column) {
+        double* const down = &matrix[column * 3 * n + 2 * n];
+        std::ranges::fill(sum, 0);
+        for (std::size_t e = 0; e < points.quads.size(); ++e) {
+            const auto& quad = points.quads[e];
+            double mean = 0;
+            for (std::size_t k = 0; k < 9; ++k) mean += part[k] / 36 * down[quad[k]];
+            for (std::size_t k = 0; k < 9; ++k) sum[quad[k]] += size[e] * part[k] * mean;
+        }
+        for (std::size_t i = 0; i < n; ++i)
+            if (parts[i] > 0) matrix[(2 * n + i) * 3 * n + column] = down[i] = sum[i] / parts[i];
+    }
+}
+
 }  // namespace
 
 std::vector<double> in_contact_frame(CondensedLayer& layer, Side side) {
@@ -28,7 +62,9 @@ std::vector<double> in_contact_frame(CondensedLayer& layer, Side side) {
 }
 
 ContactSide joined(contact::ContactPoints points, std::vector<double> compliance,
-                   double line_length, double elastic_ratio, const contact::Interface& interface) {
+                   double line_length, double elastic_ratio, const contact::Interface& interface,
+                   bool by_element_means) {
+    if (by_element_means) take_element_means(points, compliance);
     points.line_length = line_length;
     points.local_ratio = elastic_ratio;
     points.on_springs = interface.is_elastic();

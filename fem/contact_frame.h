@@ -18,6 +18,10 @@
 // contact's. Pressure and traction act on it the other way round, and its displacement is
 // subtracted: no block changes the sign.
 //
+// Where a traction jumps, what it displaces across the surface swings from node to node, by a few
+// per cent of tau h/G: a law of friction that jumps at the edge of the contact would roughen that
+// edge. What each element displaces on the mean does not (`by_element_means`).
+//
 // A mirrored body is half of one. Forces on the whole contact are twice those on the model, and the
 // compliance is per force on the whole.
 
@@ -38,7 +42,10 @@ std::vector<double> in_contact_frame(CondensedLayer& layer, Side side);
 
 /// Adds the springs of an elastic interface to a compliance, and says of its points what solvers
 /// ask for: `line_length`, and `elastic_ratio`, that of ContactPoints::local_ratio without springs.
+/// `by_element_means`: normal and tangential contact couple by what elements displace on the mean,
+/// for tractions that jump.
 ContactSide joined(contact::ContactPoints points, std::vector<double> compliance,
-                   double line_length, double elastic_ratio, const contact::Interface& interface);
+                   double line_length, double elastic_ratio, const contact::Interface& interface,
+                   bool by_element_means);
 
 }  // namespace tricontact::fem

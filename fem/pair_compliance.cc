@@ -77,22 +77,23 @@ struct PairCompliance::Parts {
     SparseMatrix mass;
 
     static Parts on_layer(CondensedPart substrate, CondensedPart indenter,
-                          const contact::Interface& interface) {
+                          const contact::Interface& interface, bool by_element_means) {
         require_same_nodes(substrate.layer.points, indenter.layer.points);
         std::vector<double> sum = in_contact_frame(substrate.layer, Side::substrate);
         add(in_contact_frame(indenter.layer, Side::indenter), sum);
         const double ratio = elastic_ratio(material_of(substrate), indenter);
         return {joined(substrate.layer.points, std::move(sum), indenter.problem->line_length, ratio,
-                       interface),
+                       interface, by_element_means),
                 CondensedBody(substrate.problem, std::move(substrate.layer.missing_reaction)),
                 CondensedBody(indenter.problem, std::move(indenter.layer.missing_reaction)),
                 std::move(substrate.layer.contact_mass)};
     }
     static Parts on_plane(ContactSurface plane, CondensedPart indenter,
-                          const contact::Interface& interface) {
+                          const contact::Interface& interface, bool by_element_means) {
         require_same_nodes(plane.points, indenter.layer.points);
         return {joined(std::move(plane.points), in_contact_frame(indenter.layer, Side::indenter),
-                       indenter.problem->line_length, elastic_ratio({}, indenter), interface),
+                       indenter.problem->line_length, elastic_ratio({}, indenter), interface,
+                       by_element_means),
                 {},
                 CondensedBody(indenter.problem, std::move(indenter.layer.missing_reaction)),
                 std::move(plane.mass)};
@@ -109,12 +110,14 @@ ContactSurface plane_patch(const meshes::LayerMeshSpec& spec) {
 }
 
 PairCompliance::PairCompliance(CondensedPart substrate, CondensedPart indenter,
-                               const contact::Interface& interface)
-    : PairCompliance(Parts::on_layer(std::move(substrate), std::move(indenter), interface)) {}
+                               const contact::Interface& interface, bool by_element_means)
+    : PairCompliance(Parts::on_layer(std::move(substrate), std::move(indenter), interface,
+                                     by_element_means)) {}
 
 PairCompliance::PairCompliance(ContactSurface plane, CondensedPart indenter,
-                               const contact::Interface& interface)
-    : PairCompliance(Parts::on_plane(std::move(plane), std::move(indenter), interface)) {}
+                               const contact::Interface& interface, bool by_element_means)
+    : PairCompliance(
+          Parts::on_plane(std::move(plane), std::move(indenter), interface, by_element_means)) {}
 
 PairCompliance::PairCompliance(Parts parts)
     : DenseCompliance(std::move(parts.side.points), std::move(parts.side.compliance)),

@@ -27,11 +27,12 @@ ContactSurface plane_patch(const meshes::LayerMeshSpec& spec);
 class PairCompliance final : public DenseCompliance {
   public:
     /// An indenter that deforms on a layer. Throws std::logic_error where nodes do not match.
+    /// `by_element_means`: see joined().
     PairCompliance(CondensedPart substrate, CondensedPart indenter,
-                   const contact::Interface& interface = {});
+                   const contact::Interface& interface = {}, bool by_element_means = false);
     /// The same on a rigid plane.
     PairCompliance(ContactSurface plane, CondensedPart indenter,
-                   const contact::Interface& interface = {});
+                   const contact::Interface& interface = {}, bool by_element_means = false);
     ~PairCompliance() override;
 
     std::vector<double> consistent_traction(std::span<const double> t,

@@ -4,6 +4,7 @@
 #include "contact/base/error.h"
 #include "contact/base/special_values.h"
 #include "contact/solvers/contact_region.h"
+#include "contact/solvers/contact_share.h"
 #include "contact/solvers/coupling.h"
 #include "contact/solvers/edge_chatter.h"
 #include "contact/solvers/normal_solver.h"
@@ -46,10 +47,7 @@ class StaggeredIteration {
             solve_tangential();
             return;
         }
-        // Whether a point carries something as soon as it touches, whatever small pressures are.
-        const contact::FrictionLaw& law = *problem_.friction;
-        const bool jumps = law.bound(1e-300) > .5 * law.bound(1e-200);
-        chatter_.begin(jumps ? points_.size() : 0);
+        chatter_.begin(contact::jumps_at_edge(*problem_.friction) ? points_.size() : 0);
         const auto both = [&](const std::vector<double>& height, double) {
             solve_normal(height);
             solve_tangential();

@@ -8,6 +8,11 @@
 
 namespace tricontact::contact {
 
+/// Whether a point carries something as soon as it touches, whatever small pressures are.
+inline bool jumps_at_edge(const FrictionLaw& law) {
+    return law.bound(1e-300) > .5 * law.bound(1e-200);
+}
+
 /// Which part of a point's surface is in contact. Points touch or do not; the edge of the contact
 /// runs between them, and tells where by the gap beside it, which grows as d^(3/2) with the
 /// distance d: its power 2/3 is a straight line that ends at the edge (Johnson 1985, eq. 4.43 and

@@ -48,15 +48,10 @@ StaggeredSolver::StaggeredSolver(std::string name, Substrate& substrate, const I
                    : std::nullopt),
       coupling_(compliance(), indenter, options) {
     // Bounds that follow the slip are those of whole points.
-    if (ContactShare::is_known(points()) && !friction_->remembers() && jumps_at_edge())
+    if (ContactShare::is_known(points()) && !friction_->remembers() && jumps_at_edge(*friction_))
         share_.emplace(points());
     make_solvers();
     release();
-}
-
-/// Whether a point carries something as soon as it touches, whatever small pressures are.
-bool StaggeredSolver::jumps_at_edge() const {
-    return friction_->bound(1e-300) > .5 * friction_->bound(1e-200);
 }
 
 void StaggeredSolver::release() {
@@ -136,7 +131,7 @@ void StaggeredSolver::solve_uncoupled(const LoadStep& step, const StepStart& bef
 
 void StaggeredSolver::solve_coupled(const LoadStep& step, const StepStart& before) {
     recall_start(step.recurs ? step.phase : 0);
-    chatter_.begin(jumps_at_edge() ? points().size() : 0);
+    chatter_.begin(jumps_at_edge(*friction_) ? points().size() : 0);
     focus(may_touch());
     do iterate(step, before);
     while (!look_at_all());

@@ -106,7 +106,6 @@ class StaggeredSolver {
     const ContactPoints& points() const { return substrate_.compliance().points(); }
     int n_threads() const { return substrate_.compliance().n_threads(); }
     Blocks blocks() const { return {points().size(), n_threads()}; }
-    bool jumps_at_edge() const;
     void make_solvers();
     std::vector<double> update_height();
     void recall_start(double phase);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <chrono>
 
+#include "contact/solvers/contact_share.h"
 #include "fem/case/indenter_body.h"
 #include "fem/condensed_layer.h"
 #include "fem/settings.h"
@@ -59,12 +60,16 @@ CondensedPart LayerCondenser::part(LayerProblem of_body, const char* what) const
     return {std::move(problem), std::move(layer)};
 }
 
+bool LayerCondenser::couples_by_element_means() const {
+    return case_.law == Case::Law::linear && contact::jumps_at_edge(*case_.friction.law());
+}
+
 std::unique_ptr<CondensedCompliance> LayerCondenser::make(meshes::HexMesh mesh) {
     CondensedPart layer = part(problem_of(case_, std::move(mesh)), "layer");
     return std::make_unique<CondensedCompliance>(
         std::move(layer.problem),
         case_.is_line_contact() ? contact_line(layer.layer) : std::move(layer.layer),
-        case_.interface);
+        case_.interface, couples_by_element_means());
 }
 
 // Areas of a line are those of the plane, as in space.
@@ -76,7 +81,8 @@ std::unique_ptr<contact::Compliance> LayerCondenser::on_rigid_plane(
         indenter.layer = contact_line(indenter.layer);
         plane = {{}, indenter.layer.points, {}};
     }
-    return std::make_unique<PairCompliance>(std::move(plane), std::move(indenter), case_.interface);
+    return std::make_unique<PairCompliance>(std::move(plane), std::move(indenter), case_.interface,
+                                            couples_by_element_means());
 }
 
 std::unique_ptr<contact::Compliance> LayerCondenser::make_contact(
@@ -90,7 +96,8 @@ std::unique_ptr<contact::Compliance> LayerCondenser::make_contact(
         indenter.layer = contact_line(indenter.layer);
         layer.layer = contact_line(layer.layer);
     }
-    return std::make_unique<PairCompliance>(std::move(layer), std::move(indenter), case_.interface);
+    return std::make_unique<PairCompliance>(std::move(layer), std::move(indenter), case_.interface,
+                                            couples_by_element_means());
 }
 
 }  // namespace tricontact::fem

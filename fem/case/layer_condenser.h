@@ -26,6 +26,7 @@ class LayerCondenser {
     }
 
   private:
+    bool couples_by_element_means() const;  ///< see joined()
     /// `what`: "layer" or "indenter", for the lines that are said.
     CondensedPart part(LayerProblem problem, const char* what) const;
     std::unique_ptr<contact::Compliance> on_rigid_plane(const meshes::LayerMeshSpec& spec,

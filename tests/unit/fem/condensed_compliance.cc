@@ -71,6 +71,31 @@ TEST(FemCondensedCompliance, GroundThatCarriesNothingIsSeen) {
     }
 }
 
+// Coupled by elements' mean displacements: only the coupling differs, by those means, and what one
+// traction does to the other stays the same both ways.
+TEST(FemCondensedCompliance, CouplesByElementMeans) {
+    for (const bool half : {false, true}) {
+        const auto problem = std::make_shared<fem::LayerProblem>(test::small_layer(half));
+        const CondensedCompliance by_nodes(problem, fem::condense(*problem)),
+            by_means(problem, fem::condense(*problem), {}, true);
+        const contact::ContactPoints& points = by_means.points();
+        const auto n = static_cast<Eigen::Index>(3 * points.size());
+        const Eigen::Map<const Eigen::MatrixXd> a(by_means.dense(), n, n),
+            b(by_nodes.dense(), n, n);
+        EXPECT_LT((a - a.transpose()).norm(), 1e-12 * a.norm());
+        const Eigen::Index z = n / 3;
+        EXPECT_EQ(a.topLeftCorner(2 * z, 2 * z), b.topLeftCorner(2 * z, 2 * z));
+        EXPECT_EQ(a.bottomRightCorner(z, z), b.bottomRightCorner(z, z));
+        EXPECT_GT((a - b).norm(), 1e-4 * b.norm());
+        // What flows through the surface keeps its volume.
+        const Eigen::Map<const Eigen::VectorXd> area(points.area.data(), z);
+        const Eigen::VectorXd volume = a.bottomLeftCorner(z, 2 * z).transpose() * area,
+                              before = b.bottomLeftCorner(z, 2 * z).transpose() * area;
+        // Elements that are no rectangles have other means than their nodes' areas give.
+        EXPECT_LT((volume - before).norm(), .1 * before.norm());
+    }
+}
+
 // Two materials, finite and infinite bulk moduli, distorted elements: where the shear moduli take a
 // factor, the interpolation between a few condensations is the condensation, to its own bound.
 TEST(FemCondensedCompliance, InterpolatesInTheShearModulus) {
