@@ -17,6 +17,8 @@ constexpr double difference_step = 1e-5;
 constexpr double largest_step = 1;
 // Damping: at first, its growth and decay, and where no step is left that helps.
 constexpr double first_damping = 1e-3, damping_growth = 6, damping_decay = 8, most_damping = 1e12;
+// Many steps that succeed must not lead to 0, from which damping never grows again.
+constexpr double least_damping = 1e-100;
 // A step below this, or one that gains less than rounding of the sum, is the last.
 constexpr double step_tolerance = 1e-11, gain_tolerance = 1e-15;
 // So many steps that together gain less than this of the sum wander in a valley of which the
@@ -151,7 +153,7 @@ BoundedFit fit_within(const Residuals& residuals, std::vector<double> start, con
             const double gain = fit.sum_of_squares - sum;
             fit = {trial, sum};
             values = std::move(found);
-            damping /= damping_decay;
+            damping = std::max(damping / damping_decay, least_damping);
             if (gain < gain_tolerance * sum) return fit;
             break;
         }

@@ -5,6 +5,7 @@
 
 #include "contact/model.h"
 #include "contact/model_makers.h"
+#include "contact/models/model_kind.h"
 #include "meshes/layer_mesh.h"
 #include "runs/options.h"
 
@@ -27,6 +28,10 @@ struct CacheOptions : CommandOptions {
 /// and what comes with it take longer to load than many a half-space run to compute.
 struct FemEntries {
     std::unique_ptr<contact::Model> (*make_model)(const Case& c, const Say& say);
+    /// Of the section of a case, as the kind of the model says; and the size of its elements [m].
+    std::unique_ptr<contact::Model> (*make_section_model)(const contact::ModelKind& kind,
+                                                          const Case& c, const Say& say);
+    double (*section_size)(const contact::ModelKind& kind, const Case& c);
     meshes::LayerMeshSpec (*mesh_spec)(const Case& c, const Say& say);
     /// Writes the mesh of the case's finite element layer (.msh, .vtu, and .geo if it is ours) and
     /// gives its quality. Throws InputError, NotConverged.

@@ -12,6 +12,7 @@
 #include "app/models/fem_entries.h"
 #include "fem/case/layer_condenser.h"
 #include "fem/case/model.h"
+#include "fem/case/section_model.h"
 #include "fem/distributed/layer.h"
 #include "fem/layer_cache.h"
 #include "fem/settings.h"
@@ -286,6 +287,12 @@ extern "C" const tricontact::app::FemEntries* tricontact_fem_entries() {
     using namespace tricontact;
     static const app::FemEntries entries = {
         [](const app::Case& c, const app::Say& say) { return fem::make_model(c, say); },
+        [](const contact::ModelKind& kind, const app::Case& c, const app::Say& say) {
+            return fem::make_section_model(kind, c, say);
+        },
+        [](const contact::ModelKind& kind, const app::Case& c) {
+            return fem::section_size(kind, c);
+        },
         [](const app::Case& c, const app::Say& say) { return fem::mesh_spec(c, say); },
         app::write_mesh_of,
         app::condense_layer,

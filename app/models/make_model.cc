@@ -26,7 +26,7 @@ using contact::Say;
 
 bool has_model([[maybe_unused]] std::string_view name) {
 #ifndef TRICONTACT_WITH_FEM
-    if (name == contact::models::fem) return false;
+    if (contact::model_kind(name).is_meshed()) return false;
 #endif
     return contact::find_model_kind(name) != nullptr;
 }
@@ -39,6 +39,8 @@ std::unique_ptr<contact::Model> make_model(const std::string& name, const Case& 
     if (name == contact::models::bem_layer) return bem::make_model(c, n_threads, bem::Body::layer);
 #ifdef TRICONTACT_WITH_FEM
     if (name == contact::models::fem) return fem_entries().make_model(c, say);
+    if (const auto& kind = contact::model_kind(name); kind.is_section())
+        return fem_entries().make_section_model(kind, c, say);
 #endif
     if (name == contact::models::atlas)
         throw contact::InputError(
@@ -62,6 +64,14 @@ MeshBlock block_of([[maybe_unused]] const Case& c, [[maybe_unused]] const Say& s
 #endif
 }
 
+/// That the model chooses.
+double element_size([[maybe_unused]] const contact::ModelKind& kind, const Case& c) {
+#ifdef TRICONTACT_WITH_FEM
+    if (kind.is_section()) return fem_entries().section_size(kind, c);
+#endif
+    return block_of(c, contact::silent).size;
+}
+
 CoarserModel make_coarser_model(const std::string& name, const Case& c, double factor,
                                 int n_threads, const Say& say) {
     CoarserModel coarser{.c = c, .model = {}};
@@ -69,7 +79,7 @@ CoarserModel make_coarser_model(const std::string& name, const Case& c, double f
     if (kind.is_meshed() && c.of<fem::Settings>().mesh)
         throw contact::InputError("the mesh is a file's; run another one beside it");
     if (kind.is_meshed() && !c.of<fem::Settings>().size)
-        coarser.c.of<fem::Settings>().size = block_of(c, contact::silent).size;
+        coarser.c.of<fem::Settings>().size = element_size(kind, c);
     comparisons::change_resolution(coarser.c, kind, {.coarser = factor});
     coarser.model = make_model(name, coarser.c, n_threads, say);
     return coarser;
@@ -77,7 +87,7 @@ CoarserModel make_coarser_model(const std::string& name, const Case& c, double f
 
 void load_model([[maybe_unused]] const std::string& name) {
 #ifdef TRICONTACT_WITH_FEM
-    if (name == contact::models::fem) fem_entries();
+    if (contact::model_kind(name).is_meshed()) fem_entries();
 #endif
 }
 

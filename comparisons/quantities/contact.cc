@@ -1,5 +1,6 @@
 #include "comparisons/quantities/map_border.h"
 #include "comparisons/quantities/quantities.h"
+#include "contact/models/model_kind.h"
 
 namespace tricontact::comparisons::quantities {
 
@@ -72,7 +73,12 @@ constinit const Quantity unit_shift{
         "law of friction tau(p): the shift at which a half-space begins to slide; each model's "
         "own.",
     .source = "Cattaneo (1938), Mindlin (1949)",
-    .of = [](const Subject& s) { return finite(s.history.scales.unit_shift); },
+    .of = [](const Subject& s) -> QuantityValue {
+        // A section through the axis knows no friction along x.
+        const auto cut = contact::model_kind(s.history.model).cut;
+        if (cut == contact::ModelKind::Cut::of_revolution) return {};
+        return finite(s.history.scales.unit_shift);
+    },
     .exact = [](const Reference& r) { return exact(r, r.hertz.unit_shift); },
     .part = Part::pressed,
     .is_refined = true};

@@ -9,6 +9,7 @@ namespace {
 
 using Method = ModelKind::Method;
 using Body = ModelKind::Body;
+using Cut = ModelKind::Cut;
 
 constexpr std::array kinds{
     ModelKind{.name = models::mdr,
@@ -98,6 +99,32 @@ constexpr std::array kinds{
               .sees_rigid_substrate = true,
               .sees_elastic_interface = true,
               .maps = models::bem_layer},
+    ModelKind{.name = models::fem_plane,
+              .title = "FEM plane strain",
+              .text = "finite elements of the section of bodies along y, in plane strain; both may "
+                      "deform",
+              .sources = "Brezzi and Fortin (1991), Chen, Davis, Hager and Rajamanickam (2008), "
+                         "Karypis and Kumar (1998)",
+              .method = Method::finite_elements,
+              .cut = Cut::plane_strain,
+              .style = {},
+              .section = "fem",
+              .resolution = "fem.size",
+              .sees_indenter_body = true,
+              .sees_rigid_substrate = true},
+    ModelKind{.name = models::fem_axisymmetric,
+              .title = "FEM of revolution",
+              .text = "finite elements of the section of bodies of revolution, pressed along their "
+                      "axis; both may deform",
+              .sources = "Brezzi and Fortin (1991), Chen, Davis, Hager and Rajamanickam (2008), "
+                         "Karypis and Kumar (1998)",
+              .method = Method::finite_elements,
+              .cut = Cut::of_revolution,
+              .style = {},
+              .section = "fem",
+              .resolution = "fem.size",
+              .sees_indenter_body = true,
+              .sees_rigid_substrate = true},
     ModelKind{.name = models::atlas,
               .title = "ATLAS",
               .text = "maps of earlier runs, in sweeps; tricontact predict reads them elsewhere",

@@ -17,6 +17,8 @@ inline constexpr const char* mdr_layer = "mdr-layer";
 inline constexpr const char* bem = "bem";
 inline constexpr const char* bem_layer = "bem-layer";
 inline constexpr const char* fem = "fem";
+inline constexpr const char* fem_plane = "fem-plane";
+inline constexpr const char* fem_axisymmetric = "fem-axisymmetric";
 inline constexpr const char* atlas = "atlas";
 }  // namespace models
 
@@ -33,6 +35,9 @@ struct ModelKind {
     };
     /// `any`: what the case has.
     enum class Body { half_space, layer, any };
+    /// Of finite elements in two dimensions: across a body along y, which is in plane strain, or
+    /// through the axis of one of revolution, which is pressed along it.
+    enum class Cut { none, plane_strain, of_revolution };
 
     const char* name;     ///< in case files, results and folders
     const char* title;    ///< for readers: "BEM layer"
@@ -40,6 +45,7 @@ struct ModelKind {
     const char* sources;  ///< publications, cited by authors and year
     Method method = Method::other;
     Body body = Body::any;
+    Cut cut = Cut::none;
     std::optional<int> style;  ///< number of its colour in figures
 
     /// Of the limit by bisection, in f_T or w [-], unless it is asked for.
@@ -83,6 +89,7 @@ struct ModelKind {
     bool is_on_cells() const { return method == Method::boundary_elements; }
     bool is_on_cells_of(Body its) const { return is_on_cells() && body == its; }
     bool is_meshed() const { return method == Method::finite_elements; }
+    bool is_section() const { return cut != Cut::none; }
     bool is_read() const { return method == Method::maps; }
     bool has_maps() const { return *maps && std::string_view(maps) == name; }
 };

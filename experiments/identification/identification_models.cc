@@ -61,8 +61,8 @@ TableModel shift_table_model(const std::string& model, const IdentificationInput
     for (const LoadedRows& load : rows_by_load(table, rig, table.given)) {
         Case loaded = rig;
         loaded.load.normal_force = load.normal_force;
-        shifts[load.normal_force] =
-            std::make_shared<ShiftTable>(shift_model(model), loaded, load.given, runner);
+        shifts[load.normal_force] = std::make_shared<ShiftTable>(
+            shift_model(model), loaded, load.given, input.shifts_by_theory, runner);
     }
     return [shifts, &table](const IdentifiedRig& at) {
         return by_load(table, at.as_case, table.given, [&](const Case& loaded, const auto&) {
@@ -213,7 +213,7 @@ Prediction prediction_of(const std::string& model, const IdentificationInput& in
 IdentifiedRig rig_with(const IdentificationInput& input,
                        const std::vector<FreeParameter>& parameters,
                        const std::vector<double>& values) {
-    IdentifiedRig rig{input.rig};
+    IdentifiedRig rig{.as_case = input.rig, .shifts_by_theory = input.shifts_by_theory};
     rig.zero_depths.assign(input.all(Measurement::force_indentation).size(), 0);
     Case& c = rig.as_case;
     std::vector<double> relative;

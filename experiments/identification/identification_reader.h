@@ -59,6 +59,9 @@ struct IdentificationInput {
     std::vector<FreeParameter> parameters;
     std::vector<std::string> models;  ///< see io::measurement_models
     std::vector<std::string> laws;    ///< see io::measurement_laws; empty: the rig's
+    /// Shifts on a layer by theory_shifts() under Coulomb's law, too, as under other laws or on
+    /// springs that are compared with it: what two methods differ by shall favour none.
+    bool shifts_by_theory = false;
     double confidence = 0.95;
     /// The rig; free parameters at their guesses. A free E is a guess by Hertz' theory, whatever
     /// the file says. The normal force is that of the file, or the largest of the measurement.

@@ -104,13 +104,14 @@ double LoadAndFriction::heights(const Case& c) const {
 
 // Without coupling all shifts go with mu, so that one value of it does.
 ShiftTable::ShiftTable(std::string model, const Case& rig, std::vector<double> forces,
-                       const contact::ModelRunner& runner)
+                       bool by_theory, const contact::ModelRunner& runner)
     : model_(std::move(model)),
       rig_(rig),
       forces_(std::move(forces)),
+      by_theory_(by_theory),
       runner_(runner),
       places_(curve_points()),
-      axes_(rig_, largest_ratio(rig_, forces_), is_coupled(model_, rig_, runner_),
+      axes_(rig_, largest_ratio(rig_, forces_), !by_theory && is_coupled(model_, rig_, runner_),
             reach_of(model_)),
       table_([this](double x, double row) { return node(std::exp(x), axes_.friction_at(row)); },
              log_step, 1, axes_.rows()) {}
@@ -135,7 +136,8 @@ std::vector<double> ShiftTable::node(double young, double friction) const {
     std::vector<double> forces;
     for (const double s : places_)
         forces.push_back((1 - s * s * s) * friction * *c.load.normal_force);
-    auto shifts = static_shifts(model_, c, forces, runner_);
+    auto shifts =
+        by_theory_ ? theory_shifts(true, c, forces) : static_shifts(model_, c, forces, runner_);
     for (std::size_t j = 0; j < shifts.size(); ++j) shifts[j] *= *c.load.normal_force / forces[j];
     return logarithms(std::move(shifts));
 }

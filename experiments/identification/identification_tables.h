@@ -45,8 +45,9 @@ class LoadAndFriction {
 /// The curve of shifts: U/(mu f_T) at all places, from which U follows for any force.
 class ShiftTable {
   public:
+    /// `by_theory`: theory_shifts(), without runs of the model.
     ShiftTable(std::string model, const contact::Case& rig, std::vector<double> forces,
-               const contact::ModelRunner& runner);
+               bool by_theory, const contact::ModelRunner& runner);
     ShiftTable(const ShiftTable&) = delete;  // its table calls it back
     ShiftTable& operator=(const ShiftTable&) = delete;
 
@@ -58,6 +59,7 @@ class ShiftTable {
     std::string model_;
     contact::Case rig_;
     std::vector<double> forces_;
+    bool by_theory_;
     contact::ModelRunner runner_;
     std::vector<double> places_;
     LoadAndFriction axes_;

@@ -29,6 +29,7 @@ InterfaceFit fit_of(IdentificationInput input, const contact::ModelRunner& runne
         if (is_stiffness(p.key)) fit.name += (fit.name.empty() ? "" : ", ") + p.symbol;
     if (fit.name.empty()) fit.name = "rigid";
     fit.input = std::move(input);
+    fit.input.shifts_by_theory = true;
     IdentificationTask task = task_of(fit.input, model);
     task.model = prediction_of(model, fit.input, runner);
     fit.found = identify(task);

@@ -114,6 +114,7 @@ LawComparison compare_laws(const IdentificationInput& input, const std::vector<s
     for (const MeasurementLaw& law : io::measurement_laws()) {
         if (!std::ranges::count(laws, law.name)) continue;
         LawFit fit{.law = &law, .input = with_law(input, law)};
+        fit.input.shifts_by_theory = true;
         IdentificationTask task = task_of(fit.input, model);
         task.model = prediction_of(model, fit.input, runner);
         fit.found = identify(task);

@@ -290,7 +290,7 @@ std::vector<double> measured_values(const std::string& model,
         return sliding_forces(on_layer, slow, given);
     if (table.measurement == Measurement::static_shift)
         return by_load(table, slow, given, [&](const Case& loaded, const auto& forces) {
-            return !on_layer || is_beyond_coulomb(loaded)
+            return !on_layer || identified.shifts_by_theory || is_beyond_coulomb(loaded)
                        ? theory_shifts(on_layer, loaded, forces)
                        : static_shifts(shift_model(model), loaded, forces, runner);
         });

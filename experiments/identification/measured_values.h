@@ -17,6 +17,7 @@ struct IdentifiedRig {
     double pivot_height = 0;  ///< Dh over the contact [m]
     /// Of each table of force_indentation: where the contact begins [m]; empty: at 0.
     std::vector<double> zero_depths = {};
+    bool shifts_by_theory = false;  ///< see IdentificationInput
 };
 
 /// Rigid shifts U [m] of a rig's indenter under its normal force and each of these tangential ones

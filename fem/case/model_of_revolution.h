@@ -8,11 +8,12 @@ namespace tricontact::fem {
 
 /// A contact of revolution, pressed along its axis: points are radii, tractions in the surface are
 /// radial, and no force along x exists. Steps that prescribe F_T = 0 hold the axis instead. Shows
-/// its surface as a line through the axis, with the points at -r.
+/// its surface turned about the axis, on a square grid inside of the largest radius.
 class ModelOfRevolution final : public contact::Model {
   public:
-    explicit ModelOfRevolution(std::unique_ptr<contact::Model> radial)
-        : radial_(std::move(radial)) {}
+    /// `shear_modulus`: G* of both bodies [Pa].
+    ModelOfRevolution(std::unique_ptr<contact::Model> radial, double shear_modulus)
+        : radial_(std::move(radial)), shear_modulus_(shear_modulus) {}
 
     std::string name() const override { return radial_->name(); }
     double step_accuracy() const override { return radial_->step_accuracy(); }
@@ -22,11 +23,14 @@ class ModelOfRevolution final : public contact::Model {
     void release() override { radial_->release(); }
     void enlarge(const contact::ContactAtEdge& reached) override { radial_->enlarge(reached); }
     void start_period() override { radial_->start_period(); }
-    /// There is no shift that friction along x could make: `unit_shift` is that of the half-space
-    /// which a sphere of the same contact would have, 0.
+    /// Friction along x, which is none of revolution, has no shift here: `unit_shift` is that of
+    /// the half-space under this force on this radius, a unit for figures.
     contact::Scales scales() const override;
     contact::Surface surface() const override;
-    std::vector<contact::ContactState> contact_states() const override;
+    /// Of the radii.
+    std::vector<contact::ContactState> contact_states() const override {
+        return radial_->contact_states();
+    }
     double limit_tangential_ratio() const override { return radial_->limit_tangential_ratio(); }
     void start_limit() override { radial_->start_limit(); }
     std::unique_ptr<contact::Model> sibling(const contact::Case::Contact& options) const override;
@@ -36,6 +40,7 @@ class ModelOfRevolution final : public contact::Model {
 
   private:
     std::unique_ptr<contact::Model> radial_;
+    double shear_modulus_;
 };
 
 }  // namespace tricontact::fem

@@ -26,20 +26,23 @@
 namespace tricontact::fem {
 
 using contact::Case;
+using contact::ElasticBody;
+using contact::ModelKind;
 using planar::Solid;
 
 namespace {
 
 constexpr double section_margin = 1.15;
+constexpr double corner = 1.4143;       // a square of revolution's surface is shown, to its corners
 constexpr double section_growth = 1.5;  // of the room when the contact has reached its edge
 constexpr int probing_elements = 8;     // across the half width that is expected
 constexpr int most_probes = 20;
-constexpr int fewest_elements = 6;
-constexpr double section_accuracy = 3e-4;  // of the force, unless fem.accuracy is given
-constexpr double far_side = 20;            // of the layer's side from the patch, in thicknesses
+constexpr int fewest_elements = 24;
+constexpr double far_side = 20;  // of the layer's side from the patch, in thicknesses
 
 /// Elements across the contact whose force errs by no more: spheres and cylinders on meshes of 8 to
-/// 60 of them err by less than .16/n^2 (tests/verification/fem/planar).
+/// 60 of them err by less than .16/n^2 (tests/verification/fem/planar). No fewer than 24, since
+/// they cost nothing.
 int elements_for(double accuracy) {
     return std::max(fewest_elements, static_cast<int>(std::ceil(.4 / std::sqrt(accuracy))));
 }
@@ -48,30 +51,81 @@ struct Patch {
     double half_width, size;
 };
 
+/// Of the indenter's body below its contact [m].
+double least_depth(const Case& c) {
+    const contact::ElasticBody& body = *c.indenter.body;
+    if (body.form == ElasticBody::Form::punch) return body.height;
+    return body.support == ElasticBody::Support::hub ? c.indenter.radius - body.hub_radius
+                                                     : c.indenter.radius / 2;
+}
+
 planar::Sizes sizes_of(const Case& c, const Patch& patch) {
     const int n = std::max(2, static_cast<int>(std::ceil(patch.half_width / patch.size - 1e-9)));
     // Growth of fem.growth, which is meant for hexahedra, is too coarse for what costs nothing.
     const double growth = 1 + (c.of<Settings>().growth - 1) / 3;
-    const double thickness = *c.layer.thickness;
-    const int deep = std::max(1, std::min(n / 6, static_cast<int>(thickness / patch.size)));
+    double depth = c.layer.thickness.value_or(contact::infinity);
+    if (c.indenter.body) depth = std::min(depth, least_depth(c));
+    const int deep = std::max(1, static_cast<int>(std::min(n / 6., depth / 4 / patch.size)));
     return {n, patch.size, growth, deep};
 }
 
-planar::CondensedBody layer_of(const Case& c, Solid solid, const Patch& patch) {
-    const planar::Sizes sizes = sizes_of(c, patch);
-    const double thickness = *c.layer.thickness;
+/// A section on both sides of x = 0, or from the axis outwards.
+planar::CondensedBody condensed(planar::Mesh half, Solid solid, const contact::Material& material,
+                                planar::Support support) {
     planar::BodyProblem problem;
-    problem.mesh = layer_section(sizes, sizes.patch() + far_side * thickness, thickness);
-    if (solid == Solid::plane_strain) problem.mesh = with_mirror_image(problem.mesh);
+    problem.mesh = solid == Solid::plane_strain ? with_mirror_image(half) : std::move(half);
     problem.solid = solid;
-    problem.material = c.substrate;
-    problem.support = c.layer.base == Case::Base::frictionless ? planar::Support::sliding
-                                                               : planar::Support::bonded;
+    problem.material = material;
+    problem.support = support;
     return condense(problem);
 }
 
+planar::CondensedBody layer_of(const Case& c, Solid solid, const planar::Sizes& sizes) {
+    const double thickness = *c.layer.thickness;
+    return condensed(layer_section(sizes, sizes.patch() + far_side * thickness, thickness), solid,
+                     c.substrate,
+                     c.layer.base == Case::Base::frictionless ? planar::Support::sliding
+                                                              : planar::Support::bonded);
+}
+
+planar::Mesh indenter_mesh(const Case& c, const planar::Sizes& sizes) {
+    const contact::ElasticBody& body = *c.indenter.body;
+    const double radius = c.indenter.radius;
+    if (body.support == ElasticBody::Support::hub)
+        return disc_section(sizes, radius, body.hub_radius);
+    if (body.form != ElasticBody::Form::punch) return half_disc_section(sizes, radius);
+    const double flat = c.indenter.flat_radius;
+    return block_section(sizes, flat + radius, body.height, [=](double x) {
+        const double beyond = std::max(0., x - flat);
+        return beyond * beyond / (2 * radius);
+    });
+}
+
+planar::CondensedBody indenter_of(const Case& c, Solid solid, const planar::Sizes& sizes) {
+    // Between two plates the middle plane stays where it is.
+    const bool plates = c.indenter.body->support == ElasticBody::Support::plates;
+    return condensed(indenter_mesh(c, sizes), solid, *c.indenter.material,
+                     plates ? planar::Support::sliding : planar::Support::bonded);
+}
+
+/// Most that a patch may have of the indenter's body [m].
+double widest_patch(const Case& c) {
+    if (!c.indenter.body) return contact::infinity;
+    if (c.indenter.body->form == ElasticBody::Form::punch)
+        return .95 * (c.indenter.flat_radius + c.indenter.radius);
+    return .65 * c.indenter.radius;  // what is beyond, the mesh needs to grow in
+}
+
 std::unique_ptr<DenseCompliance> compliance_of(const Case& c, Solid solid, const Patch& patch) {
-    const std::vector<planar::CondensedBody> bodies{layer_of(c, solid, patch)};
+    const planar::Sizes sizes = sizes_of(c, patch);
+    if (sizes.patch() > widest_patch(c))
+        throw contact::InputError(fmt::format(
+            "load: the contact with its margin, {:.4g} m to either side, is too large for the "
+            "indenter's body; reduce the load",
+            sizes.patch()));
+    std::vector<planar::CondensedBody> bodies;
+    if (c.indenter.body) bodies.push_back(indenter_of(c, solid, sizes));
+    if (!c.has_rigid_substrate) bodies.push_back(layer_of(c, solid, sizes));
     planar::PairOptions options;
     const bool line = solid == Solid::plane_strain;
     options.length = line ? c.indenter.length : 1;
@@ -102,53 +156,42 @@ double probed_radius(const Case& c, Solid solid) {
     throw contact::NotConverged("the radius of the contact was not found on coarse elements");
 }
 
-void require(const Case& c, const std::string& name, Solid solid) {
-    const auto refuse = [&](const std::string& what) {
-        throw contact::InputError(name + ": " + what);
-    };
-    if (!c.layer.thickness) refuse("a section needs substrate.thickness");
-    if (c.layer.base == Case::Base::half_space || !c.layer.lower.empty())
-        refuse("one layer on a rigid ground is meshed; take fem or bem-layer for more");
-    if (c.of<Settings>().mesh) refuse("has meshes of its own; leave out fem.mesh");
-    if (c.of<Settings>().sides == Sides::fixed)
-        refuse("the layer's sides are far away and free; leave out fem.sides");
-    if (c.law != Case::Law::linear) refuse("strains are small; take fem at finite strains");
-    if (c.interface.is_elastic()) refuse("knows rigid interfaces alone; leave out [interface]");
-    if (solid == Solid::plane_strain) {
-        if (!c.is_line_contact())
-            refuse("plane strain is for indenter.shape = \"cylinder\"; take fem-axisymmetric");
-        if (c.layer.base == Case::Base::frictionless)
-            refuse("nothing holds a layer that glides; take base = \"bonded\"");
-        return;
-    }
-    if (c.indenter.roughness) refuse("a rough body is none of revolution; take bem-layer");
-    c.make_axisymmetric_indenter();  // throws for other bodies
-    if (c.friction.map) refuse("friction that varies along x is none of revolution; take fem");
-    if (c.rolling || c.tractive_rolling || c.prescribed_path)
-        refuse("a section of revolution is pressed where it is; leave out rolling, or take fem");
-    if (c.load.tangential_force.value_or(0) != 0 || c.load.tangential_ratio.value_or(0) != 0 ||
-        c.load.is_by_limit())
-        refuse("a section of revolution has no tangential load; leave it out, or take fem");
+void require_bodies(const Case& c, const ModelKind& kind) {
+    if (!c.has_rigid_substrate && !c.layer.thickness)
+        throw contact::InputError(std::string(kind.name) +
+                                  ": needs substrate.thickness, or substrate.rigid = true");
+    if (c.has_rigid_substrate && !c.indenter.body)
+        throw contact::InputError(std::string(kind.name) +
+                                  ": on a rigid substrate the indenter needs an indenter.body");
+}
+
+Solid solid_of(const ModelKind& kind) {
+    return kind.cut == ModelKind::Cut::plane_strain ? Solid::plane_strain : Solid::of_revolution;
 }
 
 }  // namespace
 
-double section_size(Solid solid, const Case& c) {
+double section_size(const ModelKind& kind, const Case& c) {
+    require_bodies(c, kind);
     const Settings& settings = c.of<Settings>();
     if (settings.size) return *settings.size;
-    return probed_radius(c, solid) / elements_for(settings.accuracy.value_or(section_accuracy));
+    const int n = settings.accuracy ? elements_for(*settings.accuracy) : fewest_elements;
+    return probed_radius(c, solid_of(kind)) / n;
 }
 
-std::unique_ptr<contact::Model> make_section_model(const std::string& name, Solid solid,
-                                                   const Case& c, const Say& say) {
-    require(c, name, solid);
+std::unique_ptr<contact::Model> make_section_model(const ModelKind& kind, const Case& c,
+                                                   const Say& say) {
+    const Solid solid = solid_of(kind);
+    const std::string name = kind.name;
+    const double size = section_size(kind, c);
     const double radius = probed_radius(c, solid);
-    const double size = section_size(solid, c);
     if (size > radius / 2)
         throw contact::InputError(fmt::format(
             "fem.size: {}: fewer than 2 elements across the contact's {:.4g} m; reduce it", name,
             radius));
-    const double half = section_margin * radius + contact::path_reach(c, radius)[0];
+    const double margin = solid == Solid::of_revolution ? corner * section_margin : section_margin;
+    const double half =
+        std::min(margin * radius + contact::path_reach(c, radius)[0], .999 * widest_patch(c));
     if (say && !c.of<Settings>().size)
         say(fmt::format("{}: elements of {:.4g} mm, {:.3g} across the contact", name, 1e3 * size,
                         radius / size));
@@ -167,7 +210,8 @@ std::unique_ptr<contact::Model> make_section_model(const std::string& name, Soli
         [=, room = half](const contact::ContactAtEdge&) mutable
         -> std::unique_ptr<contact::Substrate> { return substrate(c, room *= section_growth); });
     if (solid == Solid::plane_strain) return model;
-    return std::make_unique<ModelOfRevolution>(std::move(model));
+    return std::make_unique<ModelOfRevolution>(std::move(model),
+                                               c.materials().effective_shear_modulus());
 }
 
 }  // namespace tricontact::fem

@@ -215,7 +215,10 @@ void check_case(const Case& c, const Document& document) {
         if (kind.is_layer()) check_layer(model, c, document);
         if (kind.is_on_cells()) check_bem(c, scales, steps, document);
         if (mdr::springs_are_independent(kind, c.interface)) check_mdr(c, scales, steps, document);
-        if (kind.is_meshed()) check_fem(c, steps, document);
+        if (kind.is_section())
+            check_section(kind, c, document);
+        else if (kind.is_meshed())
+            check_fem(c, steps, document);
     }
 }
 

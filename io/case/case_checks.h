@@ -101,8 +101,12 @@ void check_line_contact(const contact::Case& c, const Document& document);
 /// Reads the file of a height map.
 void resolve_height_map(contact::Case& c, const Document& document);
 
-/// The body of an indenter that deforms goes with its shape and support, a rigid substrate with what
-/// is said of it and with the models.
+/// What finite elements of a section can have, see ModelKind::Cut.
+void check_section(const contact::ModelKind& kind, const contact::Case& c,
+                   const Document& document);
+
+/// The body of an indenter that deforms goes with its shape and support, a rigid substrate with
+/// what is said of it and with the models.
 void check_bodies(const contact::Case& c, const Document& document);
 
 /// Height maps, planes and roughness: models that can, a period that fits, cells that resolve, and

@@ -63,7 +63,7 @@ double drawn_angle(Dice& dice) {
 
 class Drawing {
   public:
-    Drawing(std::uint64_t seed, std::uint64_t index) : dice_(seed, index) {}
+    Drawing(std::uint64_t seed, std::uint64_t index) : dice_(seed, index), further_(~seed, index) {}
 
     std::string text() {
         model_ = dice_.one_of("mdr", "mdr", "mdr", "bem", "bem", "bem", "mdr-layer", "bem-layer");
@@ -72,11 +72,13 @@ class Drawing {
         add("models = [\"{}\"]\n", model_);
         draw_indenter();
         draw_substrate();
-        add("[friction]\ncoefficient = {}\n", dice_.scale(1e-6, 10));
+        friction_ = dice_.scale(1e-6, 10);
+        add("[friction]\ncoefficient = {}\n", friction_);
         draw_contact();
         draw_load();
         draw_rolling();
         draw_discretisation();
+        draw_layer_between();
         return std::move(text_);
     }
 
@@ -196,6 +198,16 @@ class Drawing {
         if (relaxes_) add("speed = \"{} m/s\"\n", ratio * radius_ / time_ * dice_.scale(.01, 100));
     }
 
+    /// A layer between the surfaces that yields and hardens, of points that know their slip: within
+    /// a flow of the order of the contact.
+    void draw_layer_between() {
+        if (is_mdr_ || relaxes_ || !further_.chance(1)) return;
+        const double modulus = contact::MaterialPair(indenter_, substrate_).effective_modulus();
+        add("[interface]\nyield_stress = \"{} Pa\"\nhardening = \"{} Pa/m\"\n",
+            std::max(friction_ * modulus * depth_ / radius_ * further_.scale(1e-2, 1), 1e-300),
+            std::min(modulus / radius_ * further_.scale(1e-1, 1e6), 1e20));
+    }
+
     void draw_discretisation() {
         if (is_mdr_)
             add("[mdr]\nsprings = {}\n", static_cast<int>(dice_.scale(100, 3e5)));
@@ -204,6 +216,8 @@ class Drawing {
     }
 
     Dice dice_;
+    Dice further_;  // what was added later leaves the draws before as they are
+    double friction_ = 0;
     std::string text_;
     std::string_view model_;
     bool is_mdr_ = false, is_layered_ = false, relaxes_ = false, oscillates_ = false;

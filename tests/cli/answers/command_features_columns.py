@@ -21,6 +21,9 @@ def study(model, vary, more=""):
 # Given sides: fem looks for none. What is condensed is kept for the next cell.
 elements = {**layer, "models": '["fem"]', "fem.size": '"2 mm"', "substrate.width": '"40 mm"',
             "substrate.depth": '"40 mm"', "fem.cache": '"kept"'}
+# Sections: a cylinder across, and the sphere through its axis, which is pressed alone.
+across = {**layer, "models": '["fem-plane"]', "fem.size": '"0.4 mm"', "indenter.shape": '"cylinder"', "indenter.length": '"60 mm"'}
+of_revolution = {**layer, "models": '["fem-axisymmetric"]', "fem.size": '"0.4 mm"', "rolling.*": None, "load.tangential_ratio": "0.0"}
 two_frictions = "friction.coefficient = [0.5, 0.6]"
 commands = {
     "run mdr": model_run("mdr"),
@@ -28,6 +31,8 @@ commands = {
     "run bem": model_run("bem"),
     "run bem-layer": model_run("bem-layer", layer),
     "run fem": model_run("fem", elements),
+    "run fem-plane": model_run("fem-plane", across),
+    "run fem-axisymmetric": model_run("fem-axisymmetric", of_revolution),
     "check": call("check", "case.toml", answer="output"),
     "mesh": call("mesh", "case.toml", "--output", "out", answer="out/*.msh", over=elements),
     "cache condense": call("cache", "condense", "case.toml", answer="kept layers", over=elements),
@@ -82,7 +87,7 @@ groups = {
     "fast": ["run mdr", "run mdr-layer", "run bem", "run bem-layer", "check", "influence", "contact export bem",
              "contact export bem-layer", "limit", "run rolling on", "sweep", "fit", "predict", "predict on a layer",
              "experiment", "rig"],
-    "elements": ["run fem", "mesh", "cache condense", "refine bem", "atlas", "identify", "design"],
+    "elements": ["run fem", "run fem-plane", "run fem-axisymmetric", "mesh", "cache condense", "refine bem", "atlas", "identify", "design"],
 }
 # Without a place in the table: tried by hand (command_features.py PROGRAM TABLE slow), for wrong cells alone.
 slow = ["refine fem", "deviation", "deviation --finite-strain"]

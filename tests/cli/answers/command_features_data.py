@@ -27,6 +27,10 @@ height_map = "".join(" ".join(f"{((x / 10) ** 2 + (y / 10) ** 2) * 6.25:.4f}" fo
                      for y in range(-30, 31, 2))  # um, of a ball of 80 mm on 6 mm
 
 
+# Of columns whose base does not roll back and forth.
+rolled = {name: {"rolling.amplitude_ratio": "0.24"} for name in ("run rolling on", "run fem-axisymmetric")}
+
+
 def path(*columns, **values):
     """A table that presses, pulls and lets go; further columns as given, in three rows."""
     names = ["normal_force [N]", "tangential_force_x [N]", *columns]
@@ -82,13 +86,12 @@ features = [
     feature("static load", "", "[rolling]|rolling|load.tangential_ratio", {"load.tangential_ratio": "0.4", "rolling.*": None},
             {"load.tangential_ratio": "0.5", "rolling.*": None}),
     feature("rolling angle", "rolling.angle", "rolling.angle|angle|rolling direction|[rolling]", {},
-            {"rolling.angle": '"90 deg"'}, other_for={"run rolling on": {"rolling.amplitude_ratio": "0.24"}}),
+            {"rolling.angle": '"90 deg"'}, other_for=rolled),
     feature("rolling amplitude", "rolling.amplitude rolling.amplitude_ratio rolling.amplitude_reference",
             "rolling.amplitude|[rolling]", {}, {"rolling.amplitude_ratio": "0.3"}),
     feature("rolling steps", "rolling.steps rolling.steps_per_quarter rolling.increment rolling.periods rolling.until "
             "rolling.run_all", "rolling.steps|[rolling]",
-            {"rolling.steps_per_quarter": "1"}, {"rolling.steps_per_quarter": "3"},
-            other_for={"run rolling on": {"rolling.amplitude_ratio": "0.24"}}),
+            {"rolling.steps_per_quarter": "1"}, {"rolling.steps_per_quarter": "3"}, other_for=rolled),
     feature("rolling on", "tractive_rolling.*", "tractive_rolling|rolling on|rolls on",
             {"rolling.*": None, "tractive_rolling.distance": "1.0"},
             {"rolling.*": None, "tractive_rolling.distance": "1.0", "tractive_rolling.lateral_creepage": "0.01"}),
@@ -121,7 +124,8 @@ features = [
             {"rolling.*": None, **weakening}, {"rolling.*": None, **weakening, "friction.weakening.drop": "0.3"},
             over_for={"run rolling on": weakening}),
     feature("layer of the interface that yields", "interface.yield_stress interface.hardening",
-            "interface|friction|Coulomb|[rolling]", yielding, {**yielding, "interface.hardening": '"3 MPa/mm"'}),
+            "interface|friction|Coulomb|[rolling]", yielding, {**yielding, "interface.hardening": '"3 MPa/mm"'},
+            over_for={"run fem-axisymmetric": {"substrate.poisson": "0.1"}}),
     feature("temperatures of the surfaces", "indenter.heat.* substrate.heat.*", "substrate.heat|heat|[tractive_rolling]", {}, heated,
             other_for={"run rolling on": {**heated, "tractive_rolling.speed": '"1 m/s"'}}),
     feature("friction by the temperature", "friction.temperature.*", "friction.temperature|friction|Coulomb|substrate.heat|heat", {}, by_heat,
@@ -136,7 +140,7 @@ features = [
             {**layer, "lower_layer.thickness": '"4 mm"', "lower_layer.young": '"2 MPa"',
              "lower_layer.poisson": "0.45"}),
     feature("width", "substrate.width substrate.depth", "substrate.width|width|substrate.thickness: ", layer,
-            {**layer, "substrate.width": '"20 mm"', "substrate.depth": '"20 mm"'}),
+            {**layer, "substrate.width": '"20 mm"', "substrate.depth": '"20 mm"'}, other_for={"run fem-plane": {"substrate.depth": None}}),
     feature("elastic indenter", "indenter.young indenter.poisson", "indenter.young|elastic indenter|rigid", {},
             {"indenter.young": '"20 MPa"', "indenter.poisson": "0.5"}),
     feature("body of the indenter", "indenter.body indenter.support indenter.hub_radius indenter.height",
@@ -148,7 +152,8 @@ features = [
             over_for={"design": {"substrate.poisson": "0.5"}}),
     feature("relaxation", "substrate.relaxation.* load.press_time rolling.speed",
             "substrate.relaxation|relax", {}, {**relaxing, "rolling.speed": '"5 mm/s"'},
-            other_for={"run rolling on": {"tractive_rolling.speed": '"20 mm/s"', "rolling.*": None}}),
+            other_for={"run rolling on": {"tractive_rolling.speed": '"20 mm/s"', "rolling.*": None},
+                       "run fem-axisymmetric": {"rolling.*": None}}),
     feature("hold", "load.hold", "load.hold|relax", {}, {"load.hold": '"2 s"'},
             {**relaxing, "rolling.speed": '"5 mm/s"'}, over_for={"run rolling on": {"tractive_rolling.speed": '"20 mm/s"'}}),
     feature("finite strain", "substrate.material substrate.c01_ratio", "substrate.material|finite strain", layer,
@@ -167,7 +172,8 @@ features = [
     feature("influence file", "bem.influence", "bem.influence|influence", {}, {"bem.influence": '"influence.txt"'}),
     feature("sides that are held", "fem.sides", "fem.sides|sides|finite width|substrate.thickness: ",
             {**layer, "substrate.width": '"20 mm"', "substrate.depth": '"20 mm"'},
-            {**layer, "substrate.width": '"20 mm"', "substrate.depth": '"20 mm"', "fem.sides": '"fixed"'}),
+            {**layer, "substrate.width": '"20 mm"', "substrate.depth": '"20 mm"', "fem.sides": '"fixed"'},
+            over_for={"run fem-plane": {"substrate.depth": None}}),
     feature("mesh file", "fem.mesh fem.mesh_unit", "fem.mesh|mesh", layer,
             {**layer, "fem.size": None, "fem.mesh": '"layer.msh"', "fem.mesh_unit": '"1 m"'}),
     feature("cylinder", "indenter.length", "cylinder|line contact|indenter.shape",

@@ -88,5 +88,16 @@ TEST(JointCovariance, AProductThatIsToldAlone) {
     EXPECT_TRUE(std::isinf(told[1].standard_error));
 }
 
+// Steps are of 1 at most: damping, divided by 8 at each of 600, would be 0 by then, and never grow
+// where the kink asks for shorter ones.
+TEST(BoundedLeastSquares, ShortensStepsAfterAnyNumberOfLongOnes) {
+    const auto fit = fit_within(
+        [](const std::vector<double>& x) {
+            return std::vector<double>{std::abs(x[0] - 600.5) + 1};
+        },
+        {0.}, {{0.}, {2000.}});
+    EXPECT_NEAR(fit.x[0], 600.5, 1e-3);
+}
+
 }  // namespace
 }  // namespace tricontact::statistics::bounded_least_squares_test

@@ -1,0 +1,126 @@
+#include "contact/bodies/body_shapes.h"
+#include "fem/settings.h"
+#include "io/case/case_checks.h"
+
+namespace tricontact::io {
+
+namespace {
+
+using contact::Case;
+using contact::ElasticBody;
+using contact::ModelKind;
+
+/// Refuses in the name of a model.
+class Refusal {
+  public:
+    Refusal(const ModelKind& kind, const Document& document) : kind_(kind), document_(document) {}
+    [[noreturn]] void operator()(const std::string& key, const std::string& rule,
+                                 const std::string& remedy) const {
+        refuse(document_, key, std::string(kind_.name) + ' ' + rule, remedy);
+    }
+
+  private:
+    const ModelKind& kind_;
+    const Document& document_;
+};
+
+void check_section_substrate(const Case& c, const Refusal& refuse_key) {
+    if (c.law != Case::Law::linear)
+        refuse_key("substrate.material", "knows small strains alone",
+                   "take fem, or set substrate.material to \"linear\"");
+    if (c.has_rigid_substrate) {
+        if (!c.indenter.body)
+            refuse_key("substrate.rigid", "needs the size of a body that is to deform on it",
+                       "give indenter.body");
+        return;
+    }
+    if (!c.layer.thickness)
+        refuse_key("models", "meshes a layer, but the case has no substrate.thickness",
+                   "give it, or substrate.rigid = true with an indenter.body");
+    if (c.layer.base == Case::Base::half_space)
+        refuse_key("substrate.base", "has its layer on a rigid ground",
+                   "take \"bonded\", or bem-layer");
+    if (!c.layer.lower.empty())
+        refuse_key("lower_layer.thickness", "meshes one layer", "take fem or bem-layer for more");
+}
+
+void check_section_indenter(const Case& c, const Refusal& refuse_key) {
+    if (c.indenter.roughness)
+        refuse_key("indenter.roughness.hurst", "knows smooth bodies alone", "take bem");
+    if (c.indenter.body || !c.indenter.material) return;
+    const double ratio = c.indenter.material->plane_compliance() / c.substrate.plane_compliance();
+    if (ratio > largest_compliance_ratio)
+        refuse_key("indenter.young", "meshes an indenter that deforms, whose size is not known",
+                   "give indenter.body, or omit young and poisson to make it rigid");
+}
+
+void check_section_elements(const Case& c, const Document& document, const Refusal& refuse_key) {
+    if (document.find("fem.mesh")) refuse_key("fem.mesh", "makes its own mesh", "leave it out");
+    if (document.find("fem.sides"))
+        refuse_key("fem.sides", "has the sides of the layer far away", "leave it out");
+    if (c.period) refuse_key("bem.period", "knows one contact alone", "leave it out");
+}
+
+void check_rolling_section(const Case& c, const Document& document, const Refusal& refuse_key) {
+    if (c.rolling)
+        refuse_key(used(document, "rolling.amplitude_ratio", "rolling.amplitude"),
+                   "presses the bodies where they are and takes no [rolling]",
+                   "leave that section out, or take bem or fem");
+    if (c.tractive_rolling)
+        refuse_key("tractive_rolling.distance",
+                   "presses the bodies where they are and takes no [tractive_rolling]",
+                   "leave that section out, or take bem");
+    if (c.prescribed_path)
+        refuse_key(path_key(document), "presses the bodies where they are and takes no [path]",
+                   "leave that section out, or take bem or fem");
+}
+
+bool has_tangential_load(const Case& c) {
+    return c.load.tangential_force.value_or(0) != 0 || c.load.tangential_ratio.value_or(0) != 0 ||
+           c.load.is_by_limit();
+}
+
+std::string tangential_key(const Case& c) {
+    if (c.load.is_by_limit()) return c.load.limit_key();
+    return c.load.tangential_force ? "load.tangential_force" : "load.tangential_ratio";
+}
+
+void check_plane_strain(const Case& c, const Document& document, const Refusal& refuse_key) {
+    if (!c.is_line_contact())
+        refuse_key("indenter.shape", "is about cylinders, in plane strain",
+                   "take shape = \"cylinder\", or fem-axisymmetric");
+    if (c.layer.base == Case::Base::frictionless)
+        refuse_key("substrate.base", "has nothing that holds a layer which glides",
+                   "take base = \"bonded\"");
+    if (!c.indenter.body) return;
+    check_rolling_section(c, document, refuse_key);
+    if (has_tangential_load(c) && c.indenter.body->support == ElasticBody::Support::plates)
+        refuse_key(tangential_key(c), "has no force along plates that press from both sides",
+                   "omit it, or take indenter.support = \"hub\"");
+}
+
+void check_of_revolution(const Case& c, const Document& document, const Refusal& refuse_key) {
+    if (!contact::body_shape(c.indenter.shape).of_revolution)
+        refuse_key("indenter.shape", "is about bodies of revolution",
+                   c.is_line_contact() ? "take fem-plane" : "take bem or fem");
+    if (c.friction.map)
+        refuse_key("friction.map", "has the same friction all around its axis", "leave it out");
+    check_rolling_section(c, document, refuse_key);
+    if (has_tangential_load(c))
+        refuse_key(tangential_key(c), "presses along the axis alone", "omit it, or take fem");
+}
+
+}  // namespace
+
+void check_section(const ModelKind& kind, const Case& c, const Document& document) {
+    const Refusal refuse_key(kind, document);
+    check_section_substrate(c, refuse_key);
+    check_section_indenter(c, refuse_key);
+    check_section_elements(c, document, refuse_key);
+    if (kind.cut == ModelKind::Cut::plane_strain)
+        check_plane_strain(c, document, refuse_key);
+    else
+        check_of_revolution(c, document, refuse_key);
+}
+
+}  // namespace tricontact::io
