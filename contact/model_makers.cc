@@ -9,6 +9,7 @@ namespace tricontact::contact {
 
 std::optional<Case> ModelMakers::with_wider_block(const Case& c, double factor,
                                                   const Say& say) const {
+    if (c.has_rigid_substrate) return {};  // a plane without sides
     const bool has_depth = !c.is_cylindrical();
     if (c.layer.width && (!has_depth || c.layer.depth)) return {};
     const MeshBlock block = block_of(c, say);

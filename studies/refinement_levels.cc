@@ -107,7 +107,7 @@ RefinementPlan plan_refinement(const RefineOptions& options, const Say& say) {
                                          what_is_set(changed, kind, size), size,
                                          comparisons::level_keys(start, kind, by), options));
     }
-    if (kind.sees_sides)
+    if (kind.sees_sides && !c.has_rigid_substrate)
         plan.wide = wider(plan.levels[plan.levels.size() - 2], plan.wide_factor, options, say);
     return plan;
 }

@@ -60,5 +60,11 @@ TEST(ModelRunner, AsksForItsThreads) {
     EXPECT_EQ(asked, 3);
 }
 
+TEST(ModelMakers, ARigidSubstrateHasNoBlock) {
+    contact::Case c = layer();
+    c.has_rigid_substrate = true;
+    EXPECT_FALSE(with_blocks().with_wider_block(c, 1.5, contact::silent).has_value());
+}
+
 }  // namespace
 }  // namespace tricontact::model_makers_test
