@@ -116,7 +116,8 @@ double widest_patch(const Case& c) {
     return .65 * c.indenter.radius;  // what is beyond, the mesh needs to grow in
 }
 
-std::unique_ptr<DenseCompliance> compliance_of(const Case& c, Solid solid, const Patch& patch) {
+std::unique_ptr<planar::PairCompliance> compliance_of(const Case& c, Solid solid,
+                                                      const Patch& patch) {
     const planar::Sizes sizes = sizes_of(c, patch);
     if (sizes.patch() > widest_patch(c))
         throw contact::InputError(fmt::format(

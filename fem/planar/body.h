@@ -45,6 +45,9 @@ struct CondensedBody {
     /// columns, symmetric; components along the surface of all nodes first, then those into the
     /// substrate. Rows and columns of what the plane or axis of symmetry holds are zero.
     std::vector<double> compliance;
+    /// Force along z of what holds the body, plus the force, under unit forces on these components:
+    /// zero but for rounding.
+    std::vector<double> missing_reaction;
 
     std::size_t size() const { return along.size(); }
 };

@@ -121,5 +121,7 @@ refuses "is about cylinders" hemisphere.toml --set 'models=["fem-plane"]'
 refuses "load.tangential_ratio" cylinder.toml --set load.tangential_ratio=0.3
 refuses "too large for the indenter's body" hemisphere.toml --set "load.indentation=4 mm"
 refuses "fewer than 2 elements" hemisphere.toml --set "fem.size=3 mm"
+refuses "output.volume" hemisphere.toml --set output.volume=last
+refuses "fem.mesh" hemisphere.toml --set fem.mesh=none.msh
 refused "fem.size" refine "$work/hemisphere.toml" --models fem-axisymmetric --output out
 finish
