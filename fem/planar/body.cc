@@ -61,21 +61,37 @@ Surface surface_of(const BodyProblem& problem) {
     return surface;
 }
 
-/// By node and direction, whether it is held.
+/// Node of the support that is nearest to x = 0; -1 without a support.
+int middle_of_support(const Mesh& mesh) {
+    int nearest = -1;
+    for (const auto& [nodes, boundary] : mesh.edges) {
+        if (boundary != Boundary::support) continue;
+        for (const int node : nodes)
+            if (nearest < 0 || std::abs(mesh.nodes[node][0]) < std::abs(mesh.nodes[nearest][0]))
+                nearest = node;
+    }
+    return nearest;
+}
+
+/// By node and direction, whether it is held. A whole section in plane strain whose support does
+/// not hold it along x is held there by one node, in the middle.
 std::vector<std::array<bool, 2>> held_of(const BodyProblem& problem) {
     const auto& [nodes, cells, edges] = problem.mesh;
     std::vector<std::array<bool, 2>> held(nodes.size(), {false, false});
-    int nearest = -1;
-    for (const auto& [on_edge, boundary] : edges)
+    bool has_symmetry = problem.solid == Solid::of_revolution;
+    for (const auto& [on_edge, boundary] : edges) {
+        has_symmetry = has_symmetry || boundary == Boundary::symmetry;
         for (const int node : on_edge) {
             if (boundary == Boundary::symmetry) held[node][0] = true;
             if (boundary != Boundary::support) continue;
             held[node][0] = held[node][0] || problem.support == Support::bonded;
             held[node][1] = held[node][1] || problem.support != Support::point;
-            if (nearest < 0 || std::abs(nodes[node][0]) < std::abs(nodes[nearest][0]))
-                nearest = node;
         }
-    if (problem.support == Support::point && nearest >= 0) held[nearest][1] = true;
+    }
+    if (const int middle = middle_of_support(problem.mesh); middle >= 0) {
+        held[middle][0] = held[middle][0] || !has_symmetry;
+        held[middle][1] = true;
+    }
     for (std::size_t i = 0; i < nodes.size(); ++i)
         if (problem.solid == Solid::of_revolution && nodes[i][0] == 0) held[i][0] = true;
     return held;

@@ -13,7 +13,7 @@ namespace tricontact::fem::planar {
 enum class Support {
     bonded,   ///< not displaced at all
     sliding,  ///< not displaced along z: a frictionless ground, or the middle plane of a body
-              ///< between two equal plates
+              ///< between two equal plates; a whole section along x in its middle alone
     point     ///< a node of the support nearest to x = 0 alone, along z: a body that a force at
               ///< this point presses, whose displacement there is part of the approach
 };

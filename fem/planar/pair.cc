@@ -18,10 +18,10 @@ using MatrixPart = Eigen::Map<const Dense, 0, Eigen::OuterStride<>>;
 using ByComponent = std::array<std::array<Dense, 2>, 2>;
 
 Eigen::SparseMatrix<double> matrix_of(const std::vector<ContactGrid::Entry>& entries,
-                                      Eigen::Index n_nodes, Eigen::Index n_points) {
+                                      Eigen::Index n_rows, Eigen::Index n_points) {
     std::vector<Eigen::Triplet<double>> triplets;
     for (const auto& [node, point, value] : entries) triplets.emplace_back(node, point, value);
-    Eigen::SparseMatrix<double> matrix(n_nodes, n_points);
+    Eigen::SparseMatrix<double> matrix(n_rows, n_points);
     matrix.setFromTriplets(triplets.begin(), triplets.end());
     return matrix;
 }
