@@ -116,13 +116,17 @@ double widest_patch(const Case& c) {
     return .65 * c.indenter.radius;  // what is beyond, the mesh needs to grow in
 }
 
-std::unique_ptr<DenseCompliance> compliance_of(const Case& c, Solid solid, const Patch& patch) {
+[[noreturn]] void refuse_too_large(double half_width) {
+    throw contact::InputError(fmt::format(
+        "load: the contact, more than {:.4g} m to either side, is too large for the indenter's "
+        "body; reduce the load",
+        half_width));
+}
+
+std::unique_ptr<planar::PairCompliance> compliance_of(const Case& c, Solid solid,
+                                                      const Patch& patch) {
     const planar::Sizes sizes = sizes_of(c, patch);
-    if (sizes.patch() > widest_patch(c))
-        throw contact::InputError(fmt::format(
-            "load: the contact with its margin, {:.4g} m to either side, is too large for the "
-            "indenter's body; reduce the load",
-            sizes.patch()));
+    if (sizes.patch() > widest_patch(c)) refuse_too_large(sizes.patch());
     std::vector<planar::CondensedBody> bodies;
     if (c.indenter.body) bodies.push_back(indenter_of(c, solid, sizes));
     if (!c.has_rigid_substrate) bodies.push_back(layer_of(c, solid, sizes));
@@ -144,11 +148,16 @@ contact::NormalSolution press(const Case& c, const contact::Compliance& complian
 /// Half width or radius of the contact under the case's hardest load [m], on coarse elements.
 double probed_radius(const Case& c, Solid solid) {
     double room = section_margin * contact::half_space_scales(c).contact_radius;
+    const double widest = .99 * widest_patch(c);
     for (int k = 0; k < most_probes; ++k, room *= section_growth) {
+        room = std::min(room, widest);
         const auto compliance = compliance_of(c, solid, {room, room / probing_elements});
         const auto solution = press(c, *compliance);
         const contact::ContactPoints& points = compliance->points();
-        if (reaches_edge(points, solution.pressure)) continue;
+        if (reaches_edge(points, solution.pressure)) {
+            if (room >= widest) refuse_too_large(room);
+            continue;
+        }
         const double radius = contact_radius(points, solution.pressure, {0, 0});
         if (radius > room / 4) return radius;
         room = 2 * radius / section_growth;
@@ -191,7 +200,7 @@ std::unique_ptr<contact::Model> make_section_model(const ModelKind& kind, const 
             radius));
     const double margin = solid == Solid::of_revolution ? corner * section_margin : section_margin;
     const double half =
-        std::min(margin * radius + contact::path_reach(c, radius)[0], .999 * widest_patch(c));
+        std::min(margin * radius + contact::path_reach(c, radius)[0], widest_patch(c) - size);
     if (say && !c.of<Settings>().size)
         say(fmt::format("{}: elements of {:.4g} mm, {:.3g} across the contact", name, 1e3 * size,
                         radius / size));

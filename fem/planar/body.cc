@@ -61,21 +61,37 @@ Surface surface_of(const BodyProblem& problem) {
     return surface;
 }
 
-/// By node and direction, whether it is held.
+/// Node of the support that is nearest to x = 0; -1 without a support.
+int middle_of_support(const Mesh& mesh) {
+    int nearest = -1;
+    for (const auto& [nodes, boundary] : mesh.edges) {
+        if (boundary != Boundary::support) continue;
+        for (const int node : nodes)
+            if (nearest < 0 || std::abs(mesh.nodes[node][0]) < std::abs(mesh.nodes[nearest][0]))
+                nearest = node;
+    }
+    return nearest;
+}
+
+/// By node and direction, whether it is held. A whole section in plane strain whose support does
+/// not hold it along x is held there by one node, in the middle.
 std::vector<std::array<bool, 2>> held_of(const BodyProblem& problem) {
     const auto& [nodes, cells, edges] = problem.mesh;
     std::vector<std::array<bool, 2>> held(nodes.size(), {false, false});
-    int nearest = -1;
-    for (const auto& [on_edge, boundary] : edges)
+    bool has_symmetry = problem.solid == Solid::of_revolution;
+    for (const auto& [on_edge, boundary] : edges) {
+        has_symmetry = has_symmetry || boundary == Boundary::symmetry;
         for (const int node : on_edge) {
             if (boundary == Boundary::symmetry) held[node][0] = true;
             if (boundary != Boundary::support) continue;
             held[node][0] = held[node][0] || problem.support == Support::bonded;
             held[node][1] = held[node][1] || problem.support != Support::point;
-            if (nearest < 0 || std::abs(nodes[node][0]) < std::abs(nodes[nearest][0]))
-                nearest = node;
         }
-    if (problem.support == Support::point && nearest >= 0) held[nearest][1] = true;
+    }
+    if (const int middle = middle_of_support(problem.mesh); middle >= 0) {
+        held[middle][0] = held[middle][0] || !has_symmetry;
+        held[middle][1] = true;
+    }
     for (std::size_t i = 0; i < nodes.size(); ++i)
         if (problem.solid == Solid::of_revolution && nodes[i][0] == 0) held[i][0] = true;
     return held;
@@ -101,10 +117,17 @@ Unknowns number_unknowns(const BodyProblem& problem, const Surface& surface) {
     return unknowns;
 }
 
-SparseMatrix assemble(const BodyProblem& problem, const Unknowns& unknowns) {
+/// `held_row`: the sum of K u over all components along z that are held is its product with u.
+struct Stiffness {
+    SparseMatrix matrix;
+    std::vector<double> held_row;
+};
+
+Stiffness assemble(const BodyProblem& problem, const Unknowns& unknowns) {
     const Moduli moduli = moduli_of(problem.material, problem.largest_bulk_ratio);
     std::vector<Eigen::Triplet<double>> entries;
     entries.reserve(problem.mesh.cells.size() * 171);
+    std::vector<double> held_row(unknowns.node_of_unknown.size(), 0);
     ElementStiffness k;
     for (const auto& cell : problem.mesh.cells) {
         ElementNodes nodes;
@@ -115,18 +138,21 @@ SparseMatrix assemble(const BodyProblem& problem, const Unknowns& unknowns) {
         }
         element_stiffness(nodes, problem.solid, moduli, k);
         for (int r = 0; r < n_element_unknowns; ++r)
-            for (int c = 0; c < n_element_unknowns; ++c)
-                if (unknown[c] >= 0 && unknown[r] >= unknown[c])
-                    entries.emplace_back(unknown[r], unknown[c], k[r][c]);
+            for (int c = 0; c < n_element_unknowns; ++c) {
+                if (unknown[c] < 0) continue;
+                if (unknown[r] >= unknown[c]) entries.emplace_back(unknown[r], unknown[c], k[r][c]);
+                if (unknown[r] < 0 && r >= n_element_unknowns / 2) held_row[unknown[c]] += k[r][c];
+            }
     }
     const auto n = static_cast<int>(unknowns.node_of_unknown.size());
     Eigen::SparseMatrix<double, Eigen::ColMajor, std::int64_t> lower(n, n);
     lower.setFromTriplets(entries.begin(), entries.end());
     const auto n_entries = lower.nonZeros();
-    return {n,
-            {lower.outerIndexPtr(), lower.outerIndexPtr() + n + 1},
-            {lower.innerIndexPtr(), lower.innerIndexPtr() + n_entries},
-            {lower.valuePtr(), lower.valuePtr() + n_entries}};
+    return {{n,
+             {lower.outerIndexPtr(), lower.outerIndexPtr() + n + 1},
+             {lower.innerIndexPtr(), lower.innerIndexPtr() + n_entries},
+             {lower.valuePtr(), lower.valuePtr() + n_entries}},
+            std::move(held_row)};
 }
 
 /// Directions of a node: along the surface, and into the substrate.
@@ -163,13 +189,34 @@ std::vector<double> in_frames(const BodyProblem& problem, const Unknowns& unknow
     return turned;
 }
 
+// The reaction to a unit force on a component is minus the displacement there when all that is held
+// along z moves by one (reciprocity), and a body that is held moves with it as a whole.
+std::vector<double> missing_reaction(const BodyProblem& problem, const Unknowns& unknowns,
+                                     const Surface& surface, const Condensation& condensation,
+                                     std::vector<double> held_row) {
+    for (double& k : held_row) k = -k;
+    const std::vector<double> moved = condensation.solve(held_row);
+    const std::size_t n = surface.nodes.size();
+    std::vector<double> missing(2 * n, 0);
+    for (std::size_t i = 0; i < n; ++i) {
+        const auto frame = frame_at(problem, surface.along[i]);
+        for (int a = 0; a < 2; ++a) {
+            const int unknown = unknowns.of_node[surface.nodes[i]][a];
+            if (unknown < 0) continue;
+            const double along_z = (a == 1 ? 1 : 0) - moved[unknown];
+            for (int d = 0; d < 2; ++d) missing[d * n + i] += frame[d][a] * along_z;
+        }
+    }
+    return missing;
+}
+
 }  // namespace
 
 CondensedBody condense(const BodyProblem& problem) {
     const Surface surface = surface_of(problem);
     const Unknowns unknowns = number_unknowns(problem, surface);
-    Condensation condensation(assemble(problem, unknowns), unknowns.node_of_unknown,
-                              unknowns.n_interior);
+    Stiffness stiffness = assemble(problem, unknowns);
+    Condensation condensation(stiffness.matrix, unknowns.node_of_unknown, unknowns.n_interior);
     condensation.factorise();
     CondensedBody body;
     body.solid = problem.solid;
@@ -177,6 +224,8 @@ CondensedBody condense(const BodyProblem& problem) {
     for (const int node : surface.nodes) body.x.push_back(problem.mesh.nodes[node][0]);
     body.edges = surface.edges;
     body.compliance = in_frames(problem, unknowns, surface, condensation.compliance());
+    body.missing_reaction =
+        missing_reaction(problem, unknowns, surface, condensation, std::move(stiffness.held_row));
     return body;
 }
 

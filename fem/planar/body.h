@@ -13,7 +13,7 @@ namespace tricontact::fem::planar {
 enum class Support {
     bonded,   ///< not displaced at all
     sliding,  ///< not displaced along z: a frictionless ground, or the middle plane of a body
-              ///< between two equal plates
+              ///< between two equal plates; a whole section along x in its middle alone
     point     ///< a node of the support nearest to x = 0 alone, along z: a body that a force at
               ///< this point presses, whose displacement there is part of the approach
 };
@@ -45,6 +45,9 @@ struct CondensedBody {
     /// columns, symmetric; components along the surface of all nodes first, then those into the
     /// substrate. Rows and columns of what the plane or axis of symmetry holds are zero.
     std::vector<double> compliance;
+    /// Force along z of what holds the body, plus the force, under unit forces on these components:
+    /// zero but for rounding.
+    std::vector<double> missing_reaction;
 
     std::size_t size() const { return along.size(); }
 };

@@ -10,7 +10,7 @@ namespace tricontact::fem::planar {
 
 namespace {
 
-using Matrix = Eigen::SparseMatrix<double>;
+using Entries = std::vector<ContactGrid::Entry>;
 
 /// Gauss points of [0, 1]: exact to degree 7, which products of a quadratic and a linear function
 /// with the circumference, and with a curved coordinate, need.
@@ -73,8 +73,8 @@ struct LinearFunctions {
 };
 
 /// M of one body: integrals over the pieces between all nodes and points.
-Matrix transfer_to(const CondensedBody& body, const std::vector<double>& points) {
-    std::vector<Eigen::Triplet<double>> entries;
+Entries transfer_to(const CondensedBody& body, const std::vector<double>& points) {
+    Entries entries;
     const LinearFunctions linear{points};
     for (const auto& edge : body.edges)
         for (std::size_t i = 0; i + 1 < points.size(); ++i) {
@@ -89,18 +89,17 @@ Matrix transfer_to(const CondensedBody& body, const std::vector<double>& points)
                                       extent(body.solid, interpolated(shape, body.x, edge));
                 for (int a = 0; a < 3; ++a)
                     for (int b = 0; b < 2; ++b)
-                        entries.emplace_back(edge[a], static_cast<int>(i) + b,
-                                             weight * shape[a] * psi[b]);
+                        entries.push_back(
+                            {edge[a], static_cast<int>(i) + b, weight * shape[a] * psi[b]});
             }
         }
-    Matrix matrix(static_cast<int>(body.size()), static_cast<int>(points.size()));
-    matrix.setFromTriplets(entries.begin(), entries.end());
-    return matrix;
+    return entries;
 }
 
-std::vector<double> column_sums(const Matrix& matrix) {
-    const Eigen::VectorXd sums = matrix.transpose() * Eigen::VectorXd::Ones(matrix.rows());
-    return {sums.data(), sums.data() + sums.size()};
+std::vector<double> column_sums(const Entries& matrix, std::size_t n_points) {
+    std::vector<double> sums(n_points, 0);
+    for (const ContactGrid::Entry& entry : matrix) sums[entry.point] += entry.value;
+    return sums;
 }
 
 void refuse_nothing_shared(const std::vector<double>& points) {
@@ -126,16 +125,14 @@ ContactGrid points_on_nodes(const std::vector<CondensedBody>& bodies) {
     const CondensedBody& body = bodies.front();
     const std::vector<double> area = node_areas(body);
     ContactGrid grid;
-    std::vector<Eigen::Triplet<double>> entries;
+    Entries entries;
     for (std::size_t i = 0; i < area.size(); ++i) {
         if (body.solid == Solid::of_revolution && body.along[i] == 0) continue;
-        entries.emplace_back(static_cast<int>(i), static_cast<int>(grid.size()), area[i]);
+        entries.push_back({static_cast<int>(i), static_cast<int>(grid.size()), area[i]});
         grid.along.push_back(body.along[i]);
         grid.area.push_back(area[i]);
     }
-    Matrix transfer(static_cast<int>(body.size()), static_cast<int>(grid.size()));
-    transfer.setFromTriplets(entries.begin(), entries.end());
-    grid.transfer.assign(bodies.size(), transfer);
+    grid.transfer.assign(bodies.size(), entries);
     return grid;
 }
 
@@ -155,7 +152,7 @@ ContactGrid mortar(const std::vector<CondensedBody>& bodies) {
     if (grid.along.front() - low > least) grid.along.insert(grid.along.begin(), low);
     if (high - grid.along.back() > least) grid.along.push_back(high);
     for (const CondensedBody& body : bodies) grid.transfer.push_back(transfer_to(body, grid.along));
-    grid.area = column_sums(grid.transfer.front());
+    grid.area = column_sums(grid.transfer.front(), grid.size());
     return grid;
 }
 

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <Eigen/Sparse>
 #include <vector>
 
 #include "fem/planar/body.h"
@@ -21,8 +20,12 @@ namespace tricontact::fem::planar {
 struct ContactGrid {
     std::vector<double> along;  ///< coordinate of each point [m]
     std::vector<double> area;   ///< int psi_k dA, of plane strain per length along y [m]
-    /// Per body: M, nodes by points.
-    std::vector<Eigen::SparseMatrix<double>> transfer;
+    /// Of M.
+    struct Entry {
+        int node, point;
+        double value;  ///< [m^2], of plane strain per length along y [m]
+    };
+    std::vector<std::vector<Entry>> transfer;  ///< per body; entries of one place are summed up
 
     std::size_t size() const { return along.size(); }
 };

@@ -1,6 +1,7 @@
 #include "fem/planar/pair.h"
 
 #include <Eigen/Dense>
+#include <Eigen/Sparse>
 #include <cmath>
 
 // Columns of the matrix are displacements by forces, traction times area: with pressures p = f/area
@@ -16,6 +17,15 @@ using MatrixPart = Eigen::Map<const Dense, 0, Eigen::OuterStride<>>;
 /// Component blocks of the pair: 0 along the surface, 1 into the substrate.
 using ByComponent = std::array<std::array<Dense, 2>, 2>;
 
+Eigen::SparseMatrix<double> matrix_of(const std::vector<ContactGrid::Entry>& entries,
+                                      Eigen::Index n_rows, Eigen::Index n_points) {
+    std::vector<Eigen::Triplet<double>> triplets;
+    for (const auto& [node, point, value] : entries) triplets.emplace_back(node, point, value);
+    Eigen::SparseMatrix<double> matrix(n_rows, n_points);
+    matrix.setFromTriplets(triplets.begin(), triplets.end());
+    return matrix;
+}
+
 ByComponent blocks_of(const std::vector<CondensedBody>& bodies, const ContactGrid& grid) {
     const auto m = static_cast<Eigen::Index>(grid.size());
     const Eigen::VectorXd inverse =
@@ -24,7 +34,8 @@ ByComponent blocks_of(const std::vector<CondensedBody>& bodies, const ContactGri
     for (auto& row : blocks) row.fill(Dense::Zero(m, m));
     for (std::size_t b = 0; b < bodies.size(); ++b) {
         const auto n = static_cast<Eigen::Index>(bodies[b].size());
-        const Eigen::SparseMatrix<double> mean = grid.transfer[b] * inverse.asDiagonal();
+        const Eigen::SparseMatrix<double> mean =
+            matrix_of(grid.transfer[b], n, m) * inverse.asDiagonal();
         for (int r = 0; r < 2; ++r)
             for (int c = 0; c < 2; ++c) {
                 const MatrixPart part(bodies[b].compliance.data() + (c * n) * 2 * n + r * n, n, n,
@@ -51,11 +62,46 @@ contact::ContactPoints points_of(const ContactGrid& grid, Solid solid, const Pai
     return points;
 }
 
+/// Of the direction in which a point is pressed, along the approach of the bodies.
+double share_of_approach(const PairOptions& options, double along) {
+    return options.conforming ? std::cos(along / options.radius) : 1;
+}
+
+/// By points, of each body: see PairCompliance.
+std::vector<std::vector<double>> missing_by_points(const std::vector<CondensedBody>& bodies,
+                                                   const ContactGrid& grid,
+                                                   const PairOptions& options) {
+    std::vector<std::vector<double>> missing;
+    const std::size_t n_points = grid.size();
+    for (std::size_t b = 0; b < bodies.size(); ++b) {
+        auto& of_body = missing.emplace_back(2 * n_points, 0.);
+        for (const auto& [node, point, value] : grid.transfer[b])
+            for (std::size_t d = 0; d < 2; ++d)
+                of_body[d * n_points + point] +=
+                    value / (grid.area[point] * share_of_approach(options, grid.along[point])) *
+                    bodies[b].missing_reaction[d * bodies[b].size() + node];
+    }
+    return missing;
+}
+
 }  // namespace
 
-std::unique_ptr<DenseCompliance> pair_compliance(const std::vector<CondensedBody>& bodies,
-                                                 const ContactGrid& grid,
-                                                 const PairOptions& options) {
+std::optional<std::array<double, 3>> PairCompliance::missing_reaction(
+    std::span<const double> p, const contact::TangentialField& t) const {
+    const std::size_t n = p.size();
+    double worst = 0;
+    for (const auto& of_body : missing_) {
+        double sum = 0;
+        for (std::size_t i = 0; i < n; ++i)
+            sum += points().area[i] * (of_body[i] * t.x[i] + of_body[n + i] * p[i]);
+        if (std::abs(sum) > std::abs(worst)) worst = sum;
+    }
+    return std::array<double, 3>{0, 0, worst};
+}
+
+std::unique_ptr<PairCompliance> pair_compliance(const std::vector<CondensedBody>& bodies,
+                                                const ContactGrid& grid,
+                                                const PairOptions& options) {
     const Solid solid = bodies.front().solid;
     const ByComponent blocks = blocks_of(bodies, grid);
     const std::size_t n = grid.size();
@@ -63,9 +109,7 @@ std::unique_ptr<DenseCompliance> pair_compliance(const std::vector<CondensedBody
         solid == Solid::plane_strain ? 1 / ((options.halves ? 2 : 1) * options.length) : 1;
     std::vector<double> matrix(9 * n * n, 0);
     constexpr std::array<std::size_t, 2> component{0, 2};
-    const auto share = [&](std::size_t i) {
-        return options.conforming ? std::cos(grid.along[i] / options.radius) : 1;
-    };
+    const auto share = [&](std::size_t i) { return share_of_approach(options, grid.along[i]); };
     for (int c = 0; c < 2; ++c)
         for (int r = 0; r < 2; ++r)
             for (std::size_t k = 0; k < n; ++k)
@@ -74,7 +118,8 @@ std::unique_ptr<DenseCompliance> pair_compliance(const std::vector<CondensedBody
                         per_force *
                         blocks[r][c](static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(k)) /
                         (share(i) * share(k));
-    return std::make_unique<DenseCompliance>(points_of(grid, solid, options), std::move(matrix));
+    return std::make_unique<PairCompliance>(points_of(grid, solid, options), std::move(matrix),
+                                            missing_by_points(bodies, grid, options));
 }
 
 }  // namespace tricontact::fem::planar

@@ -1,6 +1,7 @@
 #include "contact/bodies/body_shapes.h"
 #include "fem/settings.h"
 #include "io/case/case_checks.h"
+#include "io/results/output.h"
 
 namespace tricontact::io {
 
@@ -58,6 +59,8 @@ void check_section_elements(const Case& c, const Document& document, const Refus
     if (document.find("fem.mesh")) refuse_key("fem.mesh", "makes its own mesh", "leave it out");
     if (document.find("fem.sides"))
         refuse_key("fem.sides", "has the sides of the layer far away", "leave it out");
+    if (c.of<Output>().volume != Output::Volume::none)
+        refuse_key("output.volume", "does not show the inside of bodies", "leave it out");
     if (c.period) refuse_key("bem.period", "knows one contact alone", "leave it out");
 }
 

@@ -78,5 +78,16 @@ TEST(ContactRadius, WhatIsNoSuchPressureIsCounted) {
                 1e-15);
 }
 
+// One row of points is a line with two ends, or a radius that begins at the axis.
+TEST(ContactRegion, ReachesTheEdgesOfLinesAndTheEndOfARadius) {
+    ContactPoints radius = ContactPoints::grid(4, 1, {.1, 0}, {.1, .1});
+    ContactPoints line = radius;
+    line.line_length = 2;
+    EXPECT_FALSE(reaches_edge(radius, {3, 2, 1, 0}));
+    EXPECT_TRUE(reaches_edge(radius, {3, 2, 1, 1}));
+    EXPECT_TRUE(reaches_edge(line, {3, 2, 1, 0}));
+    EXPECT_FALSE(reaches_edge(line, {0, 2, 1, 0}));
+}
+
 }  // namespace
 }  // namespace tricontact::contact_radius_test
