@@ -124,8 +124,8 @@ std::vector<CaseKey> indenter_keys() {
                      {.needs = "indenter.young"}),
          at<&Case::indenter, &Indenter::material, &Material::poisson>},
         {choice_key("indenter.body", form_choices(), R"("hemisphere")",
-                    "finite body of an indenter that deforms, as fem meshes it; see the table of "
-                    "bodies; half-space models do not see it",
+                    "finite body of an indenter that deforms, which fem, fem-plane and "
+                    "fem-axisymmetric mesh; half-space models do not see it",
                     {.needs = "indenter.young"}),
          at<&Case::indenter, &Indenter::body, &ElasticBody::form>},
         {choice_key("indenter.support", support_choices(), R"("holder")",
