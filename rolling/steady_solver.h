@@ -69,6 +69,7 @@ class SteadySystem {
     Eigen::VectorXd without_balance(const Eigen::VectorXd& r) const;
     Eigen::VectorXd unrolled(const Eigen::VectorXd& r) const;
     Eigen::VectorXd sliding(const Eigen::VectorXd& z) const;
+    void add_missing(Eigen::VectorXd& right_hand_side) const;
     Eigen::VectorXd admissible(const Eigen::VectorXd& z) const;
     Eigen::VectorXd bound_change(const Eigen::VectorXd& slip_change) const;
     contact::Vector2 direction(Eigen::Index k) const { return {tangent_[k][1], -tangent_[k][0]}; }

@@ -189,19 +189,24 @@ VectorXd SteadySystem::preconditioned(const VectorXd& r) const {
     return z;
 }
 
+/// Of bounds that follow, along slipping points' tractions.
+void SteadySystem::add_missing(VectorXd& right_hand_side) const {
+    if (following_.own.empty()) return;
+    const Eigen::Index m = active_.size();
+    for (Eigen::Index k = 0; k < m; ++k) {
+        if (!slipping_[k]) continue;
+        const contact::Vector2 e = direction(k);
+        right_hand_side[k] += local_ * following_.missing[k] * e[0];
+        right_hand_side[m + k] += local_ * following_.missing[k] * e[1];
+    }
+}
+
 SteadySystem::Result SteadySystem::solve(const contact::TangentialField& r,
                                          const contact::Vector2& c, double tolerance) const {
     const Eigen::Index m = active_.size();
     VectorXd right_hand_side(size());
     right_hand_side.head(2 * m) = projected(gathered(r, active_));
-    if (!following_.own.empty()) {
-        for (Eigen::Index k = 0; k < m; ++k) {
-            if (!slipping_[k]) continue;
-            const contact::Vector2 e = direction(k);
-            right_hand_side[k] += local_ * following_.missing[k] * e[0];
-            right_hand_side[m + k] += local_ * following_.missing[k] * e[1];
-        }
-    }
+    add_missing(right_hand_side);
     for (int d = 0; d < 2; ++d)
         right_hand_side[2 * m + d] = force_controlled_[d] ? c[d] * local_ / area_ : 0;
 
