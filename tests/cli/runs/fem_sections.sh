@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # fem-plane and fem-axisymmetric: two bodies that deform beside closed forms, numbers of an independent program and
 # fem; refusals.
-# usage: sections.sh PROGRAM SOURCE_DIR
+# usage: fem_sections.sh PROGRAM SOURCE_DIR
 source "$(dirname -- "${BASH_SOURCE[0]}")/../summaries.bash"
 
 cat >hemisphere.toml <<'TOML'
