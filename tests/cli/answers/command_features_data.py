@@ -62,6 +62,11 @@ heated = {f"{body}.heat.{key}": value for body, conductivity in (("indenter", 50
 by_heat = {**heated, "friction.temperature.change": "-0.2", "friction.temperature.from": '"0 degC"', "friction.temperature.to": '"5 degC"'}
 body = {"indenter.radius": None}
 elastic = {"indenter.young": '"20 MPa"', "indenter.poisson": "0.5"}
+# Bodies of finite elements do not roll, and a ball between plates takes no force along them.
+at_rest = {"rolling.*": None}
+pressed = {f"run {model}": {**at_rest, "load.tangential_ratio": "0.0"} for model in ("fem", "fem-axisymmetric")}
+hemisphere = {"indenter.body": '"hemisphere"', "indenter.support": '"holder"'}
+on_hub = {"indenter.body": '"cylinder"', "indenter.support": '"hub"', "indenter.hub_radius": '"10 mm"'}
 mapped = {**body, "indenter.shape": '"height-map"', "indenter.file": '"map.txt"', "indenter.spacing": '"0.2 mm"',
           "bem.cells_per_radius": None, "bem.spacing": '"0.4 mm"', "load.normal_force": '"1 N"',
           "rolling.amplitude_ratio": None, "rolling.amplitude": '"0.4 mm"'}
@@ -144,9 +149,13 @@ features = [
     feature("elastic indenter", "indenter.young indenter.poisson", "indenter.young|elastic indenter|rigid", {},
             {"indenter.young": '"20 MPa"', "indenter.poisson": "0.5"}),
     feature("body of the indenter", "indenter.body indenter.support indenter.hub_radius indenter.height",
-            "indenter.body|indenter.young|elastic indenter|rigid", elastic, {**elastic, "indenter.body": '"hemisphere"', "indenter.support": '"holder"'}),
+            "indenter.body|indenter.young|elastic indenter|rigid", {**elastic, **hemisphere},
+            {**elastic, "indenter.body": '"ball"', "indenter.support": '"plates"'},
+            over_for={**pressed, "run fem-plane": {**at_rest, **on_hub}},
+            other_for={"run fem-plane": {"indenter.hub_radius": '"20 mm"'}}),
     feature("rigid substrate", "substrate.rigid", "substrate.rigid|substrate.thickness|substrate.young|rigid|layer", elastic,
-            {**elastic, "substrate.*": None, "substrate.rigid": "true"}),
+            {**elastic, "substrate.*": None, "substrate.rigid": "true"},
+            over_for={"run fem": {**at_rest, **hemisphere, "fem.size": '"1 mm"'}, "run fem-axisymmetric": hemisphere, "run fem-plane": {**at_rest, **on_hub}}),
     feature("coupled contact", "contact.coupling", "contact.coupling|coupl", {"contact.coupling": "false"},
             {"contact.coupling": "true"}, {**layer, "substrate.poisson": "0.3"},
             over_for={"design": {"substrate.poisson": "0.5"}}),

@@ -49,6 +49,11 @@ std::string case_of(std::string_view path) {
         {"indenter.exponent", "body_power_law"},
         {"indenter.flat_radius", "body_rounded_punch"},
         {"indenter.roughness", "rough_plane"},
+        {"indenter.body", "hemisphere"},
+        {"indenter.support", "hemisphere"},
+        {"indenter.hub_radius", "cylinder_on_hub"},
+        {"indenter.height", "body_rounded_punch"},
+        {"substrate.rigid", "hemisphere"},
         {"path", "path_twist"},
         {"friction.rate", "rolling_falling_friction"},
         {"friction.weakening", "path_weakening"},
@@ -80,6 +85,11 @@ TEST(CaseKeys, EveryKeyHasAMeaningAndAnExampleThatIsAccepted) {
             std::vector<std::string> overrides{example};
             if (key.path == "friction.rate.memory_speed")
                 overrides.emplace_back(R"(friction.rate.memory_length="3 um")");
+            if (key.path == "indenter.height")
+                for (const char* one :
+                     {R"(indenter.young="2 MPa")", "indenter.poisson=0.5", R"(models=["bem"])",
+                      R"(indenter.body="punch")", R"(indenter.support="holder")"})
+                    overrides.emplace_back(one);
             if (key.path == "interface.hardening") {
                 overrides.emplace_back(R"(interface.yield_stress="2 MPa")");
                 overrides.emplace_back(R"(models=["bem"])");
