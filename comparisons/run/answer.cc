@@ -11,6 +11,7 @@
 #include "comparisons/quantities/reference.h"
 #include "comparisons/resolution/error_note.h"
 #include "comparisons/run/input_reading.h"
+#include "comparisons/run/model_traits.h"
 #include "contact/models/model_kind.h"
 #include "report/format.h"
 
@@ -23,33 +24,6 @@ using contact::State;
 using report::Verdict;
 
 constexpr double tolerance = .05;  // from which on an assumption fails
-
-/// What a model takes for granted, in the order in which sentences name it.
-enum Trait : unsigned { springs = 1, half_space = 2, uncoupled = 4, small_strains = 8 };
-constexpr struct {
-    Trait trait;
-    const char* name;
-} traits[] = {{springs, "springs on a line"},
-              {half_space, "half-space"},
-              {uncoupled, "no coupling"},
-              {small_strains, "small strains"}};
-
-unsigned traits_of(const Case& c, const std::string& model) {
-    const contact::ModelKind& kind = contact::model_kind(model);
-    unsigned set = 0;
-    if (kind.is_on_line()) set |= springs;
-    if (c.layer.thickness && kind.is_half_space() && !is_tabulated(c, model)) set |= half_space;
-    if (!couples(c, model)) set |= uncoupled;
-    if (c.law != Case::Law::linear && !kind.sees_finite_strains) set |= small_strains;
-    return set;
-}
-
-std::string names_of(unsigned set) {
-    std::vector<std::string> names;
-    for (const auto& [trait, name] : traits)
-        if (set & trait) names.emplace_back(name);
-    return fmt::format("{}", fmt::join(names, ", "));
-}
 
 /// The headline's number where both tell the same.
 std::optional<double> ratio_of(const Case& c, const Results& s, const Results& other) {
@@ -162,13 +136,19 @@ std::string not_tested(const Case& c, const std::vector<Results>& results) {
                                          report::share(*d / *c.layer.thickness))
                            : "small strains");
     }
-    if (!c.relaxation) list.emplace_back("an elastic substrate");
+    if (!c.relaxation)
+        list.emplace_back(c.has_rigid_substrate ? "an elastic indenter" : "an elastic substrate");
     list.emplace_back(c.friction.is_coulomb()  ? "Coulomb friction of one coefficient"
                       : c.friction.remembers() ? "friction that depends on pressure and slip alone"
                                                : "friction that depends on the pressure alone");
     if (!c.interface.is_elastic()) list.emplace_back("a rigid interface");
     if (!c.indenter.height_map && !c.indenter.file) list.emplace_back("a smooth surface");
     return fmt::format("{}", fmt::join(list, ", "));
+}
+
+/// Without a tangential load.
+bool is_pressed_alone(const Results& s) {
+    return !s.state() && !is_loaded(s.number(quantities::tangential_ratio).value_or(1));
 }
 
 bool ends_at_prescribed_shift(const Case& c) {
@@ -185,6 +165,9 @@ Headline headline_of(const Case& c, const Results& s) {
         return s.number(path_work).value_or(0) > 0
                    ? Headline{"frictional work of the path", &path_work, nullptr}
                    : Headline{"tangential force at the end of the path", &path_force, nullptr};
+    if (is_pressed_alone(s))
+        return c.load.indentation ? Headline{"normal force", &normal_force, nullptr}
+                                  : Headline{"indentation", &indentation, nullptr};
     if (s.state() == State::ratcheting)
         return {"shift per period", &shift_increment, &shift_increment_ratio};
     if (!s.state() && !s.number(static_shift))
@@ -205,12 +188,16 @@ Verdict answer_of(const Case& c, const Results& s, const std::optional<Numerical
     const auto note_on = [&](const Quantity& q) {
         return refinement ? refinement_note(*refinement, q) : error_note(error, q);
     };
-    if (!s.state() && !is_loaded(s.number(quantities::tangential_ratio).value_or(1)))
-        return {
-            Verdict::Standing::finding,
-            fmt::format("The indenter is pressed in by {}; the {} is {}{}{}", length(indentation),
-                        size_name(c), length(contact_radius), by, note_on(indentation)),
-            "pressed"};
+    if (is_pressed_alone(s)) {
+        const std::string pressed = c.load.indentation
+                                        ? fmt::format("Pressed in by {}, the indenter carries {}",
+                                                      length(indentation), length(normal_force))
+                                        : "The indenter is pressed in by " + length(indentation);
+        return {Verdict::Standing::finding,
+                fmt::format("{}; the {} is {}{}{}", pressed, size_name(c), length(contact_radius),
+                            by, note_on(*headline_of(c, s).length)),
+                "pressed"};
+    }
     const Headline headline = headline_of(c, s);
     const std::string number = length(*headline.length) + by, note = note_on(*headline.length);
     const auto verdict = [&](Verdict::Standing standing, const std::string& words,

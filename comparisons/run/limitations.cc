@@ -41,14 +41,18 @@ std::string half_space_sentence(const contact::Case& c, const Summaries& summari
         if (is_half_space(s.model) && !is_tabulated(c, s.model)) models.push_back(s.model);
     if (models.empty()) return {};
     const bool told = has_section && c.layer.thickness && why_no_exact_theory(c).empty();
-    return fmt::format(
-        "{} the bodies as {}half-spaces: {}.", taking(models, summaries),
-        c.relaxation ? "" : "elastic ",
-        c.layer.thickness
-            ? fmt::format("the thickness of the layer is not seen{}",
-                          told ? " (The section on the layer, below, gives the effect)" : "")
-            : "a layer of finite thickness, usually stiffer on its rigid base, is "
-              "not seen");
+    std::vector<std::string> unseen;
+    if (c.layer.thickness)
+        unseen.push_back(
+            fmt::format("the thickness of the layer is not seen{}",
+                        told ? " (The section on the layer, below, gives the effect)" : ""));
+    else if (!c.has_rigid_substrate)
+        unseen.emplace_back(
+            "a layer of finite thickness, usually stiffer on its rigid base, is not seen");
+    if (c.indenter.body || c.has_rigid_substrate)
+        unseen.emplace_back("the size of the indenter is not seen");
+    return fmt::format("{} the bodies as {}half-spaces: {}.", taking(models, summaries),
+                       c.relaxation ? "" : "elastic ", fmt::join(unseen, ", and "));
 }
 
 std::string thickness_sentence(const contact::Case& c, const Summaries& summaries) {

@@ -5,6 +5,7 @@
 
 #include "comparisons/quantities/quantities.h"
 #include "comparisons/run/relaxation_report.h"
+#include "io/case/case_input.h"
 #include "report/json_number.h"
 
 namespace tricontact::comparisons {

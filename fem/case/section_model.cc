@@ -70,8 +70,8 @@ planar::Sizes sizes_of(const Case& c, const Patch& patch) {
 }
 
 /// A section on both sides of x = 0, or from the axis outwards.
-planar::CondensedBody condensed(planar::Mesh half, Solid solid, const contact::Material& material,
-                                planar::Support support) {
+planar::CondensedSection condensed(planar::Mesh half, Solid solid,
+                                   const contact::Material& material, planar::Support support) {
     planar::BodyProblem problem;
     problem.mesh = solid == Solid::plane_strain ? with_mirror_image(half) : std::move(half);
     problem.solid = solid;
@@ -80,7 +80,7 @@ planar::CondensedBody condensed(planar::Mesh half, Solid solid, const contact::M
     return condense(problem);
 }
 
-planar::CondensedBody layer_of(const Case& c, Solid solid, const planar::Sizes& sizes) {
+planar::CondensedSection layer_of(const Case& c, Solid solid, const planar::Sizes& sizes) {
     const double thickness = *c.layer.thickness;
     return condensed(layer_section(sizes, sizes.patch() + far_side * thickness, thickness), solid,
                      c.substrate,
@@ -101,7 +101,7 @@ planar::Mesh indenter_mesh(const Case& c, const planar::Sizes& sizes) {
     });
 }
 
-planar::CondensedBody indenter_of(const Case& c, Solid solid, const planar::Sizes& sizes) {
+planar::CondensedSection indenter_of(const Case& c, Solid solid, const planar::Sizes& sizes) {
     // Between two plates the middle plane stays where it is.
     const bool plates = c.indenter.body->support == ElasticBody::Support::plates;
     return condensed(indenter_mesh(c, sizes), solid, *c.indenter.material,
@@ -123,11 +123,11 @@ double widest_patch(const Case& c) {
         half_width));
 }
 
-std::unique_ptr<planar::PairCompliance> compliance_of(const Case& c, Solid solid,
-                                                      const Patch& patch) {
+std::unique_ptr<planar::SectionCompliance> compliance_of(const Case& c, Solid solid,
+                                                         const Patch& patch) {
     const planar::Sizes sizes = sizes_of(c, patch);
     if (sizes.patch() > widest_patch(c)) refuse_too_large(sizes.patch());
-    std::vector<planar::CondensedBody> bodies;
+    std::vector<planar::CondensedSection> bodies;
     if (c.indenter.body) bodies.push_back(indenter_of(c, solid, sizes));
     if (!c.has_rigid_substrate) bodies.push_back(layer_of(c, solid, sizes));
     planar::PairOptions options;

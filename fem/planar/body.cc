@@ -212,13 +212,13 @@ std::vector<double> missing_reaction(const BodyProblem& problem, const Unknowns&
 
 }  // namespace
 
-CondensedBody condense(const BodyProblem& problem) {
+CondensedSection condense(const BodyProblem& problem) {
     const Surface surface = surface_of(problem);
     const Unknowns unknowns = number_unknowns(problem, surface);
     Stiffness stiffness = assemble(problem, unknowns);
     Condensation condensation(stiffness.matrix, unknowns.node_of_unknown, unknowns.n_interior);
     condensation.factorise();
-    CondensedBody body;
+    CondensedSection body;
     body.solid = problem.solid;
     body.along = surface.along;
     for (const int node : surface.nodes) body.x.push_back(problem.mesh.nodes[node][0]);

@@ -35,7 +35,7 @@ struct BodyProblem {
 };
 
 /// A body as its contact surface sees it: nodes in the order of their coordinate along it.
-struct CondensedBody {
+struct CondensedSection {
     Solid solid = Solid::plane_strain;
     std::vector<double> along;  ///< coordinate of each node [m]
     std::vector<double> x;      ///< of each node, what the extent depends on [m]
@@ -54,6 +54,6 @@ struct CondensedBody {
 
 /// Discretises and condenses. Throws contact::InputError (inverted elements, no contact),
 /// contact::NotConverged (nothing holds the body).
-CondensedBody condense(const BodyProblem& problem);
+CondensedSection condense(const BodyProblem& problem);
 
 }  // namespace tricontact::fem::planar

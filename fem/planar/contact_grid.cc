@@ -29,7 +29,7 @@ double interpolated(const std::array<double, 3>& shape, const std::vector<double
 }
 
 /// Where on an edge, from 0 to 1, the coordinate is `along`: Newton from the straight line.
-double place_on(const CondensedBody& body, const std::array<int, 3>& edge, double along) {
+double place_on(const CondensedSection& body, const std::array<int, 3>& edge, double along) {
     const double first = body.along[edge[0]], last = body.along[edge[2]];
     double s = (along - first) / (last - first);
     const double bulge = 4 * body.along[edge[1]] - 2 * (first + last);
@@ -40,7 +40,7 @@ double place_on(const CondensedBody& body, const std::array<int, 3>& edge, doubl
 }
 
 /// Row sums of the surface mass: tributary area of each node.
-std::vector<double> node_areas(const CondensedBody& body) {
+std::vector<double> node_areas(const CondensedSection& body) {
     std::vector<double> area(body.size(), 0);
     for (const auto& edge : body.edges) {
         const double first = body.along[edge[0]], last = body.along[edge[2]];
@@ -57,7 +57,7 @@ std::vector<double> node_areas(const CondensedBody& body) {
 }
 
 /// Mean distance of the nodes of a body [m].
-double node_distance(const CondensedBody& body) {
+double node_distance(const CondensedSection& body) {
     return (body.along.back() - body.along.front()) / static_cast<double>(body.size() - 1);
 }
 
@@ -73,7 +73,7 @@ struct LinearFunctions {
 };
 
 /// M of one body: integrals over the pieces between all nodes and points.
-Entries transfer_to(const CondensedBody& body, const std::vector<double>& points) {
+Entries transfer_to(const CondensedSection& body, const std::vector<double>& points) {
     Entries entries;
     const LinearFunctions linear{points};
     for (const auto& edge : body.edges)
@@ -110,9 +110,9 @@ void refuse_nothing_shared(const std::vector<double>& points) {
 
 }  // namespace
 
-bool nodes_meet(const std::vector<CondensedBody>& bodies) {
-    const CondensedBody& first = bodies.front();
-    return std::ranges::all_of(bodies, [&](const CondensedBody& body) {
+bool nodes_meet(const std::vector<CondensedSection>& bodies) {
+    const CondensedSection& first = bodies.front();
+    return std::ranges::all_of(bodies, [&](const CondensedSection& body) {
         if (body.size() != first.size() || body.edges != first.edges) return false;
         for (std::size_t i = 0; i < body.size(); ++i)
             if (std::abs(body.along[i] - first.along[i]) > 1e-6 * node_distance(first))
@@ -121,8 +121,8 @@ bool nodes_meet(const std::vector<CondensedBody>& bodies) {
     });
 }
 
-ContactGrid points_on_nodes(const std::vector<CondensedBody>& bodies) {
-    const CondensedBody& body = bodies.front();
+ContactGrid points_on_nodes(const std::vector<CondensedSection>& bodies) {
+    const CondensedSection& body = bodies.front();
     const std::vector<double> area = node_areas(body);
     ContactGrid grid;
     Entries entries;
@@ -136,13 +136,13 @@ ContactGrid points_on_nodes(const std::vector<CondensedBody>& bodies) {
     return grid;
 }
 
-ContactGrid mortar(const std::vector<CondensedBody>& bodies) {
+ContactGrid mortar(const std::vector<CondensedSection>& bodies) {
     double low = -INFINITY, high = INFINITY;
-    for (const CondensedBody& body : bodies) {
+    for (const CondensedSection& body : bodies) {
         low = std::max(low, body.along.front());
         high = std::min(high, body.along.back());
     }
-    const CondensedBody& coarse = *std::ranges::max_element(bodies, {}, node_distance);
+    const CondensedSection& coarse = *std::ranges::max_element(bodies, {}, node_distance);
     const double least = node_distance(coarse) / 2;
     ContactGrid grid;
     for (const double s : coarse.along)
@@ -151,12 +151,13 @@ ContactGrid mortar(const std::vector<CondensedBody>& bodies) {
     // Ends that the coarser body's nodes leave out belong to their neighbours.
     if (grid.along.front() - low > least) grid.along.insert(grid.along.begin(), low);
     if (high - grid.along.back() > least) grid.along.push_back(high);
-    for (const CondensedBody& body : bodies) grid.transfer.push_back(transfer_to(body, grid.along));
+    for (const CondensedSection& body : bodies)
+        grid.transfer.push_back(transfer_to(body, grid.along));
     grid.area = column_sums(grid.transfer.front(), grid.size());
     return grid;
 }
 
-ContactGrid grid_between(const std::vector<CondensedBody>& bodies) {
+ContactGrid grid_between(const std::vector<CondensedSection>& bodies) {
     return nodes_meet(bodies) ? points_on_nodes(bodies) : mortar(bodies);
 }
 

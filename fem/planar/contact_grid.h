@@ -31,17 +31,17 @@ struct ContactGrid {
 };
 
 /// Whether all bodies have the same nodes there, but for 1e-6 of their distance.
-bool nodes_meet(const std::vector<CondensedBody>& bodies);
+bool nodes_meet(const std::vector<CondensedSection>& bodies);
 
 /// Points on the nodes of the first body, where all have some: those on the axis of a body of
 /// revolution have no area and are left out. Tributary areas are row sums of the surface mass.
-ContactGrid points_on_nodes(const std::vector<CondensedBody>& bodies);
+ContactGrid points_on_nodes(const std::vector<CondensedSection>& bodies);
 
 /// A mortar on the nodes of that body whose nodes are the farthest apart, over what all bodies
 /// share.
-ContactGrid mortar(const std::vector<CondensedBody>& bodies);
+ContactGrid mortar(const std::vector<CondensedSection>& bodies);
 
 /// The grid for these bodies: `points_on_nodes` where they meet.
-ContactGrid grid_between(const std::vector<CondensedBody>& bodies);
+ContactGrid grid_between(const std::vector<CondensedSection>& bodies);
 
 }  // namespace tricontact::fem::planar

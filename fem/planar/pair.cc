@@ -26,7 +26,7 @@ Eigen::SparseMatrix<double> matrix_of(const std::vector<ContactGrid::Entry>& ent
     return matrix;
 }
 
-ByComponent blocks_of(const std::vector<CondensedBody>& bodies, const ContactGrid& grid) {
+ByComponent blocks_of(const std::vector<CondensedSection>& bodies, const ContactGrid& grid) {
     const auto m = static_cast<Eigen::Index>(grid.size());
     const Eigen::VectorXd inverse =
         Eigen::Map<const Eigen::VectorXd>(grid.area.data(), m).cwiseInverse();
@@ -67,8 +67,8 @@ double share_of_approach(const PairOptions& options, double along) {
     return options.conforming ? std::cos(along / options.radius) : 1;
 }
 
-/// By points, of each body: see PairCompliance.
-std::vector<std::vector<double>> missing_by_points(const std::vector<CondensedBody>& bodies,
+/// By points, of each body: see SectionCompliance.
+std::vector<std::vector<double>> missing_by_points(const std::vector<CondensedSection>& bodies,
                                                    const ContactGrid& grid,
                                                    const PairOptions& options) {
     std::vector<std::vector<double>> missing;
@@ -86,7 +86,7 @@ std::vector<std::vector<double>> missing_by_points(const std::vector<CondensedBo
 
 }  // namespace
 
-std::optional<std::array<double, 3>> PairCompliance::missing_reaction(
+std::optional<std::array<double, 3>> SectionCompliance::missing_reaction(
     std::span<const double> p, const contact::TangentialField& t) const {
     const std::size_t n = p.size();
     double worst = 0;
@@ -99,9 +99,9 @@ std::optional<std::array<double, 3>> PairCompliance::missing_reaction(
     return std::array<double, 3>{0, 0, worst};
 }
 
-std::unique_ptr<PairCompliance> pair_compliance(const std::vector<CondensedBody>& bodies,
-                                                const ContactGrid& grid,
-                                                const PairOptions& options) {
+std::unique_ptr<SectionCompliance> pair_compliance(const std::vector<CondensedSection>& bodies,
+                                                   const ContactGrid& grid,
+                                                   const PairOptions& options) {
     const Solid solid = bodies.front().solid;
     const ByComponent blocks = blocks_of(bodies, grid);
     const std::size_t n = grid.size();
@@ -118,8 +118,8 @@ std::unique_ptr<PairCompliance> pair_compliance(const std::vector<CondensedBody>
                         per_force *
                         blocks[r][c](static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(k)) /
                         (share(i) * share(k));
-    return std::make_unique<PairCompliance>(points_of(grid, solid, options), std::move(matrix),
-                                            missing_by_points(bodies, grid, options));
+    return std::make_unique<SectionCompliance>(points_of(grid, solid, options), std::move(matrix),
+                                               missing_by_points(bodies, grid, options));
 }
 
 }  // namespace tricontact::fem::planar

@@ -24,12 +24,12 @@ struct PairOptions {
 };
 
 /// See pair_compliance().
-class PairCompliance final : public DenseCompliance {
+class SectionCompliance final : public DenseCompliance {
   public:
     /// `missing`: per body, the force along z that its support lacks under unit forces on the
     /// points, along the surface first, then into the substrate.
-    PairCompliance(contact::ContactPoints points, std::vector<double> matrix,
-                   std::vector<std::vector<double>> missing)
+    SectionCompliance(contact::ContactPoints points, std::vector<double> matrix,
+                      std::vector<std::vector<double>> missing)
         : DenseCompliance(std::move(points), std::move(matrix)), missing_(std::move(missing)) {}
 
     /// Of the body whose support lacks the most, along z.
@@ -50,8 +50,8 @@ class PairCompliance final : public DenseCompliance {
 /// pressures p cos(theta), and gaps and displacements over cos(theta), the approach is the same
 /// everywhere and the force that is carried the sum of pressures times areas: frictionless contact
 /// is that of flat bodies. Points beyond 85 degrees are left out of it.
-std::unique_ptr<PairCompliance> pair_compliance(const std::vector<CondensedBody>& bodies,
-                                                const ContactGrid& grid,
-                                                const PairOptions& options);
+std::unique_ptr<SectionCompliance> pair_compliance(const std::vector<CondensedSection>& bodies,
+                                                   const ContactGrid& grid,
+                                                   const PairOptions& options);
 
 }  // namespace tricontact::fem::planar

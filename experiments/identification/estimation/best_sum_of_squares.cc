@@ -21,6 +21,9 @@ constexpr double scanned_poissons[] = {.25, .47};
 constexpr double error_tolerance = 1e-6;
 // Of a wrong model each round may take a fifth off the change alone.
 constexpr int most_rounds = 200;
+// From then on what a table has left beside its parameters stands still: a parameter that reaches
+// and leaves the end of its range by turns would change it for ever, and the errors with it.
+constexpr int rounds_of_freedom = 60;
 // Of the largest value of a table: exact data have rounding for an error.
 constexpr double least_relative_error = 1e-12;
 constexpr double first_relative_error = 1e-2;
@@ -155,8 +158,10 @@ statistics::BoundedFit BestSumOfSquares::best() {
         throw contact::NotConverged("identification: nothing explains the observations: " + reason);
     if (std::ranges::all_of(task_.tables, [](const auto& t) { return !t.standard_errors.empty(); }))
         return best;
+    std::vector<double> left;
     for (int i = 0; i < most_rounds; ++i) {
-        const double change = estimate_errors(best.x);
+        if (i < rounds_of_freedom) left = covariance(best.x).degrees_of_freedom;
+        const double change = estimate_errors(best.x, left);
         best = best_from(best.x);
         if (change < error_tolerance) return best;
     }
@@ -210,9 +215,9 @@ statistics::JointCovariance BestSumOfSquares::covariance(const std::vector<doubl
     return statistics::joint_covariance(logarithmic_slopes(x), groups_of(task_));
 }
 
-double BestSumOfSquares::estimate_errors(const std::vector<double>& x) {
+double BestSumOfSquares::estimate_errors(const std::vector<double>& x,
+                                         const std::vector<double>& left) {
     const auto residual = residuals(x);
-    const auto left = covariance(x).degrees_of_freedom;
     double change = 0;
     std::size_t row = 0;
     for (std::size_t t = 0; t < task_.tables.size(); ++t) {

@@ -121,8 +121,16 @@ TEST(Report, WithoutATangentialForceNothingIsShifted) {
                                      {synthetic::loaded_history("bem", still)})
                             .answer;
     EXPECT_EQ(answer->word, "pressed");
-    EXPECT_TRUE(contains(answer->sentence, "is pressed in by 1.000 m")) << answer->sentence;
+    EXPECT_TRUE(contains(answer->sentence, "Pressed in by 1.000 m, the indenter carries 1.333 N"))
+        << answer->sentence;
     EXPECT_FALSE(contains(answer->sentence, "shift")) << answer->sentence;
+    contact::Case by_force = synthetic::unit_case(still);
+    by_force.load.indentation.reset();
+    by_force.load.normal_force = 4. / 3;
+    const auto other =
+        run_document(by_force, "", "1", {synthetic::loaded_history("bem", still)}).answer;
+    EXPECT_TRUE(contains(other->sentence, "The indenter is pressed in by 1.000 m"))
+        << other->sentence;
 }
 
 TEST(Report, NeedsNoNetworkAndNoOtherFile) {

@@ -24,7 +24,7 @@ Mesh ground(int n, double thickness) {
 TEST(FemPlanarPair, PressuresAreUniformBetweenMeshesThatDoNotMatch) {
     for (const Solid solid : {Solid::plane_strain, Solid::of_revolution}) {
         const contact::Material upper{2, .3}, lower{5, .4};
-        const std::vector<CondensedBody> bodies{
+        const std::vector<CondensedSection> bodies{
             body_of(block(7, 1.3), solid, upper, Support::sliding),
             body_of(ground(5, .8), solid, lower, Support::sliding)};
         ASSERT_FALSE(nodes_meet(bodies));
@@ -68,7 +68,7 @@ TEST(FemPlanarPair, EqualBodiesDoNotCoupleAndUnequalOnesDo) {
     const Mesh mesh = half_disc_section(coarse, 10);
     const auto upper = body_of(mesh, Solid::of_revolution, {2, .3});
     const auto lower = body_of(upside_down(mesh), Solid::of_revolution, {2, .3});
-    const auto coupling = [](const std::vector<CondensedBody>& bodies) {
+    const auto coupling = [](const std::vector<CondensedSection>& bodies) {
         const auto pair = pair_compliance(bodies, grid_between(bodies), {});
         const std::size_t n = pair->points().size();
         double most = 0, scale = 0;
@@ -95,8 +95,9 @@ TEST(FemPlanarPair, AHemisphereOnItsHolderIsStifferThanHertz) {
 }
 
 TEST(FemPlanarPair, AMortarKeepsForceAndMoment) {
-    const std::vector<CondensedBody> bodies{body_of(block(7, 1.3), Solid::plane_strain, {2, .3}),
-                                            body_of(ground(5, .8), Solid::plane_strain, {2, .3})};
+    const std::vector<CondensedSection> bodies{
+        body_of(block(7, 1.3), Solid::plane_strain, {2, .3}),
+        body_of(ground(5, .8), Solid::plane_strain, {2, .3})};
     const ContactGrid grid = mortar(bodies);
     const auto pressure = [](int point) { return 1 + std::sin(5. * point); };
     double force = 0;
@@ -117,7 +118,7 @@ TEST(FemPlanarPair, AMortarKeepsForceAndMoment) {
 
 // The support carries what presses, in every body: to rounding, K/G being 1e6 in one.
 TEST(FemPlanarPair, SupportsCarryTheForce) {
-    const std::vector<CondensedBody> bodies{
+    const std::vector<CondensedSection> bodies{
         body_of(half_disc_section(coarse, 10), Solid::of_revolution, {2, .5}),
         body_of(layer_section(coarse, 60, 5), Solid::of_revolution, {4, .3}, Support::sliding)};
     const auto pair = pair_compliance(bodies, grid_between(bodies), {});
@@ -136,7 +137,7 @@ TEST(FemPlanarPair, SupportsCarryTheForce) {
 }
 
 TEST(FemPlanarPair, RefusesSurfacesThatDoNotFaceEachOther) {
-    CondensedBody first = body_of(block(4, 1), Solid::plane_strain, {2, .3}), second = first;
+    CondensedSection first = body_of(block(4, 1), Solid::plane_strain, {2, .3}), second = first;
     for (double& x : second.along) x += 3;
     EXPECT_THROW(grid_between({first, second}), contact::InputError);
     Mesh without = block(4, 1);

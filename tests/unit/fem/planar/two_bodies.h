@@ -22,9 +22,9 @@ struct Pressed {
     double force, indentation, radius, peak;
 };
 
-inline CondensedBody body_of(Mesh mesh, Solid solid, const contact::Material& material,
-                             Support support = Support::bonded, Frame frame = Frame::plane,
-                             double radius = 0) {
+inline CondensedSection body_of(Mesh mesh, Solid solid, const contact::Material& material,
+                                Support support = Support::bonded, Frame frame = Frame::plane,
+                                double radius = 0) {
     return condense({std::move(mesh), solid, material, support, frame, radius});
 }
 
@@ -42,7 +42,7 @@ inline double at_centre(const std::vector<double>& s, const std::vector<double>&
     return sum;
 }
 
-inline Pressed press(const std::vector<CondensedBody>& bodies, const ContactGrid& grid,
+inline Pressed press(const std::vector<CondensedSection>& bodies, const ContactGrid& grid,
                      const PairOptions& options, std::vector<double> height,
                      const contact::NormalControl& control) {
     const auto compliance = pair_compliance(bodies, grid, options);
@@ -54,7 +54,7 @@ inline Pressed press(const std::vector<CondensedBody>& bodies, const ContactGrid
     return result;
 }
 
-inline Pressed press(const std::vector<CondensedBody>& bodies, const contact::Indenter& shape,
+inline Pressed press(const std::vector<CondensedSection>& bodies, const contact::Indenter& shape,
                      double depth, const PairOptions& options = {}) {
     const ContactGrid grid = grid_between(bodies);
     std::vector<double> height;

@@ -48,7 +48,7 @@ double error_of_pressures(const Sizes& sizes, double finer) {
     Sizes of_block = sizes;
     of_block.size *= finer;
     of_block.n = static_cast<int>(std::ceil(sizes.n / finer));
-    const std::vector<CondensedBody> bodies{
+    const std::vector<CondensedSection> bodies{
         body_of(half_disc_section(sizes, radius), Solid::plane_strain, {2, .3}),
         body_of(layer_section(of_block, 600, 600), Solid::plane_strain, {2, .3})};
     const ContactGrid grid = grid_between(bodies);
@@ -134,9 +134,9 @@ TEST(FemPlanarLineContacts, PinInAHole) {
         const double young = c.pin > 0 ? c.pin : c.hole;
         const double clearance = c.clearance * force * (1 - c.poisson * c.poisson) / young;
         const Sizes sizes{32, 1.3 * angle / 32, 1.25, 5};
-        std::vector<CondensedBody> bodies{body_of(hole_section(sizes, 1, 100), Solid::plane_strain,
-                                                  {c.hole, c.poisson}, Support::bonded,
-                                                  Frame::round, 1)};
+        std::vector<CondensedSection> bodies{body_of(hole_section(sizes, 1, 100),
+                                                     Solid::plane_strain, {c.hole, c.poisson},
+                                                     Support::bonded, Frame::round, 1)};
         if (c.pin > 0)
             bodies.push_back(body_of(pin_section(sizes, 1, .02), Solid::plane_strain,
                                      {c.pin, c.poisson}, Support::bonded, Frame::round, 1));
@@ -190,7 +190,7 @@ TEST(FemPlanarLineContacts, ALayerRecedes) {
     };
     for (const Case& c : {Case{1, 1.324165, .713080}, Case{3, 1.83630, .539451}}) {
         const Sizes sizes{60, .05, 1.25, 8};
-        const std::vector<CondensedBody> bodies{
+        const std::vector<CondensedSection> bodies{
             body_of(block_section(sizes, 30, 1, [](double) { return 0.; }), Solid::plane_strain,
                     {2 * c.ratio, .3}, Support::point),
             body_of(layer_section(sizes, 300, 300), Solid::plane_strain, {2, .3})};
