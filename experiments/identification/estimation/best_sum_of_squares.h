@@ -41,8 +41,8 @@ class BestSumOfSquares {
     std::vector<std::vector<double>> all_slopes(const std::vector<double>& x) const;
 
   private:
-    /// Largest relative change of an error; `left`: rows of each table beside the parameters that it
-    /// tells, see statistics::JointCovariance::degrees_of_freedom.
+    /// Largest relative change of an error; `left`: rows of each table beside the parameters that
+    /// it tells, see statistics::JointCovariance::degrees_of_freedom.
     double estimate_errors(const std::vector<double>& x, const std::vector<double>& left);
 
     const IdentificationTask& task_;
