@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "comparisons/quantities/reference.h"
 #include "comparisons/run/common_instants.h"
 #include "contact/load_path.h"
 #include "report/format.h"
@@ -115,11 +116,12 @@ void ContactFilm::add(const StepRecord& record, const SurfaceOfStep& surface,
     if (record.phase == 0) {
         auto shot = shot_of(record, surface, progress);
         if (!shot) return;
-        const bool is_loaded = record.tangential_force[0] != 0 || record.tangential_force[1] != 0;
-        shot->label = is_loaded ? "loaded" : "pressed";
-        shot->part = is_loaded ? Film::Part::loaded : Film::Part::pressed;
+        // Coupled contact that is pressed balances its tractions but for rounding.
+        const bool loaded = is_loaded(contact::norm(record.tangential_force) / record.normal_force);
+        shot->label = loaded ? "loaded" : "pressed";
+        shot->part = loaded ? Film::Part::loaded : Film::Part::pressed;
         shot->phase = 0;
-        (is_loaded ? loaded_ : pressed_) = std::move(shot);
+        (loaded ? loaded_ : pressed_) = std::move(shot);
         return;
     }
     if (record.phase <= 1) return keep(first_, record, surface, progress);

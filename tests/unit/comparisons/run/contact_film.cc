@@ -81,6 +81,28 @@ TEST(ContactFilm, HoldsTheFirstPeriodAndTheLast) {
     EXPECT_NEAR(film->frames.back().way, film->steps.back().way, 1e-12);
 }
 
+// Coupled contact that is pressed with friction has forces of rounding along the surface, which are
+// no load.
+TEST(ContactFilm, APressedContactIsNotLoaded) {
+    contact::Case c = rolling_case();
+    c.rolling.reset();
+    c.substrate.poisson = .3;
+    const auto model = bem::make_model(c, 1);
+    ContactFilm film(c);
+    const auto history =
+        contact::run(c, *model, [&](const auto& record, auto& state, const auto& progress) {
+            contact::StepRecord told = record;
+            if (told.tangential_force[0] == 0) told.tangential_force[0] = 1e-15;
+            film.add(
+                told, [&] { return state.surface(); }, progress);
+        });
+    const auto played = film.film(history);
+    ASSERT_TRUE(played);
+    ASSERT_EQ(played->frames.size(), 2u);
+    EXPECT_EQ(played->frames[0].label, "pressed");
+    EXPECT_EQ(played->frames[1].label, "loaded");
+}
+
 // What the bytes of the last frame say, against the model's own surface: sums of pressure and
 // traction to half a step of each cell, states exactly.
 TEST(ContactFilm, BytesAreTheSurface) {
