@@ -94,11 +94,9 @@ planar::Mesh indenter_mesh(const Case& c, const planar::Sizes& sizes) {
     if (body.support == ElasticBody::Support::hub)
         return disc_section(sizes, radius, body.hub_radius);
     if (body.form != ElasticBody::Form::punch) return half_disc_section(sizes, radius);
-    const double flat = c.indenter.flat_radius;
-    return block_section(sizes, flat + radius, body.height, [=](double x) {
-        const double beyond = std::max(0., x - flat);
-        return beyond * beyond / (2 * radius);
-    });
+    const auto indenter = c.make_indenter();
+    return block_section(sizes, c.indenter.flat_radius + radius, body.height,
+                         [&](double x) { return indenter->height(x, 0); });
 }
 
 planar::CondensedSection indenter_of(const Case& c, Solid solid, const planar::Sizes& sizes) {
@@ -178,22 +176,27 @@ Solid solid_of(const ModelKind& kind) {
     return kind.cut == ModelKind::Cut::plane_strain ? Solid::plane_strain : Solid::of_revolution;
 }
 
+/// Of elements, if the case does not give it, for a contact of this radius [m].
+double chosen_size(const Settings& settings, double radius) {
+    return radius / (settings.accuracy ? elements_for(*settings.accuracy) : fewest_elements);
+}
+
 }  // namespace
 
 double section_size(const ModelKind& kind, const Case& c) {
     require_bodies(c, kind);
     const Settings& settings = c.of<Settings>();
-    if (settings.size) return *settings.size;
-    const int n = settings.accuracy ? elements_for(*settings.accuracy) : fewest_elements;
-    return probed_radius(c, solid_of(kind)) / n;
+    return settings.size ? *settings.size : chosen_size(settings, probed_radius(c, solid_of(kind)));
 }
 
 std::unique_ptr<contact::Model> make_section_model(const ModelKind& kind, const Case& c,
                                                    const Say& say) {
+    require_bodies(c, kind);
     const Solid solid = solid_of(kind);
     const std::string name = kind.name;
-    const double size = section_size(kind, c);
     const double radius = probed_radius(c, solid);
+    const Settings& settings = c.of<Settings>();
+    const double size = settings.size ? *settings.size : chosen_size(settings, radius);
     if (size > radius / 2)
         throw contact::InputError(fmt::format(
             "fem.size: {}: fewer than 2 elements across the contact's {:.4g} m; reduce it", name,
@@ -201,7 +204,7 @@ std::unique_ptr<contact::Model> make_section_model(const ModelKind& kind, const 
     const double margin = solid == Solid::of_revolution ? corner * section_margin : section_margin;
     const double half =
         std::min(margin * radius + contact::path_reach(c, radius)[0], widest_patch(c) - size);
-    if (say && !c.of<Settings>().size)
+    if (say && !settings.size)
         say(fmt::format("{}: elements of {:.4g} mm, {:.3g} across the contact", name, 1e3 * size,
                         radius / size));
     const auto substrate = [=](const Case& of, double room) {
@@ -212,9 +215,9 @@ std::unique_ptr<contact::Model> make_section_model(const ModelKind& kind, const 
         auto relaxed = contact::relaxes_as_one(of) ? elastic(of) : nullptr;
         return contact::make_substrate(of, false, std::move(relaxed), elastic);
     };
-    auto model = std::make_unique<contact::SurfaceModel>(name, *substrate(c, half),
-                                                         c.make_indenter(), c.friction.law(),
-                                                         c.of<Settings>().tolerance, c.contact);
+    auto model =
+        std::make_unique<contact::SurfaceModel>(name, *substrate(c, half), c.make_indenter(),
+                                                c.friction.law(), settings.tolerance, c.contact);
     model->set_larger_grid(
         [=, room = half](const contact::ContactAtEdge&) mutable
         -> std::unique_ptr<contact::Substrate> { return substrate(c, room *= section_growth); });

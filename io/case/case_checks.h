@@ -31,6 +31,17 @@ bool all_have(const contact::Case& c, const Property& property) {
 /// The key that says where the rows of [path] come from.
 std::string path_key(const Document& document);
 
+/// Whether [load] asks for a tangential force.
+inline bool has_tangential_load(const contact::Case& c) {
+    return c.load.tangential_force.value_or(0) != 0 || c.load.tangential_ratio.value_or(0) != 0 ||
+           c.load.is_by_limit();
+}
+/// The key that says that force.
+inline std::string tangential_key(const contact::Case& c) {
+    if (c.load.is_by_limit()) return c.load.limit_key();
+    return c.load.tangential_force ? "load.tangential_force" : "load.tangential_ratio";
+}
+
 /// The key that presses the contact.
 inline std::string load_key(const Document& document) {
     if (document.find_section("path")) return path_key(document);

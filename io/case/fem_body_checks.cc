@@ -15,20 +15,13 @@ namespace {
 using contact::Case;
 using contact::ElasticBody;
 
-/// The first of these keys that the document has.
-std::string first_of(std::initializer_list<const char*> keys, const Document& document) {
-    for (const char* key : keys)
-        if (document.find(key)) return key;
-    return *keys.begin();
-}
-
 void check_motion(const Case& c, const Document& document) {
     const auto& body = contact::body_form(c.indenter.body->form);
     const std::string held =
         "a " + std::string(body.title) + " held by " + contact::title_of(c.indenter.body->support);
     const char* const remedy = "leave out fem, or indenter.body";
     if (c.rolling)
-        refuse(document, first_of({"rolling.amplitude", "rolling.amplitude_ratio"}, document),
+        refuse(document, used(document, "rolling.amplitude_ratio", "rolling.amplitude"),
                "fem presses and loads the body of an indenter where it stands; " + held +
                    " that rolls is not computed",
                remedy);
@@ -46,23 +39,14 @@ void check_motion(const Case& c, const Document& document) {
 
 void check_plates(const Case& c, const Document& document) {
     if (c.indenter.body->support != ElasticBody::Support::plates) return;
-    const Case::Load& load = c.load;
-    const bool loaded = load.tangential_force.value_or(0) != 0 ||
-                        load.tangential_ratio.value_or(0) != 0 || load.is_by_limit() ||
-                        load.tangential_amplitude_ratio != 0;
     const bool moved =
         c.prescribed_path && (c.prescribed_path->twists() || !contact::is_mirror_symmetric(c));
     const bool pulled =
         c.prescribed_path && std::ranges::any_of(c.prescribed_path->rows, [](const auto& row) {
             return row.tangential[0].value != 0 || row.tangential[1].value != 0;
         });
-    if (loaded || moved || pulled)
-        refuse(document,
-               c.prescribed_path ? path_key(document)
-                                 : first_of({"load.tangential_ratio", "load.tangential_force",
-                                             "load.tangential_amplitude_ratio",
-                                             "load.limit_fraction", "load.limit_excess"},
-                                            document),
+    if (has_tangential_load(c) || moved || pulled)
+        refuse(document, c.prescribed_path ? path_key(document) : tangential_key(c),
                "a body between two plates rolls or spins under a tangential load: nothing holds it",
                "set the tangential load to 0, or take another support");
 }

@@ -78,16 +78,6 @@ void check_rolling_section(const Case& c, const Document& document, const Refusa
                    "leave that section out, or take bem or fem");
 }
 
-bool has_tangential_load(const Case& c) {
-    return c.load.tangential_force.value_or(0) != 0 || c.load.tangential_ratio.value_or(0) != 0 ||
-           c.load.is_by_limit();
-}
-
-std::string tangential_key(const Case& c) {
-    if (c.load.is_by_limit()) return c.load.limit_key();
-    return c.load.tangential_force ? "load.tangential_force" : "load.tangential_ratio";
-}
-
 void check_plane_strain(const Case& c, const Document& document, const Refusal& refuse_key) {
     if (!c.is_line_contact())
         refuse_key("indenter.shape", "is about cylinders, in plane strain",
