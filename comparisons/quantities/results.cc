@@ -4,6 +4,7 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
+#include "comparisons/quantities/reference.h"
 #include "report/json_number.h"
 
 namespace tricontact::comparisons {
@@ -80,6 +81,14 @@ const Numbers& Results::list(const Quantity& q) const {
 std::optional<State> Results::state() const {
     const auto* state = std::get_if<State>(&(*this)[quantities::state]);
     return state ? std::optional(*state) : std::nullopt;
+}
+
+bool is_pressed_alone(const Results& results) {
+    const auto is_little = [&results](const Quantity& ratio) {
+        return !is_loaded(results.number(ratio).value_or(0));
+    };
+    return !results.state() && is_little(quantities::tangential_ratio) &&
+           is_little(quantities::final_shift_ratio);
 }
 
 int Results::periods() const {

@@ -89,7 +89,7 @@ void check_plane_strain(const Case& c, const Document& document, const Refusal& 
     check_rolling_section(c, document, refuse_key);
     if (has_tangential_load(c) && c.indenter.body->support == ElasticBody::Support::plates)
         refuse_key(tangential_key(c), "has no force along plates that press from both sides",
-                   "omit it, or take indenter.support = \"hub\"");
+                   "set it to 0, or take indenter.support = \"hub\"");
 }
 
 void check_of_revolution(const Case& c, const Document& document, const Refusal& refuse_key) {
@@ -100,7 +100,7 @@ void check_of_revolution(const Case& c, const Document& document, const Refusal&
         refuse_key("friction.map", "has the same friction all around its axis", "leave it out");
     check_rolling_section(c, document, refuse_key);
     if (has_tangential_load(c))
-        refuse_key(tangential_key(c), "presses along the axis alone", "omit it, or take fem");
+        refuse_key(tangential_key(c), "presses along the axis alone", "set it to 0, or take fem");
 }
 
 }  // namespace
