@@ -18,6 +18,7 @@ json to_json(const QuantityValue& value) {
     if (const auto* number = std::get_if<double>(&value)) return *number;
     if (const auto* count = std::get_if<int>(&value)) return *count;
     if (const auto* state = std::get_if<State>(&value)) return contact::name_of(*state);
+    if (const auto* regime = std::get_if<SlipRegime>(&value)) return name_of(*regime);
     if (const auto* list = std::get_if<Numbers>(&value)) return report::numbers(*list);
     return nullptr;
 }
@@ -25,10 +26,13 @@ json to_json(const QuantityValue& value) {
 QuantityValue value_of(const json& stored) {
     if (stored.is_number_integer()) return stored.get<int>();
     if (stored.is_number()) return stored.get<double>();
-    if (stored.is_string())
-        for (const State state :
-             {State::shakedown, State::cyclic_slip, State::ratcheting, State::undecided})
-            if (stored == contact::name_of(state)) return state;
+    if (!stored.is_string()) return {};
+    for (const State state :
+         {State::shakedown, State::cyclic_slip, State::ratcheting, State::undecided})
+        if (stored == contact::name_of(state)) return state;
+    for (const SlipRegime regime :
+         {SlipRegime::stick, SlipRegime::partial_slip, SlipRegime::gross_slip})
+        if (stored == name_of(regime)) return regime;
     return {};
 }
 

@@ -209,6 +209,7 @@ class RowMaker {
         if (const auto* count = std::get_if<int>(&value)) return *count;
         if (const auto* state = std::get_if<contact::State>(&value))
             return contact::name_of(*state);
+        if (const auto* regime = std::get_if<SlipRegime>(&value)) return name_of(*regime);
         return report::number_cell({});
     }
 
