@@ -1,5 +1,6 @@
 #include <nlohmann/json.hpp>
 
+#include "app/commands/body_size.h"
 #include "app/commands/command.h"
 #include "app/commands/strain_deviation.h"
 #include "comparisons/finite_strain/strain_runs.h"
@@ -20,7 +21,7 @@ using comparisons::RolledRun;
 
 struct DeviationOptions : CommandOptions {
     bool runs = true;  ///< of boundary elements; else exact theory alone
-    bool finite_strain = false;
+    bool finite_strain = false, body = false;
     double elements = comparisons::StrainContact{}.elements;
 };
 
@@ -81,6 +82,12 @@ void compare_with_half_space(DeviationOptions options) {
 }
 
 void compare(const DeviationOptions& options) {
+    if (options.body && (options.finite_strain || !options.runs))
+        throw contact::InputError(
+            "--body: goes neither with --finite-strain nor with --no-runs, sizes of bodies are "
+            "known "
+            "from runs alone; drop the other option");
+    if (options.body) return compare_body_sizes(options);
     if (!options.finite_strain) return compare_with_half_space(options);
     if (!options.runs)
         throw contact::InputError(
@@ -92,18 +99,21 @@ void compare(const DeviationOptions& options) {
 }  // namespace
 
 Command deviation_command() {
-    return Declared<DeviationOptions>(Group::ask, "deviation",
-                                      "How far the layer of a case is from a half-space, or linear "
-                                      "elasticity from finite strains",
-                                      compare)
+    return Declared<DeviationOptions>(
+               Group::ask, "deviation",
+               "How far the layer or the indenter's body of a case is from a "
+               "half-space, or linear elasticity from finite strains",
+               compare)
         .on_case()
         .jobs()
-        .output("Folder (results/<case>_deviation or <case>_finite_strain)")
+        .output("Folder (results/<case>_deviation, <case>_finite_strain or <case>_body_size)")
         .exports()
         .flag("--no-runs", &DeviationOptions::runs, "Exact theory alone: no friction, no rolling",
               false)
         .flag("--finite-strain", &DeviationOptions::finite_strain,
               "Linear elasticity against finite strains instead, by finite elements")
+        .flag("--body", &DeviationOptions::body,
+              "The indenter's body against a half-space instead, over its size, by sections")
         .number("--elements", &DeviationOptions::elements,
                 "Elements in the contact radius, with --finite-strain (5)", 2, 20)
         .json()
