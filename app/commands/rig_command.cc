@@ -11,6 +11,7 @@
 #include "experiments/assumptions/rig.h"
 #include "experiments/predictions/rig_body.h"
 #include "experiments/predictions/rig_growth.h"
+#include "experiments/predictions/rig_indenter.h"
 #include "experiments/rig_report/rig_report.h"
 #include "io/case/rig_file.h"
 #include "io/keys/input_file.h"
@@ -109,7 +110,12 @@ void check_assumptions(RigOptions options) {
         const auto shift = [runner = options.runner()](const experiments::Rig& rig, bool coupled) {
             return static_shift(rig, coupled, runner);
         };
-        report = experiments::check_rig(given, shift, experiments::rolled_growth);
+        const auto indenter = [&](const experiments::Rig& rig) {
+            return options.makers->has(experiments::model_of_indenter(rig))
+                       ? std::optional(experiments::indenter_contacts(rig, options.runner()))
+                       : std::nullopt;
+        };
+        report = experiments::check_rig(given, shift, experiments::rolled_growth, indenter);
         if (options.samples > 0)
             for (experiments::Assumption& one : report.assumptions)
                 for (experiments::Criterion& criterion : one.criteria)

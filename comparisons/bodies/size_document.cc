@@ -62,7 +62,8 @@ report::DocumentSection size_method(const SizeDeviation& deviation) {
         "Half-space: Hertz, E* = E/(1 - nu^2), at the same depth or force as the body. Between the "
         "points deviations are monotone interpolants over a/R, from 0 on, where a body is a "
         "half-space; nothing is extrapolated.",
-        "Errors: 1.25 times what separates both meshes. Small strains and one direction of "
+        "Errors: 1.25 times what separates both meshes, of the point or its neighbours. Small "
+        "strains and one direction of "
         "contact: "
         "beyond a/R = 0.1 what small strains neglect may be as large as 1 %."};
     if (deviation.contact.is_line())

@@ -147,9 +147,10 @@ std::vector<report::Verdict> size_verdicts(const SizeDeviation& deviation) {
         std::string text = report::capitalised(name_of(measure)) + ": ";
         const SizePoint* own = own_point(points);
         if (own)
-            text += fmt::format("{} ± {} of a half-space's here, at a/R = {}; ",
-                                report::percent(own->ratio), report::share(own->error),
-                                report::significant(own->size, 3));
+            text +=
+                fmt::format("{} % {} a half-space's here, at a/R = {}; ",
+                            report::with_error(100 * std::abs(own->ratio - 1), 100 * own->error, 3),
+                            own->ratio < 1 ? "below" : "above", report::significant(own->size, 3));
         text += within_text(size_limits(points), points.back().size);
         const Standing standing = !own                                   ? Standing::finding
                                   : std::abs(own->ratio - 1) > tolerable ? Standing::violated

@@ -72,7 +72,9 @@ def warped(source, scale):
     name = "elastic_displacement_m"
     if scale != 1:
         name = "normal_displacement_m"
-        source = Calculator(Input=source, Function="elastic_displacement_m_Z*kHat", ResultArrayName=name)
+        # Above the plane is an indenter that deforms, whose height is magnified with it.
+        height = "max(coordsZ,0)*%.9g" % (1 - 1 / scale)
+        source = Calculator(Input=source, Function="(elastic_displacement_m_Z+%s)*kHat" % height, ResultArrayName=name)
     return WarpByVector(Input=source, Vectors=["POINTS", name], ScaleFactor=scale)
 
 
@@ -96,6 +98,12 @@ def near(volume, bounds, depth):
     return clip
 
 
+def shows_indenter(volume):
+    """Whether the volume has the inside of an indenter that deforms."""
+    regions = volume.CellData["region"] if volume else None
+    return bool(regions) and regions.GetRange(0)[1] >= 2
+
+
 def show_section(folder, surface, volume, view, size, depth, lift, scale=None):
     """Volume, surface and indenter, cut at y = 0."""
     bounds = surface.GetDataInformation().GetBounds()
@@ -114,7 +122,7 @@ def show_section(folder, surface, volume, view, size, depth, lift, scale=None):
     else:
         colour(display, view, "POINTS", "normal_traction_Pa", "normal traction [Pa]")
     path = os.path.join(folder, "indenter.ex2")
-    if os.path.exists(path):
+    if os.path.exists(path) and not shows_indenter(volume):
         indenter = open_series(path)
         body = back_half(Transform(Input=indenter, Transform="Transform"), indenter.GetDataInformation().GetBounds())
         shaped = body.Input if body.Input != indenter else body
