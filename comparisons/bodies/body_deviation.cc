@@ -7,8 +7,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "comparisons/quantities/model_traits.h"
 #include "comparisons/quantities/quantities.h"
-#include "comparisons/run/model_traits.h"
 #include "contact/models/model_kind.h"
 #include "report/format.h"
 #include "report/json_number.h"

@@ -80,6 +80,10 @@ struct IndenterContacts {
 /// By models that the caller has; empty where it has none.
 using IndenterRun = std::function<std::optional<IndenterContacts>(const Rig& rig)>;
 
+/// Whether the size of the rig's indenter matters: a ball or cylinder that is not rigid beside the
+/// substrate.
+bool has_soft_indenter(const Rig& rig);
+
 /// What the evaluation of a rig takes for granted, with verdicts. Rig::body has to be there for
 /// Kind::body. `static_shift` empty: the effect
 /// of coupling stays open; `growth` empty: what rolling adds does; `indenter` empty: the size of
