@@ -151,6 +151,12 @@ std::vector<std::string> body_deviation_sentences(const Case& c, const BodyDevia
             fmt::format("These numbers hold for all that {} takes for granted: "
                         "indenter as half-space, {}.",
                         half_space, deviation.others));
+    if (c.is_line_contact() && !deviation.rows.empty())
+        sentences.emplace_back(
+            "In plane strain depth and shifts of a half-space grow with the logarithm of its "
+            "length: "
+            "how far they are off goes with indenter.length. Those of force, size and pressure do "
+            "not.");
     const bool knows_u_max =
         std::ranges::find(deviation.rows, std::string(quantities::unit_shift.key), &Row::key) !=
         deviation.rows.end();

@@ -131,6 +131,16 @@ TEST(BodyDeviation, WhatElseIsTakenForGrantedIsSaid) {
                      "Nothing holds a body between plates"));
 }
 
+TEST(BodyDeviation, DepthsInPlaneStrainAreNotDefinite) {
+    Case c = hemisphere({"bem", "fem"});
+    const auto sentences = [&] {
+        return body_deviation_sentences(c, *body_deviation(c, results(), {}, {}));
+    };
+    EXPECT_FALSE(says(sentences(), "logarithm"));
+    c.indenter.shape = Case::Shape::cylinder;
+    EXPECT_TRUE(says(sentences(), "logarithm of its length"));
+}
+
 TEST(BodyDeviation, WithoutATangentialLoadThereIsNoShift) {
     Case c = hemisphere({"bem", "fem"});
     auto pressed = results();
