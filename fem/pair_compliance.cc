@@ -5,6 +5,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "contact/compliances/interior_parts.h"
 #include "contact/substrates/material.h"
 
 // A = C_substrate + C_indenter on the nodes that both have (contact_frame.h has the signs). Forces
@@ -146,8 +147,10 @@ double PairCompliance::allowed_missing_reaction() const {
 
 std::unique_ptr<const contact::Interior> PairCompliance::interior(std::span<const double> p,
                                                                   const TangentialField& t) const {
-    if (!substrate_) return nullptr;
-    return std::make_unique<contact::Interior>(substrate_->interior(points(), p, t));
+    contact::Interior above = contact::as_indenter(indenter_interior(p, t));
+    if (!substrate_) return std::make_unique<contact::Interior>(std::move(above));
+    return std::make_unique<contact::Interior>(
+        contact::joined_bodies(substrate_->interior(points(), p, t), above));
 }
 
 contact::Interior PairCompliance::indenter_interior(std::span<const double> p,

@@ -43,7 +43,7 @@ class PairCompliance final : public DenseCompliance {
     std::optional<std::array<double, 3>> missing_reaction(
         std::span<const double> p, const contact::TangentialField& t) const override;
     double allowed_missing_reaction() const override;
-    /// Of the substrate; null where it is rigid.
+    /// Of both bodies, see interior_parts.h; of the indenter alone where the substrate is rigid.
     std::unique_ptr<const contact::Interior> interior(
         std::span<const double> p, const contact::TangentialField& t) const override;
     /// Of the indenter, where it stands: its points over the substrate's plane.

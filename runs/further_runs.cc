@@ -197,6 +197,11 @@ void study_loading(const Case& c, contact::Model& model, const History& history,
     if (study.with_variants && !c.prescribed_path) study_variants(c, model, history, say, study);
     contact::why_it_stopped(  // numerical_error says why
         [&] { study.normal_stiffness[history.model] = frictionless_stiffness(c, model).value; });
+    if (!c.indenter.body) return;
+    contact::why_it_stopped([&] {
+        if (const auto found = sticking_stiffness(c, model))
+            study.tangential_stiffness[history.model] = found->value;
+    });
 }
 
 void study_relaxation(const Case& c, const contact::History& history, const RunOptions& options,

@@ -39,6 +39,8 @@ const Quantity& not_prescribed(const contact::Case& c);
 struct LoadingStudy {
     std::vector<LoadingVariant> variants;
     std::map<std::string, double> normal_stiffness;  ///< dF_N/dd without friction [N/m], by model
+    /// F_T/U [N/m] of contacts that stick, by model; of indenters with a body.
+    std::map<std::string, double> tangential_stiffness = {};
     bool with_variants = true;                       ///< else the stiffness alone
 };
 

@@ -8,10 +8,10 @@
 #include <iterator>
 #include <limits>
 
+#include "comparisons/quantities/model_traits.h"
 #include "comparisons/quantities/reference.h"
 #include "comparisons/resolution/error_note.h"
 #include "comparisons/run/input_reading.h"
-#include "comparisons/run/model_traits.h"
 #include "contact/models/model_kind.h"
 #include "report/format.h"
 

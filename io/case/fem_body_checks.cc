@@ -70,9 +70,6 @@ void check_fem_body(const Case& c, const Document& document) {
         refuse(document, "fem.mesh",
                "the nodes of a mesh file do not match those of the indenter's body",
                "omit it, or leave out indenter.body");
-    if (c.has_rigid_substrate && c.of<Output>().volume != Output::Volume::none)
-        refuse(document, "output.volume", "the interior is that of the substrate, which is rigid",
-               "leave output.volume out");
     check_motion(c, document);
     check_plates(c, document);
 }
