@@ -40,12 +40,6 @@ void check_case(const contact::Case& c) {
         refuse("no deck has a layer on a frictionless base", own);
 }
 
-class FlatFace final : public contact::Indenter {
-  public:
-    double height(double, double) const override { return 0; }
-    contact::Vector2 slope(double, double) const override { return {0, 0}; }
-};
-
 // The profile as FreeFem++ and Python read it, "^" of powers as FreeFem++ has it.
 std::string gap_formula(const contact::IndenterData& data, const DeckModel& model) {
     using Shape = contact::IndenterData::Shape;
@@ -265,10 +259,6 @@ bool DeckModel::is_shifted() const {
     return std::ranges::any_of(steps, [](const DeckStep& step) { return step.shift != 0; });
 }
 
-double DeckModel::lattice_edge() const {
-    return round_radius > 0 ? round_radius * std::asin(a / round_radius) : a;
-}
-
 double DeckModel::height(double x, double y) const {
     return indenter->height(x / to_mm, y / to_mm) * to_mm;
 }
@@ -277,10 +267,6 @@ void require_one_body(const DeckModel& model) {
     if (model.upper)
         refuse("two bodies that deform have a deck for calculix and abaqus alone",
                "take one of these");
-}
-
-std::shared_ptr<const contact::Indenter> flat_face() {
-    return std::make_shared<FlatFace>();
 }
 
 DeckModel make_deck_model(const Reference& reference, const DeckWishes& wishes) {
@@ -309,14 +295,6 @@ DeckModel make_deck_model(const Reference& reference, const DeckWishes& wishes) 
     model.gap = gap_formula(c.indenter, model);
     if (model.round_radius > 0) model.indenter = flat_face();
     return model;
-}
-
-// theta = x/R, v = -z/R: ((1 - v) R sin(theta) + v R theta/pi, R ((1 - v) cos(theta) - 1)). Its
-// Jacobian vanishes in the middle of the flat face alone, which is held.
-std::array<double, 2> placed_round(double radius, double x, double z) {
-    const double theta = x / radius, depth = -z / radius;
-    return {(1 - depth) * radius * std::sin(theta) + depth * radius * theta / std::numbers::pi,
-            radius * ((1 - depth) * std::cos(theta) - 1)};
 }
 
 std::vector<double> heights_of(const DeckLines& lines) {
