@@ -18,4 +18,7 @@ std::vector<DeckFile> complete_punch_deck(const DeckWishes& wishes);
 /// (1998).
 std::vector<DeckFile> rounded_punch_plane_deck(const DeckWishes& wishes);
 
+/// An elastic pin in the hole of a plate. Persson (1964).
+std::vector<DeckFile> pin_in_hole_deck(const DeckWishes& wishes);
+
 }  // namespace tricontact::benchmarks

@@ -1,12 +1,14 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "benchmarks/decks/deck.h"
+#include "benchmarks/decks/deck_mesh.h"
 #include "contact/bodies/indenter.h"
 
 namespace tricontact::benchmarks {
@@ -50,6 +52,10 @@ struct DeckModel {
         double radius = 0, young = 0, poisson = 0;  ///< [mm], [MPa], [-]
     };
     std::optional<Upper> upper;
+    /// Both bodies, in place of block and indenter, with their sets and surfaces: of so many
+    /// elements in a on the coarsest level, the given level of refinement.
+    std::function<DeckMesh(int n, int level, bool is_quadratic)> own_mesh;
+    std::string own_words;        ///< what those bodies are, for the README
     bool has_sharp_edge = false;  ///< infinite pressure at the edge of the contact
     double width = 0;             ///< radius or half width of the block [mm]
     double thickness = 0;         ///< of the block [mm]

@@ -78,6 +78,7 @@ std::string round_words(const DeckModel& model) {
 }
 
 std::string block_words(const DeckModel& model) {
+    if (!model.own_words.empty()) return model.own_words;
     if (model.round_radius > 0) return round_words(model);
     std::string words = fmt::format(
         "Block: {:.9g} mm {}, {:.9g} mm thick, the same for all meshes, bonded to a rigid base, "
@@ -188,6 +189,15 @@ std::string readme_text(const DeckModel& model, const DeckFamily& family, bool h
     for (const std::string& remark : model.remarks) write_paragraph(text, remark);
     for (const std::string& remark : family.remarks) write_paragraph(text, remark);
     return text;
+}
+
+std::vector<DeckFile> family_files(const DeckModel& model, const DeckWishes& wishes) {
+    const DeckFamily family = make_family(model, wishes);
+    std::vector<DeckFile> files;
+    for (const DeckRun& run : family.runs)
+        files.insert(files.end(), run.files.begin(), run.files.end());
+    files.push_back({"README.txt", readme_text(model, family, false)});
+    return files;
 }
 
 }  // namespace tricontact::benchmarks

@@ -108,13 +108,19 @@ void write_steps(std::string& text, const DeckModel& model, bool is_abaqus) {
     }
 }
 
-std::string inp_text(const DeckModel& model, const InpElement& element, int n, int level,
-                     bool is_abaqus) {
-    DeckMesh mesh = block_mesh(model, n, level, element.is_quadratic);
+DeckMesh bodies_of(const DeckModel& model, int n, int level, bool is_quadratic) {
+    if (model.own_mesh) return model.own_mesh(n, level, is_quadratic);
+    DeckMesh mesh = block_mesh(model, n, level, is_quadratic);
     if (model.upper)
         add_upper_body(mesh, model, n, level);
     else
         add_indenter(mesh, model, n, level);
+    return mesh;
+}
+
+std::string inp_text(const DeckModel& model, const InpElement& element, int n, int level,
+                     bool is_abaqus) {
+    const DeckMesh mesh = bodies_of(model, n, level, element.is_quadratic);
     volume_of(mesh, 0, mesh.n_elements());
     std::string text;
     const Out out = std::back_inserter(text);

@@ -61,23 +61,14 @@ DeckModel pad_model(const std::string& name) {
     return model;
 }
 
-std::vector<DeckFile> deck_of(const DeckModel& model, const DeckWishes& wishes) {
-    const DeckFamily family = make_family(model, wishes);
-    std::vector<DeckFile> files;
-    for (const DeckRun& run : family.runs)
-        files.insert(files.end(), run.files.begin(), run.files.end());
-    files.push_back({"README.txt", readme_text(model, family, false)});
-    return files;
-}
-
 }  // namespace
 
 std::vector<DeckFile> complete_punch_deck(const DeckWishes& wishes) {
-    return deck_of(punch_model(wishes.problem), wishes);
+    return family_files(punch_model(wishes.problem), wishes);
 }
 
 std::vector<DeckFile> rounded_punch_plane_deck(const DeckWishes& wishes) {
-    return deck_of(pad_model(wishes.problem), wishes);
+    return family_files(pad_model(wishes.problem), wishes);
 }
 
 }  // namespace tricontact::benchmarks

@@ -88,6 +88,46 @@ class RoundedPunchFields final : public ReferenceFields {
     double half_width_, phi_, load_;
 };
 
+/// Of a pin in a hole of the same material: Persson (1964), Ciavarella and Decuzzi (2001). x = R
+/// sin(theta), b = tan(half angle/2).
+class PinFields final : public ReferenceFields {
+  public:
+    PinFields(double radius, double half_angle, double load)
+        : radius_(radius), half_angle_(half_angle), b_(std::tan(half_angle / 2)), load_(load) {}
+
+    SurfaceValues at(double x, double) const override {
+        SurfaceValues v;
+        v.displacement_x = v.displacement_y = v.displacement_z = unknown_displacement;
+        const double s = std::abs(x) / radius_;
+        if (s < std::sin(half_angle_)) v.pressure = pressure(std::asin(s));
+        return v;
+    }
+    SurfaceValues bar_at(double, double) const override { return {}; }
+    double load_within(double r) const override {
+        // y = b sin(t): the root at the edge is smooth over t.
+        constexpr int n = 200;
+        const double end =
+            std::asin(std::min(1., std::tan(std::asin(std::min(1., r / radius_)) / 2) / b_));
+        double sum = 0;
+        for (int i = 0; i <= n; ++i) {
+            const double t = end * i / n, y = b_ * std::sin(t), theta = 2 * std::atan(y);
+            const double weight = i == 0 || i == n ? 1 : i % 2 == 1 ? 4 : 2;
+            sum += weight * pressure(theta) * std::cos(theta) * 2 * b_ * std::cos(t) / (1 + y * y);
+        }
+        return 2 * radius_ * sum * end / (3 * n);
+    }
+
+  private:
+    double pressure(double theta) const {
+        const double y = std::tan(theta / 2), s = std::sqrt(b_ * b_ + 1),
+                     w = std::sqrt(std::max(0., b_ * b_ - y * y));
+        return load_ / (pi * radius_) *
+               (2 * w / (s * (1 + y * y)) + std::log((s + w) / (s - w)) / (2 * b_ * b_ * s * s));
+    }
+
+    double radius_, half_angle_, b_, load_;
+};
+
 /// One pressure all along a line of contact.
 class UniformFields final : public ReferenceFields {
   public:
@@ -109,6 +149,8 @@ class UniformFields final : public ReferenceFields {
 
 constexpr double punch_radius = 5e-3, punch_young = 5.2e6, punch_poisson = .3, punch_force = 20;
 constexpr double pad_flat = 5e-3, pad_radius = .1, pad_half_width = .01;
+constexpr double hole_radius = .01, hole_clearance = 2e-5, pin_half_angle = pi / 6;
+constexpr double steel_young = 210e9, steel_poisson = .3;
 constexpr double patch_young = 1e6, patch_strain = .1, patch_height = 1, patch_width = 1;
 
 }  // namespace
@@ -165,6 +207,30 @@ Reference rounded_punch_plane_reference() {
     reference.titles[keys::pressure_at_axis] = "pressure in the middle";
     reference.prescribed = {keys::normal_force};
     reference.fields = fields;
+    return reference;
+}
+
+Reference pin_in_hole_reference() {
+    const double modulus = steel_young / (1 - steel_poisson * steel_poisson),
+                 b = std::tan(pin_half_angle / 2), b2 = b * b;
+    const double load =
+        modulus * hole_clearance * pi * b2 * (b2 + 1) / (2 - std::log(b2 + 1) - 2 * b2 * b2);
+    Reference reference;
+    reference.geometry = Geometry::plane;
+    reference.contact_radius = hole_radius * std::sin(pin_half_angle);
+    // Hertz' profile of the difference of the radii, which it leaves far from the middle.
+    reference.c.indenter.radius = hole_radius * (hole_radius - hole_clearance) / hole_clearance;
+    reference.c.substrate.young = steel_young;
+    reference.c.substrate.poisson = steel_poisson;
+    const auto fields = std::make_shared<PinFields>(hole_radius, pin_half_angle, load);
+    for (const auto& [key, value] : {std::pair{keys::normal_force, load},
+                                     std::pair{keys::contact_radius, reference.contact_radius},
+                                     std::pair{keys::peak_pressure, fields->at(0, 0).pressure}})
+        reference.values[key] = {.value = value, .source = "Persson (1964)"};
+    reference.titles[keys::contact_radius] = "half width of contact R sin(30 degrees)";
+    reference.prescribed = {keys::normal_force};
+    reference.fields = fields;
+    reference.remarks = {"positions are those of the hole's surface across the load"};
     return reference;
 }
 

@@ -14,6 +14,11 @@ Reference complete_punch_reference(bool by_force);
 /// Monno (1998).
 Reference rounded_punch_plane_reference();
 
+/// A pin of 9.98 mm in a hole of 10 mm in an infinite plate of the same steel, plane strain,
+/// pressed until the contact reaches to 30 degrees: 581.02 N/mm. x of its fields is that of the
+/// surface, R sin(theta), p the pressure along its normal: ∫ p dx is the force. Persson (1964).
+Reference pin_in_hole_reference();
+
 /// Two blocks of E = 1 MPa, nu = 0, 1000 mm x 500 mm each, one on the other, compressed by a strain
 /// of 0.1: a uniform pressure of 0.1 MPa, the interface moves by -50 mm, 100 N per mm of depth.
 /// Taylor and Papadopoulos (1991).

@@ -216,8 +216,8 @@ TEST(RoundedPunch, PressuresOfItsIntegralEquation) {
     const Reference r = rounded_punch_plane_reference();
     const double load = .307092 * 5.2e6 / .91 * .01 * .01 / .1, a = .01;
     EXPECT_NEAR(r.find("normal_force")->value, load, 2e-6 * load);
-    for (const auto& [place, pressure] :
-         {std::pair{0., .40292}, {.3, .44017}, {.6, .66610}, {.95, .33243}})
+    for (const auto& [place, pressure] : {std::pair{0., .40292}, std::pair{.3, .44017},
+                                          std::pair{.6, .66610}, std::pair{.95, .33243}})
         EXPECT_NEAR(r.fields->at(place * a, 0).pressure * a / load, pressure, 1e-5) << place;
     EXPECT_NEAR(r.fields->load_within(a), load, 1e-5 * load);
     EXPECT_EQ(r.fields->at(1.001 * a, 0).pressure, 0);
