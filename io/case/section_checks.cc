@@ -1,4 +1,5 @@
 #include "contact/bodies/body_shapes.h"
+#include "contact/load_path.h"
 #include "fem/settings.h"
 #include "io/case/case_checks.h"
 #include "io/results/output.h"
@@ -64,17 +65,28 @@ void check_section_elements(const Case& c, const Document& document, const Refus
     if (c.period) refuse_key("bem.period", "knows one contact alone", "leave it out");
 }
 
+/// Of the way along the path, over the radius: two points of a cylinder meet once on it.
+constexpr double farthest_turn = 2;  // 115 degrees
+
+void check_turn(const Case& c, const Document& document, const Refusal& refuse_key) {
+    const double a = contact::half_space_scales(c).contact_radius;
+    if (contact::path_reach(c, a)[0] <= farthest_turn * c.indenter.radius) return;
+    refuse_key(c.rolling ? used(document, "rolling.amplitude_ratio", "rolling.amplitude")
+                         : path_key(document),
+               "turns its cylinder about the hub by no more than 115 degrees to either side",
+               "reduce it to two radii, or leave indenter.body out");
+}
+
 void check_rolling_section(const Case& c, const Document& document, const Refusal& refuse_key) {
+    const std::string rule = "presses bodies where they are, but for a cylinder on a hub: takes no ";
     if (c.rolling)
         refuse_key(used(document, "rolling.amplitude_ratio", "rolling.amplitude"),
-                   "presses the bodies where they are and takes no [rolling]",
-                   "leave that section out, or take bem or fem");
+                   rule + "[rolling]", "leave that section out, or take bem or fem");
     if (c.tractive_rolling)
-        refuse_key("tractive_rolling.distance",
-                   "presses the bodies where they are and takes no [tractive_rolling]",
+        refuse_key("tractive_rolling.distance", rule + "[tractive_rolling]",
                    "leave that section out, or take bem");
     if (c.prescribed_path)
-        refuse_key(path_key(document), "presses the bodies where they are and takes no [path]",
+        refuse_key(path_key(document), rule + "[path]",
                    "leave that section out, or take bem or fem");
 }
 
@@ -86,7 +98,10 @@ void check_plane_strain(const Case& c, const Document& document, const Refusal& 
         refuse_key("substrate.base", "has nothing that holds a layer which glides",
                    "take base = \"bonded\"");
     if (!c.indenter.body) return;
-    check_rolling_section(c, document, refuse_key);
+    if (c.indenter.body->support == ElasticBody::Support::hub)
+        check_turn(c, document, refuse_key);
+    else
+        check_rolling_section(c, document, refuse_key);
     if (has_tangential_load(c) && c.indenter.body->support == ElasticBody::Support::plates)
         refuse_key(tangential_key(c), "has no force along plates that press from both sides",
                    "omit it, or take indenter.support = \"hub\"");
