@@ -11,6 +11,7 @@
 #include "contact/relaxing_case.h"
 #include "contact/solvers/contact_region.h"
 #include "contact/surface_model.h"
+#include "fem/case/indenter_body.h"
 #include "fem/case/model_of_revolution.h"
 #include "fem/planar/pair.h"
 #include "fem/planar/sections.h"
@@ -50,14 +51,6 @@ int elements_for(double accuracy) {
 struct Patch {
     double half_width, size;
 };
-
-/// A cylinder that rolls turns about its hub, and each of its points meets that point of the other
-/// surface which is as far along: its patch is the same anywhere around the hub, in frames of its
-/// own points.
-bool rolls_on_its_hub(const Case& c) {
-    return c.indenter.body && c.indenter.body->support == ElasticBody::Support::hub &&
-           contact::path_reach(c, c.indenter.radius)[0] > 0;
-}
 
 /// Of the indenter's body below its contact [m].
 double least_depth(const Case& c) {

@@ -1,5 +1,4 @@
 #include "contact/bodies/body_shapes.h"
-#include "contact/load_path.h"
 #include "fem/settings.h"
 #include "io/case/case_checks.h"
 #include "io/results/output.h"
@@ -65,18 +64,6 @@ void check_section_elements(const Case& c, const Document& document, const Refus
     if (c.period) refuse_key("bem.period", "knows one contact alone", "leave it out");
 }
 
-/// Of the way along the path, over the radius: two points of a cylinder meet once on it.
-constexpr double farthest_turn = 2;  // 115 degrees
-
-void check_turn(const Case& c, const Document& document, const Refusal& refuse_key) {
-    const double a = contact::half_space_scales(c).contact_radius;
-    if (contact::path_reach(c, a)[0] <= farthest_turn * c.indenter.radius) return;
-    refuse_key(c.rolling ? used(document, "rolling.amplitude_ratio", "rolling.amplitude")
-                         : path_key(document),
-               "turns its cylinder about the hub by no more than 115 degrees to either side",
-               "reduce it to two radii, or leave indenter.body out");
-}
-
 void check_rolling_section(const Case& c, const Document& document, const Refusal& refuse_key) {
     const std::string rule = "presses bodies where they are, but for a cylinder on a hub: takes no ";
     if (c.rolling)
@@ -90,7 +77,8 @@ void check_rolling_section(const Case& c, const Document& document, const Refusa
                    "leave that section out, or take bem or fem");
 }
 
-void check_plane_strain(const Case& c, const Document& document, const Refusal& refuse_key) {
+void check_plane_strain(const ModelKind& kind, const Case& c, const Document& document,
+                        const Refusal& refuse_key) {
     if (!c.is_line_contact())
         refuse_key("indenter.shape", "is about cylinders, in plane strain",
                    "take shape = \"cylinder\", or fem-axisymmetric");
@@ -99,7 +87,7 @@ void check_plane_strain(const Case& c, const Document& document, const Refusal& 
                    "take base = \"bonded\"");
     if (!c.indenter.body) return;
     if (c.indenter.body->support == ElasticBody::Support::hub)
-        check_turn(c, document, refuse_key);
+        check_turn_of_hub(kind.name, c, document);
     else
         check_rolling_section(c, document, refuse_key);
     if (has_tangential_load(c) && c.indenter.body->support == ElasticBody::Support::plates)
@@ -126,7 +114,7 @@ void check_section(const ModelKind& kind, const Case& c, const Document& documen
     check_section_indenter(c, refuse_key);
     check_section_elements(c, document, refuse_key);
     if (kind.cut == ModelKind::Cut::plane_strain)
-        check_plane_strain(c, document, refuse_key);
+        check_plane_strain(kind, c, document, refuse_key);
     else
         check_of_revolution(c, document, refuse_key);
 }
