@@ -1,5 +1,7 @@
 #include "fem/condensed_body.h"
 
+#include <cmath>
+
 #include "fem/dense_compliance.h"
 
 namespace tricontact::fem {
@@ -7,8 +9,11 @@ namespace tricontact::fem {
 using contact::TangentialField;
 
 CondensedBody::CondensedBody(std::shared_ptr<const LayerProblem> problem,
-                             std::array<std::vector<double>, 3> missing_reaction)
-    : problem_(std::move(problem)), missing_reaction_(std::move(missing_reaction)) {}
+                             std::array<std::vector<double>, 3> missing_reaction,
+                             double round_radius)
+    : problem_(std::move(problem)),
+      missing_reaction_(std::move(missing_reaction)),
+      round_radius_(round_radius) {}
 CondensedBody::CondensedBody(CondensedBody&&) noexcept = default;
 CondensedBody::~CondensedBody() = default;
 
@@ -54,7 +59,10 @@ contact::Interior CondensedBody::interior(const contact::ContactPoints& points,
     for (std::size_t k = 0; k < n_nodes; ++k) {
         const double own = area[k] * modelled_part(points);
         const std::size_t i = k % n;
-        const std::array<double, 3> f = {own * t.x[i], own * t.y[i], -own * p[i]};
+        const double angle = round_radius_ > 0 ? points.x[i] / round_radius_ : 0;
+        const double cosine = std::cos(angle), sine = std::sin(angle);
+        const std::array<double, 3> f = {own * (cosine * t.x[i] - sine * p[i]), own * t.y[i],
+                                         own * (-sine * t.x[i] - cosine * p[i])};
         for (std::size_t c = 0; c < 3; ++c)
             if (const int u = unknown[c * n_nodes + k]; u >= 0)
                 force[discretisation.unknowns.n_interior + u] = f[c];

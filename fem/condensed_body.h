@@ -15,9 +15,10 @@ namespace tricontact::fem {
 /// acts into the body, traction in the plane of its patch, z points out of it.
 class CondensedBody {
   public:
-    /// `missing_reaction`: see CondensedLayer, of the same problem.
+    /// `missing_reaction`: see CondensedLayer, of the same problem. `round_radius`: of a body in a
+    /// round frame, see turn_to_round_frame() [m]; pressure and traction are those of that frame.
     CondensedBody(std::shared_ptr<const LayerProblem> problem,
-                  std::array<std::vector<double>, 3> missing_reaction);
+                  std::array<std::vector<double>, 3> missing_reaction, double round_radius = 0);
     CondensedBody(CondensedBody&&) noexcept;
     ~CondensedBody();
 
@@ -35,6 +36,7 @@ class CondensedBody {
   private:
     std::shared_ptr<const LayerProblem> problem_;
     std::array<std::vector<double>, 3> missing_reaction_;
+    double round_radius_;
     mutable std::unique_ptr<WholeBody> whole_;
 };
 

@@ -86,7 +86,8 @@ struct PairCompliance::Parts {
         return {joined(substrate.layer.points, std::move(sum), indenter.problem->line_length, ratio,
                        interface, by_element_means),
                 CondensedBody(substrate.problem, std::move(substrate.layer.missing_reaction)),
-                CondensedBody(indenter.problem, std::move(indenter.layer.missing_reaction)),
+                CondensedBody(indenter.problem, std::move(indenter.layer.missing_reaction),
+                              indenter.round_radius),
                 std::move(substrate.layer.contact_mass)};
     }
     static Parts on_plane(ContactSurface plane, CondensedPart indenter,
@@ -96,7 +97,8 @@ struct PairCompliance::Parts {
                        indenter.problem->line_length, elastic_ratio({}, indenter), interface,
                        by_element_means),
                 {},
-                CondensedBody(indenter.problem, std::move(indenter.layer.missing_reaction)),
+                CondensedBody(indenter.problem, std::move(indenter.layer.missing_reaction),
+                              indenter.round_radius),
                 std::move(plane.mass)};
     }
 };

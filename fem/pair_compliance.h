@@ -16,6 +16,7 @@ namespace tricontact::fem {
 struct CondensedPart {
     std::shared_ptr<const LayerProblem> problem;
     CondensedLayer layer;
+    double round_radius = 0;  ///< of a part in a round frame, see turn_to_round_frame() [m]
 };
 
 /// The plane patch of a layer's mesh, for a substrate that is rigid.

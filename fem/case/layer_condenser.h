@@ -29,6 +29,8 @@ class LayerCondenser {
     bool couples_by_element_means() const;  ///< see joined()
     /// `what`: "layer" or "indenter", for the lines that are said.
     CondensedPart part(LayerProblem problem, const char* what) const;
+    /// Where it rolls.
+    void to_frame_of_rolling(CondensedPart& indenter) const;
     std::unique_ptr<contact::Compliance> on_rigid_plane(const meshes::LayerMeshSpec& spec,
                                                         CondensedPart indenter) const;
 

@@ -4,9 +4,10 @@
 #include "io/case/case_checks.h"
 #include "io/results/output.h"
 
-// What fem computes of an indenter that deforms: it is pressed and loaded where it stands. A body
-// between plates is held by their symmetry alone: whatever is not mirrored in the plane between
-// them, or would make it roll, has no answer.
+// What fem computes of an indenter that deforms: a cylinder rolls about its hub; other bodies are
+// pressed and loaded where they stand, since what touches after they have turned is no longer the
+// same. A body between plates is held by their symmetry alone: whatever is not mirrored in the
+// plane between them, or would make it roll, has no answer.
 
 namespace tricontact::io {
 
@@ -15,25 +16,36 @@ namespace {
 using contact::Case;
 using contact::ElasticBody;
 
+constexpr double farthest_turn = 2;  // way over radius
+
+/// Why a body does not roll.
+std::string why_it_stands(const ElasticBody& body) {
+    const std::string held = "a " + std::string(contact::body_form(body.form).title) + " held by " +
+                             contact::title_of(body.support);
+    if (body.support == ElasticBody::Support::plates)
+        return held + " is held by their symmetry, which rolling breaks";
+    return held + " has another stiffness after it has turned: it is not of revolution about the "
+                  "axis that it rolls about";
+}
+
 void check_motion(const Case& c, const Document& document) {
-    const auto& body = contact::body_form(c.indenter.body->form);
-    const std::string held =
-        "a " + std::string(body.title) + " held by " + contact::title_of(c.indenter.body->support);
+    const ElasticBody& body = *c.indenter.body;
     const char* const remedy = "leave out fem, or indenter.body";
-    if (c.rolling)
-        refuse(document, used(document, "rolling.amplitude_ratio", "rolling.amplitude"),
-               "fem presses and loads the body of an indenter where it stands; " + held +
-                   " that rolls is not computed",
-               remedy);
     if (c.tractive_rolling)
         refuse(document, "tractive_rolling.distance",
                "fem does not roll the body of an indenter on", remedy);
+    if (body.support == ElasticBody::Support::hub) {
+        check_turn_of_hub(contact::models::fem, c, document);
+        return;
+    }
+    if (c.rolling)
+        refuse(document, used(document, "rolling.amplitude_ratio", "rolling.amplitude"),
+               "fem rolls a cylinder on a hub; " + why_it_stands(body), remedy);
     if (!c.prescribed_path) return;
     const contact::Vector2 reach = c.prescribed_path->reach();
     if (reach[0] > 0 || reach[1] > 0)
         refuse(document, path_key(document),
-               "fem presses and loads the body of an indenter where it stands; " + held +
-                   " that is moved by rolling is not computed",
+               "fem moves a cylinder on a hub by rolling; " + why_it_stands(body),
                "leave its offsets out, or " + std::string(remedy));
 }
 
@@ -52,6 +64,16 @@ void check_plates(const Case& c, const Document& document) {
 }
 
 }  // namespace
+
+void check_turn_of_hub(const std::string& model, const Case& c, const Document& document) {
+    const double a = contact::half_space_scales(c).contact_radius;
+    if (contact::path_reach(c, a)[0] <= farthest_turn * c.indenter.radius) return;
+    refuse(document,
+           c.rolling ? used(document, "rolling.amplitude_ratio", "rolling.amplitude")
+                     : path_key(document),
+           model + " turns a cylinder about its hub by no more than 115 degrees to either side",
+           "reduce it to two radii, or leave indenter.body out");
+}
 
 void check_fem_body(const Case& c, const Document& document) {
     const auto refuse_body = [&](const std::string& why, const std::string& remedy) {
