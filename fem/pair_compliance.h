@@ -16,13 +16,14 @@ namespace tricontact::fem {
 struct CondensedPart {
     std::shared_ptr<const LayerProblem> problem;
     CondensedLayer layer;
+    std::optional<PressureTransfer> transfer = {};  ///< where `layer` is on_grid()
 };
 
 /// The plane patch of a layer's mesh, for a substrate that is rigid.
 ContactSurface plane_patch(const meshes::LayerMeshSpec& spec);
 
-/// Two bodies as the contact sees them: the sum of the compliances of their patches, whose nodes
-/// have the same x and y. The substrate's surface is plane: tractions are forces over its areas,
+/// Two bodies as the contact sees them: the sum of the compliances of their patches, whose points
+/// have the same x and y: nodes that match, or those of one pressure grid. The substrate's surface is plane: tractions are forces over its areas,
 /// and their direction is its normal, on both bodies.
 class PairCompliance final : public DenseCompliance {
   public:

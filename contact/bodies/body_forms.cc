@@ -35,7 +35,12 @@ const std::vector<BodyForm>& forms() {
                                             .title = "punch",
                                             .shapes = {Shape::rounded_punch},
                                             .supports = {Support::holder},
-                                            .has_height = true}};
+                                            .has_height = true},
+                                           {.word = "",
+                                            .title = "mesh",
+                                            .shapes = {Shape::paraboloid, Shape::sphere,
+                                                       Shape::ellipsoid},
+                                            .supports = {Support::holder}}};
     return all;
 }
 

@@ -34,6 +34,7 @@ meshes::HexMesh mesh_of(const Case& c, const meshes::LayerMeshSpec& patch) {
                                                .growth = patch.growth,
                                                .hub_radius = body.hub_radius});
         case ElasticBody::Form::punch:
+        case ElasticBody::Form::mesh:  // meshed_bodies.h
             break;
     }
     throw contact::InputError(
