@@ -63,8 +63,7 @@ contact::Interior CondensedBody::interior(const contact::ContactPoints& points,
         // Of a line that stands for some rows of nodes, each has its own share of the area.
         const std::vector<double>& area =
             n == n_nodes ? points.area : discretisation.surface.points.area;
-        for (std::size_t k = 0; k < n_nodes; ++k)
-            load(k, k % n, area[k] * modelled_part(points));
+        for (std::size_t k = 0; k < n_nodes; ++k) load(k, k % n, area[k] * modelled_part(points));
     }
     const std::vector<double> displacement = whole_->displacement(force);
     return discretisation.interior(displacement, force);

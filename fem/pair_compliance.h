@@ -23,8 +23,9 @@ struct CondensedPart {
 ContactSurface plane_patch(const meshes::LayerMeshSpec& spec);
 
 /// Two bodies as the contact sees them: the sum of the compliances of their patches, whose points
-/// have the same x and y: nodes that match, or those of one pressure grid. The substrate's surface is plane: tractions are forces over its areas,
-/// and their direction is its normal, on both bodies.
+/// have the same x and y: nodes that match, or those of one pressure grid. The substrate's surface
+/// is plane: tractions are forces over its areas, and their direction is its normal, on both
+/// bodies.
 class PairCompliance final : public DenseCompliance {
   public:
     /// An indenter that deforms on a layer. Throws std::logic_error where nodes do not match.

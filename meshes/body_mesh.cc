@@ -136,7 +136,8 @@ void name_free_faces(HexMesh& mesh, const std::string& file) {
         if (const std::size_t at = table.find(face.nodes); at < table.n_faces()) named[at] = true;
     std::vector<Quad> free;
     for (std::size_t f = 0; f < table.n_faces(); ++f)
-        if (table.sides(f).size() == 1 && !named[f]) free.push_back(outward(mesh, table.sides(f)[0]));
+        if (table.sides(f).size() == 1 && !named[f])
+            free.push_back(outward(mesh, table.sides(f)[0]));
     refuse_cracks(mesh, free, file);
     for (const Quad& nodes : free) mesh.faces.push_back({nodes, Boundary::free_top});
 }
@@ -223,19 +224,23 @@ void check_facing(const HexMesh& mesh, bool up, const std::string& name) {
                          place(centre_of(mesh, face.nodes)), along, up ? "above" : "below",
                          up ? steepest : -steepest),
              up ? "name \"contact\" what faces up, the body below it"
-                : "turn the body so that its contact surface faces down, and name no more than that");
+                : "turn the body so that its contact surface faces down, and name no more than "
+                  "that");
     }
 }
 
 void check_above_plane(const HexMesh& mesh, const std::string& name) {
     double size = 0;
-    for (const Point& node : mesh.nodes) size = std::max(size, std::abs(node[2] - mesh.nodes[0][2]));
-    const auto lowest = std::ranges::min_element(mesh.nodes, {}, [](const Point& x) { return x[2]; });
+    for (const Point& node : mesh.nodes)
+        size = std::max(size, std::abs(node[2] - mesh.nodes[0][2]));
+    const auto lowest =
+        std::ranges::min_element(mesh.nodes, {}, [](const Point& x) { return x[2]; });
     if ((*lowest)[2] >= -negligible * size) return;
     fail(name,
-         fmt::format("the bodies overlap: the node at {} lies {:.4g} m below the substrate's surface "
-                     "z = 0",
-                     place(*lowest), -(*lowest)[2]),
+         fmt::format(
+             "the bodies overlap: the node at {} lies {:.4g} m below the substrate's surface "
+             "z = 0",
+             place(*lowest), -(*lowest)[2]),
          "move the indenter up; it is let down until it touches");
 }
 

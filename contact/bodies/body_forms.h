@@ -12,7 +12,7 @@ namespace tricontact::contact {
 /// to the models that mesh it.
 struct BodyForm {
     std::string_view word;  ///< of indenter.body in case files; empty: a file says what it is
-    const char* title;                           ///< for readers
+    const char* title;      ///< for readers
     std::vector<IndenterData::Shape> shapes;     ///< whose surface it may have
     std::vector<ElasticBody::Support> supports;  ///< by which it may be held
     bool has_height = false;                     ///< indenter.height says how high it is

@@ -19,8 +19,8 @@ struct ElasticBody {
 
     Form form = Form::hemisphere;
     Support support = Support::holder;
-    double hub_radius = 0;  ///< of Support::hub [m]
-    double height = 0;      ///< of forms whose shape does not say it [m]
+    double hub_radius = 0;                 ///< of Support::hub [m]
+    double height = 0;                     ///< of forms whose shape does not say it [m]
     std::optional<std::string> mesh = {};  ///< of Form::mesh: a gmsh file
     double mesh_unit = 1;                  ///< length of 1 in that file [m]
 

@@ -67,8 +67,9 @@ MeshedBody substrate_of_file(const Case& c, bool half) {
     problem.mesh = meshes::read_body_mesh(file, c.of<Settings>().mesh_unit);
     meshes::check_facing(problem.mesh, true, file);
     if (problem.mesh.has_symmetry() != half)
-        throw InputError(file + ": one body is a half with a surface \"symmetry\", the other is "
-                                "whole; mesh both alike");
+        throw InputError(file +
+                         ": one body is a half with a surface \"symmetry\", the other is "
+                         "whole; mesh both alike");
     problem.materials = {c.substrate, c.substrate};
     return body_of(file, std::move(problem), false);
 }
@@ -116,18 +117,23 @@ void say_grid(const Case& c, const ContactPoints& grid, const std::vector<double
               const LayerCondenser& condenser) {
     const double a = contact::half_space_scales(c).contact_radius;
     const double step = std::max(grid.spacing[0], grid.spacing[1]);
-    condenser.say(fmt::format(
-        "pressures on a grid of {} x {} points, {:.4g} mm apart, {:.3g} in the half-space's contact "
-        "radius; nodes of the bodies are up to {:.4g} mm apart",
-        grid.n_x, grid.n_y, 1e3 * step, a / step, fmt::join([&] {
-            std::vector<double> mm = spacings;
-            for (double& x : mm) x *= 1e3;
-            return mm;
-        }(), " and ")));
+    condenser.say(
+        fmt::format("pressures on a grid of {} x {} points, {:.4g} mm apart, {:.3g} in the "
+                    "half-space's contact "
+                    "radius; nodes of the bodies are up to {:.4g} mm apart",
+                    grid.n_x, grid.n_y, 1e3 * step, a / step,
+                    fmt::join(
+                        [&] {
+                            std::vector<double> mm = spacings;
+                            for (double& x : mm) x *= 1e3;
+                            return mm;
+                        }(),
+                        " and ")));
     constexpr double steep = .1, coarse = 4;
     if (a / step < coarse)
-        condenser.say("that is coarse: with less than 4 points in the radius pressures are off by "
-                      "several per cent; mesh the contact surfaces finer");
+        condenser.say(
+            "that is coarse: with less than 4 points in the radius pressures are off by "
+            "several per cent; mesh the contact surfaces finer");
     if (a > steep * c.indenter.radius)
         condenser.say(fmt::format(
             "a/R = {:.2g}: above 0.1 the choice of z as direction of contact changes the force by "
@@ -145,10 +151,11 @@ void say_shape(const Case& c, const SurfaceGap& gap, const LayerCondenser& conde
         if (std::hypot(x, y) <= a)
             off = std::max(off, std::abs(gap.at_points()[i] - shape->height(x, y)));
     }
-    condenser.say(fmt::format("the gap of the meshes differs from that of indenter.shape, which "
-                              "half-space models take, by up to {:.3g} um within the half-space's "
-                              "contact radius",
-                              1e6 * off));
+    condenser.say(
+        fmt::format("the gap of the meshes differs from that of indenter.shape, which "
+                    "half-space models take, by up to {:.3g} um within the half-space's "
+                    "contact radius",
+                    1e6 * off));
 }
 
 }  // namespace
@@ -168,8 +175,6 @@ MeshedContact make_meshed_contact(const Case& c, const LayerCondenser& condenser
     for (const MeshedBody* body : bodies) spacings.push_back(node_spacing(body->points, shared));
     const ContactPoints grid =
         pressure_grid(shared, std::ranges::max(spacings), indenter.points.mirrored);
-    say_grid(c, grid, spacings, condenser);
-
     const SurfaceHeights above(indenter.points, indenter.height);
     std::optional<SurfaceHeights> below;
     if (substrate) below.emplace(substrate->points, substrate->height);
@@ -183,9 +188,11 @@ MeshedContact make_meshed_contact(const Case& c, const LayerCondenser& condenser
             "{}: the bodies overlap by {:.4g} m at x = {:.4g} m, y = {:.4g} m; move the indenter "
             "up: it is let down until it touches",
             indenter.name, -least.height, least.place[0], least.place[1]));
-    condenser.say(fmt::format("the indenter is let down by {:.4g} mm until it touches at x = {:.3g} "
-                              "mm, y = {:.3g} mm",
-                              1e3 * least.height, 1e3 * least.place[0], 1e3 * least.place[1]));
+    say_grid(c, grid, spacings, condenser);
+    condenser.say(
+        fmt::format("the indenter is let down by {:.4g} mm until it touches at x = {:.3g} "
+                    "mm, y = {:.3g} mm",
+                    1e3 * least.height, 1e3 * least.place[0], 1e3 * least.place[1]));
     say_shape(c, gap, condenser);
 
     MeshedContact contact;

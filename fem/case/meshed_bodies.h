@@ -16,7 +16,8 @@ struct MeshedContact {
 
 /// The indenter of a case with indenter.mesh on its substrate: rigid, a layer of our own mesh, or
 /// the body of fem.mesh. The indenter is let down along z until it touches. Throws
-/// contact::InputError: files, bodies that overlap or do not face each other; contact::NotConverged.
+/// contact::InputError: files, bodies that overlap or do not face each other;
+/// contact::NotConverged.
 MeshedContact make_meshed_contact(const contact::Case& c, const LayerCondenser& condenser);
 
 }  // namespace tricontact::fem

@@ -18,7 +18,7 @@ using contact::Vector2;
 
 namespace {
 
-constexpr double uncovered = 1e-9;  // of an area, for rounding
+constexpr double uncovered = 1e-12;  // of an area, for rounding
 
 double area_of(const Rectangle& r) {
     return (r.high[0] - r.low[0]) * (r.high[1] - r.low[1]);
@@ -40,7 +40,8 @@ struct GridCells {
     const ContactPoints& grid;
 
     Rectangle cell(int i, int j) const {
-        const std::size_t low = static_cast<std::size_t>(j) * grid.n_x + i, high = low + grid.n_x + 1;
+        const std::size_t low = static_cast<std::size_t>(j) * grid.n_x + i,
+                          high = low + grid.n_x + 1;
         return {{grid.x[low], grid.y[low]}, {grid.x[high], grid.y[high]}};
     }
     /// Cells from ... to along d whose interval meets [low, high].
@@ -183,10 +184,10 @@ PressureTransfer transfer_to(const ContactPoints& surface, const ContactPoints& 
     for (std::size_t k = 0; k < area.size(); ++k) {
         const double whole = grid.area[k] * (grid.mirrored ? .5 : 1);
         if (std::abs(area[k] - whole) > 1e-6 * whole)
-            throw contact::InputError(
-                fmt::format("mesh: the contact surface covers {:.4g} of its place about x = {:.6g} m, "
-                            "y = {:.6g} m; name a surface without gaps or folds \"contact\"",
-                            area[k] / whole, grid.x[k], grid.y[k]));
+            throw contact::InputError(fmt::format(
+                "mesh: the contact surface covers {:.4g} of its place about x = {:.6g} m, "
+                "y = {:.6g} m; name a surface without gaps or folds \"contact\"",
+                area[k] / whole, grid.x[k], grid.y[k]));
     }
     return transfer;
 }

@@ -26,8 +26,7 @@ SurfaceGap::Least SurfaceGap::let_down(const SurfaceHeights& above, const Surfac
                             grid_.y[lowest] + j * grid_.spacing[1] / parts};
             const auto upper = above.at(x);
             const auto lower = below ? below->at(x) : std::optional(0.);
-            if (upper && lower && *upper - *lower < least.height)
-                least = {*upper - *lower, x};
+            if (upper && lower && *upper - *lower < least.height) least = {*upper - *lower, x};
         }
     for (double& gap : gap_) gap -= least.height;
     return least;

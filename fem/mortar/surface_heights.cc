@@ -103,14 +103,12 @@ SurfaceHeights::SurfaceHeights(const ContactPoints& surface, std::vector<double>
         for (int k = 0; k < 4; ++k) {
             const int node = face.nodes[4 + k];
             const Vector2 x{surface.x[node], surface.y[node]};
-            smooth[node] =
-                (fits.at(face.nodes[k], x) + fits.at(face.nodes[(k + 1) % 4], x)) / 2;
+            smooth[node] = (fits.at(face.nodes[k], x) + fits.at(face.nodes[(k + 1) % 4], x)) / 2;
         }
         const int middle = face.nodes[8];
         smooth[middle] = 0;
         for (int k = 0; k < 4; ++k)
-            smooth[middle] +=
-                fits.at(face.nodes[k], {surface.x[middle], surface.y[middle]}) / 4;
+            smooth[middle] += fits.at(face.nodes[k], {surface.x[middle], surface.y[middle]}) / 4;
     }
     height_ = std::move(smooth);
 }
@@ -121,9 +119,8 @@ std::optional<double> SurfaceHeights::at(const Vector2& x) const {
         if (x[0] < low[0] || x[0] > high[0] || x[1] < low[1] || x[1] > high[1]) continue;
         const auto place = face.place_of(x);
         constexpr double rounding = 1e-9;
-        if (!place || std::ranges::any_of(*place, [](double s) {
-                return s < -rounding || s > 1 + rounding;
-            }))
+        if (!place ||
+            std::ranges::any_of(*place, [](double s) { return s < -rounding || s > 1 + rounding; }))
             continue;
         const auto phi = biquadratic((*place)[0], (*place)[1]);
         double sum = 0;

@@ -32,8 +32,8 @@ void check_form(const Case& c, const Document& document) {
                "take indenter.shape = " + any_of(shapes) + ", or another body");
     }
     if (in_file && document.find("indenter.support"))
-        refuse(document, "indenter.support", "the file's surface \"support\" is what holds the body",
-               "omit it");
+        refuse(document, "indenter.support",
+               "the file's surface \"support\" is what holds the body", "omit it");
     if (!std::ranges::count(form.supports, body.support)) {
         std::vector<std::string_view> supports;
         for (const auto support : form.supports) supports.push_back(contact::word_of(support));
@@ -50,9 +50,10 @@ void check_form(const Case& c, const Document& document) {
                "is not smaller than the radius of " + rounded(c.indenter.radius) + " m",
                "reduce it");
     if (!form.has_height && document.find("indenter.height"))
-        refuse(document, "indenter.height", word + (in_file ? "has the height of its mesh"
-                                             : "has the height that its radius says"),
-               "omit it");
+        refuse(
+            document, "indenter.height",
+            word + (in_file ? "has the height of its mesh" : "has the height that its radius says"),
+            "omit it");
 }
 
 void check_rigid_substrate(const Case& c, const Document& document) {

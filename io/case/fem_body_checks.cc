@@ -73,7 +73,8 @@ void check_meshes(const Case& c, const Document& document) {
         refuse(document, "fem.sides", "a body of a file is held by its surface \"support\"",
                "omit it");
     if (!c.layer.lower.empty())
-        refuse(document, "lower_layer.thickness", "a body of a file under another is of one material",
+        refuse(document, "lower_layer.thickness",
+               "a body of a file under another is of one material",
                "omit [lower_layer], or fem.mesh");
 }
 
