@@ -46,6 +46,8 @@ void check_section_substrate(const Case& c, const Refusal& refuse_key) {
 }
 
 void check_section_indenter(const Case& c, const Refusal& refuse_key) {
+    if (c.indenter.body && c.indenter.body->form == ElasticBody::Form::mesh)
+        refuse_key("indenter.mesh", "meshes a section of its own", "take fem, or indenter.body");
     if (c.indenter.roughness)
         refuse_key("indenter.roughness.hurst", "knows smooth bodies alone", "take bem");
     if (c.indenter.body || !c.indenter.material) return;
