@@ -33,7 +33,7 @@ meshes::HexMesh mesh_of(const Case& c, const meshes::LayerMeshSpec& patch) {
                                                .half_y = patch.half_y,
                                                .growth = patch.growth,
                                                .hub_radius = body.hub_radius});
-        case ElasticBody::Form::punch:
+        default:
             break;
     }
     throw contact::InputError(
