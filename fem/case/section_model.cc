@@ -107,7 +107,7 @@ planar::Mesh indenter_mesh(const Case& c, const planar::Sizes& sizes) {
     const double radius = c.indenter.radius;
     if (body.support == ElasticBody::Support::hub)
         return disc_section(sizes, radius, body.hub_radius);
-    if (body.form != ElasticBody::Form::punch) return half_disc_section(sizes, radius);
+    if (!c.indenter.is_punch()) return half_disc_section(sizes, radius);
     const auto indenter = c.make_indenter();
     // Of a punch with a sharp edge the radius is 0.
     return block_section(sizes, c.indenter.flat_radius + radius, body.height,

@@ -46,14 +46,14 @@ blocks = reader.GetOutput().GetBlock(0)
 lowest = 0
 for i in range(blocks.GetNumberOfBlocks()):
     points = vtk_to_numpy(blocks.GetBlock(i).GetPoints().GetData())
-    moved = vtk_to_numpy(blocks.GetBlock(i).GetPointData().GetArray("elastic_displacement_m"))
+    moved = vtk_to_numpy(blocks.GetBlock(i).GetPointData().GetArray("elastic_displacement_m_"))
     lowest = min(lowest, *moved[abs(points).max(axis=1) < 1e-9, 2])
 print(-lowest)
 PY
-run punch "$cases/nafems_punch.toml" --set output.volume=last
+run punch "$cases/nafems_punch.toml" --set output.volume=last --set "fem.size=0.5 mm"
 without=$("$python" middle.py punch)
 near "$without" 0.132941e-3 0.01 "middle of the block under the punch"
-run rubbed "$cases/nafems_punch.toml" --set output.volume=last --set contact.coupling=true
+run rubbed "$cases/nafems_punch.toml" --set output.volume=last --set "fem.size=0.5 mm" --set contact.coupling=true
 with=$("$python" middle.py rubbed)
 near "$(awk -v a="$without" -v b="$with" 'BEGIN { print a - b }')" 2.15e-6 0.05 "part of friction"
 
