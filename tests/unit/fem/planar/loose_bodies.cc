@@ -23,9 +23,9 @@ std::vector<double> under_unit_pressure(const CondensedSection& body) {
     const std::size_t n = body.size();
     const ContactGrid grid = points_on_nodes({body});
     std::vector<double> u(n, 0);
-    for (std::size_t k = 0; k < n; ++k)
+    for (const auto& [node, point, value] : grid.transfer.front())
         for (std::size_t i = 0; i < n; ++i)
-            u[i] += body.compliance[(n + k) * 2 * n + n + i] * grid.area[k];
+            u[i] += body.compliance[(n + node) * 2 * n + n + i] * value;
     return u;
 }
 

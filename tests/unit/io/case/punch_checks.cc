@@ -94,8 +94,9 @@ TEST(PunchChecks, IsPressedAlone) {
               "indenter.support = \"pressure\"");
     EXPECT_EQ(message_of({"rolling.amplitude=1 mm"}),
               "rolling.amplitude = \"1 mm\": a flat punch does not roll; leave [rolling] out");
-    EXPECT_EQ(message_of({"indenter.support=hub"}).substr(0, 37),
-              "indenter.support = \"hub\": the body \"bl");
+    EXPECT_EQ(message_of({"indenter.support=plates"}),
+              "indenter.support = \"plates\": the body \"block\" is not held by \"plates\"; take "
+              "\"holder\" or \"force\" or \"pressure\"");
 }
 
 }  // namespace
