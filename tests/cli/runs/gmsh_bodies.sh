@@ -30,6 +30,14 @@ sed '/^mesh/d' hemisphere_on_block.toml >own.toml
 near "force beside the built-in pair" "$(of meshed normal_force_N)" "$(of own normal_force_N)" .01
 near "radius beside the built-in pair" "$(of meshed contact_radius_m)" "$(of own contact_radius_m)" .01
 near "pressure beside the built-in pair" "$(of meshed peak_pressure_Pa)" "$(of own peak_pressure_Pa)" .01
+# Friction is that of both, too: what a tangential force shifts.
+loaded=(--set load.tangential_ratio=0.5 --set load.press=friction)
+"$program" run hemisphere_on_block.toml "${quick[@]}" "${loaded[@]}" -o meshed_t >log 2>&1 || complain "$(cat log)"
+grep -q "condensed substrate reused" log || complain "the block is condensed again for another load"
+"$program" run own.toml "${quick[@]}" "${loaded[@]}" --set indenter.body=hemisphere --set indenter.support=holder \
+    --set "substrate.width=60 mm" --set "substrate.depth=60 mm" --set "fem.size=0.84 mm" -o own_t >log 2>&1 ||
+    complain "$(cat log)"
+near "shift beside the built-in pair" "$(of meshed_t final_shift_m)" "$(of own_t final_shift_m)" .01
 # Reference of another program: axisymmetric finite elements, an unbounded layer.
 near "force" "$(of meshed normal_force_N)" 11.4475 .01
 near "radius" "$(of meshed contact_radius_m)" .0035162 .01
