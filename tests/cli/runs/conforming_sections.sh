@@ -90,5 +90,6 @@ refuses "rolling.amplitude" --set "rolling.amplitude=0.1 mm"
 refuses "contact.coupling" --set contact.coupling=true
 refuses "a hole along y takes a cylinder" --set indenter.shape=roller
 refuses "take body = \"pin\"" --set indenter.body=cylinder
+refused "the formulas of rigs" rig "$work/rigid_pin.toml" --output out
 refuses "the substrate has no hole" --set substrate.shape=layer --set "substrate.thickness=8 mm"
 finish

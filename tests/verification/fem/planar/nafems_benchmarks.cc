@@ -1,6 +1,6 @@
-// Konter (2006), Advanced Finite Element Contact Benchmarks, NAFEMS: the first and the second, as
-// the manuals of Code_Aster state them (SSNP154, SSNA122), with the values of their finite elements
-// of linear and of quadratic shape, at large rotations. mm, N, MPa; steel on aluminium.
+// Konter (2006), Advanced Finite Element Contact Benchmarks, NAFEMS: the first and the second, with
+// the values of the tests of Code_Aster (SSNP154, SSNA122) on two meshes each, at large rotations.
+// mm, N, MPa; steel on aluminium.
 
 #include <gtest/gtest.h>
 
@@ -85,8 +85,8 @@ double pressed_depth(const PunchAndBlock& problem, const contact::RoundedPunch& 
                                surface.tangential_traction_x);
 }
 
-// Published: .130734 and .130815 by one mesh, .132941 and .132897 by another, which friction makes
-// smaller by .002154 and .002147. Finer meshes give more: here .1339, with 2e-3 left.
+// Published: .130734 and .132941 on two meshes, which friction makes smaller by .002154 and
+// .002147. Here .1342 and .1339 on elements of 1 and of .5: 1 % of the second.
 TEST(FemPlanarNafemsBenchmarks, PunchWithRoundedEdge) {
     const contact::RoundedPunch punch(40, 10);
     const double coarse = pressed_depth(punch_and_block(44, punch), punch, 0);
@@ -98,9 +98,9 @@ TEST(FemPlanarNafemsBenchmarks, PunchWithRoundedEdge) {
     EXPECT_NEAR(depth - with_friction, .00215, 5e-5);
 }
 
-// A roller of radius 50 on a block of 200 x 200 that is held at its base, under 35 kN/mm. Hertz:
-// half width 6.21, peak 3585.4. Depth of the middle 1.3069 and 1.3080, at large rotations; strains
-// of p0/E = .05, which are small here, make it 2 % less.
+// A roller of radius 50 on a block of 200 x 200 that is held at its base, under 35 kN/mm. Hertz: half
+// width 6.21, peak 3585.4. Depth of the middle 1.3069 and 1.3080, at large rotations; here, where
+// p0/E = .05 counts as small, 2 % less.
 TEST(FemPlanarNafemsBenchmarks, RollerOnABlock) {
     const Sizes sizes{48, 8. / 48, 1.15, 8};
     const std::vector<CondensedSection> bodies{
