@@ -83,11 +83,10 @@ planar::BodyProblem problem_of(planar::Mesh half, Solid solid, const contact::Ma
 
 planar::CondensedSection layer_of(const Case& c, Solid solid, const planar::Sizes& sizes) {
     const double thickness = *c.layer.thickness;
-    return condense(
-        problem_of(layer_section(sizes, sizes.patch() + far_side * thickness, thickness), solid,
-                   c.substrate,
-                   c.layer.base == Case::Base::frictionless ? planar::Support::sliding
-                                                            : planar::Support::bonded));
+    return condense(problem_of(
+        layer_section(sizes, sizes.patch() + far_side * thickness, thickness), solid, c.substrate,
+        c.layer.base == Case::Base::frictionless ? planar::Support::sliding
+                                                 : planar::Support::bonded));
 }
 
 planar::Mesh indenter_mesh(const Case& c, const planar::Sizes& sizes) {

@@ -23,9 +23,10 @@ std::string why_it_stands(const ElasticBody& body) {
     const std::string held = "a " + std::string(contact::body_form(body.form).title) + " held by " +
                              contact::title_of(body.support);
     if (body.support == ElasticBody::Support::plates)
-        return held + " is held by their symmetry, which rolling breaks";
-    return held + " has another stiffness after it has turned: it is not of revolution about the "
-                  "axis that it rolls about";
+        return held + " stands by symmetry alone, which rolling breaks";
+    return held +
+           " has another stiffness after it has turned: it is not of revolution about the "
+           "axis that it rolls about";
 }
 
 void check_motion(const Case& c, const Document& document) {
@@ -85,9 +86,6 @@ void check_fem_body(const Case& c, const Document& document) {
     if (c.law != Case::Law::linear)
         refuse_body("at finite strains fem takes the indenter as rigid",
                     "leave it out, or set substrate.material to \"linear\"");
-    if (c.relaxation)
-        refuse_body("fem takes the indenter of a relaxing substrate as rigid",
-                    "leave it out, or omit [substrate.relaxation]");
     if (c.of<fem::Settings>().mesh)
         refuse(document, "fem.mesh",
                "the nodes of a mesh file do not match those of the indenter's body",

@@ -65,7 +65,8 @@ void check_section_elements(const Case& c, const Document& document, const Refus
 }
 
 void check_rolling_section(const Case& c, const Document& document, const Refusal& refuse_key) {
-    const std::string rule = "presses bodies where they are, but for a cylinder on a hub: takes no ";
+    const std::string rule =
+        "presses bodies where they are, but for a cylinder on a hub: takes no ";
     if (c.rolling)
         refuse_key(used(document, "rolling.amplitude_ratio", "rolling.amplitude"),
                    rule + "[rolling]", "leave that section out, or take bem or fem");
