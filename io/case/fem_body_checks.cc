@@ -31,7 +31,7 @@ std::string why_it_stands(const ElasticBody& body) {
 
 void check_motion(const Case& c, const Document& document) {
     const ElasticBody& body = *c.indenter.body;
-    const char* const remedy = "leave out fem, or indenter.body";
+    const std::string remedy = std::string("leave out fem, or ") + body.key();
     if (c.tractive_rolling)
         refuse(document, "tractive_rolling.distance",
                "fem does not roll the body of an indenter on", remedy);
@@ -47,7 +47,7 @@ void check_motion(const Case& c, const Document& document) {
     if (reach[0] > 0 || reach[1] > 0)
         refuse(document, path_key(document),
                "fem moves a cylinder on a hub by rolling; " + why_it_stands(body),
-               "leave its offsets out, or " + std::string(remedy));
+               "leave its offsets out, or " + remedy);
 }
 
 void check_plates(const Case& c, const Document& document) {
@@ -64,6 +64,33 @@ void check_plates(const Case& c, const Document& document) {
                "set the tangential load to 0, or take another support");
 }
 
+// Bodies of files: the mesh says how fine, and its groups what holds it.
+void check_meshes(const Case& c, const Document& document) {
+    check_file_there(document, "indenter.mesh", *c.indenter.body->mesh, "name a gmsh file");
+    if (document.find("fem.accuracy"))
+        refuse(document, "fem.accuracy", "the size of elements is that of the indenter's mesh",
+               "omit it, or give fem.size for the layer below");
+    if (c.has_rigid_substrate && c.of<fem::Settings>().size)
+        refuse(document, "fem.size", "the only mesh is the indenter's, which is a file's",
+               "omit it");
+    if (c.indenter.roughness)
+        refuse(document, "indenter.roughness.hurst", "the surface is that of the mesh",
+               "omit [indenter.roughness], or leave out fem");
+    if (!c.of<fem::Settings>().mesh) return;
+    if (c.has_rigid_substrate)
+        refuse(document, "fem.mesh", "a rigid substrate has no mesh", "omit it");
+    if (c.layer.base != Case::Base::bonded)
+        refuse(document, "substrate.base", "a body of a file is bonded to its surface \"support\"",
+               "omit it");
+    if (c.of<fem::Settings>().sides == fem::Sides::fixed)
+        refuse(document, "fem.sides", "a body of a file is held by its surface \"support\"",
+               "omit it");
+    if (!c.layer.lower.empty())
+        refuse(document, "lower_layer.thickness",
+               "a body of a file under another is of one material",
+               "omit [lower_layer], or fem.mesh");
+}
+
 }  // namespace
 
 void check_turn_of_hub(const std::string& model, const Case& c, const Document& document) {
@@ -78,7 +105,7 @@ void check_turn_of_hub(const std::string& model, const Case& c, const Document& 
 
 void check_fem_body(const Case& c, const Document& document) {
     const auto refuse_body = [&](const std::string& why, const std::string& remedy) {
-        refuse(document, "indenter.body", why, remedy);
+        refuse(document, c.indenter.body->key(), why, remedy);
     };
     if (c.indenter.body->form == ElasticBody::Form::punch)
         refuse_body("fem meshes hemispheres, balls and cylinders, no punch",
@@ -86,13 +113,15 @@ void check_fem_body(const Case& c, const Document& document) {
     if (c.law != Case::Law::linear)
         refuse_body("at finite strains fem takes the indenter as rigid",
                     "leave it out, or set substrate.material to \"linear\"");
-    if (c.of<fem::Settings>().mesh)
+    const bool in_file = c.indenter.body->form == ElasticBody::Form::mesh;
+    if (in_file) check_meshes(c, document);
+    if (c.relaxation && in_file)
+        refuse_body("fem takes the body of a file on a substrate that does not relax",
+                    "leave it out, or omit [substrate.relaxation]");
+    if (c.of<fem::Settings>().mesh && !in_file)
         refuse(document, "fem.mesh",
                "the nodes of a mesh file do not match those of the indenter's body",
-               "omit it, or leave out indenter.body");
-    if (c.has_rigid_substrate && c.of<Output>().volume != Output::Volume::none)
-        refuse(document, "output.volume", "the interior is that of the substrate, which is rigid",
-               "leave output.volume out");
+               "omit it, or give the indenter's mesh as indenter.mesh");
     check_motion(c, document);
     check_plates(c, document);
 }

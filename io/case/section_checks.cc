@@ -46,6 +46,8 @@ void check_section_substrate(const Case& c, const Refusal& refuse_key) {
 }
 
 void check_section_indenter(const Case& c, const Refusal& refuse_key) {
+    if (c.indenter.body && c.indenter.body->form == ElasticBody::Form::mesh)
+        refuse_key("indenter.mesh", "meshes a section of its own", "take fem, or indenter.body");
     if (c.indenter.roughness)
         refuse_key("indenter.roughness.hurst", "knows smooth bodies alone", "take bem");
     if (c.indenter.body || !c.indenter.material) return;
@@ -93,7 +95,7 @@ void check_plane_strain(const ModelKind& kind, const Case& c, const Document& do
         check_rolling_section(c, document, refuse_key);
     if (has_tangential_load(c) && c.indenter.body->support == ElasticBody::Support::plates)
         refuse_key(tangential_key(c), "has no force along plates that press from both sides",
-                   "omit it, or take indenter.support = \"hub\"");
+                   "set it to 0, or take indenter.support = \"hub\"");
 }
 
 void check_of_revolution(const Case& c, const Document& document, const Refusal& refuse_key) {
@@ -104,7 +106,7 @@ void check_of_revolution(const Case& c, const Document& document, const Refusal&
         refuse_key("friction.map", "has the same friction all around its axis", "leave it out");
     check_rolling_section(c, document, refuse_key);
     if (has_tangential_load(c))
-        refuse_key(tangential_key(c), "presses along the axis alone", "omit it, or take fem");
+        refuse_key(tangential_key(c), "presses along the axis alone", "set it to 0, or take fem");
 }
 
 }  // namespace
