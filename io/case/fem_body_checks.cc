@@ -29,6 +29,18 @@ std::string why_it_stands(const ElasticBody& body) {
            "axis that it rolls about";
 }
 
+// The inside of the cylinder is that of the upright one.
+void check_volume_of_rolling(const Case& c, const Document& document) {
+    const Output::Volume volume = c.of<Output>().volume;
+    if (volume == Output::Volume::none || !(contact::path_reach(c, c.indenter.radius)[0] > 0))
+        return;
+    if (c.prescribed_path || volume == Output::Volume::quarters)
+        refuse(document, "output.volume",
+               "fem shows the inside of a cylinder that rolls where it stands upright, after a "
+               "period of [rolling]",
+               c.prescribed_path ? "omit it" : "take volume = \"last\"");
+}
+
 void check_motion(const Case& c, const Document& document) {
     const ElasticBody& body = *c.indenter.body;
     const std::string remedy = std::string("leave out fem, or ") + body.key();
@@ -37,6 +49,7 @@ void check_motion(const Case& c, const Document& document) {
                "fem does not roll the body of an indenter on", remedy);
     if (body.support == ElasticBody::Support::hub) {
         check_turn_of_hub(contact::models::fem, c, document);
+        check_volume_of_rolling(c, document);
         return;
     }
     if (c.rolling)

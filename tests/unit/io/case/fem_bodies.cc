@@ -93,6 +93,11 @@ TEST(FemBodies, RollAboutAHubAlone) {
                                  "hub_radius = \"3 mm\"\n";
     for (const std::string& substrate : {std::string("rigid = true\n"), layer})
         EXPECT_EQ(refusal(cylinder, substrate, loaded + rolling), "accepted");
+    EXPECT_EQ(refusal(cylinder, layer, loaded + rolling + "[output]\nvolume = \"last\"\n"),
+              "accepted");
+    EXPECT_EQ(refusal(cylinder, layer, loaded + rolling + "[output]\nvolume = \"quarters\"\n"),
+              "output.volume = \"quarters\": fem shows the inside of a cylinder that rolls where "
+              "it stands upright, after a period of [rolling]; take volume = \"last\"");
     EXPECT_EQ(refusal(cylinder, layer, loaded + "[rolling]\namplitude = \"21 mm\"\nperiods = 2\n"),
               "rolling.amplitude = \"21 mm\": fem turns a cylinder about its hub by no more than "
               "115 degrees to either side; reduce it to two radii, or leave indenter.body out");
