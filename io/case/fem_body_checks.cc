@@ -47,7 +47,7 @@ void check_motion(const Case& c, const Document& document) {
     if (c.tractive_rolling)
         refuse(document, "tractive_rolling.distance",
                "fem does not roll the body of an indenter on", remedy);
-    if (body.support == ElasticBody::Support::hub) {
+    if (is_cylinder_on_hub(body)) {
         check_turn_of_hub(contact::models::fem, c, document);
         check_volume_of_rolling(c, document);
         return;

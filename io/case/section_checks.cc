@@ -89,7 +89,7 @@ void check_plane_strain(const ModelKind& kind, const Case& c, const Document& do
         refuse_key("substrate.base", "has nothing that holds a layer which glides",
                    "take base = \"bonded\"");
     if (!c.indenter.body) return;
-    if (c.indenter.body->support == ElasticBody::Support::hub)
+    if (is_cylinder_on_hub(*c.indenter.body))
         check_turn_of_hub(kind.name, c, document);
     else
         check_rolling_section(c, document, refuse_key);
