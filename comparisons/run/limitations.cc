@@ -146,7 +146,8 @@ std::vector<std::string> rolling_body_sentences(const contact::Case& c,
     using contact::ElasticBody;
     std::vector<std::string> sentences;
     const auto& body = c.indenter.body;
-    if (!body || body->support != ElasticBody::Support::hub ||
+    if (!body || body->form != ElasticBody::Form::cylinder ||
+        body->support != ElasticBody::Support::hub ||
         !(contact::path_reach(c, c.indenter.radius)[0] > 0))
         return sentences;
     for (const Results& s : summaries) {

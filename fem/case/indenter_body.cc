@@ -46,7 +46,8 @@ meshes::HexMesh mesh_of(const Case& c, const meshes::LayerMeshSpec& patch) {
 }  // namespace
 
 bool rolls_on_its_hub(const Case& c) {
-    return c.indenter.body && c.indenter.body->support == ElasticBody::Support::hub &&
+    return c.indenter.body && c.indenter.body->form == ElasticBody::Form::cylinder &&
+           c.indenter.body->support == ElasticBody::Support::hub &&
            contact::path_reach(c, c.indenter.radius)[0] > 0;
 }
 

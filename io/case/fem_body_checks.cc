@@ -23,9 +23,22 @@ std::string why_it_stands(const ElasticBody& body) {
     const std::string held = "a " + std::string(contact::body_form(body.form).title) + " held by " +
                              contact::title_of(body.support);
     if (body.support == ElasticBody::Support::plates)
-        return held + " is held by their symmetry, which rolling breaks";
-    return held + " has another stiffness after it has turned: it is not of revolution about the "
-                  "axis that it rolls about";
+        return held + " stands by symmetry alone, which rolling breaks";
+    return held +
+           " has another stiffness after it has turned: it is not of revolution about the "
+           "axis that it rolls about";
+}
+
+// The inside of the cylinder is that of the upright one.
+void check_volume_of_rolling(const Case& c, const Document& document) {
+    const Output::Volume volume = c.of<Output>().volume;
+    if (volume == Output::Volume::none || !(contact::path_reach(c, c.indenter.radius)[0] > 0))
+        return;
+    if (c.prescribed_path || volume == Output::Volume::quarters)
+        refuse(document, "output.volume",
+               "fem shows the inside of a cylinder that rolls where it stands upright, after a "
+               "period of [rolling]",
+               c.prescribed_path ? "omit it" : "take volume = \"last\"");
 }
 
 void check_motion(const Case& c, const Document& document) {
@@ -34,8 +47,9 @@ void check_motion(const Case& c, const Document& document) {
     if (c.tractive_rolling)
         refuse(document, "tractive_rolling.distance",
                "fem does not roll the body of an indenter on", remedy);
-    if (body.support == ElasticBody::Support::hub) {
+    if (is_cylinder_on_hub(body)) {
         check_turn_of_hub(contact::models::fem, c, document);
+        check_volume_of_rolling(c, document);
         return;
     }
     if (c.rolling)
@@ -112,11 +126,11 @@ void check_fem_body(const Case& c, const Document& document) {
     if (c.law != Case::Law::linear)
         refuse_body("at finite strains fem takes the indenter as rigid",
                     "leave it out, or set substrate.material to \"linear\"");
-    if (c.relaxation)
-        refuse_body("fem takes the indenter of a relaxing substrate as rigid",
-                    "leave it out, or omit [substrate.relaxation]");
     const bool in_file = c.indenter.body->form == ElasticBody::Form::mesh;
     if (in_file) check_meshes(c, document);
+    if (c.relaxation && in_file)
+        refuse_body("fem takes the body of a file on a substrate that does not relax",
+                    "leave it out, or omit [substrate.relaxation]");
     if (c.of<fem::Settings>().mesh && !in_file)
         refuse(document, "fem.mesh",
                "the nodes of a mesh file do not match those of the indenter's body",

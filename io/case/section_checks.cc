@@ -69,7 +69,8 @@ void check_section_elements(const Case& c, const Document& document, const Refus
 }
 
 void check_rolling_section(const Case& c, const Document& document, const Refusal& refuse_key) {
-    const std::string rule = "presses bodies where they are, but for a cylinder on a hub: takes no ";
+    const std::string rule =
+        "presses bodies where they are, but for a cylinder on a hub: takes no ";
     if (c.rolling)
         refuse_key(used(document, "rolling.amplitude_ratio", "rolling.amplitude"),
                    rule + "[rolling]", "leave that section out, or take bem or fem");
@@ -93,7 +94,7 @@ void check_plane_strain(const ModelKind& kind, const Case& c, const Document& do
         refuse_key("substrate.base", "has nothing that holds a layer which glides",
                    "take base = \"bonded\"");
     if (!c.indenter.body) return;
-    if (c.indenter.body->support == ElasticBody::Support::hub && !c.has_hole())
+    if (is_cylinder_on_hub(*c.indenter.body))
         check_turn_of_hub(kind.name, c, document);
     else
         check_rolling_section(c, document, refuse_key);

@@ -105,7 +105,29 @@ for key in indentation_m unit_shift_m static_shift_m final_shift_m limit_tangent
     near "$(value fem-plane $key rolled/summary.json)" "$(value bem-layer $key rolled/summary.json)" 2e-3 "$key of fem-plane"
 done
 
-# 4. Refused by name, nothing written.
+# 4. A cover on its hub rolls on a layer of its own material: half-spaces that do not couple have the same limit, and
+# settle as far beyond the static shift as finite bodies do within a tenth; fem has the numbers of its section.
+cover=(--set "indenter.young=5.2 MPa" --set indenter.poisson=0.45 --set indenter.body=cylinder --set indenter.support=hub
+    --set "indenter.hub_radius=12 mm" --set "substrate.thickness=28 mm" --set "fem.size=0.35 mm")
+models='["fem-plane", "bem-layer"]'
+if "$program" list | grep -q '^  fem '; then models='["fem-plane", "bem-layer", "fem"]'; fi
+run cover rolled.toml "${cover[@]}" --set "models=$models" --set fem.cache=none
+of_cover() { value "$1" "$2" cover/summary.json; }
+settling() { $python -c "print($(of_cover "$1" final_shift_m) - $(of_cover "$1" static_shift_m))"; }
+near "$(of_cover fem-plane limit_tangential_ratio)" "$(of_cover bem-layer limit_tangential_ratio)" 3e-3 "limit of a cover"
+near "$(settling fem-plane)" "$(settling bem-layer)" .1 "settling of a cover"
+if [[ $models == *'"fem"'* ]]; then
+    near "$(of_cover fem limit_tangential_ratio)" "$(of_cover fem-plane limit_tangential_ratio)" 1e-3 "limit of fem"
+    near "$(of_cover fem final_shift_m)" "$(of_cover fem-plane final_shift_m)" 1e-2 "shift of fem"
+    near "$(settling fem)" "$(settling fem-plane)" 1e-2 "settling of fem"
+fi
+# On a layer that relaxes too: twice as stiff at once.
+relaxing=(--set 'substrate.relaxation.relative_moduli=[0.5]' --set 'substrate.relaxation.times=["20 ms"]' --set "rolling.speed=10 mm/s")
+run relaxing rolled.toml "${cover[@]}" "${relaxing[@]}"
+near "$(value fem-plane limit_tangential_ratio relaxing/summary.json)" "$(value bem-layer limit_tangential_ratio relaxing/summary.json)" \
+    3e-3 "limit on a layer that relaxes"
+
+# 5. Refused by name, nothing written.
 refuses() { refused "$1" run "$work/$2" --output out "${@:3}"; }
 refuses "load.tangential_ratio" hemisphere.toml --set load.tangential_ratio=0.3
 refuses "substrate.thickness" hemisphere.toml --set substrate.rigid=false --set "substrate.young=4 MPa" \
@@ -116,6 +138,8 @@ refuses "load.tangential_ratio" cylinder.toml --set load.tangential_ratio=0.3
 refuses "too large for the indenter's body" hemisphere.toml --set indenter.shape=rounded-punch --set "indenter.radius=1 mm" \
     --set "indenter.flat_radius=2 mm" --set indenter.body=punch --set "indenter.height=10 mm" --set "load.indentation=4 mm"
 refuses "fewer than 2 elements" hemisphere.toml --set "fem.size=3 mm"
+refuses "about its hub by no more than 115 degrees" rolled.toml "${cover[@]}" --set "rolling.amplitude=85 mm"
+refuses "takes no [rolling]" cylinder.toml --set rolling.amplitude_ratio=0.3
 refuses "fem.mesh" hemisphere.toml --set fem.mesh=none.msh
 refused "fem.size" refine "$work/hemisphere.toml" --models fem-axisymmetric --output out
 finish

@@ -9,6 +9,7 @@
 
 #include "contact/compliances/interior_parts.h"
 #include "fem/condensed_compliance.h"
+#include "fem/contact_frame.h"
 #include "meshes/round_body_mesh.h"
 
 namespace tricontact::pair_compliance_test {
@@ -176,6 +177,50 @@ TEST(FemPairCompliance, SymmetryTakesNoForce) {
 
 TEST(FemPairCompliance, RefusesPatchesThatDoNotMatch) {
     EXPECT_THROW(PairCompliance(fem::plane_patch(patch(2)), hemisphere(soft)), std::logic_error);
+}
+
+// In frames of its own points the patch of a cylinder around a hub is the same after a turn by
+// whole elements, here two, but for four at each end of the patch, whose neighbours are of another
+// size. What is left are the chords of the coarse elements opposite of it.
+TEST(FemPairCompliance, ACylindersPatchIsTheSameAfterATurn) {
+    constexpr double radius = 1e-2, size = 5e-4;
+    CondensedPart part = condensed(meshes::make_cylinder_mesh({.radius = radius,
+                                                               .size = size,
+                                                               .patch_x = 12 * size,
+                                                               .half_y = 2e-3,
+                                                               .growth = 1.2,
+                                                               .hub_radius = 3e-3,
+                                                               .rolls = true}),
+                                   soft);
+    meshes::LayerMeshSpec plane = patch();
+    plane.size = size;
+    plane.patch_x = 12 * size;
+    plane.patch_y = 2e-3;
+    plane.plane_strain = true;
+    part.layer.points = fem::plane_patch(plane).points;
+    turn_to_round_frame(part.layer, radius);
+    const fem::CondensedLayer line = contact_line(part.layer);
+    const std::size_t n = line.points.size(), end = 8, turned = 4;
+    ASSERT_EQ(n, 49u);
+    const auto entry = [&](std::size_t d, std::size_t i, std::size_t e, std::size_t k) {
+        return line.compliance[(e * n + k) * 3 * n + d * n + i];
+    };
+    const double middle = entry(2, n / 2, 2, n / 2);
+    double largest = 0, asymmetry = 0, coupling = 0;
+    for (const std::size_t d : {0, 2})
+        for (const std::size_t e : {0, 2})
+            for (std::size_t i = end; i + turned + end < n; ++i)
+                for (std::size_t k = end; k + turned + end < n; ++k) {
+                    const double here = entry(d, i, e, k);
+                    largest =
+                        std::max(largest, std::abs(entry(d, i + turned, e, k + turned) - here));
+                    asymmetry = std::max(asymmetry, std::abs(entry(e, k, d, i) - here));
+                    if (d != e) coupling = std::max(coupling, std::abs(here));
+                }
+    EXPECT_LT(largest, 5e-4 * middle);
+    EXPECT_LT(asymmetry, 1e-9 * middle);
+    EXPECT_GT(coupling, .02 * middle);
+    EXPECT_LT(line.reaction_error(), 1e-6);
 }
 
 }  // namespace

@@ -164,8 +164,7 @@ std::array<double, 2> rolled(const Case& c) {
 TEST(FemSectionModel, AStiffCylinderRollsAsARigidOne) {
     const auto rigid = rolled(cylinder());
     const std::vector<std::string> on_hub{"indenter.body=\"cylinder\"", "indenter.support=\"hub\"",
-                                          "indenter.hub_radius=\"20 mm\"",
-                                          "indenter.poisson=0.45"};
+                                          "indenter.hub_radius=\"20 mm\"", "indenter.poisson=0.45"};
     auto stiff = on_hub, soft = on_hub;
     stiff.emplace_back("indenter.young=\"5200000 MPa\"");
     soft.emplace_back("indenter.young=\"5.2 MPa\"");

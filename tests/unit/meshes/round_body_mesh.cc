@@ -97,6 +97,31 @@ TEST(MeshesRoundBody, HalfBallIsSoundAndMatchesTheLayer) {
         }
 }
 
+// Nodes of the patch of a cylinder that rolls are as far apart along its surface.
+TEST(MeshesRoundBody, CylinderThatRollsHasEqualElementsAlongItsSurface) {
+    CylinderMeshSpec s{.radius = 1e-2,
+                       .size = 1e-3,
+                       .patch_x = 2.5e-2,
+                       .half_y = 2e-3,
+                       .growth = 1.8,
+                       .hub_radius = 3e-3,
+                       .rolls = true};
+    const HexMesh mesh = make_cylinder_mesh(s);
+    expect_sound(mesh);
+    std::set<int> nodes;
+    for (const auto& face : mesh.faces)
+        if (face.boundary == Boundary::contact) nodes.insert(face.nodes.begin(), face.nodes.end());
+    std::vector<double> along;
+    for (const int n : nodes)
+        if (mesh.nodes[n][1] == 0)
+            along.push_back(s.radius * std::atan2(mesh.nodes[n][0], mesh.nodes[n][2] + s.radius));
+    std::ranges::sort(along);
+    ASSERT_EQ(along.size(), 51u);
+    for (int i = 0; i < 51; ++i) EXPECT_NEAR(along[i], (i - 25) * s.size, 1e-15) << i;
+    s.patch_x = 2.8e-2;
+    EXPECT_THROW(make_cylinder_mesh(s), contact::InputError);
+}
+
 TEST(MeshesRoundBody, CylinderIsSoundAndMatchesTheLayer) {
     for (const double hub : {0., 3e-3})
         for (const double patch : {1e-3, 3.5e-3, 7.5e-3}) {

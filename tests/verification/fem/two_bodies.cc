@@ -157,7 +157,8 @@ TEST(FemTwoBodies, TangentialStiffnessOfAGluedCircle) {
     struct Glued {
         double nu, a, stiffness;  // [-], [mm], over E = 2 MPa: [N/mm]
     };
-    for (const Glued& g : {Glued{.495, 2, 4.8153}, Glued{.3, 3, 7.325}}) {
+    for (const Glued& g : {Glued{.495, 2, 4.8153}, Glued{.495, 3, 6.760}, Glued{.3, 2, 5.1916},
+                           Glued{.3, 3, 7.325}}) {
         std::array<double, 2> found{};
         for (int level = 0; level < 2; ++level) {
             const auto s = patch_for(g.a * mm, level == 0 ? elements / 2 : elements);

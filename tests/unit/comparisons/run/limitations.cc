@@ -3,6 +3,7 @@
 #include <fmt/ranges.h>
 #include <gtest/gtest.h>
 
+#include "comparisons/quantities/quantities.h"
 #include "comparisons/run/reading.h"
 #include "contact/models/model_kind.h"
 
@@ -50,6 +51,36 @@ TEST(BodyLimitations, NameSidesAndDirection) {
     c.rolling.emplace().amplitude = 1e-3;
     EXPECT_NE(said(c, {"mdr"}).find("cannot distinguish rolling along the load"),
               std::string::npos);
+}
+
+// A cylinder of finite size on its hub: what small strains and pairs that stay leave out is said
+// where it rolls, of the models that mesh it.
+TEST(Limitations, NameWhatRollingBodiesLeaveOut) {
+    contact::Case c = sphere_on_layer();
+    c.indenter.shape = contact::Case::Shape::cylinder;
+    c.indenter.material = c.substrate;
+    c.indenter.body = {.form = contact::ElasticBody::Form::cylinder,
+                       .support = contact::ElasticBody::Support::hub,
+                       .hub_radius = .01};
+    std::vector<Results> results(2);
+    results[0].model = contact::models::bem;
+    results[1].model = contact::models::fem_plane;
+    for (Results& r : results) {
+        r.set(quantities::contact_radius, 2e-3);
+        r.set(quantities::final_shift, -1e-4);
+    }
+    const auto sentences = [&] {
+        return fmt::format("{}", fmt::join(limitations(c, results), " "));
+    };
+    EXPECT_EQ(sentences().find("creeps"), std::string::npos);
+    c.rolling.emplace().amplitude = 1e-3;
+    EXPECT_NE(sentences().find("FEM plane strain: without a tangential force too the cylinder "
+                               "creeps by about (a/R)² = 0.0025 of its way"),
+              std::string::npos)
+        << sentences();
+    EXPECT_NE(sentences().find("the shift is 5.0 % of the contact radius"), std::string::npos)
+        << sentences();
+    EXPECT_EQ(sentences().find("BEM: without"), std::string::npos);
 }
 
 }  // namespace
