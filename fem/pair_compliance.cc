@@ -85,8 +85,10 @@ struct PairCompliance::Parts {
         const double ratio = elastic_ratio(material_of(substrate), indenter);
         return {joined(substrate.layer.points, std::move(sum), indenter.problem->line_length, ratio,
                        interface, by_element_means),
-                CondensedBody(substrate.problem, std::move(substrate.layer.missing_reaction)),
-                CondensedBody(indenter.problem, std::move(indenter.layer.missing_reaction)),
+                CondensedBody(substrate.problem, std::move(substrate.layer.missing_reaction), 0,
+                              std::move(substrate.transfer)),
+                CondensedBody(indenter.problem, std::move(indenter.layer.missing_reaction),
+                              indenter.round_radius, std::move(indenter.transfer)),
                 std::move(substrate.layer.contact_mass)};
     }
     static Parts on_plane(ContactSurface plane, CondensedPart indenter,
@@ -96,7 +98,8 @@ struct PairCompliance::Parts {
                        indenter.problem->line_length, elastic_ratio({}, indenter), interface,
                        by_element_means),
                 {},
-                CondensedBody(indenter.problem, std::move(indenter.layer.missing_reaction)),
+                CondensedBody(indenter.problem, std::move(indenter.layer.missing_reaction),
+                              indenter.round_radius, std::move(indenter.transfer)),
                 std::move(plane.mass)};
     }
 };

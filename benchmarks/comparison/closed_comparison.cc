@@ -31,13 +31,23 @@ Comparison compare_complete_punch(Submission submission) {
     return compare(std::move(submission), complete_punch_reference(by_force));
 }
 
+Comparison compare_rounded_punch(Submission submission) {
+    return compare(std::move(submission), rounded_punch_plane_reference());
+}
+
+Comparison compare_pin_in_hole(Submission submission) {
+    return compare(std::move(submission), pin_in_hole_reference());
+}
+
 struct ClosedComparison {
     std::string_view name;
     Comparison (*compare)(Submission);
 };
 constexpr ClosedComparison closed_comparisons[]{{"patch_test", compare_patch_test},
                                                 {"wedge", compare_wedge},
-                                                {"complete_punch", compare_complete_punch}};
+                                                {"complete_punch", compare_complete_punch},
+                                                {"rounded_punch_plane", compare_rounded_punch},
+                                                {"pin_in_hole", compare_pin_in_hole}};
 
 const ClosedComparison* find_comparison(std::string_view problem) {
     for (const ClosedComparison& one : closed_comparisons)

@@ -158,6 +158,7 @@ ReferenceSamples with_change(const UnderstoodMesh& mesh, ReferenceSamples sample
 bool has_ring_effects(const Reference& reference) {
     const contact::Case& c = reference.c;
     if (reference.has_singular_edge || c.tractive_rolling || c.rolling) return false;
+    if (c.is_line_contact() != (reference.geometry == Geometry::plane)) return false;
     return has_exact_line_contact(c) ||
            (has_exact_radial_contact(c) && !contact::has_conical_tip(c));
 }

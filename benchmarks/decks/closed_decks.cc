@@ -14,7 +14,9 @@ struct ClosedDeck {
 };
 constexpr ClosedDeck closed_decks[]{{"patch_test", patch_test_deck},
                                     {"wedge", wedge_deck},
-                                    {"complete_punch", complete_punch_deck}};
+                                    {"complete_punch", complete_punch_deck},
+                                    {"rounded_punch_plane", rounded_punch_plane_deck},
+                                    {"pin_in_hole", pin_in_hole_deck}};
 
 const ClosedDeck* find_deck(std::string_view problem) {
     for (const ClosedDeck& deck : closed_decks)
@@ -31,9 +33,10 @@ bool has_closed_deck(std::string_view problem) {
 std::vector<DeckFile> write_closed_deck(const DeckWishes& wishes) {
     const ClosedDeck* deck = find_deck(wishes.problem);
     if (!deck)
-        throw contact::InputError(
-            "deck: " + wishes.problem +
-            " has no deck of its own; choose of patch_test, wedge, complete_punch");
+        throw contact::InputError("deck: " + wishes.problem +
+                                  " has no deck of its own; choose of patch_test, wedge, "
+                                  "complete_punch, rounded_punch_plane, "
+                                  "pin_in_hole");
     return deck->write(wishes);
 }
 

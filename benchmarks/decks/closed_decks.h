@@ -9,7 +9,8 @@
 namespace tricontact::benchmarks {
 
 /// Whether a problem of the catalogue without a case has a deck: "patch_test", "wedge",
-/// "complete_punch".
+/// "complete_punch", "rounded_punch_plane",
+/// "pin_in_hole".
 bool has_closed_deck(std::string_view problem);
 
 /// Inputs of a problem whose closed form its README.txt states; there is no submission.

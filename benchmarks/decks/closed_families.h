@@ -14,4 +14,11 @@ std::vector<DeckFile> wedge_deck(const DeckWishes& wishes);
 /// A rigid flat punch on a half-space. Boussinesq (1885).
 std::vector<DeckFile> complete_punch_deck(const DeckWishes& wishes);
 
+/// A rigid punch with rounded edges on a half-space, plane strain. Ciavarella, Hills and Monno
+/// (1998).
+std::vector<DeckFile> rounded_punch_plane_deck(const DeckWishes& wishes);
+
+/// An elastic pin in the hole of a plate. Persson (1964).
+std::vector<DeckFile> pin_in_hole_deck(const DeckWishes& wishes);
+
 }  // namespace tricontact::benchmarks

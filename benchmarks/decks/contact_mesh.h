@@ -14,4 +14,8 @@ DeckMesh block_mesh(const DeckModel& model, int n, int level, bool is_quadratic)
 /// SIND.
 void add_indenter(DeckMesh& mesh, const DeckModel& model, int n, int level);
 
+/// Adds model.upper in its place: nodes NIND of its flat face, those on its axis to NAXIS, surface
+/// SIND of what may touch.
+void add_upper_body(DeckMesh& mesh, const DeckModel& model, int n, int level);
+
 }  // namespace tricontact::benchmarks

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "benchmarks/decks/graded_line.h"
 #include "contact/base/error.h"
@@ -137,7 +138,34 @@ void set_friction(DeckModel& model, const contact::Case& c) {
             "finite elements.");
 }
 
+// On a rigid plane: the body lies with its pole up, and the plane presses it.
+void set_round_body(DeckModel& model, const contact::Case& c) {
+    using Body = contact::ElasticBody;
+    const Body& body = *c.indenter.body;
+    if (body.form == Body::Form::punch || body.support == Body::Support::hub)
+        refuse("bodies of decks are hemispheres, balls and cylinders between plates",
+               "take one of these, or compare results of an input of your own");
+    if (model.shape == DeckModel::Shape::half || model.mu > 0)
+        refuse("bodies of finite size are pressed without friction, along their axis",
+               "remove the tangential load, and set contact.coupling = false");
+    const double radius = c.indenter.radius * to_mm, young = c.indenter.material->young * to_mpa,
+                 poisson = c.indenter.material->poisson;
+    if (!c.has_rigid_substrate) {
+        if (!c.layer.thickness || body.form != Body::Form::hemisphere ||
+            model.shape == DeckModel::Shape::plane)
+            refuse("two bodies of a deck are a hemisphere and a layer",
+                   "take one of them rigid, or compare results of an input of your own");
+        model.upper = {radius, young, poisson};
+        return;
+    }
+    model.round_radius = radius;
+    model.has_sliding_base = body.support == Body::Support::plates;
+    model.young = young;
+    model.poisson = poisson;
+}
+
 void set_materials(DeckModel& model, const contact::Case& c) {
+    if (c.indenter.body) return set_round_body(model, c);
     const contact::MaterialPair pair = c.materials();
     if (c.has_rigid_substrate)
         refuse("no deck has a rigid substrate", "give the elastic body as the substrate");
@@ -171,8 +199,12 @@ void set_materials(DeckModel& model, const contact::Case& c) {
 
 void set_block(DeckModel& model, const contact::Case& c) {
     const bool is_half_model = model.shape == DeckModel::Shape::half;
-    model.is_half_space = !c.layer.thickness;
-    if (model.is_half_space) {
+    model.is_half_space = !c.layer.thickness && !c.indenter.body;
+    if (model.round_radius > 0) {
+        model.width = model.thickness = model.round_radius;
+        if (model.width < 2.5 * model.a)
+            refuse("the body is narrower than 2.5 contact radii", "reduce the load");
+    } else if (model.is_half_space) {
         model.width = model.thickness =
             model.a * (is_half_model ? half_space_half_model : half_space_block);
     } else {
@@ -231,6 +263,12 @@ double DeckModel::height(double x, double y) const {
     return indenter->height(x / to_mm, y / to_mm) * to_mm;
 }
 
+void require_one_body(const DeckModel& model) {
+    if (model.upper)
+        refuse("two bodies that deform have a deck for calculix and abaqus alone",
+               "take one of these");
+}
+
 DeckModel make_deck_model(const Reference& reference, const DeckWishes& wishes) {
     const contact::Case& c = reference.c;
     check_case(c);
@@ -255,6 +293,7 @@ DeckModel make_deck_model(const Reference& reference, const DeckWishes& wishes) 
     set_block(model, c);
     set_stiffness(model, reference);
     model.gap = gap_formula(c.indenter, model);
+    if (model.round_radius > 0) model.indenter = flat_face();
     return model;
 }
 
@@ -266,14 +305,17 @@ std::vector<double> heights_of(const DeckLines& lines) {
 }
 
 DeckLines deck_lines(const DeckModel& model, int n, int level) {
-    const double size = model.a / n;
+    const double a = model.lattice_edge();
+    const double width =
+        model.round_radius > 0 ? model.round_radius * std::numbers::pi / 2 : model.width;
+    const double size = a / n;
     // As many equal elements as reach beyond the faces that may touch.
-    const double equal_reach = std::max(model.contact_reach, contact_reach * model.a);
+    const double equal_reach = std::max(model.contact_reach / model.a, contact_reach) * a;
     const int equal = static_cast<int>(std::ceil(equal_reach / size - 1e-9));
     const bool is_half_model = model.shape == DeckModel::Shape::half;
     const double growth = model.is_half_space ? 2. : is_half_model ? 1.8 : 1.6;
     DeckLines lines;
-    const std::vector<double> out = graded_line(0, size, equal, model.width, growth);
+    const std::vector<double> out = graded_line(0, size, equal, width, growth);
     const double first = std::min(size, model.thickness / 2);
     lines.depth = refined_line(graded_line(0, first, 1, model.thickness, growth), level);
     const bool is_whole = model.shape == DeckModel::Shape::half ||

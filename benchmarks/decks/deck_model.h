@@ -1,11 +1,14 @@
 #pragma once
 
+#include <array>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "benchmarks/decks/deck.h"
+#include "benchmarks/decks/deck_mesh.h"
 #include "contact/bodies/indenter.h"
 
 namespace tricontact::benchmarks {
@@ -39,6 +42,20 @@ struct DeckModel {
     std::shared_ptr<const contact::Indenter> indenter;  ///< in m
     std::string gap;  ///< formula of the profile over r (x of plane decks), both in mm
     bool is_half_space = false;
+    /// R of half a ball or cylinder in place of the block, its pole up [mm]; 0: a block. The
+    /// indenter is then a plane, and `gap` that of both undeformed surfaces.
+    double round_radius = 0;
+    /// The base moves along itself, as a plane of symmetry does.
+    bool has_sliding_base = false;
+    /// An indenter that deforms on the block: half a ball, its flat face held by a rigid holder.
+    struct Upper {
+        double radius = 0, young = 0, poisson = 0;  ///< [mm], [MPa], [-]
+    };
+    std::optional<Upper> upper;
+    /// Both bodies, in place of block and indenter, with their sets and surfaces: of so many
+    /// elements in a on the coarsest level, the given level of refinement.
+    std::function<DeckMesh(int n, int level, bool is_quadratic)> own_mesh;
+    std::string own_words;        ///< what those bodies are, for the README
     bool has_sharp_edge = false;  ///< infinite pressure at the edge of the contact
     double width = 0;             ///< radius or half width of the block [mm]
     double thickness = 0;         ///< of the block [mm]
@@ -62,11 +79,21 @@ struct DeckModel {
     double share() const {
         return shape == Shape::half || (shape == Shape::plane && !is_shifted()) ? .5 : 1;
     }
+    /// x of the contact's edge in the lattice of the mesh [mm].
+    double lattice_edge() const;
+    /// x of the last nodes there that may touch, and a little more [mm].
+    double lattice_reach() const { return contact_reach / a * lattice_edge() * (1 + 1e-9); }
     const DeckStep& last() const { return steps.back(); }
 };
 
 /// Throws contact::InputError where no deck can have what the case has.
 DeckModel make_deck_model(const Reference& reference, const DeckWishes& wishes);
+
+/// Throws contact::InputError where two bodies deform, which only inputs of Abaqus' kind have.
+void require_one_body(const DeckModel& model);
+
+/// The face of a flat rigid body.
+std::shared_ptr<const contact::Indenter> flat_face();
 
 /// Lines of the coarsest block: x from 0 (to both sides where the model has no plane of symmetry
 /// there), y of half models, depth from 0 down.
@@ -75,6 +102,9 @@ struct DeckLines {
 };
 /// `n` elements in a on the coarsest level, the given level of refinement.
 DeckLines deck_lines(const DeckModel& model, int n, int level);
+/// Of half a ball or cylinder x is the length of arc from its pole, and a place x, z of the lattice
+/// lies where this says: columns run from the arc to the flat face.
+std::array<double, 2> placed_round(double radius, double x, double z);
 /// Heights of those lines, z out of the body, from the base up.
 std::vector<double> heights_of(const DeckLines& lines);
 

@@ -63,13 +63,34 @@ std::string load_words(const DeckModel& model) {
     return words;
 }
 
+std::string round_words(const DeckModel& model) {
+    return fmt::format(
+        "Body: {} of R = {:.9g} mm, its pole up, {}; a rigid plane presses it from above. E = "
+        "{:.9g} MPa, nu = {:.9g}. The gap is that along the plane's normal, and p the force per "
+        "area of the plane.",
+        model.shape == DeckModel::Shape::plane ? "the upper half of a cylinder"
+                                               : "the upper half of a ball",
+        model.round_radius,
+        model.has_sliding_base
+            ? "its middle plane held along the load alone, as the symmetry between two plates asks"
+            : "its flat face bonded to a rigid holder",
+        model.young, model.poisson);
+}
+
 std::string block_words(const DeckModel& model) {
+    if (!model.own_words.empty()) return model.own_words;
+    if (model.round_radius > 0) return round_words(model);
     std::string words = fmt::format(
         "Block: {:.9g} mm {}, {:.9g} mm thick, the same for all meshes, bonded to a rigid base, "
         "its "
         "sides free; E = {:.9g} MPa, nu = {:.9g}.",
         model.width, model.shape == DeckModel::Shape::axisymmetric ? "radius" : "to either side",
         model.thickness, model.young, model.poisson);
+    if (model.upper)
+        words += fmt::format(
+            " On it half a ball of R = {:.9g} mm, its flat face bonded to a rigid holder, whose "
+            "depth is prescribed; E = {:.9g} MPa, nu = {:.9g}.",
+            model.upper->radius, model.upper->young, model.upper->poisson);
     if (!model.is_half_space) return words;
     if (model.shape == DeckModel::Shape::plane)
         return words +
@@ -108,7 +129,7 @@ std::string submission_text(const DeckModel& model, const DeckFamily& family) {
         text += "# code = \"name and version\"\n";
     else
         fmt::format_to(out, "code = \"{}\"\nelements = \"{}\"\n", family.code, family.elements);
-    fmt::format_to(out, "block_width = \"{:.9g} mm\"\n", model.width);
+    if (model.round_radius == 0) fmt::format_to(out, "block_width = \"{:.9g} mm\"\n", model.width);
     if (!family.method.empty()) {
         fmt::format_to(out, "\n[contact]\nmethod = \"{}\"\nkinematics = \"{}\"\n", family.method,
                        family.kinematics);
@@ -168,6 +189,15 @@ std::string readme_text(const DeckModel& model, const DeckFamily& family, bool h
     for (const std::string& remark : model.remarks) write_paragraph(text, remark);
     for (const std::string& remark : family.remarks) write_paragraph(text, remark);
     return text;
+}
+
+std::vector<DeckFile> family_files(const DeckModel& model, const DeckWishes& wishes) {
+    const DeckFamily family = make_family(model, wishes);
+    std::vector<DeckFile> files;
+    for (const DeckRun& run : family.runs)
+        files.insert(files.end(), run.files.begin(), run.files.end());
+    files.push_back({"README.txt", readme_text(model, family, false)});
+    return files;
 }
 
 }  // namespace tricontact::benchmarks

@@ -13,7 +13,7 @@ namespace {
 // iteration, whose active set is told at the points of integration by the last displacement.
 constexpr const char* freefem_template =
     R"(// @name@, @n@ elements in the contact radius @a@ mm; units mm, N, MPa.
-// Rigid indenter on an elastic block bonded to a rigid base; penalty, linear kinematics.
+// @words@; penalty, linear kinematics.
 // Run: FreeFem++ -nw @job@.edp        Writes: @job@.csv
 verbosity = 0;
 real young = @young@, poisson = @poisson@, K = @stiffness@;   // K [MPa/mm]
@@ -25,22 +25,22 @@ func real gap(real r) { if (r > @end@) return 1e9; return @gap@; }
 real[int] X = [@x@];
 real[int] Z = [@z@];
 int nx = X.n - 1, nz = Z.n - 1;
-mesh Th = square(nx, nz, [X[int(x*nx + 0.5)], Z[int(y*nz + 0.5)]]);
-fespace Vh(Th, [@element@, @element@]);
+mesh Th = square(nx, nz, [X[int(x*nx + 0.5)], Z[int(y*nz + 0.5)]]@flags@);
+@place@fespace Vh(Th, [@element@, @element@]);
 Vh [u, w] = [0, 0], [v, q], [uo, wo] = [0, 0];
 @weight@
 
 real depth = @depth@;
 varf stiff([u, w], [v, q])
     = int2d(Th)(weight*(@elastic@))
-    + int1d(Th, 3, qforder=9)(weight*K*(wo + depth - gap(x) > 0)*w*q)
-    + on(1, u=0, w=0) + on(4, u=0);
+    + int1d(Th, 3, qforder=9)(weight*@normal@K*(wo + depth - gap(x) > 0)*w*q)
+    + @support@ + on(4, u=0);
 varf pushed([u, w], [v, q])
-    = int1d(Th, 3, qforder=9)(-weight*K*(wo + depth - gap(x) > 0)*(depth - gap(x))*q)
-    + on(1, u=0, w=0) + on(4, u=0);
+    = int1d(Th, 3, qforder=9)(-weight*@normal@K*(wo + depth - gap(x) > 0)*(depth - gap(x))*q)
+    + @support@ + on(4, u=0);
 
 func real normalForce() {
-    return @share@int1d(Th, 3, qforder=9)(weight*K*max(0., w + depth - gap(x)));
+    return @share@int1d(Th, 3, qforder=9)(weight*@normal@K*max(0., w + depth - gap(x)));
 }
 // F_N at a depth [@force_unit@].
 func real press(real d) {
@@ -69,11 +69,32 @@ table << "# size = @size@ mm" << endl;
 table << "@column@ [mm],p [MPa]" << endl;
 for (int i = 0; i <= nx; ++i) {
     if (X[i] > @reach@) break;
-@middle@    real r = X[i];
-    table << r << "," << K*max(0., w(r, 0.) + depth - gap(r)) << endl;
+@middle@    real r = @r@;
+    table << r << "," << K*max(0., w(r, @height@) + depth - gap(r)) << endl;
 }
 cout << "normal_force = " << force << " @force_unit@, depth = " << depth << " mm" << endl;
 )";
+
+// Pole up; X are lengths of arc from it. The pressure acts on the area of the plane: N.y of that of
+// the arc.
+constexpr const char* freefem_place = R"(real R = @round@;
+Th = movemesh(Th, [(1 + y/R)*R*sin(x/R) - y*x/(R*pi), R*((1 + y/R)*cos(x/R) - 1)]);
+)";
+constexpr const char* freefem_middle = R"(    if (i > 0) {
+        real m = (X[i - 1] + X[i])/2;
+        table << m << "," << K*max(0., w(m, 0.) + depth - gap(m)) << endl;
+    }
+)";
+constexpr const char* freefem_round_middle = R"(    if (i > 0) {
+        real m = R*(sin(X[i - 1]/R) + sin(X[i]/R))/2, h = R*(cos(X[i - 1]/R) + cos(X[i]/R))/2 - R;
+        table << m << "," << K*max(0., w(m, h) + depth - gap(m)) << endl;
+    }
+)";
+
+std::string freefem_support(const DeckModel& model) {
+    if (model.round_radius == 0) return "on(1, u=0, w=0)";
+    return model.has_sliding_base ? "on(1, w=0) + on(2, w=0)" : "on(1, u=0, w=0) + on(2, u=0, w=0)";
+}
 
 constexpr const char* freefem_depth = R"(real force = press(@target@);
 )";
@@ -95,11 +116,12 @@ DeckFamily freefem_family(const DeckModel& model, const DeckWishes& wishes) {
         throw contact::InputError(
             "deck: the deck for FreeFem++ is axisymmetric or plane and frictionless; take calculix "
             "or getfem");
+    require_one_body(model);
     const std::string element = wishes.elements.empty() ? "P2" : wishes.elements;
     if (element != "P1" && element != "P2")
         throw contact::InputError("deck: elements " + element +
                                   " are none of FreeFem++'s deck; choose of P2, P1");
-    const bool is_plane = model.shape == DeckModel::Shape::plane;
+    const bool is_plane = model.shape == DeckModel::Shape::plane, is_round = model.round_radius > 0;
     DeckFamily family;
     family.code = "FreeFem++ 4.11";
     family.elements = element;
@@ -126,35 +148,42 @@ DeckFamily freefem_family(const DeckModel& model, const DeckWishes& wishes) {
                        " + u*v/(x*x) + dy(w)*dy(q)) + shear*(dy(u) + dx(w))*(dy(v) + dx(q))";
         run.files.push_back(
             {job + ".edp",
-             filled(freefem_template,
-                    {{"control", control},
-                     {"name", model.name},
-                     {"n", std::to_string(run.n)},
-                     {"a", number(model.a)},
-                     {"job", job},
-                     {"young", number(model.young)},
-                     {"poisson", number(model.poisson)},
-                     {"stiffness", number(model.stiffness)},
-                     {"gap", model.gap},
-                     {"end", number(model.indenter_reach * (1 + 1e-9))},
-                     {"x", number_list(lines.x)},
-                     {"z", number_list(heights)},
-                     {"element", element},
-                     {"weight", is_plane ? "func weight = 1;" : "func weight = 2*pi*x;"},
-                     {"elastic", elastic},
-                     {"share", is_plane ? "2*" : ""},
-                     {"depth", number(model.depth_scale)},
-                     {"code", family.code},
-                     {"force_unit", is_plane ? "N/mm" : "N"},
-                     {"size", number(run.size)},
-                     {"column", is_plane ? "x" : "r"},
-                     {"reach", number(model.contact_reach * (1 + 1e-9))},
-                     {"middle", element == "P1"
-                                    ? ""
-                                    : "    if (i > 0) {\n        real m = (X[i - 1] + X[i])/2;\n"
-                                      "        table << m << \",\" << K*max(0., w(m, 0.) + depth - "
-                                      "gap(m)) << endl;\n"
-                                      "    }\n"}})});
+             filled(
+                 freefem_template,
+                 {{"control", control},
+                  {"name", model.name},
+                  {"n", std::to_string(run.n)},
+                  {"a", number(model.a)},
+                  {"job", job},
+                  {"young", number(model.young)},
+                  {"poisson", number(model.poisson)},
+                  {"stiffness", number(model.stiffness)},
+                  {"gap", model.gap},
+                  {"end", number(model.indenter_reach * (1 + 1e-9))},
+                  {"x", number_list(lines.x)},
+                  {"z", number_list(heights)},
+                  {"element", element},
+                  {"weight", is_plane ? "func weight = 1;" : "func weight = 2*pi*x;"},
+                  {"elastic", elastic},
+                  {"share", is_plane ? "2*" : ""},
+                  {"depth", number(model.depth_scale)},
+                  {"code", family.code},
+                  {"force_unit", is_plane ? "N/mm" : "N"},
+                  {"size", number(run.size)},
+                  {"column", is_plane ? "x" : "r"},
+                  {"words", body_words(model)},
+                  {"place",
+                   is_round ? filled(freefem_place, {{"round", number(model.round_radius)}}) : ""},
+                  // Diagonals through the corner in the flat face, whose angle is flat.
+                  {"flags", is_round ? ", flags=3" : ""},
+                  {"normal", is_round ? "N.y*" : ""},
+                  {"support", freefem_support(model)},
+                  {"r", is_round ? "R*sin(X[i]/R)" : "X[i]"},
+                  {"height", is_round ? "R*cos(X[i]/R) - R" : "0."},
+                  {"reach", number(model.lattice_reach())},
+                  {"middle", element == "P1" ? ""
+                             : is_round      ? freefem_round_middle
+                                             : freefem_middle}})});
         run.command = "FreeFem++ -nw " + job + ".edp";
         run.field = job + ".csv";
     }

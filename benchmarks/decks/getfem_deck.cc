@@ -13,7 +13,7 @@ namespace {
 
 constexpr const char* getfem_template =
     R"(# @name@, @n@ elements in the contact radius @a@ mm; units mm, N, MPa.
-# Rigid indenter on an elastic block bonded to a rigid base; augmented Lagrangian, undeformed surface.
+# @words@; augmented Lagrangian, undeformed surface.
 # Run: /usr/bin/python3 @job@.py        Writes: @job@.csv, @job@.vtu
 import getfem as gf
 import numpy as np
@@ -24,12 +24,12 @@ young, poisson = @young@, @poisson@
 # Nodes along the surface and upwards from the base.
 X = np.array([@x@])
 Z = np.array([@z@])
-mesh = gf.Mesh('cartesian', X, Z)
+mesh = gf.Mesh('@cartesian@', X, Z)
 BASE, AXIS, TOP = 1, 2, 3
-mesh.set_region(BASE, mesh.outer_faces_with_direction([0, -1], 0.01))
+mesh.set_region(BASE, @base@)
 mesh.set_region(AXIS, mesh.outer_faces_with_direction([-1, 0], 0.01))
 mesh.set_region(TOP, mesh.outer_faces_in_box([-1e-9, -1e-9], [@reach@, 1e-9]))
-
+@place@
 mf_u = gf.MeshFem(mesh, 2)
 mf_u.set_fem(gf.Fem('FEM_QK(2, @degree@)'))
 mf_p = gf.MeshFem(mesh, 1)   # pressures, on the surface only
@@ -43,7 +43,7 @@ md.add_filtered_fem_variable('p', mf_p, TOP)
 md.add_initialized_data('mu', young/(2*(1 + poisson)))
 md.add_initialized_data('ga', @augmentation@)   # of the augmented Lagrangian [MPa/mm]: matters on coarse meshes only
 md.add_linear_term(mim, '@elastic@')
-md.add_Dirichlet_condition_with_simplification('u', BASE)
+@support@
 md.add_linear_term(mim, '1e8*mu*u(1)*Test_u(1)', AXIS)   # u = 0 there
 @depth@
 # Pressure that the penetration of the undeformed profile asks for.
@@ -53,7 +53,7 @@ push = 'pos_part(p + ga*(u(2) + depth - @gap@))'
 force = @share@gf.asm_generic(mim, 0, '@weight@*p', TOP, md)
 depth = float(np.ravel(md.variable('depth'))[0])
 x = X[X <= @reach@]
-@middle@pressure = md.interpolation('p', np.array([x, 0*x]), mesh)
+@middle@pressure = md.interpolation('p', np.array([x, @surface@]), mesh)
 @traction@with open('@job@.csv', 'w') as table:
     table.write('# @code@, @element@, augmented Lagrangian, undeformed surface\n')
     table.write(f'# normal_force = {force:.10g} @force_unit@\n# indentation = {depth:.10g} mm\n')
@@ -63,6 +63,22 @@ x = X[X <= @reach@]
 mf_u.export_to_vtu('@job@.vtu', mf_u, md.variable('u'), 'displacement')
 print(f'normal_force = {force:.10g} @force_unit@, depth = {depth:.10g} mm')
 )";
+
+// Pole up. The pressure acts on the area of the plane: Normal(2) of that of the arc.
+constexpr const char* getfem_place = R"(R = @round@
+def place(s, z):
+    """Lengths of arc from the pole, and z in the lattice, to r and z in the body."""
+    return np.array([(1 + z/R)*R*np.sin(s/R) - z*s/(R*np.pi), R*((1 + z/R)*np.cos(s/R) - 1)])
+mesh.set_pts(place(*mesh.pts()))
+)";
+constexpr const char* getfem_round_points =
+    R"(x, z = place(x, 0*x)   # nodes; the middles are those of chords
+)";
+constexpr const char* getfem_round_middles =
+    R"(x, z = (np.insert(c, np.arange(1, len(c)), (c[1:] + c[:-1])/2) for c in (x, z))
+)";
+constexpr const char* getfem_down = "mesh.outer_faces_with_direction([0, -1], 0.01)";
+constexpr const char* getfem_right = "mesh.outer_faces_with_direction([1, 0], 0.01)";
 
 constexpr const char* getfem_frictionless =
     R"(md.add_nonlinear_term(mim, f'@weight@*({push}*Test_u(2) + ({push} - p)/ga*Test_p)', TOP)
@@ -108,6 +124,12 @@ std::string in_getfem(const std::string& formula) {
     return text;
 }
 
+std::string middles_of(const DeckModel& model, bool has_middles) {
+    if (model.round_radius > 0)
+        return std::string(getfem_round_points) + (has_middles ? getfem_round_middles : "");
+    return has_middles ? "x = np.sort(np.concatenate([x, (x[1:] + x[:-1])/2]))\n" : "";
+}
+
 }  // namespace
 
 DeckFamily getfem_family(const DeckModel& model, const DeckWishes& wishes) {
@@ -117,6 +139,7 @@ DeckFamily getfem_family(const DeckModel& model, const DeckWishes& wishes) {
         throw contact::InputError(
             "deck: the deck for GetFEM is axisymmetric or plane, with friction pressed to one "
             "depth; take calculix");
+    require_one_body(model);
     const std::string element = wishes.elements.empty() ? "Q2" : wishes.elements;
     if (element != "Q1" && element != "Q2")
         throw contact::InputError("deck: elements " + element +
@@ -177,17 +200,30 @@ DeckFamily getfem_family(const DeckModel& model, const DeckWishes& wishes) {
                      {"z", number_list(heights)},
                      {"element", element},
                      {"degree", element.substr(1)},
-                     {"weight", is_plane ? "1" : "2*pi*X(1)"},
+                     {"weight", std::string(is_plane ? "1" : "2*pi*X(1)") +
+                                    (model.round_radius > 0 ? "*Normal(2)" : "")},
+                     {"cartesian", model.round_radius > 0 ? "cartesian Q1" : "cartesian"},
+                     {"place", model.round_radius > 0
+                                   ? filled(getfem_place, {{"round", number(model.round_radius)}})
+                                   : ""},
                      {"elastic", is_plane ? getfem_plane : getfem_axisymmetric},
                      {"share", is_plane ? "2*" : ""},
                      {"code", family.code},
                      {"force_unit", is_plane ? "N/mm" : "N"},
                      {"size", number(run.size)},
                      {"column", is_plane ? "x" : "r"},
-                     {"reach", number(model.contact_reach * (1 + 1e-9))},
-                     {"middle", element == "Q1"
-                                    ? ""
-                                    : "x = np.sort(np.concatenate([x, (x[1:] + x[:-1])/2]))\n"}})});
+                     {"reach", number(model.lattice_reach())},
+                     {"middle", middles_of(model, element != "Q1")},
+                     {"surface", model.round_radius > 0 ? "z" : "0*x"},
+                     {"words", body_words(model)},
+                     {"base", model.round_radius > 0 ? fmt::format("np.hstack([{},\n    {}])",
+                                                                   getfem_down, getfem_right)
+                                                     : getfem_down},
+                     {"support", model.has_sliding_base
+                                     ? "md.add_linear_term(mim, '1e8*mu*u(2)*Test_u(2)', BASE)   # "
+                                       "free along itself"
+                                     : "md.add_Dirichlet_condition_with_simplification('u', "
+                                       "BASE)"}})});
         run.command = "/usr/bin/python3 " + job + ".py";
         run.field = job + ".csv";
     }

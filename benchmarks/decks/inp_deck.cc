@@ -63,7 +63,8 @@ void write_followers(std::string& text, const DeckModel& model, const DeckMesh& 
 
 void write_supports(Out out, const DeckModel& model) {
     const bool is_spatial = model.shape == DeckModel::Shape::half;
-    fmt::format_to(out, "*BOUNDARY\nNBASE, 1, {}\n", is_spatial ? 3 : 2);
+    fmt::format_to(out, "*BOUNDARY\nNBASE, {}, {}\n", model.has_sliding_base ? 2 : 1,
+                   is_spatial ? 3 : 2);
     if (is_spatial)
         fmt::format_to(out, "NSYM, 2, 2\n");
     else if (!model.is_shifted())
@@ -107,10 +108,19 @@ void write_steps(std::string& text, const DeckModel& model, bool is_abaqus) {
     }
 }
 
+DeckMesh bodies_of(const DeckModel& model, int n, int level, bool is_quadratic) {
+    if (model.own_mesh) return model.own_mesh(n, level, is_quadratic);
+    DeckMesh mesh = block_mesh(model, n, level, is_quadratic);
+    if (model.upper)
+        add_upper_body(mesh, model, n, level);
+    else
+        add_indenter(mesh, model, n, level);
+    return mesh;
+}
+
 std::string inp_text(const DeckModel& model, const InpElement& element, int n, int level,
                      bool is_abaqus) {
-    DeckMesh mesh = block_mesh(model, n, level, element.is_quadratic);
-    add_indenter(mesh, model, n, level);
+    const DeckMesh mesh = bodies_of(model, n, level, element.is_quadratic);
     volume_of(mesh, 0, mesh.n_elements());
     std::string text;
     const Out out = std::back_inserter(text);
@@ -120,7 +130,10 @@ std::string inp_text(const DeckModel& model, const InpElement& element, int n, i
     const bool is_plane = model.shape == DeckModel::Shape::plane;
     fmt::format_to(out, "*MATERIAL, NAME=BODY\n*ELASTIC\n{:.12g}, {:.12g}\n", model.young,
                    model.poisson);
-    fmt::format_to(out, "*MATERIAL, NAME=INDENTER\n*ELASTIC\n{:.12g}, 0.3\n", 1e3 * model.young);
+    // A rigid indenter's nodes all move alike; its material does not matter.
+    const auto [young, poisson] = model.upper ? std::pair{model.upper->young, model.upper->poisson}
+                                              : std::pair{1e3 * model.young, .3};
+    fmt::format_to(out, "*MATERIAL, NAME=INDENTER\n*ELASTIC\n{:.12g}, {:.12g}\n", young, poisson);
     const char* section = is_plane ? "1.\n" : "";
     fmt::format_to(out, "*SOLID SECTION, ELSET=EBODY, MATERIAL=BODY\n{}", section);
     fmt::format_to(out, "*SOLID SECTION, ELSET=EIND, MATERIAL=INDENTER\n{}", section);

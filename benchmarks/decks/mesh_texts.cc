@@ -163,6 +163,7 @@ std::string vtu_text(const DeckMesh& mesh) {
 }
 
 DeckFamily mesh_family(const DeckModel& model, const DeckWishes& wishes) {
+    require_one_body(model);
     const std::string element = wishes.elements.empty() ? "quadratic" : wishes.elements;
     if (element != "quadratic" && element != "linear")
         throw contact::InputError("deck: elements " + element +

@@ -1,19 +1,13 @@
 #include <memory>
-#include <numbers>
 
 #include "benchmarks/decks/closed_families.h"
 #include "benchmarks/decks/deck_family.h"
 #include "benchmarks/decks/deck_texts.h"
+#include "contact/bodies/shapes_of_revolution.h"
 
 namespace tricontact::benchmarks {
 
 namespace {
-
-class FlatFace final : public contact::Indenter {
-  public:
-    double height(double, double) const override { return 0; }
-    contact::Vector2 slope(double, double) const override { return {0, 0}; }
-};
 
 DeckModel punch_model(const std::string& name) {
     DeckModel model;
@@ -22,7 +16,7 @@ DeckModel punch_model(const std::string& name) {
     model.a = 5;
     model.young = 5.2;
     model.poisson = .3;
-    model.indenter = std::make_shared<FlatFace>();
+    model.indenter = flat_face();
     model.gap = "0";
     model.is_half_space = model.has_sharp_edge = true;
     model.width = model.thickness = half_space_block * model.a;
@@ -42,16 +36,39 @@ DeckModel punch_model(const std::string& name) {
     return model;
 }
 
+// The face of a punch of revolution, taken along x.
+DeckModel pad_model(const std::string& name) {
+    DeckModel model;
+    model.shape = DeckModel::Shape::plane;
+    model.name = name;
+    model.title = "Rigid punch, flat 5 mm to either side, its edges rounded by R = 100 mm";
+    model.a = 10;
+    model.young = 5.2;
+    model.poisson = .3;
+    model.indenter = std::make_shared<contact::RoundedPunch>(5e-3, .1);
+    model.gap = "0.5*(r-5+abs(r-5))*0.5*(r-5+abs(r-5))/(2*100)";
+    model.is_half_space = true;
+    model.width = model.thickness = half_space_block * model.a;
+    model.contact_reach = 1.5 * model.a;
+    model.indenter_reach = 2 * model.a;
+    model.depth_scale = 1.5;  // of a block of this size
+    model.stiffness = 75;     // .0015 mm at the largest pressure
+    model.overlap = .03;
+    model.steps.push_back({.is_force = true, .normal = 1.754814, .increments = 1});
+    model.remarks.push_back(
+        "Closed form (Ciavarella, Hills and Monno 1998): a = 10 mm, p = 0.070705 MPa in the middle "
+        "and 0.079693 MPa at x = 9 mm; the largest, 0.11765 MPa, is at x = 6.37 mm.");
+    return model;
+}
+
 }  // namespace
 
 std::vector<DeckFile> complete_punch_deck(const DeckWishes& wishes) {
-    const DeckModel model = punch_model(wishes.problem);
-    const DeckFamily family = make_family(model, wishes);
-    std::vector<DeckFile> files;
-    for (const DeckRun& run : family.runs)
-        files.insert(files.end(), run.files.begin(), run.files.end());
-    files.push_back({"README.txt", readme_text(model, family, false)});
-    return files;
+    return family_files(punch_model(wishes.problem), wishes);
+}
+
+std::vector<DeckFile> rounded_punch_plane_deck(const DeckWishes& wishes) {
+    return family_files(pad_model(wishes.problem), wishes);
 }
 
 }  // namespace tricontact::benchmarks

@@ -24,6 +24,14 @@ std::string number_list(const std::vector<double>& numbers) {
     return text;
 }
 
+std::string body_words(const DeckModel& model) {
+    if (model.round_radius == 0) return "Rigid indenter on an elastic block bonded to a rigid base";
+    const std::string body = model.shape == DeckModel::Shape::plane ? "cylinder" : "ball";
+    return "Rigid plane on the upper half of an elastic " + body +
+           (model.has_sliding_base ? ", whose middle plane stays a plane"
+                                   : ", its flat face bonded to a rigid holder");
+}
+
 std::string filled(std::string text, const std::vector<TemplateValue>& values) {
     for (const auto& [name, value] : values) {
         const std::string mark = "@" + name + "@";

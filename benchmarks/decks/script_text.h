@@ -3,6 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "benchmarks/decks/deck_model.h"
+
 namespace tricontact::benchmarks {
 
 /// "1, 2.5, 3", twelve digits, lines of about a hundred characters.
@@ -13,6 +15,9 @@ struct TemplateValue {
     std::string name, value;
 };
 std::string filled(std::string text, const std::vector<TemplateValue>& values);
+
+/// What is pressed, for a script's first lines.
+std::string body_words(const DeckModel& model);
 
 /// Digits for a script.
 std::string number(double value);

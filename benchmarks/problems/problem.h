@@ -30,7 +30,7 @@ struct Problem {
     std::string name;  ///< "layer_pressed"
     std::string title;
     std::string tests;      ///< what it tests, a few words: "penalty, kinematics"
-    std::string group;      ///< "half-space", "layer", "friction", "rolling", "patch"
+    std::string group;      ///< "half-space", "layer", "bodies", "friction", "rolling", "patch"
     std::string text;       ///< paragraphs: the problem, and why it is one
     std::string case_text;  ///< TOML of the case; empty: a deck with a closed form only
     std::vector<Target> targets;

@@ -19,8 +19,9 @@ const std::vector<io::PlacedKey<Problem>>& problem_keys() {
     static const std::vector<io::PlacedKey<Problem>> keys{
         {io::text_key("title", R"("Sphere on a half-space")", "what the problem is"),
          at<&Problem::title>},
-        {io::choice_key("group", {{"half-space"}, {"layer"}, {"friction"}, {"rolling"}, {"patch"}},
-                        R"("layer")", "what it is about"),
+        {io::choice_key(
+             "group", {{"half-space"}, {"layer"}, {"bodies"}, {"friction"}, {"rolling"}, {"patch"}},
+             R"("layer")", "what it is about"),
          at<&Problem::group>},
         {io::text_key("tests", R"("penalty, kinematics")", "what it tests"), at<&Problem::tests>},
         {io::text_key("text", R"("A rigid sphere ...")", "the problem, and why it is one"),

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "benchmarks/reference/reference_kinds.h"
 #include "contact/base/error.h"
 #include "contact/half_space_scales.h"
 
@@ -41,6 +42,14 @@ const Target* solution_of(const Problem& problem, const std::string& key) {
     return nullptr;
 }
 
+/// The number of another program, or of a closed form, beside that of our elements.
+void note_target(Reference& reference, const Target& target) {
+    const auto found = reference.values.find(target.key);
+    if (found == reference.values.end() || reference.is_prescribed(target.key)) return;
+    double& difference = found->second.model;
+    difference = std::max(difference, std::abs(target.value - found->second.value));
+}
+
 /// What the ratios of a problem are over, by closed forms of its case.
 std::map<std::string, RatioOf> ratios_of(const Problem& problem, const Reference& reference) {
     const contact::Case& c = reference.c;
@@ -67,7 +76,11 @@ std::map<std::string, RatioOf> ratios_of(const Problem& problem, const Reference
 void add_targets(Reference& reference, const Problem& problem) {
     const auto ratios = ratios_of(problem, reference);
     for (const Target& target : problem.targets) {
-        if (!target.is_solution || !is_target_key(target.key)) continue;
+        if (!target.is_solution) continue;
+        if (!is_target_key(target.key)) {
+            if (has_finite_body(reference.c)) note_target(reference, target);
+            continue;
+        }
         reference.values[target.key] = {
             .value = target.value, .grid = target.bar, .source = target.source};
         reference.titles[target.key] = target.title;

@@ -107,7 +107,7 @@ std::map<std::string, double> scalars_of(const Case& c, const EndState& end) {
                                          {keys::contact_area, r.contact_area / length}};
     if (!contact::has_conical_tip(c)) values[keys::peak_pressure] = end.scales.peak_pressure;
     // The approach of a line contact on the half-space is that of a finite length.
-    const bool has_datum = !is_line || c.layer.thickness;
+    const bool has_datum = !is_line || c.layer.thickness || has_finite_body(c);
     if (has_datum) {
         values[keys::indentation] = r.indentation;
         values[keys::stored_energy] = r.stored_energy / length;

@@ -55,7 +55,10 @@ Reference reference(const Case& c, const contact::ModelRunner& runner, const con
                       : is_axisymmetric(c) ? Geometry::axisymmetric
                                            : Geometry::spatial;
     result.prescribed = prescribed_by(c);
-    if (c.tractive_rolling) {
+    if (has_finite_body(c)) {
+        say("reference: finite elements of the section on three meshes");
+        refer_section(result, runner);
+    } else if (c.tractive_rolling) {
         refer_carter(result);
     } else if (is_frictionless(c) && has_exact_radial_contact(c)) {
         say("reference: exact frictionless contact beside springs and boundary elements");

@@ -98,12 +98,13 @@ bool is_frictionless(const Case& c) {
 
 bool has_exact_radial_contact(const Case& c) {
     if (c.is_cylindrical() || c.indenter.shape == Case::Shape::ellipsoid) return false;
+    if (has_finite_body(c)) return false;
     if (c.interface.is_elastic()) return false;
     return !c.layer.thickness || comparisons::why_no_exact_theory(c).empty();
 }
 
 bool has_exact_line_contact(const Case& c) {
-    return c.is_line_contact() && !c.interface.is_elastic() &&
+    return c.is_line_contact() && !has_finite_body(c) && !c.interface.is_elastic() &&
            (!c.layer.thickness || comparisons::why_no_exact_theory(c).empty());
 }
 

@@ -58,7 +58,7 @@ std::vector<std::string> left_out(const Case& c, const std::string& model) {
     if (!kind.sees_elastic_indenter && !has_meshed_body && has_elastic_indenter(c))
         all.emplace_back("indenter.young: the indenter is rigid");
     if (!kind.sees_indenter_body && c.indenter.body)
-        all.emplace_back("indenter.body: the indenter is a half-space");
+        all.emplace_back(std::string(c.indenter.body->key()) + ": the indenter is a half-space");
     if (!kind.sees_period && c.period) all.emplace_back("bem.period: one contact alone");
     return all;
 }

@@ -38,6 +38,9 @@ class Results {
     ByQuantity<QuantityValue> values_;
 };
 
+/// Neither pulled nor rolled: its shift is what rounding leaves.
+bool is_pressed_alone(const Results& results);
+
 /// Columns of results.csv: what is one value, and the same whenever it is computed.
 std::vector<const Quantity*> column_quantities();
 

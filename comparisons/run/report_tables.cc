@@ -113,7 +113,8 @@ class RowMaker {
         if (part == Part::pressed && case_.layer.thickness) table.rows.push_back(body_row());
         const bool always = !case_.prescribed_path && part != Part::ends && part != Part::inside;
         for (const Quantity* q : all_quantities())
-            if (q->part == part && (always || is_known(*q))) table.rows.push_back(row(*q));
+            if (q->part == part && (always || is_known(*q)) && !is_rounding(*q))
+                table.rows.push_back(row(*q));
         drop_empty_columns(table);
         return table;
     }
@@ -136,6 +137,14 @@ class RowMaker {
     bool is_known(const Quantity& q) const {
         return std::ranges::any_of(results_,
                                    [&](const Results& r) { return r.number(q).has_value(); });
+    }
+
+    /// What no tangential load leaves of it.
+    bool is_rounding(const Quantity& q) const {
+        const auto of_pull = {&quantities::tangential_ratio, &quantities::static_shift,
+                              &quantities::static_shift_ratio};
+        return std::ranges::find(of_pull, &q) != of_pull.end() &&
+               std::ranges::all_of(results_, is_pressed_alone);
     }
 
     /// On a layer: which models know of it.
@@ -200,6 +209,7 @@ class RowMaker {
         if (const auto* count = std::get_if<int>(&value)) return *count;
         if (const auto* state = std::get_if<contact::State>(&value))
             return contact::name_of(*state);
+        if (const auto* regime = std::get_if<SlipRegime>(&value)) return name_of(*regime);
         return report::number_cell({});
     }
 

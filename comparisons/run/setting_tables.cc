@@ -118,6 +118,10 @@ void add_indenter(const Case& c, Settings& settings) {
 void add_elastic_body(const Case& c, Settings& settings) {
     if (!c.indenter.body) return;
     const contact::ElasticBody& body = *c.indenter.body;
+    if (body.mesh) {
+        settings.add("indenter's body", "mesh " + *body.mesh + ", held by its support");
+        return;
+    }
     settings.add("indenter's body",
                  fmt::format("{}, held by {}", contact::body_form(body.form).title,
                              contact::title_of(body.support)));

@@ -19,23 +19,28 @@ constexpr std::array supports{SupportWords{"holder", "a rigid holder"},
                               SupportWords{"hub", "a rigid hub"}};
 
 const std::vector<BodyForm>& forms() {
-    static const std::vector<BodyForm> all{{.word = "hemisphere",
-                                            .title = "hemisphere",
-                                            .shapes = {Shape::paraboloid, Shape::sphere},
-                                            .supports = {Support::holder}},
-                                           {.word = "ball",
-                                            .title = "ball",
-                                            .shapes = {Shape::paraboloid, Shape::sphere},
-                                            .supports = {Support::plates}},
-                                           {.word = "cylinder",
-                                            .title = "cylinder",
-                                            .shapes = {Shape::cylinder},
-                                            .supports = {Support::plates, Support::hub}},
-                                           {.word = "punch",
-                                            .title = "punch",
-                                            .shapes = {Shape::rounded_punch},
-                                            .supports = {Support::holder},
-                                            .has_height = true}};
+    static const std::vector<BodyForm> all{
+        {.word = "hemisphere",
+         .title = "hemisphere",
+         .shapes = {Shape::paraboloid, Shape::sphere},
+         .supports = {Support::holder}},
+        {.word = "ball",
+         .title = "ball",
+         .shapes = {Shape::paraboloid, Shape::sphere},
+         .supports = {Support::plates}},
+        {.word = "cylinder",
+         .title = "cylinder",
+         .shapes = {Shape::cylinder},
+         .supports = {Support::plates, Support::hub}},
+        {.word = "punch",
+         .title = "punch",
+         .shapes = {Shape::rounded_punch},
+         .supports = {Support::holder},
+         .has_height = true},
+        {.word = "",
+         .title = "mesh",
+         .shapes = {Shape::paraboloid, Shape::sphere, Shape::ellipsoid},
+         .supports = {Support::holder}}};
     return all;
 }
 

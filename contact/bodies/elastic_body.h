@@ -1,5 +1,8 @@
 #pragma once
 
+#include <optional>
+#include <string>
+
 namespace tricontact::contact {
 
 /// The finite body of an indenter that deforms: finite elements mesh it, half-space models do not
@@ -7,7 +10,8 @@ namespace tricontact::contact {
 struct ElasticBody {
     /// Places in the table of forms, see body_forms(). Hemisphere, ball and cylinder have the
     /// radius of the shape.
-    enum class Form : int { hemisphere, ball, cylinder, punch };
+    /// `mesh`: whatever a file holds, which says by its groups what holds it.
+    enum class Form : int { hemisphere, ball, cylinder, punch, mesh };
     /// What holds it: a rigid holder, bonded to the face opposite of the contact; a second plate
     /// like the substrate, pressed on the other side, whose contact is the mirror image of this
     /// one; a rigid hub in its axis.
@@ -15,8 +19,13 @@ struct ElasticBody {
 
     Form form = Form::hemisphere;
     Support support = Support::holder;
-    double hub_radius = 0;  ///< of Support::hub [m]
-    double height = 0;      ///< of forms whose shape does not say it [m]
+    double hub_radius = 0;                 ///< of Support::hub [m]
+    double height = 0;                     ///< of forms whose shape does not say it [m]
+    std::optional<std::string> mesh = {};  ///< of Form::mesh: a gmsh file
+    double mesh_unit = 1;                  ///< length of 1 in that file [m]
+
+    /// The key that gives the body.
+    const char* key() const { return form == Form::mesh ? "indenter.mesh" : "indenter.body"; }
 };
 
 }  // namespace tricontact::contact

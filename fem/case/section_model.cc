@@ -11,6 +11,7 @@
 #include "contact/relaxing_case.h"
 #include "contact/solvers/contact_region.h"
 #include "contact/surface_model.h"
+#include "fem/case/indenter_body.h"
 #include "fem/case/model_of_revolution.h"
 #include "fem/planar/pair.h"
 #include "fem/planar/sections.h"
@@ -70,27 +71,29 @@ planar::Sizes sizes_of(const Case& c, const Patch& patch) {
 }
 
 /// A section on both sides of x = 0, or from the axis outwards.
-planar::CondensedSection condensed(planar::Mesh half, Solid solid,
-                                   const contact::Material& material, planar::Support support) {
+planar::BodyProblem problem_of(planar::Mesh half, Solid solid, const contact::Material& material,
+                               planar::Support support) {
     planar::BodyProblem problem;
     problem.mesh = solid == Solid::plane_strain ? with_mirror_image(half) : std::move(half);
     problem.solid = solid;
     problem.material = material;
     problem.support = support;
-    return condense(problem);
+    return problem;
 }
 
 planar::CondensedSection layer_of(const Case& c, Solid solid, const planar::Sizes& sizes) {
     const double thickness = *c.layer.thickness;
-    return condensed(layer_section(sizes, sizes.patch() + far_side * thickness, thickness), solid,
-                     c.substrate,
-                     c.layer.base == Case::Base::frictionless ? planar::Support::sliding
-                                                              : planar::Support::bonded);
+    return condense(
+        problem_of(layer_section(sizes, sizes.patch() + far_side * thickness, thickness), solid,
+                   c.substrate,
+                   c.layer.base == Case::Base::frictionless ? planar::Support::sliding
+                                                            : planar::Support::bonded));
 }
 
 planar::Mesh indenter_mesh(const Case& c, const planar::Sizes& sizes) {
     const contact::ElasticBody& body = *c.indenter.body;
     const double radius = c.indenter.radius;
+    if (rolls_on_its_hub(c)) return pin_section(sizes, radius, body.hub_radius);
     if (body.support == ElasticBody::Support::hub)
         return disc_section(sizes, radius, body.hub_radius);
     if (body.form != ElasticBody::Form::punch) return half_disc_section(sizes, radius);
@@ -102,8 +105,14 @@ planar::Mesh indenter_mesh(const Case& c, const planar::Sizes& sizes) {
 planar::CondensedSection indenter_of(const Case& c, Solid solid, const planar::Sizes& sizes) {
     // Between two plates the middle plane stays where it is.
     const bool plates = c.indenter.body->support == ElasticBody::Support::plates;
-    return condensed(indenter_mesh(c, sizes), solid, *c.indenter.material,
-                     plates ? planar::Support::sliding : planar::Support::bonded);
+    planar::BodyProblem problem =
+        problem_of(indenter_mesh(c, sizes), solid, *c.indenter.material,
+                   plates ? planar::Support::sliding : planar::Support::bonded);
+    if (rolls_on_its_hub(c)) {
+        problem.frame = planar::Frame::round;
+        problem.radius = c.indenter.radius;
+    }
+    return condense(problem);
 }
 
 /// Most that a patch may have of the indenter's body [m].
@@ -111,6 +120,7 @@ double widest_patch(const Case& c) {
     if (!c.indenter.body) return contact::infinity;
     if (c.indenter.body->form == ElasticBody::Form::punch)
         return .95 * (c.indenter.flat_radius + c.indenter.radius);
+    if (rolls_on_its_hub(c)) return 2.7 * c.indenter.radius;  // along its surface, pi R
     return .65 * c.indenter.radius;  // what is beyond, the mesh needs to grow in
 }
 

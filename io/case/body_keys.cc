@@ -39,9 +39,20 @@ std::vector<Choice> shape_choices() {
 
 std::vector<Choice> form_choices() {
     std::vector<Choice> out;
-    for (const contact::BodyForm& one : contact::body_forms())
-        out.push_back({one.word, static_cast<int>(out.size())});
+    int place = 0;
+    for (const contact::BodyForm& one : contact::body_forms()) {
+        if (!one.word.empty()) out.push_back({one.word, place});
+        ++place;
+    }
     return out;
+}
+
+/// Of a body that is one of a table, or of one in a file.
+template <auto ElasticBody::*member, bool in_file>
+Field of_body(Case& c) {
+    const auto& body = c.indenter.body;
+    const bool is_in_file = body && body->form == ElasticBody::Form::mesh;
+    return body && is_in_file == in_file ? in(c.indenter.body, member) : Field();
 }
 
 std::vector<Choice> support_choices() {
@@ -127,12 +138,12 @@ std::vector<CaseKey> indenter_keys() {
                     "finite body of an indenter that deforms, which fem, fem-plane and "
                     "fem-axisymmetric mesh; half-space models do not see it",
                     {.needs = "indenter.young"}),
-         at<&Case::indenter, &Indenter::body, &ElasticBody::form>},
+         of_body<&ElasticBody::form, false>},
         {choice_key("indenter.support", support_choices(), R"("holder")",
                     "what holds this body: a rigid holder bonded to the face opposite of the "
                     "contact, a second plate like the substrate, or a rigid hub in its axis",
                     {.required = true, .needs = "indenter.body"}),
-         at<&Case::indenter, &Indenter::body, &ElasticBody::support>},
+         of_body<&ElasticBody::support, false>},
         {length_key("indenter.hub_radius", R"("3 mm")", "radius of the hub",
                     {.required = true, .needs = "indenter.body"}),
          [](Case& c) {
@@ -149,6 +160,15 @@ std::vector<CaseKey> indenter_keys() {
                         ? Field(&c.indenter.body->height)
                         : Field();
          }},
+        {text_key("indenter.mesh", R"("ball.msh")",
+                  "gmsh file of a finite body instead of indenter.body: physical surfaces "
+                  "\"contact\" and \"support\", the physical volume \"body\"; fem presses its "
+                  "surface, other models that of indenter.shape",
+                  {.needs = "indenter.young"}),
+         of_body<&ElasticBody::mesh, true>},
+        {length_key("indenter.mesh_unit", R"("1 mm")", "length of 1 in that file",
+                    {.default_value = R"("1 m")", .needs = "indenter.mesh"}),
+         of_body<&ElasticBody::mesh_unit, true>},
         {number_key("indenter.roughness.hurst", {0, 1}, "0.8",
                     "Hurst exponent H: the power spectral density falls as q^(-2(1 + H))",
                     {.default_value = "0.8"}),

@@ -83,6 +83,8 @@ RadiusBounds contact_radius_bounds(const contact::Case& c);
 /// and rolling path have elements enough and not too many and fit on the block. `steps` [-]: of the
 /// whole run.
 void check_fem(const contact::Case& c, double steps, const Document& document);
+/// A cylinder on a hub turns no farther to either side than by 115 degrees, two radii of way.
+void check_turn_of_hub(const std::string& model, const contact::Case& c, const Document& document);
 /// What fem computes of an indenter's body.
 void check_fem_body(const contact::Case& c, const Document& document);
 

@@ -24,6 +24,12 @@ using contact::Case;
 void make_optional_parts(Case& c, const Document& document) {
     if (document.find("indenter.young")) c.indenter.material = contact::Material{};
     if (document.find("indenter.body")) c.indenter.body = contact::ElasticBody{};
+    if (document.find("indenter.mesh")) {
+        if (document.find("indenter.body"))
+            refuse(document, "indenter.mesh", "indenter.body gives the indenter another body",
+                   "keep one of them");
+        c.indenter.body = contact::ElasticBody{.form = contact::ElasticBody::Form::mesh};
+    }
     c.has_rigid_substrate = document.find("substrate.rigid");  // until it is read
     if (document.find_section("indenter.roughness")) c.indenter.roughness = contact::Roughness{};
     if (document.find_section("substrate.relaxation")) c.relaxation = contact::Relaxation{};
@@ -70,6 +76,10 @@ void make_paths_absolute(Case& c, const Document& document) {
     if (!cache.empty() && cache != "none")
         cache = absolute_path(cache, *document.find("fem.cache"), document);
     make_absolute(c.indenter.file, "indenter.file");
+    if (c.indenter.body) {
+        make_absolute(c.indenter.body->mesh, "indenter.mesh");
+        if (c.indenter.body->mesh) note_input_file(*c.indenter.body->mesh);
+    }
     make_absolute(c.friction.map_file, "friction.map");
     if (c.kept.find<PathInput>()) make_absolute(c.of<PathInput>().file, "path.file");
     make_absolute(c.of<RelaxationInput>().dma, "substrate.relaxation.dma");

@@ -46,6 +46,8 @@ void check_section_substrate(const Case& c, const Refusal& refuse_key) {
 }
 
 void check_section_indenter(const Case& c, const Refusal& refuse_key) {
+    if (c.indenter.body && c.indenter.body->form == ElasticBody::Form::mesh)
+        refuse_key("indenter.mesh", "meshes a section of its own", "take fem, or indenter.body");
     if (c.indenter.roughness)
         refuse_key("indenter.roughness.hurst", "knows smooth bodies alone", "take bem");
     if (c.indenter.body || !c.indenter.material) return;
@@ -65,20 +67,20 @@ void check_section_elements(const Case& c, const Document& document, const Refus
 }
 
 void check_rolling_section(const Case& c, const Document& document, const Refusal& refuse_key) {
+    const std::string rule = "presses bodies where they are, but for a cylinder on a hub: takes no ";
     if (c.rolling)
         refuse_key(used(document, "rolling.amplitude_ratio", "rolling.amplitude"),
-                   "presses the bodies where they are and takes no [rolling]",
-                   "leave that section out, or take bem or fem");
+                   rule + "[rolling]", "leave that section out, or take bem or fem");
     if (c.tractive_rolling)
-        refuse_key("tractive_rolling.distance",
-                   "presses the bodies where they are and takes no [tractive_rolling]",
+        refuse_key("tractive_rolling.distance", rule + "[tractive_rolling]",
                    "leave that section out, or take bem");
     if (c.prescribed_path)
-        refuse_key(path_key(document), "presses the bodies where they are and takes no [path]",
+        refuse_key(path_key(document), rule + "[path]",
                    "leave that section out, or take bem or fem");
 }
 
-void check_plane_strain(const Case& c, const Document& document, const Refusal& refuse_key) {
+void check_plane_strain(const ModelKind& kind, const Case& c, const Document& document,
+                        const Refusal& refuse_key) {
     if (!c.is_line_contact())
         refuse_key("indenter.shape", "is about cylinders, in plane strain",
                    "take shape = \"cylinder\", or fem-axisymmetric");
@@ -86,10 +88,13 @@ void check_plane_strain(const Case& c, const Document& document, const Refusal& 
         refuse_key("substrate.base", "has nothing that holds a layer which glides",
                    "take base = \"bonded\"");
     if (!c.indenter.body) return;
-    check_rolling_section(c, document, refuse_key);
+    if (c.indenter.body->support == ElasticBody::Support::hub)
+        check_turn_of_hub(kind.name, c, document);
+    else
+        check_rolling_section(c, document, refuse_key);
     if (has_tangential_load(c) && c.indenter.body->support == ElasticBody::Support::plates)
         refuse_key(tangential_key(c), "has no force along plates that press from both sides",
-                   "omit it, or take indenter.support = \"hub\"");
+                   "set it to 0, or take indenter.support = \"hub\"");
 }
 
 void check_of_revolution(const Case& c, const Document& document, const Refusal& refuse_key) {
@@ -100,7 +105,7 @@ void check_of_revolution(const Case& c, const Document& document, const Refusal&
         refuse_key("friction.map", "has the same friction all around its axis", "leave it out");
     check_rolling_section(c, document, refuse_key);
     if (has_tangential_load(c))
-        refuse_key(tangential_key(c), "presses along the axis alone", "omit it, or take fem");
+        refuse_key(tangential_key(c), "presses along the axis alone", "set it to 0, or take fem");
 }
 
 }  // namespace
@@ -111,7 +116,7 @@ void check_section(const ModelKind& kind, const Case& c, const Document& documen
     check_section_indenter(c, refuse_key);
     check_section_elements(c, document, refuse_key);
     if (kind.cut == ModelKind::Cut::plane_strain)
-        check_plane_strain(c, document, refuse_key);
+        check_plane_strain(kind, c, document, refuse_key);
     else
         check_of_revolution(c, document, refuse_key);
 }

@@ -27,6 +27,29 @@ height_map = "".join(" ".join(f"{((x / 10) ** 2 + (y / 10) ** 2) * 6.25:.4f}" fo
                      for y in range(-30, 31, 2))  # um, of a ball of 80 mm on 6 mm
 
 
+def body_of_revolution(n=12, half=12., height=10., radius=40.):
+    """A gmsh file of a box whose lower face is a paraboloid, n x n x 2 hexahedra, in mm."""
+    def node(i, j, k):
+        return 1 + i + (n + 1) * (j + (n + 1) * k)
+
+    def position(i, j, k):
+        x, y = (2 * i / n - 1) * half, (2 * j / n - 1) * half
+        low = (x * x + y * y) / 2 / radius
+        return f"{node(i, j, k)} {x} {y} {low + (height - low) * k / 2}"
+
+    def face(i, j, k):
+        return [node(i, j, k), node(i + 1, j, k), node(i + 1, j + 1, k), node(i, j + 1, k)]
+
+    cells = [(i, j) for j in range(n) for i in range(n)]
+    elements = [(3, 1, face(*at, 0)) for at in cells] + [(3, 2, face(*at, 2)) for at in cells]
+    elements += [(5, 3, face(*at, k) + face(*at, k + 1)) for k in range(2) for at in cells]
+    nodes = [position(i, j, k) for k in range(3) for j in range(n + 1) for i in range(n + 1)]
+    lines = ["$MeshFormat", "2.2 0 8", "$EndMeshFormat", "$PhysicalNames", "3", '2 1 "contact"', '2 2 "support"',
+             '3 3 "body"', "$EndPhysicalNames", "$Nodes", len(nodes), *nodes, "$EndNodes", "$Elements", len(elements)]
+    lines += [" ".join(map(str, (e + 1, kind, 2, group, group, *at))) for e, (kind, group, at) in enumerate(elements)]
+    return "\n".join(map(str, [*lines, "$EndElements\n"]))
+
+
 # Of columns whose base does not roll back and forth.
 rolled = {name: {"rolling.amplitude_ratio": "0.24"} for name in ("run rolling on", "run fem-axisymmetric")}
 
@@ -153,6 +176,9 @@ features = [
             {**elastic, "indenter.body": '"ball"', "indenter.support": '"plates"'},
             over_for={**pressed, "run fem-plane": {**at_rest, **on_hub}},
             other_for={"run fem-plane": {"indenter.hub_radius": '"20 mm"'}}),
+    feature("mesh of the indenter", "indenter.mesh indenter.mesh_unit",
+            "indenter.mesh|indenter.young|elastic indenter|rigid", {**elastic, **hemisphere},
+            {**elastic, "indenter.mesh": '"body.msh"', "indenter.mesh_unit": '"1 mm"'}, over_for=pressed),
     feature("rigid substrate", "substrate.rigid", "substrate.rigid|substrate.thickness|substrate.young|rigid|layer", elastic,
             {**elastic, "substrate.*": None, "substrate.rigid": "true"},
             over_for={"run fem": {**at_rest, **hemisphere, "fem.size": '"1 mm"'}, "run fem-axisymmetric": hemisphere, "run fem-plane": {**at_rest, **on_hub}}),

@@ -11,6 +11,7 @@
 
 #include "benchmarks/problems/problem.h"
 #include "benchmarks/reference/closed_reference.h"
+#include "benchmarks/submissions/read_field.h"
 #include "benchmarks/submissions/table_field.h"
 #include "contact/base/error.h"
 
@@ -197,7 +198,8 @@ TEST(CompletePunch, IsJudgedByDepthWherePressedByForce) {
 TEST(ClosedComparison, ReferencesAreTheTargets) {
     for (const auto& [name, reference] :
          {std::pair{"patch_test", patch_test_reference()}, std::pair{"wedge", wedge_reference()},
-          std::pair{"complete_punch", complete_punch_reference(true)}}) {
+          std::pair{"complete_punch", complete_punch_reference(true)},
+          std::pair{"rounded_punch_plane", rounded_punch_plane_reference()}}) {
         EXPECT_TRUE(has_closed_comparison(name));
         for (const Target& target : required_problem(name).targets) {
             if (!target.is_solution) continue;
@@ -207,6 +209,47 @@ TEST(ClosedComparison, ReferencesAreTheTargets) {
         }
     }
     EXPECT_FALSE(has_closed_comparison("layer_pressed"));
+}
+
+// p a/P at b/a = .5 by the integral equation, five digits.
+TEST(RoundedPunch, PressuresOfItsIntegralEquation) {
+    const Reference r = rounded_punch_plane_reference();
+    const double load = .307092 * 5.2e6 / .91 * .01 * .01 / .1, a = .01;
+    EXPECT_NEAR(r.find("normal_force")->value, load, 2e-6 * load);
+    for (const auto& [place, pressure] : {std::pair{0., .40292}, std::pair{.3, .44017},
+                                          std::pair{.6, .66610}, std::pair{.95, .33243}})
+        EXPECT_NEAR(r.fields->at(place * a, 0).pressure * a / load, pressure, 1e-5) << place;
+    EXPECT_NEAR(r.fields->load_within(a), load, 1e-5 * load);
+    EXPECT_EQ(r.fields->at(1.001 * a, 0).pressure, 0);
+}
+
+/// Results of GetFEM 5.4.2, pressures times a factor at so many times the distance.
+Comparison getfem_punch(double pressure, double place) {
+    Submission s{.problem = "rounded_punch_plane"};
+    for (const char* n : {"4", "8", "16", "32"}) {
+        MeshField& mesh = s.meshes.emplace_back(read_field(
+            {.file = std::string(TRICONTACT_SOURCE_DIR) +
+                     "/tests/benchmarks/foreign/getfem_q2_rounded_punch_plane_" + n + ".csv",
+             .set = "",
+             .totals = ""}));
+        for (FieldColumn& column : mesh.columns)
+            for (double& value : column.values)
+                value *= column.meaning == Meaning::pressure ? pressure : place;
+    }
+    s.contact.kinematics = ContactMethod::Kinematics::undeformed;
+    return compare_closed(std::move(s));
+}
+
+TEST(RoundedPunch, GetfemPasses) {
+    const Comparison c = getfem_punch(1, 1);
+    EXPECT_EQ(c.standing, Standing::pass) << c.blame;
+    EXPECT_LT(std::abs(number(c, "contact_radius").finest), 5e-4);
+    EXPECT_LT(std::abs(number(c, "pressure_at_axis").finest), 3e-4);
+}
+
+// The same force on a contact that is 4 % narrower.
+TEST(RoundedPunch, NarrowerContactFails) {
+    EXPECT_EQ(getfem_punch(1 / .96, .96).standing, Standing::fail);
 }
 
 }  // namespace

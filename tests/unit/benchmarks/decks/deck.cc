@@ -295,8 +295,8 @@ TEST(Deck, GetfemPressesWithFriction) {
     EXPECT_NE(refusal(reference, {.code = "freefem"}).find("frictionless"), std::string::npos);
 }
 
-TEST(ClosedDeck, ThreeProblems) {
-    for (const char* name : {"patch_test", "wedge", "complete_punch"}) {
+TEST(ClosedDeck, FourProblems) {
+    for (const char* name : {"patch_test", "wedge", "complete_punch", "rounded_punch_plane"}) {
         EXPECT_TRUE(has_closed_deck(name));
         const auto files = write_closed_deck({.code = "calculix", .problem = name});
         EXPECT_EQ(text_of(files, "submission.toml"), "");

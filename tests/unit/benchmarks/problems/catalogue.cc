@@ -67,7 +67,13 @@ TEST(BenchmarkCatalogue, HasTheProblemsOfTheField) {
                              "oscillating_rolling",
                              "patch_test",
                              "wedge",
-                             "complete_punch"})
+                             "complete_punch",
+                             "rounded_punch",
+                             "rounded_punch_plane",
+                             "hemisphere",
+                             "hemisphere_on_layer",
+                             "ball_between_plates",
+                             "cylinder_between_plates"})
         EXPECT_NE(benchmarks::find_problem(name), nullptr) << name;
     EXPECT_EQ(benchmarks::find_problem("layer-pressed"), benchmarks::find_problem("layer_pressed"));
     EXPECT_EQ(benchmarks::find_problem("no_problem"), nullptr);
@@ -197,6 +203,33 @@ TEST(BenchmarkCatalogue, HasTheNumbersOfThePunchAndTheWedge) {
     expect_target("complete_punch", "pressure_at_0_9",
                   force / (2 * pi * radius * radius * std::sqrt(1 - .81)));
     expect_target("wedge", "force_ratio", (.1 + .3) / (1 - .3 * .1));
+}
+
+// Ciavarella, Hills and Monno (1998) at b/a = .5; p a/P by their integral equation.
+TEST(BenchmarkCatalogue, HasTheNumbersOfRoundedPunches) {
+    constexpr double modulus = 5.2e6 / (1 - .09), a = .01, radius = .1;
+    expect_target("rounded_punch", "normal_force", .558933 * modulus * a * a * a / radius);
+    expect_target("rounded_punch", "contact_radius", a);
+    EXPECT_NEAR(*problem("rounded_punch").make_case().load.indentation, .342427 * a * a / radius,
+                1e-12);
+    expect_target("rounded_punch_plane", "contact_radius", a);
+    expect_target("rounded_punch_plane", "pressure_at_axis",
+                  .402918 * .307092 * modulus * a / radius);
+}
+
+// Hertz' number is shown beside the hemisphere's, Johnson's (1985, eq. 5.57) is the cylinder's.
+TEST(BenchmarkCatalogue, HasTheNumbersOfFiniteBodies) {
+    constexpr double modulus = 2e6 / (1 - .09), r = .01, d = 1e-4;
+    const auto& targets = problem("hemisphere").targets;
+    const auto hertz = std::ranges::find(targets, false, &Target::is_solution);
+    ASSERT_NE(hertz, targets.end());
+    EXPECT_NEAR(hertz->value, 4. / 3 * modulus * std::sqrt(r) * std::pow(d, 1.5), 1e-6);
+    const double load = 43.1537, half = std::sqrt(4 * load * r / (std::numbers::pi * modulus));
+    expect_target("cylinder_between_plates", "normal_force", load);
+    expect_target("cylinder_between_plates", "contact_radius", half);
+    expect_target("cylinder_between_plates", "peak_pressure", 2 * load / (std::numbers::pi * half));
+    EXPECT_NEAR(*problem("cylinder_between_plates").make_case().load.indentation,
+                load / (std::numbers::pi * modulus) * (2 * std::log(4 * r / half) - 1), 1e-9);
 }
 
 }  // namespace

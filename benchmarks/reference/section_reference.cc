@@ -1,0 +1,180 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "benchmarks/reference/exact_parts.h"
+#include "benchmarks/reference/model_levels.h"
+#include "benchmarks/reference/reference_kinds.h"
+#include "contact/base/error.h"
+#include "contact/models/model_kind.h"
+#include "fem/settings.h"
+
+// Pressing of bodies of a finite size: finite elements of their section on three meshes, 16, 32 and
+// 64 elements across the contact's half width.
+
+namespace tricontact::benchmarks {
+
+namespace {
+
+using contact::Case;
+using contact::NormalControl;
+using std::numbers::pi;
+namespace keys = quantity_keys;
+
+constexpr std::array elements_of_levels{16., 32., 64.};
+constexpr double elements_of_neighbours = 32;
+constexpr double neighbour_step = .03;  // of depth or force, in effects
+
+/// Elements of this size, whose growth over a length is that of the case at 16 in the radius.
+Case on_elements(Case c, double radius, double count) {
+    auto& settings = c.of<fem::Settings>();
+    settings.size = radius / count;
+    settings.growth = 1 + (settings.growth - 1) * elements_of_levels.front() / count;
+    return c;
+}
+
+/// Pressure over the distance from the middle. Between nodes its square is linear: smooth inside,
+/// and of the right power at the edge.
+class PressureProfile {
+  public:
+    PressureProfile(const EndState& end, double radius, bool is_plane)
+        : radius_(radius), is_plane_(is_plane) {
+        const contact::Surface& s = end.surface;
+        const int row = (s.n_y - 1) / 2;
+        const double nearest = -1e-9 * s.spacing[0];
+        for (int i = 0; i < s.n_x; ++i) {
+            const double r = s.x(i) - s.offset[0];
+            if (r < nearest || r >= radius) continue;
+            const double p = s.normal_traction[static_cast<std::size_t>(row) * s.n_x + i];
+            r_.push_back(r);
+            squares_.push_back(p * p);
+        }
+        r_.push_back(radius);
+        squares_.push_back(0);
+    }
+
+    double pressure(double r) const {
+        if (r >= radius_) return 0;
+        const auto above = std::ranges::upper_bound(r_, r);
+        const auto i = std::clamp<std::ptrdiff_t>(above - r_.begin(), 1, std::ssize(r_) - 1);
+        const double share = (r - r_[i - 1]) / (r_[i] - r_[i - 1]);
+        return std::sqrt(std::max(0., squares_[i - 1] + share * (squares_[i] - squares_[i - 1])));
+    }
+
+    /// ∫ p^power dA over the distance r, of plane contacts over |x| < r.
+    double integral(double r, int power) const {
+        constexpr int n = 400;  // even; over theta, r = a sin(theta)
+        const double end = std::asin(std::min(1., r / radius_));
+        double sum = 0;
+        for (int i = 0; i <= n; ++i) {
+            const double theta = end * i / n, x = radius_ * std::sin(theta);
+            const double weight = i == 0 || i == n ? 1 : i % 2 == 1 ? 4 : 2;
+            sum += weight * std::pow(pressure(x), power) * (is_plane_ ? 2 : 2 * pi * x) * radius_ *
+                   std::cos(theta);
+        }
+        return sum * end / (3 * n);
+    }
+
+  private:
+    double radius_;
+    bool is_plane_;
+    std::vector<double> r_, squares_;
+};
+
+std::shared_ptr<const RadialFields> section_fields(const Reference& reference,
+                                                   const EndState& finest) {
+    const bool is_plane = reference.geometry == Geometry::plane;
+    const double a = reference.contact_radius, force = reference.find(keys::normal_force)->value,
+                 unknown = std::nan("");
+    const PressureProfile profile(finest, a, is_plane);
+    const double share = force / profile.integral(a, 1);
+    const RadialFields::Bars bars{.pressure = relative_bar(reference, keys::peak_pressure),
+                                  .radius = relative_bar(reference, keys::contact_radius),
+                                  .displacement = 0};
+    return std::make_shared<RadialFields>(is_plane, a, bars, [&](double r) -> RadialFields::Values {
+        return {profile.pressure(r), unknown, unknown, share * profile.integral(r, 1)};
+    });
+}
+
+/// What cells count is that of the radius.
+void set_area(Reference& reference) {
+    const ReferenceValue& a = reference.values.at(keys::contact_radius);
+    ReferenceValue& area = reference.values.at(keys::contact_area);
+    const bool is_plane = reference.geometry == Geometry::plane;
+    area.value = is_plane ? 2 * a.value : pi * a.value * a.value;
+    area.grid = (is_plane ? 2 : 2 * pi * a.value) * a.grid;
+}
+
+/// What a penalty changes, and the stiffness, from states beside the end.
+void add_neighbours(Reference& reference, const Case& pressed, const std::string& model,
+                    const contact::ModelRunner& runner) {
+    const NormalControl control = final_normal(pressed);
+    const bool by_force = control.kind == NormalControl::Kind::force;
+    const bool is_plane = reference.geometry == Geometry::plane;
+    const double length = is_plane ? pressed.indenter.length : 1;
+    std::array<double, 4> squares{}, answers{};
+    constexpr std::array steps{-2., -1., 1., 2.};
+    for (std::size_t k = 0; k < steps.size(); ++k) {
+        Case near = on_elements(pressed, reference.contact_radius, elements_of_neighbours);
+        auto& value = by_force ? near.load.normal_force : near.load.indentation;
+        value = *value * (1 + neighbour_step * steps[k]);
+        const EndState end = end_state(runner, model, near);
+        const double a = end.scales.contact_radius;
+        squares[k] = PressureProfile(end, a, is_plane).integral(a, 2);
+        answers[k] = by_force ? end.record().indentation : end.record().normal_force / length;
+    }
+    const double step = neighbour_step * control.value / (by_force ? length : 1);
+    const auto slope = [&](const std::array<double, 4>& f) {
+        ReferenceValue value = central_difference(step, f[0], f[1], f[2], f[3]);
+        value.source = model;
+        return value;
+    };
+    ReferenceValue compliance = slope(squares), stiffness = slope(answers);
+    compliance.value *= by_force ? .5 : -.5;
+    compliance.grid *= .5;
+    reference.effects.normal_compliance = compliance;
+    if (by_force) {
+        stiffness.grid /= stiffness.value * stiffness.value;
+        stiffness.value = 1 / stiffness.value;
+    }
+    reference.values[keys::normal_stiffness] = stiffness;
+}
+
+}  // namespace
+
+bool has_finite_body(const Case& c) {
+    return c.indenter.body.has_value();
+}
+
+void refer_section(Reference& reference, const contact::ModelRunner& runner) {
+    const Case& c = reference.c;
+    if (!is_frictionless(c))
+        throw contact::InputError(
+            "reference: bodies of a finite size are assumed to be pressed without friction; set "
+            "contact.coupling = false and no tangential load, or take a run of fem as the "
+            "reference");
+    const std::string model =
+        c.is_line_contact() ? contact::models::fem_plane : contact::models::fem_axisymmetric;
+    const Case pressed = pressed_alone(c, final_normal(c));
+    const double radius = end_state(runner, model, pressed).scales.contact_radius;
+    std::vector<EndState> levels;
+    for (const double count : elements_of_levels) {
+        levels.push_back(end_state(runner, model, on_elements(pressed, radius, count)));
+        levels.back().size = radius / count;
+    }
+    reference.models = {model};
+    reference.values = values_of_levels(pressed, levels, model);
+    reference.contact_radius = reference.values.at(keys::contact_radius).value;
+    set_area(reference);
+    reference.fields = section_fields(reference, levels.back());
+    add_neighbours(reference, pressed, model, runner);
+    if (c.has_rigid_substrate)
+        // The normal is the plane's, and its height is the same where a point has moved along it.
+        reference.effects.displaced_surface = ReferenceValue{.source = "the plane is flat"};
+    else
+        reference.remarks.emplace_back(
+            "what contact on the displaced surface changes between two bodies is not computed");
+}
+
+}  // namespace tricontact::benchmarks
