@@ -10,6 +10,7 @@
 #include "bem/grid_convolution.h"
 #include "bem/mirrored_convolution.h"
 #include "bem/normal_level.h"
+#include "contact/compliances/active_operator.h"
 #include "contact/compliances/compliance.h"
 #include "contact/substrates/substrate.h"
 
@@ -38,6 +39,10 @@ class ConvolvedProducts {
                                         std::span<double> u_z) const = 0;
     virtual void precondition_tangential(const contact::TangentialField& r,
                                          contact::TangentialField& z) const = 0;
+    /// With a layer over the cells, whose `xy` y = 0 mirrors into its opposite.
+    virtual void precondition_under(const contact::LayerCompliance& layer,
+                                    const contact::TangentialField& r,
+                                    contact::TangentialField& z) const = 0;
     /// `normal` and `tangential` of several bodies like this one on the same grid under the same
     /// tractions: with one transform of these where y = 0 mirrors.
     using Bodies = std::vector<const ConvolvedProducts*>;
@@ -122,6 +127,12 @@ class ProductsBy final : public ConvolvedProducts {
         const auto& s = rest().inverse;
         bare().template apply<2, 2>({{{&s.xx, &s.xy}, {&s.xy, &s.yy}}}, {r.x, r.y}, {z.x, z.y});
     }
+    void precondition_under(const contact::LayerCompliance& layer,
+                            const contact::TangentialField& r,
+                            contact::TangentialField& z) const override {
+        const auto& s = under(layer);
+        bare().template apply<2, 2>({{{&s.xx, &s.xy}, {&s.xy, &s.yy}}}, {r.x, r.y}, {z.x, z.y});
+    }
     void displacements(const Bodies& bodies, const contact::SurfaceField& t,
                        std::span<contact::SurfaceField> u) const override {
         if constexpr (std::is_same_v<Convolution, MirroredConvolution>) {
@@ -157,6 +168,17 @@ class ProductsBy final : public ConvolvedProducts {
         if (!rest_) rest_ = make_rest_(convolution_, bare());
         return *rest_;
     }
+    /// The inverse of the symbol and the layer's, which has the factor of all symbols.
+    const GridConvolution::Symbol2& under(contact::LayerCompliance layer) const {
+        if (std::is_same_v<Convolution, MirroredConvolution>) layer.xy = 0;
+        if (under_.xx.empty() || layer != layer_) {
+            layer_ = layer;
+            const double factor = 1. / bare().period_x() / bare().period_y();
+            under_ = inverse_under({factor * layer.xx, factor * layer.xy, factor * layer.yy},
+                                   rest().inverse, bare().n_threads());
+        }
+        return under_;
+    }
     const NormalSymbols& normal_symbols() const {
         if (make_normal_ && normal_.normal.empty()) normal_ = make_normal_(convolution_, bare());
         return normal_;
@@ -169,6 +191,8 @@ class ProductsBy final : public ConvolvedProducts {
     mutable std::unique_ptr<const NormalLevel> normal_level_;  // once asked for
     MakeSymbols make_rest_;
     mutable std::optional<TangentialSymbols> rest_;
+    mutable contact::LayerCompliance layer_;
+    mutable GridConvolution::Symbol2 under_;  // the last layer
 };
 
 }  // namespace tricontact::bem

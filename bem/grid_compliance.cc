@@ -62,13 +62,14 @@ int cells_in(int period) {
     return (period + 1) / 2;
 }
 
-/// Among the points of a window on a grid.
-class WindowOperator final : public contact::ActiveOperator {
+/// Among points of a grid, or of a window on it, which knows normal products too.
+class ConvolvedOperator final : public contact::ActiveOperator {
   public:
-    /// `points`: the active ones within the window.
-    WindowOperator(std::shared_ptr<const ConvolvedProducts> products,
-                   contact::ScatteredPoints points)
-        : products_(std::move(products)), points_(std::move(points)) {}
+    ConvolvedOperator(const ConvolvedProducts& products, contact::ScatteredPoints points)
+        : products_(&products), points_(std::move(points)) {}
+    ConvolvedOperator(std::shared_ptr<const ConvolvedProducts> window,
+                      contact::ScatteredPoints points)
+        : window_(std::move(window)), products_(window_.get()), points_(std::move(points)) {}
 
     void apply(const contact::TangentialField& t, contact::TangentialField& u) const override {
         points_.apply(t, u, [&](const auto& in, auto& out) { products_->tangential(in, out); });
@@ -79,7 +80,16 @@ class WindowOperator final : public contact::ActiveOperator {
             r, z, [&](const auto& in, auto& out) { products_->precondition_tangential(in, out); });
     }
 
-    bool has_normal() const override { return true; }
+    bool knows_layers() const override { return true; }
+    void precondition_under(const contact::LayerCompliance& layer,
+                            const contact::TangentialField& r,
+                            contact::TangentialField& z) const override {
+        points_.apply(r, z, [&](const auto& in, auto& out) {
+            products_->precondition_under(layer, in, out);
+        });
+    }
+
+    bool has_normal() const override { return window_ != nullptr; }
     void normal(std::span<const double> p, std::span<double> u_z) const override {
         points_.apply(p, u_z, [&](auto in, auto out) { products_->normal(in, out); });
     }
@@ -88,7 +98,8 @@ class WindowOperator final : public contact::ActiveOperator {
     }
 
   private:
-    std::shared_ptr<const ConvolvedProducts> products_;
+    std::shared_ptr<const ConvolvedProducts> window_;
+    const ConvolvedProducts* products_;
     contact::ScatteredPoints points_;
 };
 
@@ -102,6 +113,12 @@ int n_threads_worth(std::size_t n_cells, int n_threads) {
 const contact::NormalGrid* ConvolvedCompliance::normal_grid() const {
     if (grid_.mirrored || grid_.size() < cells_worth_levels) return nullptr;
     return products_->normal_grid(grid_.area[0]);
+}
+
+std::unique_ptr<const contact::ActiveOperator> ConvolvedCompliance::among(
+    const std::vector<std::size_t>& active) const {
+    return std::make_unique<ConvolvedOperator>(
+        *products_, contact::ScatteredPoints(active, grid_.size(), n_threads_));
 }
 
 void ConvolvedCompliance::tangential_from_normal(std::span<const double> p,
@@ -201,7 +218,7 @@ std::shared_ptr<const ConvolvedProducts> GridCompliance::window(const Size& size
 // share their symbols (`windows_`).
 std::unique_ptr<const contact::ActiveOperator> GridCompliance::among(
     const std::vector<std::size_t>& active) const {
-    if (active.empty()) return nullptr;
+    if (active.empty()) return ConvolvedCompliance::among(active);
     int low_x = grid_.n_x, high_x = 0, low_y = grid_.n_y, high_y = 0;
     for (const std::size_t point : active) {
         const int i = static_cast<int>(point) % grid_.n_x, j = static_cast<int>(point) / grid_.n_x;
@@ -216,14 +233,14 @@ std::unique_ptr<const contact::ActiveOperator> GridCompliance::among(
     const double cells = static_cast<double>(period_x) * period_y;
     const double all_cells = static_cast<double>(row_period(grid_, 2 * grid_.n_x - 1)) *
                              padded(all_rows(grid_, grid_.n_y));
-    if (cells > window_worth * all_cells) return nullptr;
+    if (cells > window_worth * all_cells) return ConvolvedCompliance::among(active);
     std::vector<std::size_t> positions;
     for (const std::size_t point : active) {
         const std::size_t i = point % grid_.n_x - low_x, j = point / grid_.n_x - low_y;
         positions.push_back(j * size[0] + i);
     }
     const std::size_t n_cells = static_cast<std::size_t>(size[0]) * size[1];
-    return std::make_unique<WindowOperator>(
+    return std::make_unique<ConvolvedOperator>(
         window(size), contact::ScatteredPoints(std::move(positions), n_cells,
                                                n_threads_worth(n_cells, n_threads_)));
 }

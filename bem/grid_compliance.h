@@ -41,6 +41,8 @@ class ConvolvedCompliance : public contact::Compliance {
                                  contact::TangentialField& z) const override {
         products_->precondition_tangential(r, z);
     }
+    std::unique_ptr<const contact::ActiveOperator> among(
+        const std::vector<std::size_t>& active) const override;
 
   protected:
     ConvolvedCompliance(contact::ContactPoints grid, bool coupled, int n_threads)

@@ -331,4 +331,21 @@ GridConvolution::Symbol2 inverse(GridConvolution::Symbol2 symbol, int n_threads)
     return symbol;
 }
 
+// (B^-1 + D)^-1 = (1 + B D)^-1 B, B positive definite but in the padding of rows, where it is 0.
+GridConvolution::Symbol2 inverse_under(const contact::LayerCompliance& layer,
+                                       const GridConvolution::Symbol2& bare, int n_threads) {
+    GridConvolution::Symbol2 under = bare;
+    const double of_layer = layer.xx * layer.yy - layer.xy * layer.xy;
+    contact::Blocks(bare.xx.size(), n_threads).for_points([&](std::size_t k) {
+        const double xx = bare.xx[k], xy = bare.xy[k], yy = bare.yy[k];
+        const double of_bare = xx * yy - xy * xy;
+        const double determinant =
+            1 + xx * layer.xx + 2 * xy * layer.xy + yy * layer.yy + of_bare * of_layer;
+        under.xx[k] = (xx + of_bare * layer.yy) / determinant;
+        under.xy[k] = (xy - of_bare * layer.xy) / determinant;
+        under.yy[k] = (yy + of_bare * layer.xx) / determinant;
+    });
+    return under;
+}
+
 }  // namespace tricontact::bem

@@ -7,6 +7,7 @@
 
 #include "contact/base/fftw.h"
 #include "contact/base/memory.h"
+#include "contact/compliances/active_operator.h"
 
 // u(i) = sum over j of K(i - j) t(j): docs/explanation/models/bem.md. Conventions, N = period:
 //
@@ -145,5 +146,8 @@ GridConvolution::Symbol fourier_coefficients(int period_x, int period_y,
 
 /// Inverse matrix per wave vector; where a truncated kernel is not positive definite, its diagonal.
 GridConvolution::Symbol2 inverse(GridConvolution::Symbol2 symbol, int n_threads = 1);
+/// The inverse of what has the inverse `bare`, with the same `layer` added per wave number.
+GridConvolution::Symbol2 inverse_under(const contact::LayerCompliance& layer,
+                                       const GridConvolution::Symbol2& bare, int n_threads);
 
 }  // namespace tricontact::bem

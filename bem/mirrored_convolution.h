@@ -24,6 +24,8 @@ class MirroredConvolution {
     /// `n_y` rows, the first at y = 0; the periods are those of the whole plane's 2 n_y - 1 rows.
     MirroredConvolution(int n_x, int n_y, int period_x, int period_y, int n_threads);
 
+    int period_x() const { return period_x_; }
+    int period_y() const { return period_y_; }
     int n_threads() const { return n_threads_; }
 
     /// As GridConvolution's.

@@ -120,7 +120,7 @@ struct History {
     std::vector<StepRecord> steps;
     double static_shift = 0;                     ///< U after loading, before rolling [m]
     std::vector<double> shift_per_period;        ///< U with the roller upright, n = 1, 2, ... [m]
-    std::vector<double> dissipation_per_period;  ///< [J]
+    std::vector<double> dissipation_per_period;  ///< [J]; of a path, per closed cycle
     /// The most that any point of the surface slipped in a period, sum of |slip| [m], and the most
     /// frictional work per area [J/m^2]; n = 1, 2, ... Empty where the model does not know them.
     std::vector<double> slip_path_per_period, friction_work_per_period;

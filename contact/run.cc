@@ -14,6 +14,7 @@
 #include "contact/larger_grids.h"
 #include "contact/load_path.h"
 #include "contact/own_limit.h"
+#include "contact/path_cycles.h"
 #include "contact/verdict.h"
 
 namespace tricontact::contact {
@@ -129,6 +130,7 @@ class Run {
     }
 
     /// Uncoupled contact on what does not relax forgets how it was pressed; it takes the last step.
+    /// The path's closed cycles are its periods.
     void follow_path() {
         model_.release();
         const bool all = path_matters() || case_.prescribed_path->loads_first_row();
@@ -137,7 +139,28 @@ class Run {
         for (std::size_t k = first; k < pressing.size(); ++k)
             take(pressing[k], k + 1 == pressing.size());
         perhaps_last_period_ = true;  // surfaces of the last row are kept
-        for (const LoadStep& step : path_.loading) take(step, step.phase == std::floor(step.phase));
+        const auto cycles = closed_cycles(*case_.prescribed_path);
+        auto cycle = cycles.begin();
+        bool within = false;
+        double work = 0;
+        for (const LoadStep& step : path_.loading) {
+            const bool is_row = step.phase == std::floor(step.phase);
+            take(step, is_row);
+            work += history_.steps.back().dissipation;
+            if (!is_row) continue;
+            const auto row = static_cast<std::size_t>(step.phase);
+            if (within && row == cycle->end) {
+                history_.dissipation_per_period.push_back(work);
+                note_friction();
+                within = false;
+                ++cycle;
+            }
+            if (cycle != cycles.end() && row == cycle->begin) {
+                model_.start_period();
+                within = true;
+                work = 0;
+            }
+        }
     }
 
     void load() {
@@ -272,7 +295,8 @@ class Run {
 
     /// What wears a surface most in the period that ends, of models that know it.
     void note_friction() {
-        if (history_.slip_path_per_period.size() + 1 < history_.shift_per_period.size()) return;
+        if (history_.slip_path_per_period.size() + 1 < history_.dissipation_per_period.size())
+            return;
         const Surface s = model_.surface();
         if (s.slip_path.empty()) return;
         history_.slip_path_per_period.push_back(std::ranges::max(s.slip_path));

@@ -1,5 +1,7 @@
 #include "fem/condensed_body.h"
 
+#include <cmath>
+
 #include "fem/dense_compliance.h"
 
 namespace tricontact::fem {
@@ -7,8 +9,12 @@ namespace tricontact::fem {
 using contact::TangentialField;
 
 CondensedBody::CondensedBody(std::shared_ptr<const LayerProblem> problem,
-                             std::array<std::vector<double>, 3> missing_reaction)
-    : problem_(std::move(problem)), missing_reaction_(std::move(missing_reaction)) {}
+                             std::array<std::vector<double>, 3> missing_reaction,
+                             double round_radius, std::optional<PressureTransfer> transfer)
+    : problem_(std::move(problem)),
+      missing_reaction_(std::move(missing_reaction)),
+      round_radius_(round_radius),
+      transfer_(std::move(transfer)) {}
 CondensedBody::CondensedBody(CondensedBody&&) noexcept = default;
 CondensedBody::~CondensedBody() = default;
 
@@ -48,16 +54,22 @@ contact::Interior CondensedBody::interior(const contact::ContactPoints& points,
     const auto& unknown = discretisation.unknowns.of_contact;
     const std::size_t n = points.size(), n_nodes = discretisation.surface.points.size();
     std::vector<double> force(discretisation.unknowns.n);
-    // Of a line that stands for some rows of nodes, each has its own share of the area.
-    const std::vector<double>& area =
-        n == n_nodes ? points.area : discretisation.surface.points.area;
-    for (std::size_t k = 0; k < n_nodes; ++k) {
-        const double own = area[k] * modelled_part(points);
-        const std::size_t i = k % n;
-        const std::array<double, 3> f = {own * t.x[i], own * t.y[i], -own * p[i]};
+    const auto load = [&](std::size_t node, std::size_t i, double area) {
+        const double angle = round_radius_ > 0 ? points.x[i] / round_radius_ : 0;
+        const double cosine = std::cos(angle), sine = std::sin(angle);
+        const std::array<double, 3> f = {area * (cosine * t.x[i] - sine * p[i]), area * t.y[i],
+                                         area * (-sine * t.x[i] - cosine * p[i])};
         for (std::size_t c = 0; c < 3; ++c)
-            if (const int u = unknown[c * n_nodes + k]; u >= 0)
-                force[discretisation.unknowns.n_interior + u] = f[c];
+            if (const int u = unknown[c * n_nodes + node]; u >= 0)
+                force[discretisation.unknowns.n_interior + u] += f[c];
+    };
+    if (transfer_) {
+        for (const auto& [node, point, value] : transfer_->entries) load(node, point, value);
+    } else {
+        // Of a line that stands for some rows of nodes, each has its own share of the area.
+        const std::vector<double>& area =
+            n == n_nodes ? points.area : discretisation.surface.points.area;
+        for (std::size_t k = 0; k < n_nodes; ++k) load(k, k % n, area[k] * modelled_part(points));
     }
     const std::vector<double> displacement = whole_->displacement(force);
     return discretisation.interior(displacement, force);

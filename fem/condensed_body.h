@@ -2,11 +2,13 @@
 
 #include <array>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "contact/compliances/compliance.h"
 #include "fem/condensed_layer.h"
+#include "fem/mortar/pressure_grid.h"
 #include "fem/whole_body.h"
 
 namespace tricontact::fem {
@@ -15,9 +17,12 @@ namespace tricontact::fem {
 /// acts into the body, traction in the plane of its patch, z points out of it.
 class CondensedBody {
   public:
-    /// `missing_reaction`: see CondensedLayer, of the same problem.
+    /// `missing_reaction`: see CondensedLayer, of the same problem. `round_radius`: of a body in a
+    /// round frame, see turn_to_round_frame() [m]; pressure and traction are those of that frame.
+    /// `transfer`: of a body whose contact points are those of a pressure grid.
     CondensedBody(std::shared_ptr<const LayerProblem> problem,
-                  std::array<std::vector<double>, 3> missing_reaction);
+                  std::array<std::vector<double>, 3> missing_reaction, double round_radius = 0,
+                  std::optional<PressureTransfer> transfer = {});
     CondensedBody(CondensedBody&&) noexcept;
     ~CondensedBody();
 
@@ -35,6 +40,8 @@ class CondensedBody {
   private:
     std::shared_ptr<const LayerProblem> problem_;
     std::array<std::vector<double>, 3> missing_reaction_;
+    double round_radius_;
+    std::optional<PressureTransfer> transfer_;
     mutable std::unique_ptr<WholeBody> whole_;
 };
 

@@ -61,6 +61,23 @@ std::vector<double> in_contact_frame(CondensedLayer& layer, Side side) {
     return std::move(layer.compliance);
 }
 
+void turn_to_round_frame(CondensedLayer& body, double radius) {
+    const std::size_t n = body.points.size(), z = 2 * n;
+    for (std::size_t i = 0; i < n; ++i) {
+        const double angle = body.points.x[i] / radius, c = std::cos(angle), s = std::sin(angle);
+        const auto turn = [&](double& along, double& out) {
+            const double x = along, up = out;
+            along = c * x - s * up;
+            out = s * x + c * up;
+        };
+        for (std::size_t k = 0; k < 3 * n; ++k)
+            turn(body.compliance[k * 3 * n + i], body.compliance[k * 3 * n + z + i]);
+        for (std::size_t k = 0; k < 3 * n; ++k)
+            turn(body.compliance[i * 3 * n + k], body.compliance[(z + i) * 3 * n + k]);
+        for (auto& missing : body.missing_reaction) turn(missing[i], missing[z + i]);
+    }
+}
+
 ContactSide joined(contact::ContactPoints points, std::vector<double> compliance,
                    double line_length, double elastic_ratio, const contact::Interface& interface,
                    bool by_element_means) {

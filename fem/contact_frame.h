@@ -40,6 +40,10 @@ struct ContactSide {
 /// symmetry holds stays where it is.
 std::vector<double> in_contact_frame(CondensedLayer& layer, Side side);
 
+/// Of a round body of `radius` whose points have x along its surface, measured from the pole: turns
+/// all components from x and z of the body to those of its points, along the surface and out of it.
+void turn_to_round_frame(CondensedLayer& body, double radius);
+
 /// Adds the springs of an elastic interface to a compliance, and says of its points what solvers
 /// ask for: `line_length`, and `elastic_ratio`, that of ContactPoints::local_ratio without springs.
 /// `by_element_means`: normal and tangential contact couple by what elements displace on the mean,

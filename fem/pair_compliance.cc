@@ -5,6 +5,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "contact/compliances/interior_parts.h"
 #include "contact/substrates/material.h"
 
 // A = C_substrate + C_indenter on the nodes that both have (contact_frame.h has the signs). Forces
@@ -84,8 +85,10 @@ struct PairCompliance::Parts {
         const double ratio = elastic_ratio(material_of(substrate), indenter);
         return {joined(substrate.layer.points, std::move(sum), indenter.problem->line_length, ratio,
                        interface, by_element_means),
-                CondensedBody(substrate.problem, std::move(substrate.layer.missing_reaction)),
-                CondensedBody(indenter.problem, std::move(indenter.layer.missing_reaction)),
+                CondensedBody(substrate.problem, std::move(substrate.layer.missing_reaction), 0,
+                              std::move(substrate.transfer)),
+                CondensedBody(indenter.problem, std::move(indenter.layer.missing_reaction),
+                              indenter.round_radius, std::move(indenter.transfer)),
                 std::move(substrate.layer.contact_mass)};
     }
     static Parts on_plane(ContactSurface plane, CondensedPart indenter,
@@ -95,7 +98,8 @@ struct PairCompliance::Parts {
                        indenter.problem->line_length, elastic_ratio({}, indenter), interface,
                        by_element_means),
                 {},
-                CondensedBody(indenter.problem, std::move(indenter.layer.missing_reaction)),
+                CondensedBody(indenter.problem, std::move(indenter.layer.missing_reaction),
+                              indenter.round_radius, std::move(indenter.transfer)),
                 std::move(plane.mass)};
     }
 };
@@ -146,8 +150,10 @@ double PairCompliance::allowed_missing_reaction() const {
 
 std::unique_ptr<const contact::Interior> PairCompliance::interior(std::span<const double> p,
                                                                   const TangentialField& t) const {
-    if (!substrate_) return nullptr;
-    return std::make_unique<contact::Interior>(substrate_->interior(points(), p, t));
+    contact::Interior above = contact::as_indenter(indenter_interior(p, t));
+    if (!substrate_) return std::make_unique<contact::Interior>(std::move(above));
+    return std::make_unique<contact::Interior>(
+        contact::joined_bodies(substrate_->interior(points(), p, t), above));
 }
 
 contact::Interior PairCompliance::indenter_interior(std::span<const double> p,

@@ -16,14 +16,17 @@ namespace tricontact::fem {
 struct CondensedPart {
     std::shared_ptr<const LayerProblem> problem;
     CondensedLayer layer;
+    double round_radius = 0;  ///< of a part in a round frame, see turn_to_round_frame() [m]
+    std::optional<PressureTransfer> transfer = {};  ///< where `layer` is on_grid()
 };
 
 /// The plane patch of a layer's mesh, for a substrate that is rigid.
 ContactSurface plane_patch(const meshes::LayerMeshSpec& spec);
 
-/// Two bodies as the contact sees them: the sum of the compliances of their patches, whose nodes
-/// have the same x and y. The substrate's surface is plane: tractions are forces over its areas,
-/// and their direction is its normal, on both bodies.
+/// Two bodies as the contact sees them: the sum of the compliances of their patches, whose points
+/// have the same x and y: nodes that match, or those of one pressure grid. The substrate's surface
+/// is plane: tractions are forces over its areas, and their direction is its normal, on both
+/// bodies.
 class PairCompliance final : public DenseCompliance {
   public:
     /// An indenter that deforms on a layer. Throws std::logic_error where nodes do not match.
@@ -43,7 +46,7 @@ class PairCompliance final : public DenseCompliance {
     std::optional<std::array<double, 3>> missing_reaction(
         std::span<const double> p, const contact::TangentialField& t) const override;
     double allowed_missing_reaction() const override;
-    /// Of the substrate; null where it is rigid.
+    /// Of both bodies, see interior_parts.h; of the indenter alone where the substrate is rigid.
     std::unique_ptr<const contact::Interior> interior(
         std::span<const double> p, const contact::TangentialField& t) const override;
     /// Of the indenter, where it stands: its points over the substrate's plane.

@@ -246,6 +246,17 @@ void check_connected(const HexMesh& mesh, const FaceTable& table, const std::str
 
 }  // namespace
 
+void check_shape(const HexMesh& mesh, const std::string& name) {
+    check_elements(mesh, name);
+}
+
+void check_solid(const HexMesh& mesh, const std::string& name) {
+    const FaceTable table(mesh);
+    check_coincident_nodes(mesh, table, name);
+    check_faces(mesh, table, name);
+    check_connected(mesh, table, name);
+}
+
 // In the order in which the parts rely on each other.
 void verify(const HexMesh& mesh, const std::string& name) {
     check_elements(mesh, name);

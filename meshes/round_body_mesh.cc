@@ -274,7 +274,8 @@ HexMesh make_half_ball_mesh(const HalfBallMeshSpec& spec) {
 
 HexMesh make_cylinder_mesh(const CylinderMeshSpec& spec) {
     check_lengths({spec.radius, spec.size, spec.patch_x, spec.half_y}, spec.growth);
-    check_width(spec.patch_x, spec.radius);
+    const bool rolls = spec.rolls && spec.hub_radius > 0;
+    (rolls ? check_turn : check_width)(spec.patch_x, spec.radius);
     if (!(spec.hub_radius >= 0) || !(spec.hub_radius < spec.radius))
         fail(round_body, fmt::format("a hub of the radius {:g} m", spec.hub_radius),
              "make it thinner than the cylinder");

@@ -30,6 +30,9 @@ struct CylinderMeshSpec {
     double half_y = 0;      ///< of the slice, between two planes of symmetry, y = 0 and half_y
     double growth = 1.8;    ///< see HalfBallMeshSpec
     double hub_radius = 0;  ///< 0: half of a solid cylinder; else all of it, around a rigid hub
+    /// Around a hub: elements of the patch are equal along the surface instead of along x, so that
+    /// the patch is the same anywhere around it.
+    bool rolls = false;
 };
 
 /// The half of the cylinder about the line x = z = 0, as a substrate of its own, see

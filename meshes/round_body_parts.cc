@@ -13,6 +13,7 @@ namespace tricontact::meshes {
 namespace {
 
 constexpr double widest_patch = .76;  // of its corner from the axis, over R: 49 degrees
+constexpr double widest_turn = 2.7;   // of a patch that rolls: 155 degrees
 constexpr double widest_element = std::numbers::pi / 10;  // around a hub: chords of arcs
 constexpr double most = 1e7;                              // elements
 
@@ -32,14 +33,18 @@ class CylinderOnHub {
   public:
     explicit CylinderOnHub(const CylinderMeshSpec& s)
         : s_(s), n_patch_(elements_in(s.patch_x, s.size)) {
-        const double angle = std::asin(s.patch_x / s.radius);
+        const double angle = s.rolls ? s.patch_x / s.radius : std::asin(s.patch_x / s.radius);
         const double length = s.radius * (std::numbers::pi - angle);
         for (int i = 0; i <= n_patch_; ++i) {
-            const double x = static_cast<double>(i) * s.size;
-            ray_.push_back({x / s.radius, std::sqrt(1 - x * x / (s.radius * s.radius))});
+            const double x = static_cast<double>(i) * s.size / s.radius;
+            if (s.rolls)
+                ray_.push_back({std::sin(x), std::cos(x)});
+            else
+                ray_.push_back({x, std::sqrt(1 - x * x)});
         }
+        const double next = s.rolls ? s.size : s.size / std::cos(angle);
         const std::vector<double> around =
-            bounded(length, s.size / std::cos(angle), s.growth, widest_element * s.radius);
+            bounded(length, next, s.growth, widest_element * s.radius);
         for (std::size_t i = 1; i < around.size(); ++i) {
             const double at = angle + around[i] / s.radius;
             const bool is_last = i + 1 == around.size();  // opposite of the contact
@@ -60,7 +65,7 @@ class CylinderOnHub {
             for (const double radius : radius_)
                 for (const double y : {0., s_.half_y}) {
                     const auto& [across, down] = ray_[std::abs(i)];
-                    const double x = std::abs(i) <= n_patch_ && radius == s_.radius
+                    const double x = std::abs(i) <= n_patch_ && radius == s_.radius && !s_.rolls
                                          ? std::abs(i) * s_.size
                                          : radius * across;
                     mesh.nodes.push_back({i < 0 ? -x : x, y, radius * down - s_.radius});
@@ -122,6 +127,15 @@ void check_width(double farthest, double radius) {
                          "radius {:.4g} m: more than 49 degrees",
                          farthest, radius),
              "reduce the load or enlarge the radius");
+}
+
+void check_turn(double farthest, double radius) {
+    if (!(farthest <= widest_turn * radius))
+        fail(round_body,
+             fmt::format("the contact patch reaches {:.4g} m along the surface, too far for the "
+                         "radius {:.4g} m: more than 155 degrees",
+                         farthest, radius),
+             "reduce the rolling amplitude or enlarge the radius");
 }
 
 void check_count(double n_elements, double size) {

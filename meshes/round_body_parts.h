@@ -21,6 +21,9 @@ int elements_in(double patch, double size);
 /// Throws contact::InputError where the patch reaches more than 49 degrees from the middle.
 void check_width(double farthest, double radius);
 
+/// The same of one that rolls: more than 155 degrees, `farthest` along the surface.
+void check_turn(double farthest, double radius);
+
 /// Throws contact::InputError for more than 10 million elements.
 void check_count(double n_elements, double size);
 

@@ -15,10 +15,10 @@ namespace tricontact::papers {
 
 namespace {
 
-constexpr std::array kept_options{"--set",       "--models",    "--levels",     "--points",
-                                  "--samples",   "--vary",      "--tolerance",  "--shard",
-                                  "--elements",  "--no-runs",   "--confidence", "--finite-strain",
-                                  "--posterior", "--no-studies"};
+constexpr std::array kept_options{"--set",       "--models",     "--levels",     "--points",
+                                  "--samples",   "--vary",       "--tolerance",  "--shard",
+                                  "--elements",  "--no-runs",    "--confidence", "--finite-strain",
+                                  "--posterior", "--no-studies", "--body"};
 constexpr std::array own_options{"--output", "--export", "--quiet",        "--threads",
                                  "--jobs",   "--vtk",    "--retry-failed", "--no-report",
                                  "--help",   "--json"};

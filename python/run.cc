@@ -114,6 +114,9 @@ comparisons::Results results(const Result& result, const std::string& model) {
 struct ToPython {
     py::object operator()(std::monostate) const { return py::none(); }
     py::object operator()(contact::State state) const { return py::str(contact::name_of(state)); }
+    py::object operator()(comparisons::SlipRegime regime) const {
+        return py::str(comparisons::name_of(regime));
+    }
     template <class Value>
     py::object operator()(const Value& value) const {
         return py::cast(value);

@@ -7,6 +7,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "comparisons/bodies/body_deviation.h"
 #include "comparisons/half_space/layer_report.h"
 #include "comparisons/quantities/left_out.h"
 #include "comparisons/quantities/undefined.h"
@@ -33,6 +34,13 @@ CaseRun run_models(const Case& c, const RunOptions& options, const Say& say,
         study_small_strains(c, run.histories.back(), options, say, run.extras.small_strains);
     }
     run.extras.numerical = numerical_error(c, run.histories.back(), options, say);
+    // Of both that tell what the indenter's body changes.
+    if (const auto pair = comparisons::body_pair(c))
+        for (const contact::History& history : run.histories)
+            if (&history != &run.histories.back() &&
+                (history.model == pair->body || history.model == pair->half_space))
+                if (auto error = numerical_error(c, history, options, say))
+                    run.extras.other_numerical.push_back(std::move(*error));
     return run;
 }
 
@@ -43,6 +51,8 @@ std::string summary_of(const CaseRun& run) {
     for (const contact::History& history : run.histories)
         summaries.push_back(comparisons::results_beside(c, history, run.extras.study));
     const auto layer = comparisons::compare_with_layer(c, run.histories, run.extras.study);
+    const auto bodies = comparisons::body_deviation(c, summaries, run.extras.study,
+                                                    comparisons::errors_of(run.extras));
     json left_out = json::object();
     for (const contact::History& history : run.histories)
         if (const auto list = comparisons::left_out(c, history.model); !list.empty())
@@ -61,7 +71,8 @@ std::string summary_of(const CaseRun& run) {
          {"loading_variants", comparisons::loading_json(run.extras.study.variants)},
          {"relaxation",
           c.relaxation ? comparisons::relaxation_json(c, run.extras.relaxation) : json()},
-         {"small_strains", comparisons::small_strains_json(run.extras.small_strains)}});
+         {"small_strains", comparisons::small_strains_json(run.extras.small_strains)},
+         {"half_space_deviation", bodies ? comparisons::body_deviation_json(*bodies) : json()}});
 }
 
 namespace {

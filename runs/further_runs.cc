@@ -8,6 +8,9 @@
 #include <string>
 #include <vector>
 
+#include "comparisons/quantities/quantities.h"
+#include "comparisons/quantities/reference.h"
+#include "comparisons/quantities/results.h"
 #include "comparisons/run/relaxation_report.h"
 #include "contact/base/stopped.h"
 #include "contact/models/model_kind.h"
@@ -86,6 +89,8 @@ class Variants {
         : model_(model), name_(history.model), say_(say), variants_(variants) {
         as_rolled_ = contact::loaded_as(rolled(c, history), history);
         run_ = as_the_run(c, history);
+        if (is_pressed_alone(comparisons::Results(c, history)))
+            loaded_ = &comparisons::not_prescribed(c);
     }
 
     void add(const char* key, Make make) {
@@ -97,6 +102,7 @@ class Variants {
         variant.chosen = chosen;
         variant.changed = changed;
         variant.run = run_;
+        variant.loaded = loaded_;
         say_(fmt::format("{}: loading once more with {} = {}", name_, key, variant.changed));
         variant.why_none = contact::why_it_stopped(
             [&] { variant.other = run_values(contact::run(c, *model_.sibling(c.contact))); });
@@ -108,6 +114,7 @@ class Variants {
     /// What the variants are compared with: rolled like them, so rolled once more unless the run
     /// itself was.
     RunValues as_the_run(const Case& c, const History& history) {
+        if (!c.rolling) return run_values(history);
         const RunValues loaded{history.static_shift};
         if (!as_rolled_.rolling) return loaded;
         const bool longer = as_rolled_.rolling->periods > c.rolling->periods;
@@ -133,6 +140,7 @@ class Variants {
     Case as_rolled_;
     std::string why_not_rolled_;
     RunValues run_;  ///< with the case's own choices
+    const comparisons::Quantity* loaded_ = &comparisons::quantities::static_shift;
 };
 
 void study_variants(const Case& c, const contact::Model& model, const History& history,
@@ -189,6 +197,11 @@ void study_loading(const Case& c, contact::Model& model, const History& history,
     if (study.with_variants && !c.prescribed_path) study_variants(c, model, history, say, study);
     contact::why_it_stopped(  // numerical_error says why
         [&] { study.normal_stiffness[history.model] = frictionless_stiffness(c, model).value; });
+    if (!c.indenter.body) return;
+    contact::why_it_stopped([&] {
+        if (const auto found = sticking_stiffness(c, model))
+            study.tangential_stiffness[history.model] = found->value;
+    });
 }
 
 void study_relaxation(const Case& c, const contact::History& history, const RunOptions& options,

@@ -8,6 +8,7 @@
 
 #include "contact/base/error.h"
 #include "contact/load_path.h"
+#include "contact/models/model_kind.h"
 
 namespace tricontact::runs {
 
@@ -15,6 +16,8 @@ namespace {
 
 constexpr contact::Case::Contact without_coupling{.coupling = false};
 constexpr double of_curvature = .1;
+// Of U_max: the edge slips, and F_T/U falls by a quarter of this (Mindlin).
+constexpr double small_shift = 1e-3, of_edge = .25;
 
 /// dF/dd = F/d times the slope of ln F over ln d, which is nearly straight: at the last of three
 /// points on their parabola. On layers of 0.4 to 2 contact radii the parabola is off the exact
@@ -31,6 +34,16 @@ Stiffness stiffness_at_last(const std::array<contact::StepRecord, 3>& pressed) {
     return {secant * (second + bend), of_curvature * secant * std::abs(bend)};
 }
 
+/// The hardest normal load of the case, without friction, slow.
+contact::LoadStep hardest_press(const contact::Case& c) {
+    contact::LoadStep hardest;
+    hardest.friction = false;
+    hardest.duration = std::numeric_limits<double>::infinity();
+    hardest.normal =
+        c.prescribed_path ? c.prescribed_path->hardest_normal() : contact::press_step(c).normal;
+    return hardest;
+}
+
 }  // namespace
 
 Stiffness frictionless_stiffness(const contact::Case& c, contact::Model& model) {
@@ -40,11 +53,7 @@ Stiffness frictionless_stiffness(const contact::Case& c, contact::Model& model) 
     if (!sibling) sibling = model.sibling(c.contact);  // without friction it is the same
     contact::Model& fresh = sibling ? *sibling : model;
     if (!sibling) fresh.release();
-    contact::LoadStep hardest;
-    hardest.friction = false;
-    hardest.duration = std::numeric_limits<double>::infinity();
-    hardest.normal =
-        c.prescribed_path ? c.prescribed_path->hardest_normal() : contact::press_step(c).normal;
+    const contact::LoadStep hardest = hardest_press(c);
     std::array<contact::StepRecord, 3> pressed;
     for (int k = 0; k < 3; ++k) {
         contact::LoadStep step = hardest;
@@ -58,6 +67,25 @@ Stiffness frictionless_stiffness(const contact::Case& c, contact::Model& model) 
                             shares[k], pressed[k].indentation, pressed[k].normal_force));
     }
     return stiffness_at_last(pressed);
+}
+
+std::optional<Stiffness> sticking_stiffness(const contact::Case& c, contact::Model& model) {
+    using contact::ElasticBody;
+    const bool is_held =
+        contact::model_kind(model.name()).cut != contact::ModelKind::Cut::of_revolution &&
+        !(c.indenter.body && c.indenter.body->support == ElasticBody::Support::plates);
+    if (!is_held) return {};
+    const auto sibling = model.sibling(c.contact);
+    contact::Model& fresh = sibling ? *sibling : model;
+    fresh.release();
+    contact::LoadStep step = hardest_press(c);
+    fresh.advance(step);
+    const double unit = fresh.scales().unit_shift;
+    if (!(unit > 0)) return {};
+    step.friction = true;
+    step.tangential[0] = {contact::TangentialControl::Kind::shift, small_shift * unit};
+    const double stiffness = fresh.advance(step).tangential_force[0] / (small_shift * unit);
+    return Stiffness{stiffness, of_edge * small_shift * stiffness};
 }
 
 }  // namespace tricontact::runs

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "contact/case.h"
 #include "contact/model.h"
 
@@ -15,5 +17,10 @@ struct Stiffness {
 /// has to be used for nothing else. Throws NotConverged, InputError where forces or depths are not
 /// positive.
 Stiffness frictionless_stiffness(const contact::Case& c, contact::Model& model);
+
+/// F_T over U [N/m] as F_T sets in after that press, everything sticking, coupled as the model is.
+/// Empty where the case has no friction or nothing holds the indenter along x: of revolution,
+/// between plates. The model is used as above.
+std::optional<Stiffness> sticking_stiffness(const contact::Case& c, contact::Model& model);
 
 }  // namespace tricontact::runs

@@ -126,6 +126,13 @@ std::optional<NumericalError> numerical_error(const Case& c, const contact::Hist
                             coarse = frictionless_stiffness(coarsest.c, *coarsest.model);
             error.normal_stiffness = fine.method + order * comparisons::safety_factor *
                                                        std::abs(fine.value - coarse.value);
+            if (!c.indenter.body) return;
+            const auto sticks = sticking_stiffness(coarser.c, *coarser.model),
+                       sticks_coarse = sticking_stiffness(coarsest.c, *coarsest.model);
+            if (sticks && sticks_coarse)
+                error.tangential_stiffness =
+                    sticks->method + order * comparisons::safety_factor *
+                                         std::abs(sticks->value - sticks_coarse->value);
         });
     });
     if (!error.normal_stiffness && error.why_no_stiffness.empty())

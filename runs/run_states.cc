@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "contact/compliances/interior_parts.h"
 #include "contact/load_path.h"
 #include "io/results/atomic_file.h"
 #include "io/results/output.h"
@@ -115,18 +116,28 @@ const contact::Subsurface* RunStates::add_last(const contact::StepRecord& record
 
 const contact::Subsurface* RunStates::add_volume(const contact::StepRecord& record,
                                                  contact::Model& model) {
-    const auto inside = model.interior();
+    auto inside = model.interior();
     if (!inside) return nullptr;
+    has_volume_ = true;
+    const bool both = contact::has_indenter(*inside);
+    if (both) {
+        contact::Interior moved = *inside;
+        contact::move_indenter({record.shift, record.indentation, record.rotation, record.offset},
+                               moved);
+        inside = std::make_unique<const contact::Interior>(std::move(moved));
+    }
     if (io::is_half(*inside))
         volumes_.add(time_of(record), io::with_mirror_image(*inside));
     else
         volumes_.add(time_of(record), *inside);
-    subsurface_ = contact::subsurface_of(*inside, record.phase, model.surface().offset);
+    if (!contact::has_substrate(*inside)) return nullptr;
+    subsurface_ = contact::subsurface_of(both ? contact::substrate_part(*inside) : *inside,
+                                         record.phase, model.surface().offset);
     return &*subsurface_;
 }
 
 void RunStates::finish() const {
-    if (subsurface_ || output_.vtk != none) io::sync_files(folder_);
+    if (has_volume_ || output_.vtk != none) io::sync_files(folder_);
 }
 
 }  // namespace tricontact::runs

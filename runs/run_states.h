@@ -53,7 +53,7 @@ class RunStates {
     std::optional<contact::Surface> surface_;
     std::optional<contact::Subsurface> subsurface_;
     double last_phase_ = 0;
-    bool size_is_said_ = false;
+    bool size_is_said_ = false, has_volume_ = false;
 };
 
 }  // namespace tricontact::runs

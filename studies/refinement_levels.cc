@@ -30,6 +30,9 @@ Case coarsest_case(Case c, const contact::ModelKind& kind, const RefineOptions& 
         options.refuse("fem.mesh = " + *elements.mesh +
                        ": a mesh from a file cannot be refined; give fem.size or fem.accuracy "
                        "instead");
+    if (c.indenter.body && c.indenter.body->mesh)
+        options.refuse("indenter.mesh = " + *c.indenter.body->mesh +
+                       ": a mesh from a file cannot be refined; give indenter.body instead");
     if (!elements.size && kind.is_section())
         options.refuse("fem.size: " + std::string(kind.name) +
                        " is refined from this size, which is not given; give it");

@@ -2,6 +2,7 @@
 
 #include "app/commands/command.h"
 #include "app/commands/strain_deviation.h"
+#include "comparisons/bodies/size_output.h"
 #include "comparisons/finite_strain/strain_runs.h"
 #include "comparisons/half_space/deviation_output.h"
 #include "comparisons/quantities/left_out.h"
@@ -17,10 +18,12 @@ namespace {
 using comparisons::HalfSpaceDeviation;
 using comparisons::RolledResult;
 using comparisons::RolledRun;
+using comparisons::SizeContact;
+using comparisons::SizeDeviation;
 
 struct DeviationOptions : CommandOptions {
     bool runs = true;  ///< of boundary elements; else exact theory alone
-    bool finite_strain = false;
+    bool finite_strain = false, body = false;
     double elements = comparisons::StrainContact{}.elements;
 };
 
@@ -80,7 +83,63 @@ void compare_with_half_space(DeviationOptions options) {
     options.say(options.where());
 }
 
+SizeDeviation sizes_computed(const CommandOptions& options, const SizeContact& contact) {
+    studies::StudyPoints points;
+    for (const comparisons::SizeRun& run : comparisons::size_runs(contact)) {
+        const Case c = comparisons::size_case(contact, run);
+        // Whatever the user's case passes, that of a run is checked by itself.
+        const Case checked = io::parse_case(io::write_case(c), options.file);
+        points.push_back(studies::make_point(checked, checked.models.front(), 0, options.file));
+    }
+    io::ResultStore store = studies::open_results(options.output);
+    studies::compute_missing(studies::contact_kind(), points, store,
+                             {.name = "deviation", .options = options});
+    std::vector<std::optional<comparisons::Results>> results;
+    for (const studies::StudyPoint& point : points)
+        results.push_back(studies::results_of(store.find(point.key)));
+    return comparisons::size_deviation(contact, results);
+}
+
+/// How large the body of a case's indenter has to be to press as a half-space does:
+/// body_size.json, body_size.csv, the report, and a table on standard output. Finished runs of an
+/// earlier call are taken over.
+void compare_body_sizes(CommandOptions options) {
+    options.choose_folder("_body_size");
+    const Case c = io::read_case(options.file, options.overrides);
+    io::refuse_rolling_on(c, options.file);
+    // Before anything is removed.
+    const SizeContact contact = options.told_of_file([&] { return comparisons::size_contact(c); });
+    if (!options.makers->has(contact.model()))
+        options.refuse(std::string("--body: this program was built without the model ") +
+                       contact.model());
+    SizeDeviation deviation;
+    const auto json = [&] { return size_json(files::version, io::write_case(c), deviation); };
+    options.fill({{"body_size.csv", "body_size.json", "report.html"}, io::result_store_files()},
+                 [&] {
+                     deviation = sizes_computed(options, contact);
+                     options.write("body_size.csv", size_csv(deviation));
+                     options.write("body_size.json", json());
+                     std::string command = "tricontact deviation " + options.file;
+                     for (const std::string& text : options.overrides)
+                         command += fmt::format(" --set \"{}\"", text);
+                     options.write_report(size_document(deviation), command + " --body");
+                 });
+    Answer answer(json, report::table_text(size_table(deviation)));
+    answer.note(comparisons::left_out_lines(c, {contact.model()}));
+    answer.note(
+        "sizes are compared under pressing alone: friction, F_T and rolling are left out\n");
+    for (const auto& verdict : size_verdicts(deviation)) answer.add(verdict.sentence + '\n');
+    options.answer(answer);
+    options.say(options.where());
+}
+
 void compare(const DeviationOptions& options) {
+    if (options.body && (options.finite_strain || !options.runs))
+        throw contact::InputError(
+            "--body: goes neither with --finite-strain nor with --no-runs, since sizes are known "
+            "from "
+            "runs alone; drop the other option");
+    if (options.body) return compare_body_sizes(options);
     if (!options.finite_strain) return compare_with_half_space(options);
     if (!options.runs)
         throw contact::InputError(
@@ -92,18 +151,21 @@ void compare(const DeviationOptions& options) {
 }  // namespace
 
 Command deviation_command() {
-    return Declared<DeviationOptions>(Group::ask, "deviation",
-                                      "How far the layer of a case is from a half-space, or linear "
-                                      "elasticity from finite strains",
-                                      compare)
+    return Declared<DeviationOptions>(
+               Group::ask, "deviation",
+               "How far the layer or the indenter's body of a case is from a "
+               "half-space, or linear elasticity from finite strains",
+               compare)
         .on_case()
         .jobs()
-        .output("Folder (results/<case>_deviation or <case>_finite_strain)")
+        .output("Folder (results/<case>_deviation, <case>_finite_strain or <case>_body_size)")
         .exports()
         .flag("--no-runs", &DeviationOptions::runs, "Exact theory alone: no friction, no rolling",
               false)
         .flag("--finite-strain", &DeviationOptions::finite_strain,
               "Linear elasticity against finite strains instead, by finite elements")
+        .flag("--body", &DeviationOptions::body,
+              "The indenter's body against a half-space instead, over its size, by sections")
         .number("--elements", &DeviationOptions::elements,
                 "Elements in the contact radius, with --finite-strain (5)", 2, 20)
         .json()

@@ -11,6 +11,7 @@
 #include "experiments/assumptions/rig.h"
 #include "experiments/predictions/rig_body.h"
 #include "experiments/predictions/rig_growth.h"
+#include "experiments/predictions/rig_indenter.h"
 #include "experiments/rig_report/rig_report.h"
 #include "io/case/rig_file.h"
 #include "io/keys/input_file.h"
@@ -78,12 +79,16 @@ experiments::Rig read_rig(const CommandOptions& options) {
         file.c.require_rigid_interface("assumptions of rigs");
         for (const std::string& sentence : comparisons::input_sentences(file.c))
             options.say(sentence);
-        // By the model of its checks that leaves out least; the width is an assumption of its own.
+        experiments::Rig rig = experiments::rig_with_body(file, options.runner());
+        // By the model of its checks that leaves out least; the width and the body of an indenter
+        // that deforms are assumptions of their own.
         for (const std::string& one : comparisons::left_out(file.c, contact::models::bem_layer))
-            if (!one.starts_with("substrate.width")) options.say("rig leaves out " + one);
+            if (!one.starts_with("substrate.width") &&
+                !(one.starts_with("indenter.body") && experiments::has_soft_indenter(rig)))
+                options.say("rig leaves out " + one);
         if (file.c.load.hold > 0)
             options.say("rig leaves out load.hold: assumptions are checked without it");
-        return experiments::rig_with_body(file, options.runner());
+        return rig;
     }
     walking::parse_walk_case(text, options.file, options.overrides);  // checked
     io::apply_overrides(document, options.overrides, walking::walk_file_keys());
@@ -109,7 +114,12 @@ void check_assumptions(RigOptions options) {
         const auto shift = [runner = options.runner()](const experiments::Rig& rig, bool coupled) {
             return static_shift(rig, coupled, runner);
         };
-        report = experiments::check_rig(given, shift, experiments::rolled_growth);
+        const auto indenter = [&](const experiments::Rig& rig) {
+            return options.makers->has(experiments::model_of_indenter(rig))
+                       ? std::optional(experiments::indenter_contacts(rig, options.runner()))
+                       : std::nullopt;
+        };
+        report = experiments::check_rig(given, shift, experiments::rolled_growth, indenter);
         if (options.samples > 0)
             for (experiments::Assumption& one : report.assumptions)
                 for (experiments::Criterion& criterion : one.criteria)

@@ -91,11 +91,11 @@ std::string line_of(const comparisons::Results& r) {
     if (const auto state = r.state())
         fmt::format_to(std::back_inserter(line), "{}{}, ", contact::name_of(*state),
                        r.verdict.by_limit ? by_limit_words(*state) : "");
-    if (r.state() || r.number(final_shift) != 0.)
+    if (!is_pressed_alone(r))
         fmt::format_to(std::back_inserter(line), "U = {} ({:.4g} U_max)", length(final_shift),
                        r.number(final_shift_ratio).value_or(0));
     else
-        fmt::format_to(std::back_inserter(line), "d = {}, a = {}", length(indentation),
+        fmt::format_to(std::back_inserter(line), "d = {}, a = {}", length(end_indentation),
                        length(contact_radius));
     if (std::abs(r.verdict.remaining) > contact::known_shift &&
         std::isfinite(r.verdict.remaining_error))

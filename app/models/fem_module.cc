@@ -102,8 +102,9 @@ void say(const std::string& line) {
 /// `does`: "mesh writes"; what it does with layers, and with no body of an indenter.
 void require_rigid_indenter(const Case& c, const std::string& does) {
     if (c.indenter.body)
-        throw contact::InputError("indenter.body: " + does +
-                                  " the layer under a rigid indenter; leave indenter.body out");
+        throw contact::InputError(std::string(c.indenter.body->key()) + ": " + does +
+                                  " the layer under a rigid indenter; leave " +
+                                  c.indenter.body->key() + " out");
 }
 
 /// A case's layer on its way into the cache.

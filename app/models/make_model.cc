@@ -76,7 +76,8 @@ CoarserModel make_coarser_model(const std::string& name, const Case& c, double f
                                 int n_threads, const Say& say) {
     CoarserModel coarser{.c = c, .model = {}};
     const contact::ModelKind& kind = contact::model_kind(name);
-    if (kind.is_meshed() && c.of<fem::Settings>().mesh)
+    const auto& body = c.indenter.body;
+    if (kind.is_meshed() && (c.of<fem::Settings>().mesh || (body && body->mesh)))
         throw contact::InputError("the mesh is a file's; run another one beside it");
     if (kind.is_meshed() && !c.of<fem::Settings>().size)
         coarser.c.of<fem::Settings>().size = element_size(kind, c);

@@ -12,9 +12,19 @@ namespace {
 using contact::Case;
 using contact::History;
 
+/// f_T of the oscillating force that W0 is about: along a path half of what the force covers in its
+/// last closed cycle, under one normal force; else NaN.
+double oscillating_ratio(const Case& c, const History& history) {
+    if (!c.prescribed_path) return comparisons::tangential_ratio(history);
+    const auto loops = friction_loops(c, history);
+    return !loops.empty() && loops.back().has_constant_force
+               ? loops.back().force_amplitude / history.friction_limit
+               : NAN;
+}
+
 /// W0 [J] of the model's own scales; empty where there is no closed form of it.
 std::optional<double> unit_dissipation(const Case& c, const History& history) {
-    const double f = comparisons::tangential_ratio(history);
+    const double f = oscillating_ratio(c, history);
     if (!in_unit_range(f) || !c.friction.is_coulomb() || c.interface.is_elastic()) return {};
     if (c.is_cylindrical()) {
         const double bound = c.friction_coefficient() * history.scales.normal_force;
@@ -43,8 +53,8 @@ QuantityValue last_of(const auto& per_period) {
 }
 
 constexpr const char* where_known =
-    "with rolling under Coulomb's law, where f_T > 0 and the body is a paraboloid, sphere or "
-    "cylinder";
+    "under Coulomb's law with rolling, where f_T > 0, or closed cycles of a path under one normal "
+    "force; the body is a paraboloid, sphere or cylinder";
 constexpr const char* of_w0 = "Mindlin and Deresiewicz (1953)";
 
 }  // namespace
@@ -54,8 +64,8 @@ constinit const Quantity dissipation{
     .symbol = "D",
     .unit = "J",
     .name = "frictional work per period",
-    .meaning = "Work of friction in the last period.",
-    .defined = "with rolling",
+    .meaning = "Work of friction in the last period, of a path in its last closed cycle.",
+    .defined = "with rolling, or along a path with a closed cycle",
     .of = [](const Subject& s) { return last_of(s.history.dissipation_per_period); },
     .is_refined = true};
 
@@ -90,9 +100,10 @@ constinit const Quantity slip_path{
     .name = "largest slip path of a point",
     .meaning =
         "Way that the point of the surface which slips most slips back and forth in the last "
-        "period: what fretting maps are drawn over.",
+        "period, of a path in its last closed cycle: what fretting maps are drawn over.",
     .defined =
-        "with rolling; not of `mdr` and `mdr-layer`, whose springs are no points of the surface",
+        "with rolling, or along a path with a closed cycle; not of `mdr` and `mdr-layer`, whose "
+        "springs are no points of the surface",
     .source = "Vingsbo and Söderberg (1988)",
     .of = [](const Subject& s) { return last_of(s.history.slip_path_per_period); },
     .part = Part::cost,
@@ -104,9 +115,12 @@ constinit const Quantity friction_work{
     .unit = "J/m2",
     .name = "largest frictional work per area",
     .meaning =
-        "Work of friction per area in the last period, at the point of the surface where it is "
+        "Work of friction per area in the last period or closed cycle, at the point of the surface "
+        "where it is "
         "largest: the energy density that wear is compared by.",
-    .defined = "with rolling; not of `mdr` and `mdr-layer`, whose springs have no area",
+    .defined =
+        "with rolling, or along a path with a closed cycle; not of `mdr` and `mdr-layer`, whose "
+        "springs have no area",
     .source = "Fouvry, Kapsa and Vincent (1996)",
     .of = [](const Subject& s) { return last_of(s.history.friction_work_per_period); },
     .part = Part::cost,

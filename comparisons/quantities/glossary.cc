@@ -24,6 +24,7 @@ std::string glossary() {
     return section("Pressed contact and load", of_contact()) + section("Shift", of_shift()) +
            section("Limits", of_limit()) + section("Mapping", of_mapping()) +
            section("Frictional work", of_dissipation()) +
+           section("Friction loops of paths", of_loop()) +
            section("Friction that changes with the way of slip", of_jumps()) +
            section("Relaxation", of_relaxation()) + section("Ends of rollers", of_roller()) +
            section("Inside of the substrate", of_subsurface()) + section("Strains", of_strain()) +

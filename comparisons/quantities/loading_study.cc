@@ -20,6 +20,8 @@ using json = nlohmann::ordered_json;
 json outcome_json(const RunValues& outcome) {
     return {
         {quantities::static_shift.key, outcome.static_shift},
+        {quantities::end_normal_force.key, outcome.normal_force},
+        {quantities::end_indentation.key, outcome.indentation},
         {quantities::state.key, outcome.state ? json(contact::name_of(*outcome.state)) : json()},
         {quantities::final_shift.key, outcome.final_shift},
         {quantities::shift_increment.key, outcome.increment}};
@@ -32,17 +34,19 @@ json variant_json(const LoadingVariant& v) {
             {"changed", v.changed},
             {"run", outcome_json(v.run)},
             {"other", v.other ? outcome_json(*v.other) : json()},
-            {"static_change", v.static_error()},
+            {"loaded_quantity", v.loaded->key},
+            {"loaded_change", v.loaded_error()},
             {"rolled_change", v.rolled_error()},
             {"why_none", v.other ? json() : json(v.why_none)},
             {"why_not_rolled", v.why_not_rolled.empty() ? json() : json(v.why_not_rolled)}};
 }
 
-/// A shift [m]. Where the other has none to compare, its verdict stands instead of a number.
-std::vector<Cell> row(const LoadingVariant& v, const std::string& what, double chosen,
-                      std::optional<double> changed, std::optional<double> error,
+/// Where the other has nothing to compare, its verdict stands instead of a number. `quantity`: its
+/// unit is that of the values.
+std::vector<Cell> row(const LoadingVariant& v, const std::string& what, const Quantity& quantity,
+                      double chosen, std::optional<double> changed, std::optional<double> error,
                       const std::string& other_verdict = "") {
-    const report::Unit unit = report::fitting_unit(chosen, "m");
+    const report::Unit unit = report::fitting_unit(chosen, quantity.unit);
     return {report::display_name(v.model) + ": " + what,
             v.key + ": " + v.changed + " instead of " + v.chosen,
             unit.symbol,
@@ -62,6 +66,19 @@ Results results_beside(const contact::Case& c, const contact::History& history,
     return results;
 }
 
+const Quantity& not_prescribed(const contact::Case& c) {
+    return c.load.indentation ? quantities::end_normal_force : quantities::end_indentation;
+}
+
+double LoadingVariant::loaded_value(const RunValues& of) const {
+    if (loaded == &quantities::end_normal_force) return of.normal_force;
+    return loaded == &quantities::end_indentation ? of.indentation : of.static_shift;
+}
+
+std::optional<double> LoadingVariant::loaded_error() const {
+    return other ? relative_error(loaded_value(*other), loaded_value(run)) : std::nullopt;
+}
+
 std::optional<double> LoadingVariant::rolled_error() const {
     const bool ratchets = run.state == State::ratcheting;
     if (!other || !other->state || !run.state || ratchets != (other->state == State::ratcheting))
@@ -78,7 +95,7 @@ report::DocumentTable variants_table(const std::vector<LoadingVariant>& variants
         variants, [](const LoadingVariant& v) { return v.run.state.has_value(); });
     report::DocumentTable table{
         .id = "variants",
-        .title = "Shift with one choice changed",
+        .title = "With one choice changed",
         .note = std::string("Each row loads the case once more with one key changed.") +
                 (rolls ? " Contacts that shake down are rolled by turning points until nothing "
                          "moves, or 40 periods, “this run” too, so that its value may differ from "
@@ -88,9 +105,9 @@ report::DocumentTable variants_table(const std::vector<LoadingVariant>& variants
         .columns = report::columns("quantity", "changed key", "unit", "this run", "changed")};
     table.columns.push_back({.heading = "difference [%]", .change = true});
     for (const LoadingVariant& v : variants) {
-        table.rows.push_back(row(v, "static shift", v.run.static_shift,
-                                 v.other ? std::optional(v.other->static_shift) : std::nullopt,
-                                 v.static_error()));
+        table.rows.push_back(row(v, v.loaded->name, *v.loaded, v.loaded_value(v.run),
+                                 v.other ? std::optional(v.loaded_value(*v.other)) : std::nullopt,
+                                 v.loaded_error()));
         if (!v.run.state) continue;
         const bool ratchets = *v.run.state == State::ratcheting;
         const auto shift = ratchets ? &RunValues::increment : &RunValues::final_shift;
@@ -98,7 +115,7 @@ report::DocumentTable variants_table(const std::vector<LoadingVariant>& variants
                                   : contact::settles(*v.run.state) ? "settled shift"
                                                                    : "shift after the last period";
         const bool differs = !v.rolled_error() && v.other && v.other->state;
-        table.rows.push_back(row(v, title, *(v.run.*shift),
+        table.rows.push_back(row(v, title, quantities::final_shift, *(v.run.*shift),
                                  v.other ? (*v.other).*shift : std::nullopt, v.rolled_error(),
                                  differs ? contact::name_of(*v.other->state) : ""));
     }

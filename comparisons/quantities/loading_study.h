@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "comparisons/quantities/quantities.h"
 #include "comparisons/quantities/relaxation_study.h"
 #include "comparisons/quantities/results.h"
 #include "report/document.h"
@@ -16,18 +17,30 @@ namespace tricontact::comparisons {
 struct LoadingVariant : RunComparison {
     std::string key;              ///< such as "contact.coupling" or "load.press"
     std::string chosen, changed;  ///< values of the key in the run and here, as in a case
+    /// What is compared before rolling: the static shift, of a contact pressed alone what its case
+    /// does not prescribe, see not_prescribed().
+    const Quantity* loaded = &quantities::static_shift;
     /// Rolled once more as variants are the run stopped: why; both are then compared as loaded.
     std::string why_not_rolled = {};
 
+    /// Of `loaded`, in the run and with the key changed [m] or [N].
+    double loaded_value(const RunValues& of) const;
+    std::optional<double> loaded_error() const;
     /// Of what rolling leaves: the last period's increment where both ratchet, the final shift
     /// where neither does; empty where their verdicts differ so.
     std::optional<double> rolled_error() const;
 };
 
+/// What pressing answers at the end of a run: the normal force under a prescribed depth, else the
+/// indentation.
+const Quantity& not_prescribed(const contact::Case& c);
+
 /// What models found by loading more than once.
 struct LoadingStudy {
     std::vector<LoadingVariant> variants;
     std::map<std::string, double> normal_stiffness;  ///< dF_N/dd without friction [N/m], by model
+    /// F_T/U [N/m] of contacts that stick, by model; of indenters with a body.
+    std::map<std::string, double> tangential_stiffness = {};
     bool with_variants = true;                       ///< else the stiffness alone
 };
 

@@ -12,13 +12,17 @@ extern const Quantity normal_force, indentation, contact_radius, peak_pressure, 
 extern const Quantity normal_stiffness, tangential_stiffness, coupled_tangential_stiffness,
     shift_of_rolling;
 extern const Quantity border_force_share;  // of height maps, contact.cc
+// Of a pin in a hole, contact.cc.
+extern const Quantity contact_half_angle, conforming_peak, clearance_ratio;
 extern const Quantity static_shift, static_shift_ratio, final_shift, final_shift_ratio,
     settled_shift, settled_shift_ratio, settled_shift_error_ratio, shift_increment,
     shift_increment_ratio, shift_ratio_per_period, state, periods;                 // shift.cc
 extern const Quantity limit_tangential_ratio, limit_amplitude_ratio, stick_ratio;  // limit.cc
 extern const Quantity kappa, eta;                                                  // mapping.cc
 extern const Quantity dissipation, dissipation_ratio_per_period, path_work,
-    path_force;                                                  // dissipation.cc
+    path_force;  // dissipation.cc
+extern const Quantity loop_force, loop_shift, loop_secant_stiffness, loop_tangent_stiffness,
+    loop_aperture, sliding_ratio, slip_regime;                   // loop.cc
 extern const Quantity released_energy, steps_of_other_states;    // jumps.cc
 extern const Quantity frequency, storage_modulus, loss_modulus;  // relaxation.cc
 extern const Quantity largest_stretch, largest_shear;            // strain.cc
@@ -29,7 +33,7 @@ extern const Quantity steps, wall_time;  // cost.cc
 
 /// The declarations of each file.
 using List = std::vector<const Quantity*>;
-List of_contact(), of_shift(), of_limit(), of_mapping(), of_dissipation(), of_jumps(),
+List of_contact(), of_shift(), of_limit(), of_mapping(), of_dissipation(), of_loop(), of_jumps(),
     of_relaxation(), of_roller(), of_subsurface(), of_strain(), of_end_of_run(), of_cost();
 
 }  // namespace tricontact::comparisons::quantities

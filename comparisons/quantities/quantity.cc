@@ -20,9 +20,10 @@ std::span<const Quantity* const> all_quantities() {
     static const std::vector<const Quantity*> all = [] {
         std::vector<const Quantity*> list;
         using namespace quantities;
-        for (const auto& part : {of_contact(), of_shift(), of_limit(), of_mapping(),
-                                 of_dissipation(), of_jumps(), of_relaxation(), of_roller(),
-                                 of_subsurface(), of_strain(), of_end_of_run(), of_cost()})
+        for (const auto& part :
+             {of_contact(), of_shift(), of_limit(), of_mapping(), of_dissipation(), of_loop(),
+              of_jumps(), of_relaxation(), of_roller(), of_subsurface(), of_strain(),
+              of_end_of_run(), of_cost()})
             list.insert(list.end(), part.begin(), part.end());
         return list;
     }();

@@ -7,6 +7,7 @@
 #include <variant>
 #include <vector>
 
+#include "comparisons/quantities/friction_loop.h"
 #include "comparisons/quantities/reference.h"
 #include "contact/case.h"
 #include "contact/history.h"
@@ -16,7 +17,8 @@ namespace tricontact::comparisons {
 /// One number per period, n = 1, 2, ...; empty where undefined.
 using Numbers = std::vector<std::optional<double>>;
 /// SI units; monostate where undefined.
-using QuantityValue = std::variant<std::monostate, double, int, contact::State, Numbers>;
+using QuantityValue =
+    std::variant<std::monostate, double, int, contact::State, SlipRegime, Numbers>;
 
 /// Undefined where `value` is no finite number.
 QuantityValue finite(std::optional<double> value);

@@ -25,11 +25,6 @@ constexpr double first_deborah = 0.01, least_deborah = 1e-4, largest_deborah = 1
 constexpr double step = 10;
 constexpr double least_error = 1e-12;  // the logarithm of rounding errors has no meaning
 
-std::optional<double> relative_error(std::optional<double> other, std::optional<double> run) {
-    if (!other || !run || *run == 0) return {};
-    return *other / *run - 1;
-}
-
 /// Speed at which De = 2 pi f tau has this value, f = v/(4 W).
 double speed_of(double deborah, double time, double amplitude) {
     return deborah * 2 * amplitude / (std::numbers::pi * time);
@@ -98,12 +93,25 @@ Case elastic_twin(const Case& c) {
     return twin;
 }
 
+std::optional<double> relative_error(std::optional<double> other, std::optional<double> run) {
+    if (!other || !run || *run == 0) return {};
+    return *other / *run - 1;
+}
+
 RunValues run_values(const contact::History& history) {
+    RunValues values{history.static_shift};
+    if (!history.steps.empty()) {
+        values.normal_force = history.steps.back().normal_force;
+        values.indentation = history.steps.back().indentation;
+    }
     const auto& shift = history.shift_per_period;
-    if (shift.empty()) return {history.static_shift};
-    const double before = shift.size() > 1 ? shift[shift.size() - 2] : history.static_shift;
-    return {history.static_shift, history.verdict.state, shift.back(), shift.back() - before,
-            history.limit_tangential_ratio};
+    if (shift.empty()) return values;
+    values.state = history.verdict.state;
+    values.final_shift = shift.back();
+    values.increment =
+        shift.back() - (shift.size() > 1 ? shift[shift.size() - 2] : history.static_shift);
+    values.limit = history.limit_tangential_ratio;
+    return values;
 }
 
 bool judged_by_increment(const RunValues& elastic) {

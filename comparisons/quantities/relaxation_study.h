@@ -28,16 +28,21 @@ std::optional<DriveValues> drive_values(const contact::Case& c, double amplitude
 /// drive, with the same scales a, d, U_max. Times have no meaning for it and are left out.
 contact::Case elastic_twin(const contact::Case& c);
 
-/// What of a run is compared: shifts of the indenter along x; all but the first empty without
-/// rolling.
+/// What of a run is compared: shifts of the indenter along x, empty without rolling but for the
+/// first, and what presses it in the end.
 struct RunValues {
     double static_shift = 0;  ///< after F_T and the wait, before rolling [m]
     std::optional<contact::State> state = {};
     std::optional<double> final_shift = {};  ///< upright after the last period [m]
     std::optional<double> increment = {};    ///< of the last period [m]
     std::optional<double> limit = {};        ///< f_T,lim from the pressures
+    double normal_force = 0;                 ///< at the end [N]
+    double indentation = 0;                  ///< at the end [m]
 };
 RunValues run_values(const contact::History& history);
+
+/// Other over run, minus 1; empty where one of them is, or the run's is 0.
+std::optional<double> relative_error(std::optional<double> other, std::optional<double> run);
 
 /// What stands for a run where a single number has to: the increment if the elastic reference run
 /// ratchets, else the shift after the last period.

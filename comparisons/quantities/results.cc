@@ -4,6 +4,7 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
+#include "comparisons/quantities/reference.h"
 #include "report/json_number.h"
 
 namespace tricontact::comparisons {
@@ -17,6 +18,7 @@ json to_json(const QuantityValue& value) {
     if (const auto* number = std::get_if<double>(&value)) return *number;
     if (const auto* count = std::get_if<int>(&value)) return *count;
     if (const auto* state = std::get_if<State>(&value)) return contact::name_of(*state);
+    if (const auto* regime = std::get_if<SlipRegime>(&value)) return name_of(*regime);
     if (const auto* list = std::get_if<Numbers>(&value)) return report::numbers(*list);
     return nullptr;
 }
@@ -24,10 +26,13 @@ json to_json(const QuantityValue& value) {
 QuantityValue value_of(const json& stored) {
     if (stored.is_number_integer()) return stored.get<int>();
     if (stored.is_number()) return stored.get<double>();
-    if (stored.is_string())
-        for (const State state :
-             {State::shakedown, State::cyclic_slip, State::ratcheting, State::undecided})
-            if (stored == contact::name_of(state)) return state;
+    if (!stored.is_string()) return {};
+    for (const State state :
+         {State::shakedown, State::cyclic_slip, State::ratcheting, State::undecided})
+        if (stored == contact::name_of(state)) return state;
+    for (const SlipRegime regime :
+         {SlipRegime::stick, SlipRegime::partial_slip, SlipRegime::gross_slip})
+        if (stored == name_of(regime)) return regime;
     return {};
 }
 
@@ -80,6 +85,14 @@ const Numbers& Results::list(const Quantity& q) const {
 std::optional<State> Results::state() const {
     const auto* state = std::get_if<State>(&(*this)[quantities::state]);
     return state ? std::optional(*state) : std::nullopt;
+}
+
+bool is_pressed_alone(const Results& results) {
+    const auto is_little = [&results](const Quantity& ratio) {
+        return !is_loaded(results.number(ratio).value_or(0));
+    };
+    return !results.state() && is_little(quantities::tangential_ratio) &&
+           is_little(quantities::final_shift_ratio);
 }
 
 int Results::periods() const {

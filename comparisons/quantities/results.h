@@ -38,6 +38,9 @@ class Results {
     ByQuantity<QuantityValue> values_;
 };
 
+/// Neither pulled nor rolled: its shift is what rounding leaves.
+bool is_pressed_alone(const Results& results);
+
 /// Columns of results.csv: what is one value, and the same whenever it is computed.
 std::vector<const Quantity*> column_quantities();
 
@@ -49,7 +52,7 @@ Results read_stored_results(const nlohmann::ordered_json& stored);
 /// `resolved_case` becomes the value of "case"; `sections` is an object whose members stand behind
 /// the models, unless they are empty: "numerical_error" (numerical_error.h), "layer" (see layer.h),
 /// "loading_variants" (loading_study.h), "relaxation" (relaxation_report.h), "small_strains"
-/// (small_strains.h).
+/// (small_strains.h), "half_space_deviation" (bodies/body_deviation.h).
 std::string summary_json(const std::string& version, const nlohmann::ordered_json& resolved_case,
                          const std::vector<Results>& results,
                          const nlohmann::ordered_json& sections);

@@ -137,6 +137,7 @@ double ResolvedRun::shift_at(double phase) const {
 
 std::optional<double> NumericalError::of(const Quantity& q) const {
     if (&q == &quantities::normal_stiffness) return normal_stiffness;
+    if (&q == &quantities::tangential_stiffness) return tangential_stiffness;
     if (is_exact(q)) return run && run->results.number(q) ? std::optional(0.) : std::nullopt;
     const auto width = half_width(
         *this, [&q](const ResolvedRun& r) { return r.results.number(q); }, factors_of(*this, q));

@@ -54,6 +54,8 @@ struct NumericalError {
     std::vector<FieldBar> fields = {};             ///< runs/field_bars.h
     std::optional<double> normal_stiffness = {};   ///< half width of that without friction [N/m]
     std::string why_no_stiffness = {};             ///< there is none: why
+    /// Half width of what sticks, of indenters with a body [N/m].
+    std::optional<double> tangential_stiffness = {};
 
     /// Half width in SI units; empty where the quantity is not told on each mesh. 0 if is_exact().
     std::optional<double> of(const Quantity& q) const;

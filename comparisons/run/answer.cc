@@ -8,10 +8,10 @@
 #include <iterator>
 #include <limits>
 
+#include "comparisons/quantities/model_traits.h"
 #include "comparisons/quantities/reference.h"
 #include "comparisons/resolution/error_note.h"
 #include "comparisons/run/input_reading.h"
-#include "comparisons/run/model_traits.h"
 #include "contact/models/model_kind.h"
 #include "report/format.h"
 
@@ -115,7 +115,7 @@ void add_variant_verdicts(const Case& c, const std::vector<Results>& results,
                           std::vector<Verdict>& verdicts) {
     for (const LoadingVariant& v : variants) {
         if (v.key != "contact.coupling" || v.model != results.back().model) continue;
-        const auto change = v.run.state ? v.rolled_error() : v.static_error();
+        const auto change = v.run.state ? v.rolled_error() : v.loaded_error();
         // The variant is the assumption where the run couples, else its absence.
         const bool assumed = v.changed == "false";
         if (change)
@@ -146,11 +146,6 @@ std::string not_tested(const Case& c, const std::vector<Results>& results) {
     return fmt::format("{}", fmt::join(list, ", "));
 }
 
-/// Without a tangential load.
-bool is_pressed_alone(const Results& s) {
-    return !s.state() && !is_loaded(s.number(quantities::tangential_ratio).value_or(1));
-}
-
 bool ends_at_prescribed_shift(const Case& c) {
     return c.prescribed_path && c.prescribed_path->rows.back().tangential[0].kind ==
                                     contact::TangentialControl::Kind::shift;
@@ -166,8 +161,7 @@ Headline headline_of(const Case& c, const Results& s) {
                    ? Headline{"frictional work of the path", &path_work, nullptr}
                    : Headline{"tangential force at the end of the path", &path_force, nullptr};
     if (is_pressed_alone(s))
-        return c.load.indentation ? Headline{"normal force", &normal_force, nullptr}
-                                  : Headline{"indentation", &indentation, nullptr};
+        return {c.load.indentation ? "normal force" : "indentation", &not_prescribed(c), nullptr};
     if (s.state() == State::ratcheting)
         return {"shift per period", &shift_increment, &shift_increment_ratio};
     if (!s.state() && !s.number(static_shift))
@@ -189,10 +183,11 @@ Verdict answer_of(const Case& c, const Results& s, const std::optional<Numerical
         return refinement ? refinement_note(*refinement, q) : error_note(error, q);
     };
     if (is_pressed_alone(s)) {
+        const std::string answer = length(*headline_of(c, s).length);
         const std::string pressed = c.load.indentation
                                         ? fmt::format("Pressed in by {}, the indenter carries {}",
-                                                      length(indentation), length(normal_force))
-                                        : "The indenter is pressed in by " + length(indentation);
+                                                      length(end_indentation), answer)
+                                        : "The indenter is pressed in by " + answer;
         return {Verdict::Standing::finding,
                 fmt::format("{}; the {} is {}{}{}", pressed, size_name(c), length(contact_radius),
                             by, note_on(*headline_of(c, s).length)),

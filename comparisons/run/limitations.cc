@@ -7,6 +7,7 @@
 #include "comparisons/quantities/reference.h"
 #include "comparisons/quantities/undefined.h"
 #include "comparisons/run/reading.h"
+#include "contact/load_path.h"
 #include "contact/models/model_kind.h"
 #include "contact/substrates/normal_tangential.h"
 #include "report/format.h"
@@ -138,6 +139,33 @@ std::string direction_sentence(const contact::Case& c, const Summaries& summarie
            c.friction.bound_symbol() + ": the bound holds spring by spring only.";
 }
 
+/// What small strains leave of two bodies that roll on each other: how far they creep without a
+/// force, and how far pairs of points have moved apart.
+std::vector<std::string> rolling_body_sentences(const contact::Case& c,
+                                                const Summaries& summaries) {
+    using contact::ElasticBody;
+    std::vector<std::string> sentences;
+    const auto& body = c.indenter.body;
+    if (!body || body->support != ElasticBody::Support::hub ||
+        !(contact::path_reach(c, c.indenter.radius)[0] > 0))
+        return sentences;
+    for (const Results& s : summaries) {
+        if (!contact::model_kind(s.model).sees_indenter_body) continue;
+        const double a = s.number(quantities::contact_radius).value_or(0);
+        const double slope = a / c.indenter.radius;
+        sentences.push_back(fmt::format(
+            "{}: without a tangential force too the cylinder creeps by about (a/R)² = {} of its "
+            "way, as much as small strains leave out: creep of that order is no result.",
+            report::display_name(s.model), report::significant(slope * slope, 2)));
+        if (const auto shift = s.number(quantities::final_shift))
+            sentences.push_back(fmt::format(
+                "{}: points that touch stay pairs. At the end the shift is {} of the contact "
+                "radius, and what pairs miss is of this order.",
+                report::display_name(s.model), report::share(std::abs(*shift) / a)));
+    }
+    return sentences;
+}
+
 /// Of friction that changes with the way of slip: whether a step has one state alone, and whether
 /// one jumped.
 std::vector<std::string> slip_memory_sentences(const contact::Case& c, const Summaries& summaries) {
@@ -216,6 +244,8 @@ std::vector<std::string> limitations(const contact::Case& c, const Summaries& su
         findings.push_back(
             "The loads oscillate with the rolling: the closed forms, κ and η assume constant loads "
             "and are left out; f_T and w refer to the mean loads.");
+    for (const std::string& sentence : rolling_body_sentences(c, summaries))
+        findings.push_back(sentence);
     for (const std::string& sentence : slip_memory_sentences(c, summaries))
         findings.push_back(sentence);
     for (const std::string& sentence : left_out_sentences(c, summaries))

@@ -39,9 +39,10 @@ std::string change_text(const std::vector<LoadingVariant>& variants, const std::
     if (v == variants.end()) return {};
     if (!v->other)
         return fmt::format(" With {} = {} there is no number: {}.", key, v->changed, v->why_none);
-    return fmt::format(" With {} = {} the static shift of {} would be {}{}.", key, v->changed,
-                       report::display_name(v->model),
-                       instead(v->other->static_shift, v->run.static_shift, v->static_error()),
+    return fmt::format(" With {} = {} the {} of {} would be {}{}.", key, v->changed,
+                       v->loaded->name, report::display_name(v->model),
+                       instead(v->loaded_value(*v->other), v->loaded_value(v->run),
+                               v->loaded_error(), v->loaded->unit),
                        rolled_text(*v));
 }
 
@@ -102,9 +103,9 @@ std::string pressing_sentence(const Case& c, const std::vector<LoadingVariant>& 
 }  // namespace
 
 std::string instead(std::optional<double> changed, std::optional<double> chosen,
-                    std::optional<double> error) {
-    return fmt::format("{} instead of {} ({})", report::quantity(changed.value_or(0), "m"),
-                       report::quantity(chosen.value_or(0), "m"),
+                    std::optional<double> error, const char* unit) {
+    return fmt::format("{} instead of {} ({})", report::quantity(changed.value_or(0), unit),
+                       report::quantity(chosen.value_or(0), unit),
                        report::percent(error.value_or(contact::undefined) + 1));
 }
 

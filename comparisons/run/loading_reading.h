@@ -15,8 +15,8 @@ std::vector<std::string> treatment_sentences(const contact::Case& c,
                                              const std::vector<std::string>& models,
                                              const std::vector<LoadingVariant>& variants);
 
-/// "151.6 µm instead of 150.6 µm (+0.64 %)": shifts [m], the error that of the changed one.
+/// "151.6 µm instead of 150.6 µm (+0.64 %)": the error that of the changed one.
 std::string instead(std::optional<double> changed, std::optional<double> chosen,
-                    std::optional<double> error);
+                    std::optional<double> error, const char* unit = "m");
 
 }  // namespace tricontact::comparisons

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "comparisons/bodies/body_deviation.h"
 #include "comparisons/half_space/layer_report.h"
 #include "comparisons/quantities/results.h"
 #include "comparisons/run/answer.h"
@@ -45,6 +46,7 @@ DocumentSection results_section(const contact::Case& c, const std::vector<Result
 /// Sections that only some cases have.
 std::vector<DocumentSection> study_sections(const contact::Case& c,
                                             const std::vector<contact::History>& histories,
+                                            const std::vector<Results>& results,
                                             const ReportExtras& extras) {
     using Tables = std::vector<report::DocumentTable>;
     std::vector<DocumentSection> sections;
@@ -52,6 +54,9 @@ std::vector<DocumentSection> study_sections(const contact::Case& c,
                          const std::vector<std::string>& sentences, const Tables& tables) {
         sections.push_back({id, heading, sentences, {}, tables});
     };
+    if (const auto bodies = body_deviation(c, results, extras.study, errors_of(extras)))
+        add("half_space_deviation", "Half-space deviation of the bodies",
+            body_deviation_sentences(c, *bodies), {body_deviation_table(*bodies)});
     if (const auto layer = compare_with_layer(c, histories, extras.study))
         add("layer", "The layer", layer_sentences(c, *layer), {layer_table(c, *layer)});
     const auto& variants = extras.study.variants;
@@ -95,6 +100,12 @@ std::vector<std::pair<std::string, std::string>> files_of(const std::vector<Resu
 
 }  // namespace
 
+std::vector<NumericalError> errors_of(const ReportExtras& extras) {
+    std::vector<NumericalError> errors = extras.other_numerical;
+    if (extras.numerical) errors.push_back(*extras.numerical);
+    return errors;
+}
+
 report::Document run_document(const contact::Case& c, const std::string& resolved_case,
                               const std::string& version,
                               const std::vector<contact::History>& histories,
@@ -118,7 +129,7 @@ report::Document run_document(const contact::Case& c, const std::string& resolve
     document.sections = {{"reading", "Reading", reading(c, results)},
                          results_section(c, results, extras.numerical)};
     if (c.prescribed_path) document.sections.push_back(path_section(c, histories));
-    for (DocumentSection& section : study_sections(c, histories, extras))
+    for (DocumentSection& section : study_sections(c, histories, results, extras))
         document.sections.push_back(std::move(section));
     Figures figures = make_figures(c, histories, extras.numerical);
     if (!figures.empty()) {

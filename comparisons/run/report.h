@@ -30,7 +30,10 @@ struct ReportExtras {
     std::vector<report::Film> films;                ///< of models that have one
     std::vector<report::DocumentSection> sections;  ///< the caller's own, before the figures
     std::optional<NumericalError> numerical;        ///< of the last model
+    std::vector<NumericalError> other_numerical;    ///< of others, see body_pair()
 };
+/// Of all models of which it is known.
+std::vector<NumericalError> errors_of(const ReportExtras& extras);
 
 /// The report of a run or a refinement. `resolved_case` is the case's TOML text with all defaults.
 /// Histories stand in the order of the models; the others are compared with the last. Same input,

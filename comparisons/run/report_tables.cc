@@ -4,6 +4,7 @@
 
 #include "comparisons/quantities/change_table.h"
 #include "comparisons/quantities/reference.h"
+#include "contact/section_scales.h"
 #include "report/format.h"
 
 namespace tricontact::comparisons {
@@ -19,7 +20,9 @@ constexpr int most_open_periods = 12;  // longer tables start folded
 std::string results_note(const contact::Case& c, bool several_models,
                          const std::optional<NumericalError>& error) {
     std::string text = "Ratios u are over each model's own U_max. ";
-    if (c.interface.is_elastic())
+    if (contact::is_section_alone(c))
+        text += "The theory column is empty: half-spaces do not know this contact.";
+    else if (c.interface.is_elastic())
         text +=
             "The theory column is frictionless contact on the half-space without the springs of "
             "the interface (pressed); under friction no closed form has them.";
@@ -113,7 +116,8 @@ class RowMaker {
         if (part == Part::pressed && case_.layer.thickness) table.rows.push_back(body_row());
         const bool always = !case_.prescribed_path && part != Part::ends && part != Part::inside;
         for (const Quantity* q : all_quantities())
-            if (q->part == part && (always || is_known(*q))) table.rows.push_back(row(*q));
+            if (q->part == part && (always || is_known(*q)) && !is_rounding(*q))
+                table.rows.push_back(row(*q));
         drop_empty_columns(table);
         return table;
     }
@@ -136,6 +140,14 @@ class RowMaker {
     bool is_known(const Quantity& q) const {
         return std::ranges::any_of(results_,
                                    [&](const Results& r) { return r.number(q).has_value(); });
+    }
+
+    /// What no tangential load leaves of it.
+    bool is_rounding(const Quantity& q) const {
+        const auto of_pull = {&quantities::tangential_ratio, &quantities::static_shift,
+                              &quantities::static_shift_ratio};
+        return std::ranges::find(of_pull, &q) != of_pull.end() &&
+               std::ranges::all_of(results_, is_pressed_alone);
     }
 
     /// On a layer: which models know of it.
@@ -200,6 +212,7 @@ class RowMaker {
         if (const auto* count = std::get_if<int>(&value)) return *count;
         if (const auto* state = std::get_if<contact::State>(&value))
             return contact::name_of(*state);
+        if (const auto* regime = std::get_if<SlipRegime>(&value)) return name_of(*regime);
         return report::number_cell({});
     }
 

@@ -14,28 +14,40 @@ struct SupportWords {
     std::string_view word;
     const char* title;
 };
-constexpr std::array supports{SupportWords{"holder", "a rigid holder"},
-                              SupportWords{"plates", "a second plate"},
-                              SupportWords{"hub", "a rigid hub"}};
+constexpr std::array supports{
+    SupportWords{"holder", "a rigid holder"}, SupportWords{"plates", "a second plate"},
+    SupportWords{"hub", "a rigid hub"}, SupportWords{"force", "the contact alone, under a force"},
+    SupportWords{"pressure", "the contact alone, under a pressure"}};
 
 const std::vector<BodyForm>& forms() {
-    static const std::vector<BodyForm> all{{.word = "hemisphere",
-                                            .title = "hemisphere",
-                                            .shapes = {Shape::paraboloid, Shape::sphere},
-                                            .supports = {Support::holder}},
-                                           {.word = "ball",
-                                            .title = "ball",
-                                            .shapes = {Shape::paraboloid, Shape::sphere},
-                                            .supports = {Support::plates}},
-                                           {.word = "cylinder",
-                                            .title = "cylinder",
-                                            .shapes = {Shape::cylinder},
-                                            .supports = {Support::plates, Support::hub}},
-                                           {.word = "punch",
-                                            .title = "punch",
-                                            .shapes = {Shape::rounded_punch},
-                                            .supports = {Support::holder},
-                                            .has_height = true}};
+    static const std::vector<BodyForm> all{
+        {.word = "hemisphere",
+         .title = "hemisphere",
+         .shapes = {Shape::paraboloid, Shape::sphere},
+         .supports = {Support::holder}},
+        {.word = "ball",
+         .title = "ball",
+         .shapes = {Shape::paraboloid, Shape::sphere},
+         .supports = {Support::plates}},
+        {.word = "cylinder",
+         .title = "cylinder",
+         .shapes = {Shape::cylinder},
+         .supports = {Support::plates, Support::hub}},
+        {.word = "punch",
+         .title = "punch",
+         .shapes = {Shape::rounded_punch},
+         .supports = {Support::holder, Support::pressure},
+         .has_height = true},
+        {.word = "pin", .title = "pin", .shapes = {Shape::cylinder}, .supports = {Support::hub}},
+        {.word = "block",
+         .title = "block",
+         .shapes = {Shape::flat_punch},
+         .supports = {Support::holder, Support::force, Support::pressure},
+         .has_height = true},
+        {.word = "",
+         .title = "mesh",
+         .shapes = {Shape::paraboloid, Shape::sphere, Shape::ellipsoid},
+         .supports = {Support::holder}}};
     return all;
 }
 

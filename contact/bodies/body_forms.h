@@ -11,8 +11,8 @@ namespace tricontact::contact {
 /// A row of the table of bodies that deform. Whoever adds one adds its row at the end, and its mesh
 /// to the models that mesh it.
 struct BodyForm {
-    std::string_view word;                       ///< of indenter.body in case files
-    const char* title;                           ///< for readers
+    std::string_view word;  ///< of indenter.body in case files; empty: a file says what it is
+    const char* title;      ///< for readers
     std::vector<IndenterData::Shape> shapes;     ///< whose surface it may have
     std::vector<ElasticBody::Support> supports;  ///< by which it may be held
     bool has_height = false;                     ///< indenter.height says how high it is

@@ -9,6 +9,12 @@
 
 namespace tricontact::contact {
 
+/// What a layer over the surface adds to the compliance at each point, a symmetric matrix [m/Pa].
+struct LayerCompliance {
+    double xx = 0, xy = 0, yy = 0;
+    bool operator==(const LayerCompliance&) const = default;
+};
+
 /// The compliance among the points in contact, for many products with tractions that vanish
 /// elsewhere. Fields have an entry for each of these points, in their order.
 class ActiveOperator {
@@ -21,6 +27,10 @@ class ActiveOperator {
     virtual void apply_roughly(const TangentialField& t, TangentialField& u) const { apply(t, u); }
     /// A symmetric positive definite approximation of the inverse of `apply`, up to a factor.
     virtual void precondition(const TangentialField& r, TangentialField& z) const = 0;
+    /// The same, with that factor, of the compliance under a layer.
+    virtual bool knows_layers() const { return false; }
+    virtual void precondition_under(const LayerCompliance&, const TangentialField&,
+                                    TangentialField&) const {}
 
     /// It knows the normal products too.
     virtual bool has_normal() const { return false; }

@@ -102,7 +102,7 @@ void set_heights(const ContactPoints& points, const Indenter& indenter, const Ve
 }
 
 bool reaches_edge(const ContactPoints& points, const std::vector<double>& pressure) {
-    if (points.periodic) return false;
+    if (points.periodic || points.is_whole_face) return false;
     return points.n_x > 0 ? edge_of_grid_carries(points, pressure)
                           : edge_of_elements_carries(points, pressure);
 }

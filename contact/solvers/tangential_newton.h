@@ -244,8 +244,12 @@ class TangentialNewton {
                                       std::vector<double>(active_.size(), 0.0),
                                       {}};
         TangentialField flowed;
-        if (problem_.hardening) zones.radial.resize(active_.size(), 0.0), flowed = slip_;
         const double slope = problem_.hardening ? problem_.hardening->slope : 0;
+        if (problem_.hardening) {
+            zones.radial.resize(active_.size(), 0.0);
+            zones.along = alpha_ / (alpha_ + 1 / slope);
+            flowed = slip_;
+        }
         points_.for_points([&](std::size_t k) {
             if (zone_[k] == Zone::stick) return;
             const Vector2 t = traction_.at(k);
@@ -258,7 +262,8 @@ class TangentialNewton {
             }
             const double way = (size - disc_[k].at_start) / slope;
             zones.radial[k] = 1 / slope;
-            zones.curvature[k] = std::max(0.0, way) / size;
+            // Tractions just above the start tell of no way yet: slips do.
+            zones.curvature[k] = std::max({0.0, way, dot(slip_.at(k), t) / size}) / size;
             flowed.set(k, slip_.at(k) - (way / size) * t);
         });
         if (!system_->set_zones(std::move(zones))) return false;

@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include "contact/compliances/point_sums.h"
 #include "contact/solvers/conjugate_gradients.h"
 
 // Two equations in the step z of the tractions and the shift dU (see the header), residual r:
@@ -56,9 +57,9 @@ TangentialSystem::TangentialSystem(const Compliance& compliance,
       scaling_(active.size()) {
     points_.for_points([&](std::size_t k) { areas_[k] = compliance.points().area[active[k]]; });
     area_ = points_.sum_points<double>([&](double& sum, std::size_t k) { sum += areas_[k]; });
-    for (auto* field :
-         {&constraint_[0], &constraint_[1], &preconditioned_[0], &preconditioned_[1], &result_.z,
-          &result_.a_z, &residual_, &direction_, &a_direction_, &h_direction_, &z_, &scaled_})
+    for (auto* field : {&constraint_[0], &constraint_[1], &preconditioned_[0], &preconditioned_[1],
+                        &result_.z, &result_.a_z, &residual_, &direction_, &a_direction_,
+                        &h_direction_, &z_, &scaled_, &under_layer_})
         *field = TangentialField(active.size());
 }
 
@@ -73,6 +74,7 @@ bool TangentialSystem::set_zones(Zones zones) {
         scaling_[k] = zones_.slipping[k] || flows(k) ? part(zones_.curvature[k]) : 1;
         if (flows(k)) radial_scaling_[k] = part(zones_.radial[k]);
     });
+    find_layer();
 
     for (int d = 0; d < 2; ++d) {
         if (!force_controlled_[d]) continue;
@@ -93,20 +95,62 @@ bool TangentialSystem::set_zones(Zones zones) {
     return determinant > 1e-10 * schur[0][0] * schur[1][1];
 }
 
+/// What flows yields like a layer over the body, which the products' preconditioner may know. Its
+/// directions are alike in most contacts, and so is the matrix of its points: the mean is taken.
+void TangentialSystem::find_layer() {
+    layer_.reset();
+    if (zones_.radial.empty() || !products_.knows_layers()) return;
+    const auto [n, n_sticking, xx, xy, yy] =
+        points_
+            .sum_points<Sums<5>>([&](Sums<5>& sum, std::size_t k) {
+                if (!flows(k)) {
+                    sum[1] += zones_.slipping[k] ? 0 : 1;
+                    return;
+                }
+                const Vector2 x = resisted(k, {1, 0}), y = resisted(k, {0, 1});
+                sum[0] += 1;
+                sum[2] += x[0];
+                sum[3] += x[1];
+                sum[4] += y[1];
+            })
+            .values;
+    all_move_ = n_sticking == 0;
+    if (n > 0) layer_ = LayerCompliance{xx / n, xy / n, yy / n};
+}
+
+/// What flows as the body under a layer without end. Of waves that are shorter than the zones what
+/// flows and what sticks tell each other: half of what the scaling of all points makes of what
+/// flows is added. Where no point sticks little is to be told.
+void TangentialSystem::precondition_under_layer(const TangentialField& r, TangentialField& z) {
+    constexpr double half = .5;
+    const double share = all_move_ ? 0 : std::sqrt(half);
+    const auto part = [&](std::size_t k, const Vector2& f) {
+        return flows(k) ? share * scaled(k, f) : scaled(k, f);
+    };
+    points_.for_points([&](std::size_t k) { scaled_.set(k, part(k, r.at(k))); });
+    products_.precondition(scaled_, z);
+    points_.for_points([&](std::size_t k) { z.set(k, projected(k, part(k, z.at(k)))); });
+    points_.for_points([&](std::size_t k) { scaled_.set(k, flows(k) ? r.at(k) : Vector2{}); });
+    products_.precondition_under(*layer_, scaled_, under_layer_);
+    points_.for_points([&](std::size_t k) {
+        if (flows(k)) z.set(k, z.at(k) + under_layer_.at(k));
+    });
+}
+
 void TangentialSystem::precondition(const TangentialField& r, TangentialField& z) {
+    if (layer_) return precondition_under_layer(r, z);
     points_.for_points([&](std::size_t k) { scaled_.set(k, scaled(k, r.at(k))); });
     products_.precondition(scaled_, z);
     points_.for_points([&](std::size_t k) { z.set(k, projected(k, scaled(k, z.at(k)))); });
 }
 
-/// Of what flows along its traction what it comes to in tractions, times the local compliance: a
-/// layer that is much softer than the body would multiply rounding.
+/// Of what flows along its traction what it comes to in tractions (Zones::along): a layer that is
+/// much softer than the body would multiply rounding.
 double TangentialSystem::rms_residual() const {
     if (zones_.radial.empty()) return std::sqrt(inner(residual_, residual_) / area_);
     const double sum = points_.sum_terms([&](std::size_t k) {
         const Vector2 r = residual_.at(k);
-        const double across = flows(k) ? radial_scaling_[k] * radial_scaling_[k] : 1;
-        const Vector2 weighed = flows(k) ? stretched(k, r, 1, across) : r;
+        const Vector2 weighed = flows(k) ? stretched(k, r, 1, zones_.along) : r;
         return areas_[k] * dot(weighed, weighed);
     });
     return std::sqrt(sum / area_);

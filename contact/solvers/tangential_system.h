@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "contact/base/vector2.h"
@@ -65,11 +66,13 @@ class TangentialSystem {
 
     /// What stands per active point: whether it slips, and if so the unit tangent of its friction
     /// disc and the curvature D [m/Pa]. What flows does not slip and has D along its traction in
-    /// `radial` > 0 [m/Pa] (empty: nothing flows), tangent and curvature.
+    /// `radial` > 0 [m/Pa] (empty: nothing flows), tangent and curvature; `along`: by what that
+    /// part of its residual counts in the r.m.s.
     struct Zones {
         std::vector<std::uint8_t> slipping;
         std::vector<Vector2> tangent;
         std::vector<double> curvature, radial;
+        double along = 1;
     };
     /// False if the force balance is singular on these zones.
     bool set_zones(Zones zones);
@@ -94,7 +97,9 @@ class TangentialSystem {
         return flows(k) ? stretched(k, f, zones_.curvature[k], zones_.radial[k])
                         : zones_.curvature[k] * f;
     }
+    void find_layer();
     void precondition(const TangentialField& r, TangentialField& z);
+    void precondition_under_layer(const TangentialField& r, TangentialField& z);
     double inner(const TangentialField& a, const TangentialField& b) const;
     Vector2 total(const TangentialField& z) const;
     Vector2 constraint_multiplier(const Vector2& total_force) const;
@@ -116,12 +121,14 @@ class TangentialSystem {
     double area_ = 0;            // their sum
     Zones zones_;
     std::vector<double> scaling_, radial_scaling_;
+    std::optional<LayerCompliance> layer_;           // mean of what flows, if products know layers
+    bool all_move_ = false;                          // no point sticks
     std::array<TangentialField, 2> constraint_;      // C
     std::array<TangentialField, 2> preconditioned_;  // M^-1 C
     std::array<std::array<double, 2>, 2> schur_inverse_{};
     // Work space of the iteration.
     Result result_;
-    TangentialField residual_, direction_, a_direction_, h_direction_, z_, scaled_;
+    TangentialField residual_, direction_, a_direction_, h_direction_, z_, scaled_, under_layer_;
 };
 
 }  // namespace tricontact::contact

@@ -18,6 +18,8 @@ Assumption half_space(const Rig& rig);
 Assumption half_space_of_line(const Rig& rig);
 /// By the contacts of Rig::body.
 Assumption half_space_of_body(const Rig& rig);
+/// Of a sphere or cylinder that is not rigid beside the substrate.
+Assumption half_space_indenter(const Rig& rig, const IndenterRun& run);
 Assumption far_edges(const Rig& rig);
 Assumption level_surface(const Rig& rig);
 Assumption long_cylinder(const Rig& rig);

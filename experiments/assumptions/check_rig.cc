@@ -68,8 +68,16 @@ PrintedCheck check(const PrintedValue& printed, const Calculation* calculation) 
 
 }  // namespace
 
-RigReport check_rig(const Rig& rig, const StaticShift& static_shift, const RolledGrowth& growth) {
+bool has_soft_indenter(const Rig& rig) {
+    const bool is_ball_or_line = rig.kind == Rig::Kind::sphere || rig.kind == Rig::Kind::cylinder;
+    return is_ball_or_line && !roller_is_rigid(rig);
+}
+
+RigReport check_rig(const Rig& rig, const StaticShift& static_shift, const RolledGrowth& growth,
+                    const IndenterRun& indenter) {
     RigReport report{.title = rig.title, .assumptions = assumptions_of(rig, static_shift, growth)};
+    if (has_soft_indenter(rig))
+        report.assumptions.push_back(at_values_of(rig, half_space_indenter(rig, indenter)));
     report.effects = effects_on_measured(rig, report.assumptions);
     report.printed = check_printed(rig.printed, report.assumptions);
     return report;

@@ -72,12 +72,25 @@ struct Growth {
 double smallest_rolling_amplitude(const Rig& rig);
 using RolledGrowth = std::function<std::optional<Growth>(const Rig& rig)>;
 
+/// A rig's indenter pressed by F_N on its layer: as the body that it is, and as a half-space.
+/// NaN: not compared.
+struct IndenterContacts {
+    BodyContact body, half_space;
+};
+/// By models that the caller has; empty where it has none.
+using IndenterRun = std::function<std::optional<IndenterContacts>(const Rig& rig)>;
+
+/// Whether the size of the rig's indenter matters: a ball or cylinder that is not rigid beside the
+/// substrate.
+bool has_soft_indenter(const Rig& rig);
+
 /// What the evaluation of a rig takes for granted, with verdicts. Rig::body has to be there for
 /// Kind::body. `static_shift` empty: the effect
-/// of coupling stays open; `growth` empty: what rolling adds does. Throws contact::InputError for a
-/// rig out of the range of the layer's theory or materials out of range, contact::NotConverged.
+/// of coupling stays open; `growth` empty: what rolling adds does; `indenter` empty: the size of
+/// one that deforms does. Throws contact::InputError for a rig out of the range of the layer's
+/// theory or materials out of range, contact::NotConverged.
 RigReport check_rig(const Rig& rig, const StaticShift& static_shift = {},
-                    const RolledGrowth& growth = {});
+                    const RolledGrowth& growth = {}, const IndenterRun& indenter = {});
 
 /// Looks the printed quantities up by name among the calculations of the assumptions.
 std::vector<PrintedCheck> check_printed(const std::vector<PrintedValue>& printed,

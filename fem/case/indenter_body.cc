@@ -1,6 +1,7 @@
 #include "fem/case/indenter_body.h"
 
 #include "contact/base/error.h"
+#include "contact/load_path.h"
 #include "fem/settings.h"
 #include "meshes/round_body_mesh.h"
 
@@ -32,8 +33,9 @@ meshes::HexMesh mesh_of(const Case& c, const meshes::LayerMeshSpec& patch) {
                                                .patch_x = patch.patch_x,
                                                .half_y = patch.half_y,
                                                .growth = patch.growth,
-                                               .hub_radius = body.hub_radius});
-        case ElasticBody::Form::punch:
+                                               .hub_radius = body.hub_radius,
+                                               .rolls = rolls_on_its_hub(c)});
+        default:  // of files: meshed_bodies.h
             break;
     }
     throw contact::InputError(
@@ -42,6 +44,11 @@ meshes::HexMesh mesh_of(const Case& c, const meshes::LayerMeshSpec& patch) {
 }
 
 }  // namespace
+
+bool rolls_on_its_hub(const Case& c) {
+    return c.indenter.body && c.indenter.body->support == ElasticBody::Support::hub &&
+           contact::path_reach(c, c.indenter.radius)[0] > 0;
+}
 
 LayerProblem indenter_problem(const Case& c, const meshes::LayerMeshSpec& patch) {
     LayerProblem problem;

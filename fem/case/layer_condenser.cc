@@ -72,12 +72,20 @@ std::unique_ptr<CondensedCompliance> LayerCondenser::make(meshes::HexMesh mesh) 
         case_.interface, couples_by_element_means());
 }
 
+// Its points have the substrate's x already, which are along its surface.
+void LayerCondenser::to_frame_of_rolling(CondensedPart& indenter) const {
+    if (!rolls_on_its_hub(case_)) return;
+    indenter.round_radius = case_.indenter.radius;
+    turn_to_round_frame(indenter.layer, indenter.round_radius);
+}
+
 // Areas of a line are those of the plane, as in space.
 std::unique_ptr<contact::Compliance> LayerCondenser::on_rigid_plane(
     const meshes::LayerMeshSpec& spec, CondensedPart indenter) const {
     ContactSurface plane = plane_patch(spec);
     if (case_.is_line_contact()) {
         indenter.layer.points = plane.points;
+        to_frame_of_rolling(indenter);
         indenter.layer = contact_line(indenter.layer);
         plane = {{}, indenter.layer.points, {}};
     }
@@ -93,6 +101,7 @@ std::unique_ptr<contact::Compliance> LayerCondenser::make_contact(
     CondensedPart layer = part(problem_of(case_, make_layer_mesh(spec)), "layer");
     if (case_.is_line_contact()) {
         indenter.layer.points = layer.layer.points;
+        to_frame_of_rolling(indenter);
         indenter.layer = contact_line(indenter.layer);
         layer.layer = contact_line(layer.layer);
     }

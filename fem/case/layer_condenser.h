@@ -21,14 +21,16 @@ class LayerCondenser {
     /// What the contact sees on a mesh of our own: the layer, the body of an indenter that deforms,
     /// or both. Throws as above.
     std::unique_ptr<contact::Compliance> make_contact(const meshes::LayerMeshSpec& spec);
+    /// A body, condensed or reused. `what`: "layer" or "indenter", for the lines that are said.
+    CondensedPart part(LayerProblem problem, const char* what) const;
     void say(const std::string& line) const {
         if (say_) say_("fem: " + line);
     }
 
   private:
     bool couples_by_element_means() const;  ///< see joined()
-    /// `what`: "layer" or "indenter", for the lines that are said.
-    CondensedPart part(LayerProblem problem, const char* what) const;
+    /// Where it rolls.
+    void to_frame_of_rolling(CondensedPart& indenter) const;
     std::unique_ptr<contact::Compliance> on_rigid_plane(const meshes::LayerMeshSpec& spec,
                                                         CondensedPart indenter) const;
 

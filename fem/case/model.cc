@@ -10,6 +10,7 @@
 #include "contact/surface_model.h"
 #include "fem/case/layer_condenser.h"
 #include "fem/case/mesh_choice.h"
+#include "fem/case/meshed_bodies.h"
 #include "fem/finite_strain/strained_model.h"
 #include "fem/settings.h"
 #include "meshes/mesh_file.h"
@@ -36,7 +37,8 @@ constexpr double patch_margin = 1.03;
 constexpr double patch_growth = 1.3;
 
 void require_layer(const Case& c) {
-    if (c.indenter.body && c.of<Settings>().mesh)
+    const bool in_file = c.indenter.body && c.indenter.body->mesh;
+    if (c.indenter.body && c.of<Settings>().mesh && !in_file)
         throw contact::InputError(
             "fem.mesh: the nodes of a mesh file do not match those of the indenter's body; leave "
             "out fem.mesh or indenter.body");
@@ -156,6 +158,15 @@ std::unique_ptr<contact::Model> make_strained(const Case& c, const std::optional
     return std::make_unique<StrainedModel>(std::move(setup));
 }
 
+/// Bodies of files: their meshes say how fine, and how far.
+std::unique_ptr<contact::Model> make_meshed(const Case& c, const LayerCondenser& condenser) {
+    MeshedContact bodies = make_meshed_contact(c, condenser);
+    const auto of_elastic = [&](const Case&) { return std::move(bodies.compliance); };
+    return std::make_unique<contact::SurfaceModel>(
+        contact::models::fem, *contact::make_substrate(c, false, nullptr, of_elastic),
+        std::move(bodies.indenter), c.friction.law(), c.of<Settings>().tolerance, c.contact);
+}
+
 }  // namespace
 
 meshes::LayerMeshSpec mesh_spec(const Case& c, const Say& say) {
@@ -173,6 +184,7 @@ meshes::HexMesh make_mesh(const Case& c, const Say& say) {
 std::unique_ptr<contact::Model> make_model(const Case& c, const Say& say) {
     require_layer(c);
     LayerCondenser condenser(c, say);
+    if (c.indenter.body && c.indenter.body->mesh) return make_meshed(c, condenser);
     std::optional<Plan> own;
     if (!c.of<Settings>().mesh) own = plan(c, condenser);
     if (c.law != Case::Law::linear) return make_strained(c, own, say);

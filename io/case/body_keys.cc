@@ -39,15 +39,27 @@ std::vector<Choice> shape_choices() {
 
 std::vector<Choice> form_choices() {
     std::vector<Choice> out;
-    for (const contact::BodyForm& one : contact::body_forms())
-        out.push_back({one.word, static_cast<int>(out.size())});
+    int place = 0;
+    for (const contact::BodyForm& one : contact::body_forms()) {
+        if (!one.word.empty()) out.push_back({one.word, place});
+        ++place;
+    }
     return out;
+}
+
+/// Of a body that is one of a table, or of one in a file.
+template <auto ElasticBody::*member, bool in_file>
+Field of_body(Case& c) {
+    const auto& body = c.indenter.body;
+    const bool is_in_file = body && body->form == ElasticBody::Form::mesh;
+    return body && is_in_file == in_file ? in(c.indenter.body, member) : Field();
 }
 
 std::vector<Choice> support_choices() {
     std::vector<Choice> out;
     for (const auto support :
-         {ElasticBody::Support::holder, ElasticBody::Support::plates, ElasticBody::Support::hub})
+         {ElasticBody::Support::holder, ElasticBody::Support::plates, ElasticBody::Support::hub,
+          ElasticBody::Support::force, ElasticBody::Support::pressure})
         out.push_back(choice(contact::word_of(support), support));
     return out;
 }
@@ -79,8 +91,13 @@ std::vector<CaseKey> indenter_keys() {
                     "length of a power law",
                     {.required = true}),
          at<&Case::indenter, &Indenter::radius>},
-        {length_key("indenter.length", R"("80 mm")", "length L along y", {.required = true}),
-         at<&Case::indenter, &Indenter::length>},
+        {length_key("indenter.length", R"("80 mm")",
+                    "length L along y; a punch without it is one of revolution",
+                    {.required = true}),
+         [](Case& c) {
+             const bool has_length = c.is_cylindrical() || c.indenter.length > 0;
+             return has_length ? Field(&c.indenter.length) : Field();
+         }},
         {quantity_key("indenter.chamfer", Dimension::length, {0, 1e6}, R"("1 mm")",
                       "radius of the rounded ends of a roller; 0: sharp ends",
                       {.default_value = R"("0 m")"}),
@@ -95,8 +112,8 @@ std::vector<CaseKey> indenter_keys() {
         {number_key("indenter.exponent", {1, 100}, "4", "n of the power law",
                     {.reason = "below 1 the tip is a spike of infinite slope", .required = true}),
          at<&Case::indenter, &Indenter::exponent>},
-        {length_key("indenter.flat_radius", R"("5 mm")", "radius b of a punch's flat face",
-                    {.required = true}),
+        {length_key("indenter.flat_radius", R"("5 mm")",
+                    "radius b of a punch's flat face, half its width along y", {.required = true}),
          at<&Case::indenter, &Indenter::flat_radius>},
         {text_key("indenter.file", R"("profile.csv")",
                   "table of a profile, or a height map: .npy, .sdf, .csv or .txt",
@@ -127,12 +144,14 @@ std::vector<CaseKey> indenter_keys() {
                     "finite body of an indenter that deforms, which fem, fem-plane and "
                     "fem-axisymmetric mesh; half-space models do not see it",
                     {.needs = "indenter.young"}),
-         at<&Case::indenter, &Indenter::body, &ElasticBody::form>},
+         of_body<&ElasticBody::form, false>},
         {choice_key("indenter.support", support_choices(), R"("holder")",
                     "what holds this body: a rigid holder bonded to the face opposite of the "
-                    "contact, a second plate like the substrate, or a rigid hub in its axis",
+                    "contact, a second plate like the substrate, a rigid hub in its axis, or "
+                    "nothing but the contact: the load is a force in the middle of that face, or a "
+                    "pressure all over it",
                     {.required = true, .needs = "indenter.body"}),
-         at<&Case::indenter, &Indenter::body, &ElasticBody::support>},
+         of_body<&ElasticBody::support, false>},
         {length_key("indenter.hub_radius", R"("3 mm")", "radius of the hub",
                     {.required = true, .needs = "indenter.body"}),
          [](Case& c) {
@@ -141,7 +160,8 @@ std::vector<CaseKey> indenter_keys() {
                         ? Field(&c.indenter.body->hub_radius)
                         : Field();
          }},
-        {length_key("indenter.height", R"("20 mm")", "of a punch, from its face to the holder",
+        {length_key("indenter.height", R"("20 mm")",
+                    "of a punch or block, from its lower to its upper face",
                     {.required = true, .needs = "indenter.body"}),
          [](Case& c) {
              const auto& body = c.indenter.body;
@@ -149,6 +169,15 @@ std::vector<CaseKey> indenter_keys() {
                         ? Field(&c.indenter.body->height)
                         : Field();
          }},
+        {text_key("indenter.mesh", R"("ball.msh")",
+                  "gmsh file of a finite body instead of indenter.body: physical surfaces "
+                  "\"contact\" and \"support\", the physical volume \"body\"; fem presses its "
+                  "surface, other models that of indenter.shape",
+                  {.needs = "indenter.young"}),
+         of_body<&ElasticBody::mesh, true>},
+        {length_key("indenter.mesh_unit", R"("1 mm")", "length of 1 in that file",
+                    {.default_value = R"("1 m")", .needs = "indenter.mesh"}),
+         of_body<&ElasticBody::mesh_unit, true>},
         {number_key("indenter.roughness.hurst", {0, 1}, "0.8",
                     "Hurst exponent H: the power spectral density falls as q^(-2(1 + H))",
                     {.default_value = "0.8"}),
@@ -175,10 +204,28 @@ std::vector<CaseKey> indenter_keys() {
 
 std::vector<CaseKey> substrate_keys() {
     return {
-        {boolean_key("substrate.rigid", "true",
-                     "the substrate is a rigid plane, on which an elastic indenter is pressed",
-                     {.needs = "indenter.young"}),
+        {boolean_key(
+             "substrate.rigid", "true",
+             "the substrate is rigid, a plane or a hole, and an elastic indenter is pressed on it",
+             {.needs = "indenter.young"}),
          [](Case& c) { return c.has_rigid_substrate ? Field(&c.has_rigid_substrate) : Field(); }},
+        {choice_key("substrate.shape",
+                    {choice("layer", Case::SubstrateShape::layer),
+                     choice("hole", Case::SubstrateShape::hole)},
+                    R"("hole")",
+                    "a flat layer or half-space, which it is without this key, or a plate about a "
+                    "round hole along y, in which a cylinder is pressed in plane strain"),
+         [](Case& c) { return c.has_hole() ? Field(&c.substrate_shape) : Field(); }},
+        {length_key("substrate.hole_radius", R"("10.05 mm")",
+                    "radius of the hole; less that of the cylinder it is the clearance",
+                    {.required = true, .needs = "substrate.shape"}),
+         [](Case& c) { return c.has_hole() ? Field(&c.hole.radius) : Field(); }},
+        {length_key("substrate.outer_radius", R"("100 mm")",
+                    "radius of the plate about the hole, whose edge is held",
+                    {.required = true, .needs = "substrate.shape"}),
+         [](Case& c) {
+             return c.has_hole() && !c.has_rigid_substrate ? Field(&c.hole.outer_radius) : Field();
+         }},
         {modulus_key("substrate.young", R"("5.2 MPa")", "Young's modulus", {.required = true}),
          of_elastic_substrate<&Material::young>},
         {poisson_key("substrate.poisson", "0.5", "Poisson's ratio; 0.5 is incompressible",

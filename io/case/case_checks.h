@@ -83,6 +83,8 @@ RadiusBounds contact_radius_bounds(const contact::Case& c);
 /// and rolling path have elements enough and not too many and fit on the block. `steps` [-]: of the
 /// whole run.
 void check_fem(const contact::Case& c, double steps, const Document& document);
+/// A cylinder on a hub turns no farther to either side than by 115 degrees, two radii of way.
+void check_turn_of_hub(const std::string& model, const contact::Case& c, const Document& document);
 /// What fem computes of an indenter's body.
 void check_fem_body(const contact::Case& c, const Document& document);
 
@@ -119,6 +121,13 @@ void check_section(const contact::ModelKind& kind, const contact::Case& c,
 /// The body of an indenter that deforms goes with its shape and support, a rigid substrate with
 /// what is said of it and with the models.
 void check_bodies(const contact::Case& c, const Document& document);
+
+/// A hole goes with a cylinder that fits into it, with models that know it, and with what is pressed
+/// without friction.
+void check_hole(const contact::Case& c, const Document& document);
+
+/// Punches with a sharp edge or along y are known to models of sections, and do not roll.
+void check_punch(const contact::Case& c, const Document& document);
 
 /// Height maps, planes and roughness: models that can, a period that fits, cells that resolve, and
 /// nothing that refers to a radius of contact where there is none.

@@ -4,9 +4,10 @@
 #include "io/case/case_checks.h"
 #include "io/results/output.h"
 
-// What fem computes of an indenter that deforms: it is pressed and loaded where it stands. A body
-// between plates is held by their symmetry alone: whatever is not mirrored in the plane between
-// them, or would make it roll, has no answer.
+// What fem computes of an indenter that deforms: a cylinder rolls about its hub; other bodies are
+// pressed and loaded where they stand, since what touches after they have turned is no longer the
+// same. A body between plates is held by their symmetry alone: whatever is not mirrored in the
+// plane between them, or would make it roll, has no answer.
 
 namespace tricontact::io {
 
@@ -15,26 +16,37 @@ namespace {
 using contact::Case;
 using contact::ElasticBody;
 
+constexpr double farthest_turn = 2;  // way over radius
+
+/// Why a body does not roll.
+std::string why_it_stands(const ElasticBody& body) {
+    const std::string held = "a " + std::string(contact::body_form(body.form).title) + " held by " +
+                             contact::title_of(body.support);
+    if (body.support == ElasticBody::Support::plates)
+        return held + " is held by their symmetry, which rolling breaks";
+    return held + " has another stiffness after it has turned: it is not of revolution about the "
+                  "axis that it rolls about";
+}
+
 void check_motion(const Case& c, const Document& document) {
-    const auto& body = contact::body_form(c.indenter.body->form);
-    const std::string held =
-        "a " + std::string(body.title) + " held by " + contact::title_of(c.indenter.body->support);
-    const char* const remedy = "leave out fem, or indenter.body";
-    if (c.rolling)
-        refuse(document, used(document, "rolling.amplitude_ratio", "rolling.amplitude"),
-               "fem presses and loads the body of an indenter where it stands; " + held +
-                   " that rolls is not computed",
-               remedy);
+    const ElasticBody& body = *c.indenter.body;
+    const std::string remedy = std::string("leave out fem, or ") + body.key();
     if (c.tractive_rolling)
         refuse(document, "tractive_rolling.distance",
                "fem does not roll the body of an indenter on", remedy);
+    if (body.support == ElasticBody::Support::hub) {
+        check_turn_of_hub(contact::models::fem, c, document);
+        return;
+    }
+    if (c.rolling)
+        refuse(document, used(document, "rolling.amplitude_ratio", "rolling.amplitude"),
+               "fem rolls a cylinder on a hub; " + why_it_stands(body), remedy);
     if (!c.prescribed_path) return;
     const contact::Vector2 reach = c.prescribed_path->reach();
     if (reach[0] > 0 || reach[1] > 0)
         refuse(document, path_key(document),
-               "fem presses and loads the body of an indenter where it stands; " + held +
-                   " that is moved by rolling is not computed",
-               "leave its offsets out, or " + std::string(remedy));
+               "fem moves a cylinder on a hub by rolling; " + why_it_stands(body),
+               "leave its offsets out, or " + remedy);
 }
 
 void check_plates(const Case& c, const Document& document) {
@@ -51,11 +63,48 @@ void check_plates(const Case& c, const Document& document) {
                "set the tangential load to 0, or take another support");
 }
 
+// Bodies of files: the mesh says how fine, and its groups what holds it.
+void check_meshes(const Case& c, const Document& document) {
+    check_file_there(document, "indenter.mesh", *c.indenter.body->mesh, "name a gmsh file");
+    if (document.find("fem.accuracy"))
+        refuse(document, "fem.accuracy", "the size of elements is that of the indenter's mesh",
+               "omit it, or give fem.size for the layer below");
+    if (c.has_rigid_substrate && c.of<fem::Settings>().size)
+        refuse(document, "fem.size", "the only mesh is the indenter's, which is a file's",
+               "omit it");
+    if (c.indenter.roughness)
+        refuse(document, "indenter.roughness.hurst", "the surface is that of the mesh",
+               "omit [indenter.roughness], or leave out fem");
+    if (!c.of<fem::Settings>().mesh) return;
+    if (c.has_rigid_substrate)
+        refuse(document, "fem.mesh", "a rigid substrate has no mesh", "omit it");
+    if (c.layer.base != Case::Base::bonded)
+        refuse(document, "substrate.base", "a body of a file is bonded to its surface \"support\"",
+               "omit it");
+    if (c.of<fem::Settings>().sides == fem::Sides::fixed)
+        refuse(document, "fem.sides", "a body of a file is held by its surface \"support\"",
+               "omit it");
+    if (!c.layer.lower.empty())
+        refuse(document, "lower_layer.thickness",
+               "a body of a file under another is of one material",
+               "omit [lower_layer], or fem.mesh");
+}
+
 }  // namespace
+
+void check_turn_of_hub(const std::string& model, const Case& c, const Document& document) {
+    const double a = contact::half_space_scales(c).contact_radius;
+    if (contact::path_reach(c, a)[0] <= farthest_turn * c.indenter.radius) return;
+    refuse(document,
+           c.rolling ? used(document, "rolling.amplitude_ratio", "rolling.amplitude")
+                     : path_key(document),
+           model + " turns a cylinder about its hub by no more than 115 degrees to either side",
+           "reduce it to two radii, or leave indenter.body out");
+}
 
 void check_fem_body(const Case& c, const Document& document) {
     const auto refuse_body = [&](const std::string& why, const std::string& remedy) {
-        refuse(document, "indenter.body", why, remedy);
+        refuse(document, c.indenter.body->key(), why, remedy);
     };
     if (c.indenter.body->form == ElasticBody::Form::punch)
         refuse_body("fem meshes hemispheres, balls and cylinders, no punch",
@@ -66,13 +115,12 @@ void check_fem_body(const Case& c, const Document& document) {
     if (c.relaxation)
         refuse_body("fem takes the indenter of a relaxing substrate as rigid",
                     "leave it out, or omit [substrate.relaxation]");
-    if (c.of<fem::Settings>().mesh)
+    const bool in_file = c.indenter.body->form == ElasticBody::Form::mesh;
+    if (in_file) check_meshes(c, document);
+    if (c.of<fem::Settings>().mesh && !in_file)
         refuse(document, "fem.mesh",
                "the nodes of a mesh file do not match those of the indenter's body",
-               "omit it, or leave out indenter.body");
-    if (c.has_rigid_substrate && c.of<Output>().volume != Output::Volume::none)
-        refuse(document, "output.volume", "the interior is that of the substrate, which is rigid",
-               "leave output.volume out");
+               "omit it, or give the indenter's mesh as indenter.mesh");
     check_motion(c, document);
     check_plates(c, document);
 }

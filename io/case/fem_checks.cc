@@ -21,7 +21,7 @@ constexpr double thinnest = 0.02;        // b/a: thin elements in hundreds
 // Without a body of finite size there is nothing to mesh of the indenter.
 void check_indenter(const Case& c, const Document& document) {
     if (c.indenter.body) return;
-    const std::string remedy = "give indenter.body, the finite body that it is";
+    const std::string remedy = "give indenter.body or indenter.mesh, the finite body that it is";
     if (c.has_rigid_substrate)
         refuse(document, "substrate.rigid",
                "fem meshes no half-space: neither body is one that it can deform",
@@ -246,7 +246,9 @@ void check_fem(const Case& c, double steps, const Document& document) {
     const auto& elements = c.of<fem::Settings>();
     if (elements.mesh) check_file_there(document, "fem.mesh", *elements.mesh, "name a gmsh file");
     const double pressing = c.load.press == Case::Press::friction ? c.load.press_steps : 1;
-    if (elements.size) check_size(c, patch, a.high, steps + pressing, document);
+    const bool in_file =
+        c.indenter.body && c.indenter.body->form == contact::ElasticBody::Form::mesh;
+    if (elements.size && !in_file) check_size(c, patch, a.high, steps + pressing, document);
 }
 
 }  // namespace tricontact::io

@@ -29,6 +29,7 @@ void check_section_substrate(const Case& c, const Refusal& refuse_key) {
     if (c.law != Case::Law::linear)
         refuse_key("substrate.material", "knows small strains alone",
                    "take fem, or set substrate.material to \"linear\"");
+    if (c.has_hole()) return;
     if (c.has_rigid_substrate) {
         if (!c.indenter.body)
             refuse_key("substrate.rigid", "needs the size of a body that is to deform on it",
@@ -46,6 +47,8 @@ void check_section_substrate(const Case& c, const Refusal& refuse_key) {
 }
 
 void check_section_indenter(const Case& c, const Refusal& refuse_key) {
+    if (c.indenter.body && c.indenter.body->form == ElasticBody::Form::mesh)
+        refuse_key("indenter.mesh", "meshes a section of its own", "take fem, or indenter.body");
     if (c.indenter.roughness)
         refuse_key("indenter.roughness.hurst", "knows smooth bodies alone", "take bem");
     if (c.indenter.body || !c.indenter.material) return;
@@ -59,26 +62,30 @@ void check_section_elements(const Case& c, const Document& document, const Refus
     if (document.find("fem.mesh")) refuse_key("fem.mesh", "makes its own mesh", "leave it out");
     if (c.of<fem::Settings>().sides == fem::Sides::fixed)
         refuse_key("fem.sides", "has the sides of the layer far away", "leave it out");
-    if (c.of<Output>().volume != Output::Volume::none)
-        refuse_key("output.volume", "does not show the inside of bodies", "leave it out");
+    if (c.relaxation && c.of<Output>().volume != Output::Volume::none)
+        refuse_key("output.volume", "shows the inside of elastic bodies",
+                   "leave it out, or omit [substrate.relaxation]");
     if (c.period) refuse_key("bem.period", "knows one contact alone", "leave it out");
 }
 
 void check_rolling_section(const Case& c, const Document& document, const Refusal& refuse_key) {
+    const std::string rule = "presses bodies where they are, but for a cylinder on a hub: takes no ";
     if (c.rolling)
         refuse_key(used(document, "rolling.amplitude_ratio", "rolling.amplitude"),
-                   "presses the bodies where they are and takes no [rolling]",
-                   "leave that section out, or take bem or fem");
+                   rule + "[rolling]", "leave that section out, or take bem or fem");
     if (c.tractive_rolling)
-        refuse_key("tractive_rolling.distance",
-                   "presses the bodies where they are and takes no [tractive_rolling]",
+        refuse_key("tractive_rolling.distance", rule + "[tractive_rolling]",
                    "leave that section out, or take bem");
     if (c.prescribed_path)
-        refuse_key(path_key(document), "presses the bodies where they are and takes no [path]",
+        refuse_key(path_key(document), rule + "[path]",
                    "leave that section out, or take bem or fem");
 }
 
-void check_plane_strain(const Case& c, const Document& document, const Refusal& refuse_key) {
+void check_plane_strain(const ModelKind& kind, const Case& c, const Document& document,
+                        const Refusal& refuse_key) {
+    if (c.indenter.is_punch() && !c.is_line_contact())
+        refuse_key("indenter.shape", "takes a punch along y, in plane strain",
+                   "give its indenter.length, or take fem-axisymmetric");
     if (!c.is_line_contact())
         refuse_key("indenter.shape", "is about cylinders, in plane strain",
                    "take shape = \"cylinder\", or fem-axisymmetric");
@@ -86,13 +93,18 @@ void check_plane_strain(const Case& c, const Document& document, const Refusal& 
         refuse_key("substrate.base", "has nothing that holds a layer which glides",
                    "take base = \"bonded\"");
     if (!c.indenter.body) return;
-    check_rolling_section(c, document, refuse_key);
+    if (c.indenter.body->support == ElasticBody::Support::hub && !c.has_hole())
+        check_turn_of_hub(kind.name, c, document);
+    else
+        check_rolling_section(c, document, refuse_key);
     if (has_tangential_load(c) && c.indenter.body->support == ElasticBody::Support::plates)
         refuse_key(tangential_key(c), "has no force along plates that press from both sides",
-                   "omit it, or take indenter.support = \"hub\"");
+                   "set it to 0, or take indenter.support = \"hub\"");
 }
 
 void check_of_revolution(const Case& c, const Document& document, const Refusal& refuse_key) {
+    if (c.indenter.is_long_punch())
+        refuse_key("indenter.length", "takes a punch of revolution", "omit it, or take fem-plane");
     if (!contact::body_shape(c.indenter.shape).of_revolution)
         refuse_key("indenter.shape", "is about bodies of revolution",
                    c.is_line_contact() ? "take fem-plane" : "take bem or fem");
@@ -100,7 +112,7 @@ void check_of_revolution(const Case& c, const Document& document, const Refusal&
         refuse_key("friction.map", "has the same friction all around its axis", "leave it out");
     check_rolling_section(c, document, refuse_key);
     if (has_tangential_load(c))
-        refuse_key(tangential_key(c), "presses along the axis alone", "omit it, or take fem");
+        refuse_key(tangential_key(c), "presses along the axis alone", "set it to 0, or take fem");
 }
 
 }  // namespace
@@ -111,7 +123,7 @@ void check_section(const ModelKind& kind, const Case& c, const Document& documen
     check_section_indenter(c, refuse_key);
     check_section_elements(c, document, refuse_key);
     if (kind.cut == ModelKind::Cut::plane_strain)
-        check_plane_strain(c, document, refuse_key);
+        check_plane_strain(kind, c, document, refuse_key);
     else
         check_of_revolution(c, document, refuse_key);
 }

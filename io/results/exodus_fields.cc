@@ -4,6 +4,7 @@
 
 #include <stdexcept>
 
+#include "contact/compliances/interior_parts.h"
 #include "io/results/exodus_file.h"
 #include "io/results/state_fields.h"
 
@@ -49,6 +50,20 @@ ExodusBlock bars(int n) {
 /// before the faces, which are below, above, then along x and y.
 constexpr std::array<int, 27> exodus_order{0,  1,  2,  3,  4,  5,  6,  7,  8,  9,  10, 11, 16, 17,
                                            18, 19, 12, 13, 14, 15, 26, 24, 25, 20, 21, 22, 23};
+
+bool is_of_indenter(const Interior& interior, std::size_t hex) {
+    return hex < interior.region.size() && interior.region[hex] == contact::indenter_region;
+}
+
+/// Values of hexahedra in the order of the file: those of the substrate, then of the indenter.
+template <class Value>
+std::vector<Value> by_blocks(const Interior& interior, const std::vector<Value>& values) {
+    std::vector<Value> sorted;
+    for (const bool indenter : {false, true})
+        for (std::size_t c = 0; c < values.size(); ++c)
+            if (is_of_indenter(interior, c) == indenter) sorted.push_back(values[c]);
+    return sorted;
+}
 
 }  // namespace
 
@@ -148,10 +163,15 @@ ExodusMesh mesh_of(const Interior& interior) {
         block.element = "HEX27";
         block.nodes_per_element = 27;
         mesh.points = interior.points;
-        for (const auto& hex : interior.hexes)
+        ExodusBlock indenter = block;
+        indenter.name = "indenter";
+        for (std::size_t c = 0; c < interior.hexes.size(); ++c) {
+            ExodusBlock& its = is_of_indenter(interior, c) ? indenter : block;
             for (const int k : exodus_order)
-                block.nodes.push_back(hex.at(static_cast<std::size_t>(k)) + 1);
-        mesh.blocks = {std::move(block)};
+                its.nodes.push_back(interior.hexes[c].at(static_cast<std::size_t>(k)) + 1);
+        }
+        if (!block.nodes.empty() || indenter.nodes.empty()) mesh.blocks.push_back(std::move(block));
+        if (!indenter.nodes.empty()) mesh.blocks.push_back(std::move(indenter));
         return mesh;
     }
     const auto& [x, y, z] = interior.axes;
@@ -197,9 +217,9 @@ ExodusFields fields_of(const Instant& instant, const Interior& interior) {
     add_point_fields(fields, interior, interior.size());
     if (!interior.is_grid()) {
         fields.begin_elements();
-        fields.add_bytes("region", interior.region, interior.hexes.size());
-        fields.add_scalar("strain_energy_density_J_per_m3", interior.energy_density,
-                          interior.hexes.size());
+        fields.add_bytes("region", by_blocks(interior, interior.region), interior.hexes.size());
+        fields.add_scalar("strain_energy_density_J_per_m3",
+                          by_blocks(interior, interior.energy_density), interior.hexes.size());
     }
     return fields;
 }

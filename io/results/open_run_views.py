@@ -72,7 +72,9 @@ def warped(source, scale):
     name = "elastic_displacement_m"
     if scale != 1:
         name = "normal_displacement_m"
-        source = Calculator(Input=source, Function="elastic_displacement_m_Z*kHat", ResultArrayName=name)
+        # Above the plane is an indenter that deforms, whose height is magnified with it.
+        height = "max(coordsZ,0)*(%.9g)" % (1 - 1 / scale)
+        source = Calculator(Input=source, Function="(elastic_displacement_m_Z+%s)*kHat" % height, ResultArrayName=name)
     return WarpByVector(Input=source, Vectors=["POINTS", name], ScaleFactor=scale)
 
 
@@ -86,14 +88,20 @@ def back_half(source, bounds):
     return clip
 
 
-def near(volume, bounds, depth):
-    """What lies below the surface of these bounds, and a little beside it, down to the depth."""
+def near(volume, bounds, depth, height):
+    """What lies below the surface of these bounds, and a little beside it, down to the depth and up to the height."""
     beside = 0.15 * (bounds[1] - bounds[0])
     clip = Clip(Input=volume, ClipType="Box")
     clip.ClipType.Position = [bounds[0] - beside, bounds[2] - beside, -depth]
-    clip.ClipType.Length = [bounds[1] - bounds[0] + 2 * beside, bounds[3] - bounds[2] + 2 * beside, 2 * depth]
+    clip.ClipType.Length = [bounds[1] - bounds[0] + 2 * beside, bounds[3] - bounds[2] + 2 * beside, depth + height]
     Hide3DWidgets(proxy=clip.ClipType)
     return clip
+
+
+def shows_indenter(volume):
+    """Whether the volume has the inside of an indenter that deforms."""
+    regions = volume.CellData["region"] if volume else None
+    return bool(regions) and regions.GetRange(0)[1] >= 2
 
 
 def show_section(folder, surface, volume, view, size, depth, lift, scale=None):
@@ -106,7 +114,7 @@ def show_section(folder, surface, volume, view, size, depth, lift, scale=None):
     display.Position = [0.0, 0.0, lift]
     if volume:
         colour(display, view, surface_cells(surface), "contact_state", "contact", "Upper Right Corner")
-        body = near(volume, bounds, depth)
+        body = near(volume, bounds, depth, depth / scale)
         body.UpdatePipeline(time)
         inside = back_half(warped(body, scale), body.GetDataInformation().GetBounds())
         shown = Show(inside, view)
@@ -114,7 +122,7 @@ def show_section(folder, surface, volume, view, size, depth, lift, scale=None):
     else:
         colour(display, view, "POINTS", "normal_traction_Pa", "normal traction [Pa]")
     path = os.path.join(folder, "indenter.ex2")
-    if os.path.exists(path):
+    if os.path.exists(path) and not shows_indenter(volume):
         indenter = open_series(path)
         body = back_half(Transform(Input=indenter, Transform="Transform"), indenter.GetDataInformation().GetBounds())
         shaped = body.Input if body.Input != indenter else body
@@ -204,7 +212,8 @@ def show_model(folder, series, surfaces):
             depth = 0.5 * size if inside else 0.12 * size
             show_section(folder, source, inside, view, size, depth, lift)
             beside = 0.15 * (bounds[1] - bounds[0]) if inside else 0.0
-            shown = (bounds[0] - beside, bounds[1] + beside, 0.0, max(bounds[3], 0.0) + beside, -depth, 0.1 * size)
+            shown = (bounds[0] - beside, bounds[1] + beside, 0.0, max(bounds[3], 0.0) + beside, -depth,
+                     depth if shows_indenter(inside) else 0.1 * size)
             look(view, [-0.35, -1.0, 0.5], [0.0, 0.0, 1.0], shown)
     plot = plot_of(folder)
     if plot:

@@ -115,6 +115,7 @@ def deviation(
     overrides: Overrides = None,
     no_runs: bool = False,
     finite_strain: bool = False,
+    body: bool = False,
     elements: Optional[float] = None,
     output: Optional[StrPath] = None,
     export: Optional[StrPath] = None,
@@ -125,10 +126,10 @@ def deviation(
     """How far the layer of a case is from a half-space, or linear elasticity from finite strains.
 
     no_runs: exact theory alone. finite_strain: by finite elements, so many `elements` in the
-    contact radius (5).
+    contact radius (5). body: the indenter's body in place of the layer, over its size.
     """
     return _call("deviation", case, merged(overrides, keys), output, progress, no_runs=no_runs,
-                 finite_strain=finite_strain, elements=elements, jobs=jobs, export=export)
+                 finite_strain=finite_strain, body=body, elements=elements, jobs=jobs, export=export)
 
 
 def predict(

@@ -19,6 +19,7 @@ _FILES = {
     "refinement.json": ("refine", "sizes_m"),
     "deviation.json": ("deviation", "hertz_diameter_m"),
     "finite_strain.json": ("deviation", "elements_in_radius"),
+    "body_size.json": ("deviation", "bodies"),
     "prediction.json": ("predict", "models"),
     "experiment.json": ("experiment", "verdict_confidence"),
     "identify.json": ("identify", "verdicts"),

@@ -89,7 +89,7 @@ def loading_variants(program):
     for key, text in (("load.press", '`load.press = "frictionless"`'), ("load.press_steps", "`load.press_steps = 1`"),
                       ("contact.coupling", "`contact.coupling = false`")):
         changes = [next(one[name] for one in variants if one["key"] == key)
-                   for variants in found for name in ("static_change", "rolled_change")]
+                   for variants in found for name in ("loaded_change", "rolled_change")]
         rows.append([text, *(percent(change, 2) if abs(change) > 5e-5 else f"{power(100 * change, 1)} %" for change in changes)])
     return rows
 

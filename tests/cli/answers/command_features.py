@@ -121,7 +121,8 @@ def made(program):
         subprocess.run([program, "influence", "case.toml", "--output", "out.txt"], cwd=folder, check=True,
                        capture_output=True)
         records = Path(__file__).parent.parent.parent.parent / "examples/records/synthetic"
-        return {"layer.msh": (Path(folder) / "out/mesh.msh").read_text(),
+        return {"body.msh": data.body_of_revolution(),
+                "layer.msh": (Path(folder) / "out/mesh.msh").read_text(),
                 "influence.txt": (Path(folder) / "out.txt").read_text(),
                 "record.csv": (records / "run_1.csv").read_text(),
                 "record_2.csv": (records / "run_2.csv").read_text()}

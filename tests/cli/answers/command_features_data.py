@@ -27,6 +27,29 @@ height_map = "".join(" ".join(f"{((x / 10) ** 2 + (y / 10) ** 2) * 6.25:.4f}" fo
                      for y in range(-30, 31, 2))  # um, of a ball of 80 mm on 6 mm
 
 
+def body_of_revolution(n=12, half=12., height=10., radius=40.):
+    """A gmsh file of a box whose lower face is a paraboloid, n x n x 2 hexahedra, in mm."""
+    def node(i, j, k):
+        return 1 + i + (n + 1) * (j + (n + 1) * k)
+
+    def position(i, j, k):
+        x, y = (2 * i / n - 1) * half, (2 * j / n - 1) * half
+        low = (x * x + y * y) / 2 / radius
+        return f"{node(i, j, k)} {x} {y} {low + (height - low) * k / 2}"
+
+    def face(i, j, k):
+        return [node(i, j, k), node(i + 1, j, k), node(i + 1, j + 1, k), node(i, j + 1, k)]
+
+    cells = [(i, j) for j in range(n) for i in range(n)]
+    elements = [(3, 1, face(*at, 0)) for at in cells] + [(3, 2, face(*at, 2)) for at in cells]
+    elements += [(5, 3, face(*at, k) + face(*at, k + 1)) for k in range(2) for at in cells]
+    nodes = [position(i, j, k) for k in range(3) for j in range(n + 1) for i in range(n + 1)]
+    lines = ["$MeshFormat", "2.2 0 8", "$EndMeshFormat", "$PhysicalNames", "3", '2 1 "contact"', '2 2 "support"',
+             '3 3 "body"', "$EndPhysicalNames", "$Nodes", len(nodes), *nodes, "$EndNodes", "$Elements", len(elements)]
+    lines += [" ".join(map(str, (e + 1, kind, 2, group, group, *at))) for e, (kind, group, at) in enumerate(elements)]
+    return "\n".join(map(str, [*lines, "$EndElements\n"]))
+
+
 # Of columns whose base does not roll back and forth.
 rolled = {name: {"rolling.amplitude_ratio": "0.24"} for name in ("run rolling on", "run fem-axisymmetric")}
 
@@ -67,6 +90,13 @@ at_rest = {"rolling.*": None}
 pressed = {f"run {model}": {**at_rest, "load.tangential_ratio": "0.0"} for model in ("fem", "fem-axisymmetric")}
 hemisphere = {"indenter.body": '"hemisphere"', "indenter.support": '"holder"'}
 on_hub = {"indenter.body": '"cylinder"', "indenter.support": '"hub"', "indenter.hub_radius": '"10 mm"'}
+still = {"rolling.*": None, "tractive_rolling.*": None, "load.tangential_ratio": "0.0"}
+in_hole = {**still, "substrate.thickness": None, "substrate.width": None, "substrate.depth": None, "substrate.shape": '"hole"', "substrate.hole_radius": '"40.5 mm"',
+           "substrate.outer_radius": '"400 mm"', "indenter.shape": '"cylinder"', "indenter.length": '"60 mm"'}
+flat_punch = {**still, **body, "indenter.shape": '"flat-punch"', "indenter.flat_radius": '"3 mm"'}
+along_y = {"run fem-plane": {"indenter.length": '"60 mm"'}}
+long_punch = {**still, "indenter.shape": '"rounded-punch"', "indenter.flat_radius": '"1 mm"', "indenter.length": '"60 mm"'}
+loose_block = {**flat_punch, **elastic, "indenter.body": '"block"', "indenter.support": '"pressure"', "indenter.height": '"6 mm"'}
 mapped = {**body, "indenter.shape": '"height-map"', "indenter.file": '"map.txt"', "indenter.spacing": '"0.2 mm"',
           "bem.cells_per_radius": None, "bem.spacing": '"0.4 mm"', "load.normal_force": '"1 N"',
           "rolling.amplitude_ratio": None, "rolling.amplitude": '"0.4 mm"'}
@@ -153,9 +183,19 @@ features = [
             {**elastic, "indenter.body": '"ball"', "indenter.support": '"plates"'},
             over_for={**pressed, "run fem-plane": {**at_rest, **on_hub}},
             other_for={"run fem-plane": {"indenter.hub_radius": '"20 mm"'}}),
+    feature("mesh of the indenter", "indenter.mesh indenter.mesh_unit",
+            "indenter.mesh|indenter.young|elastic indenter|rigid", {**elastic, **hemisphere},
+            {**elastic, "indenter.mesh": '"body.msh"', "indenter.mesh_unit": '"1 mm"'}, over_for=pressed),
     feature("rigid substrate", "substrate.rigid", "substrate.rigid|substrate.thickness|substrate.young|rigid|layer", elastic,
             {**elastic, "substrate.*": None, "substrate.rigid": "true"},
             over_for={"run fem": {**at_rest, **hemisphere, "fem.size": '"1 mm"'}, "run fem-axisymmetric": hemisphere, "run fem-plane": {**at_rest, **on_hub}}),
+    feature("hole in the substrate", "substrate.shape substrate.hole_radius substrate.outer_radius", "hole|flat substrate|substrate.thickness",
+            in_hole, {**in_hole, "substrate.hole_radius": '"41 mm"'}),
+    feature("punch with a sharp edge", "", "sharp edge|flat punch|punch along y|indenter.shape", flat_punch,
+            {**flat_punch, "indenter.flat_radius": '"2 mm"'}, over_for=along_y),
+    feature("punch along y", "", "punch along y|punch of revolution|flat punch|indenter.shape", long_punch, {**long_punch, "indenter.flat_radius": '"2 mm"'}),
+    feature("body that nothing holds", "", "indenter.body|sharp edge|punch along y|flat punch|indenter.young|indenter.shape", loose_block,
+            {**loose_block, "indenter.height": '"4 mm"'}, over_for=along_y),
     feature("coupled contact", "contact.coupling", "contact.coupling|coupl", {"contact.coupling": "false"},
             {"contact.coupling": "true"}, {**layer, "substrate.poisson": "0.3"},
             over_for={"design": {"substrate.poisson": "0.5"}}),

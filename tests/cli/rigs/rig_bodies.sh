@@ -62,4 +62,28 @@ END
 for claim in "Hertz" "pivot" "adhesion"; do
     ! grep -q "$claim" cone.txt || complain "'$claim' of a cone: $(grep "$claim" cone.txt)"
 done
+
+# A soft ball is judged by the body that it is; one whose body is not stated by the names of what is missing; a rigid one not.
+if "$program" list | grep -q '^  fem-axisymmetric '; then
+    cat >soft.toml <<'END'
+models = ["bem-layer"]
+indenter = {shape = "sphere", radius = "25 mm", young = "2 MPa", poisson = 0.495, body = "hemisphere", support = "holder"}
+substrate = {thickness = "8 mm", young = "4 MPa", poisson = 0.495}
+friction.coefficient = 0.7
+load = {normal_force = "8 N", tangential_ratio = 0.4}
+bem.cells_per_radius = 12
+END
+    "$program" rig soft.toml -o soft >soft.txt 2>&1 || complain "a soft ball: $(cat soft.txt)"
+    grep -A 1 '^violated: The indenter is as large as a half-space' soft.txt | grep -q '|d half-space/d body - 1| = 0.068' ||
+        complain "the indenter's body: $(grep -A 3 'as large as' soft.txt)"
+    ! grep -q 'leaves out indenter.body' soft.txt || complain "said to be left out"
+    sed 's/, body = "hemisphere", support = "holder"//' soft.toml >silent.toml
+    "$program" rig silent.toml -o silent >silent.txt 2>&1 || complain "without a body: $(cat silent.txt)"
+    grep -A 2 '^not testable: The indenter is as large as a half-space' silent.txt | grep -q 'not given: indenter.body' ||
+        complain "missing keys: $(grep -A 3 'as large as' silent.txt)"
+    sed 's/young = "2 MPa", poisson = 0.495, body = "hemisphere", support = "holder"/young = "200 GPa", poisson = 0.3/' \
+        soft.toml >steel.toml
+    "$program" rig steel.toml -o steel >steel.txt 2>&1 || complain "steel: $(cat steel.txt)"
+    ! grep -q 'as large as a half-space' steel.txt || complain "the size of a rigid ball"
+fi
 finish

@@ -116,7 +116,6 @@ refuses "load.tangential_ratio" cylinder.toml --set load.tangential_ratio=0.3
 refuses "too large for the indenter's body" hemisphere.toml --set indenter.shape=rounded-punch --set "indenter.radius=1 mm" \
     --set "indenter.flat_radius=2 mm" --set indenter.body=punch --set "indenter.height=10 mm" --set "load.indentation=4 mm"
 refuses "fewer than 2 elements" hemisphere.toml --set "fem.size=3 mm"
-refuses "output.volume" hemisphere.toml --set output.volume=last
 refuses "fem.mesh" hemisphere.toml --set fem.mesh=none.msh
 refused "fem.size" refine "$work/hemisphere.toml" --models fem-axisymmetric --output out
 finish

@@ -26,6 +26,28 @@ near "peak pressure" "$(of sphere fem peak_pressure_Pa)" 590600 .01
 ratio=$($python -c "print($(of parabola fem normal_force_N) / $(of parabola bem normal_force_N))")
 near "force over that of the half-space" "$ratio" 1.3072 .004
 grep -q "leaves out indenter.body: the indenter is a half-space" log || complain "bem does not say what it leaves out"
+# What the half-space changes is an entry of its own, with bars; without a body there is none.
+"$program" run "$case" --models bem,fem-axisymmetric --no-report --set load.tangential_ratio=0 --set load.press=frictionless -o entry >log 2>&1 || complain "$(cat log)"
+$python - entry/summary.json >log 2>&1 <<'PY' || complain "half-space deviation: $(cat log)"
+import json, math, sys
+entry = json.load(open(sys.argv[1]))["half_space_deviation"]
+force = entry["quantities"]["normal_force_N"]
+assert (entry["half_space_model"], entry["body_model"]) == ("bem", "fem-axisymmetric"), entry
+# Half-space: Sneddon (1965) of the true sphere, R = 10, d = 0.5 mm. Body: 1.1922 of Hertz' force by sections on finer
+# meshes (deviation --body), which another program's numbers stand beside.
+low, high = 1, 3
+while high - low > 1e-12:
+    a = (low + high) / 2
+    low, high = (a, high) if a / 2 * math.log((10 + a) / (10 - a)) < .5 else (low, a)
+modulus = 2 / (1 - .495 ** 2)
+sphere = modulus * ((a * a + 100) / 2 * math.log((10 + a) / (10 - a)) - 10 * a)
+body = 1.1922 * 4 / 3 * modulus * 10 ** .5 * .5 ** 1.5
+assert abs(force["deviation"] - (sphere / body - 1)) < 1.5 * force["deviation_half_width"] < .005, (force, sphere, body)
+assert "indentation_m" not in entry["quantities"], "prescribed"
+PY
+"$program" run "$source_dir/examples/cases/rig_sphere_parallel.toml" --models mdr,bem --no-report --no-studies --set rolling.periods=1 \
+    --set "bem.cells_per_radius=8" -o rigid >log 2>&1 || complain "$(cat log)"
+grep -q half_space_deviation rigid/summary.json && complain "an entry of a body that is not there"
 refused "indenter.body: mesh writes the layer under a rigid indenter; leave indenter.body out" mesh "$case" -o out \
     --set "substrate.rigid=false" --set "substrate.young=4 MPa" --set substrate.poisson=0.495 --set "substrate.thickness=5 mm"
 

@@ -56,6 +56,8 @@ inline contact::History loaded_history(const std::string& model, const Options& 
     history.tangential_force = options.f * history.friction_limit;
     history.static_shift = theory::static_shift_ratio(options.f);
     history.steps.resize(1);
+    history.steps.front().normal_force = history.scales.normal_force;
+    history.steps.front().indentation = history.scales.indentation;
     history.steps.front().shift = {history.static_shift, 0};
     history.steps.front().force_residual = 1e-12;
     history.audit.record("friction_bound", 1e-13, 1e-10);

@@ -7,6 +7,7 @@
 #include <memory>
 #include <stdexcept>
 
+#include "contact/compliances/interior_parts.h"
 #include "fem/condensed_compliance.h"
 #include "meshes/round_body_mesh.h"
 
@@ -119,7 +120,9 @@ TEST(FemPairCompliance, BothBodiesAreHeld) {
     const PairCompliance pair(layer(stiff), hemisphere(soft));
     const Tractions tractions(pair.points());
     const auto missing = pair.missing_reaction(tractions.p, tractions.t);
-    const auto below = pair.interior(tractions.p, tractions.t);
+    const auto both = pair.interior(tractions.p, tractions.t);
+    ASSERT_TRUE(both && contact::has_indenter(*both));
+    const auto below = std::make_unique<contact::Interior>(contact::substrate_part(*both));
     const contact::Interior above = pair.indenter_interior(tractions.p, tractions.t);
     ASSERT_TRUE(missing && below && below->base_reaction && above.base_reaction);
     const double allowed = pair.allowed_missing_reaction() * std::abs(tractions.force[2]);
@@ -142,11 +145,17 @@ TEST(FemPairCompliance, BothBodiesAreHeld) {
         work += pair.points().area[i] / 2 *
                 (tractions.p[i] * (u_z[i] + coupled[i]) + tractions.t.x[i] * (u.x[i] + along.x[i]) +
                  tractions.t.y[i] * (u.y[i] + along.y[i]));
-    EXPECT_NEAR((below->strain_energy + above.strain_energy) / work, 1, 1e-9);
+    EXPECT_NEAR(both->strain_energy / work, 1, 1e-9);
+    EXPECT_GT(both->strain_energy, above.strain_energy);
+    EXPECT_EQ(both->points.size(), below->points.size() + above.points.size());
     // The indenter stands on the plane, its material above.
     for (const auto& x : above.points) EXPECT_GE(x[2], 0);
-    EXPECT_EQ(PairCompliance(fem::plane_patch(patch()), hemisphere(soft)).interior({}, {}),
-              nullptr);
+    // On a rigid plane there is nothing else.
+    const auto alone = PairCompliance(fem::plane_patch(patch()), hemisphere(soft))
+                           .interior(tractions.p, tractions.t);
+    ASSERT_TRUE(alone);
+    EXPECT_FALSE(contact::has_substrate(*alone));
+    EXPECT_EQ(alone->strain_energy, above.strain_energy);
 }
 
 // A half ball that symmetry holds does not react along x to what has no resultant there.

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 
 #include "contact/base/error.h"
@@ -116,6 +117,74 @@ TEST(FemSectionModel, RefusesBodiesThatItCannotMesh) {
     EXPECT_THROW(fem::make_section_model(of_revolution(), deep, nullptr), contact::InputError);
     const Case coarse = hemisphere({"fem.size=\"3 mm\""});
     EXPECT_THROW(fem::make_section_model(of_revolution(), coarse, nullptr), contact::InputError);
+}
+
+Case cylinder(const std::vector<std::string>& changes = {}) {
+    return io::parse_case(R"(models = ["fem-plane"]
+[indenter]
+shape = "cylinder"
+radius = "40 mm"
+length = "100 mm"
+[substrate]
+young = "5.2 MPa"
+poisson = 0.45
+thickness = "8 mm"
+[friction]
+coefficient = 0.57
+[load]
+normal_force = "50 N"
+tangential_ratio = 0.3
+[rolling]
+amplitude = "1 mm"
+[fem]
+size = "0.2 mm"
+)",
+                          "case.toml", changes);
+}
+
+/// Shift after a quarter and three quarters of a period [m].
+std::array<double, 2> rolled(const Case& c) {
+    const auto model =
+        fem::make_section_model(contact::model_kind(contact::models::fem_plane), c, nullptr);
+    const contact::LoadPath path = contact::make_load_path(c, *c.load.normal_force, 1e-3);
+    for (const auto& step : path.pressing) model->advance(step);
+    for (const auto& step : path.loading) model->advance(step);
+    std::array<double, 2> shift{};
+    const std::size_t n = path.period.size();
+    for (std::size_t k = 0; k < n; ++k) {
+        const double now = model->advance(path.period[k]).shift[0];
+        if (k + 1 == n / 4) shift[0] = now;
+        if (k + 1 == 3 * n / 4) shift[1] = now;
+    }
+    EXPECT_TRUE(model->audit().passed());
+    return shift;
+}
+
+// A cylinder on its hub, a million times as stiff as the layer, rolls as one that is rigid.
+TEST(FemSectionModel, AStiffCylinderRollsAsARigidOne) {
+    const auto rigid = rolled(cylinder());
+    const std::vector<std::string> on_hub{"indenter.body=\"cylinder\"", "indenter.support=\"hub\"",
+                                          "indenter.hub_radius=\"20 mm\"",
+                                          "indenter.poisson=0.45"};
+    auto stiff = on_hub, soft = on_hub;
+    stiff.emplace_back("indenter.young=\"5200000 MPa\"");
+    soft.emplace_back("indenter.young=\"5.2 MPa\"");
+    const auto as_stiff = rolled(cylinder(stiff)), as_soft = rolled(cylinder(soft));
+    for (const int k : {0, 1}) {
+        EXPECT_NEAR(as_stiff[k] / rigid[k], 1, 1e-5);
+        EXPECT_GT(as_soft[k] / rigid[k], 1.3);
+    }
+}
+
+TEST(FemSectionModel, RollsACylinderOnItsHubAlone) {
+    const std::vector<std::string> soft{"indenter.young=\"5.2 MPa\"", "indenter.poisson=0.45",
+                                        "indenter.body=\"cylinder\""};
+    auto plates = soft, far = soft;
+    plates.insert(plates.end(), {"indenter.support=\"plates\"", "load.tangential_ratio=0"});
+    EXPECT_THROW(cylinder(plates), contact::InputError);
+    far.insert(far.end(), {"indenter.support=\"hub\"", "indenter.hub_radius=\"20 mm\"",
+                           "rolling.amplitude=\"90 mm\""});
+    EXPECT_THROW(cylinder(far), contact::InputError);
 }
 
 }  // namespace

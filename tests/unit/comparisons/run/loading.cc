@@ -114,6 +114,28 @@ TEST(TreatmentSentences, WithoutRollingTheStaticShiftIsCompared) {
                   "instead of 150.0 µm (+2.0 %)."});
 }
 
+// A contact pressed alone has no shift but for rounding: what is not prescribed is compared.
+TEST(TreatmentSentences, PressedAloneTheForceOrTheIndentationIsCompared) {
+    Case c = rig();
+    c.load.tangential_ratio = 0;
+    LoadingVariant pressed{
+        {"bem-layer", {-6e-19}, RunValues{0}, ""}, "contact.coupling", "true", "false"};
+    pressed.run.indentation = 4.678e-4, pressed.other->indentation = 4.729e-4;
+    pressed.run.normal_force = pressed.other->normal_force = 3;
+    pressed.loaded = &not_prescribed(c);
+    expect_parts(joined(treatment_sentences(c, c.models, {pressed})),
+                 {"the indentation at the end of BEM layer would be 472.9 µm instead of 467.8 µm "
+                  "(+1.1 %)."});
+    EXPECT_NEAR(pressed.loaded_error().value(), 4.729 / 4.678 - 1, 1e-12);
+    EXPECT_EQ(loading_json({pressed})[0]["loaded_quantity"], "end_indentation_m");
+    EXPECT_EQ(std::get<std::string>(variants_table({pressed}).rows.at(0)[2]), "µm");
+    c.load.indentation = 4.678e-4;
+    pressed.loaded = &not_prescribed(c);
+    pressed.other->normal_force = 2.9;
+    expect_parts(joined(treatment_sentences(c, c.models, {pressed})),
+                 {"the normal force at the end of BEM layer would be 2.900 N instead of 3.000 N"});
+}
+
 TEST(TreatmentSentences, CouplingThatIsLeftOutIsSaid) {
     Case c = rig();
     c.substrate.poisson = 0.3;  // Dundurs' beta 0.29 under a rigid indenter
@@ -155,7 +177,8 @@ TEST(LoadingJson, CarriesTheSameNumbers) {
     EXPECT_EQ(json[0]["other"]["final_shift_m"], 1.9e-4);
     EXPECT_TRUE(json[1]["other"].is_null());
     EXPECT_EQ(json[1]["why_none"], "no end");
-    EXPECT_NEAR(json[2]["static_change"].get<double>(), 0.02, 1e-12);
+    EXPECT_EQ(json[2]["loaded_quantity"], "static_shift_m");
+    EXPECT_NEAR(json[2]["loaded_change"].get<double>(), 0.02, 1e-12);
     EXPECT_TRUE(json[2]["run"]["final_shift_m"].is_null());
     EXPECT_EQ(json[3]["other"]["state"], "ratcheting");
     EXPECT_EQ(json[3]["other"]["shift_increment_m"], 1e-4);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "fem/planar/body.h"
 #include "fem/planar/element.h"
 
 namespace tricontact::sections_test {
@@ -81,6 +82,35 @@ TEST(FemPlanarSections, HalveAllElements) {
     EXPECT_EQ(half.n, 12);
     EXPECT_DOUBLE_EQ(half.patch(), sizes.patch());
     EXPECT_NEAR(area(half_disc_section(half, 2)), std::numbers::pi, 1e-5);
+}
+
+// Of a disc that rolls: in frames of its own points the patch is the same after a turn by whole
+// elements, but for elements beside the ends of the patch, whose neighbours are of another size.
+// Corners and middles of elements are not alike.
+TEST(FemPlanarSections, ADiscsPatchIsTheSameAfterATurn) {
+    BodyProblem problem;
+    problem.mesh = with_mirror_image(pin_section({8, .1, 1.2, 3}, 2, .6));
+    problem.material = {3, .4};
+    problem.frame = Frame::round;
+    problem.radius = 2;
+    const CondensedSection disc = condense(problem);
+    const std::size_t n = disc.size(), end = 2;
+    ASSERT_EQ(n, 33u);
+    const auto entry = [&](std::size_t d, std::size_t i, std::size_t e, std::size_t k) {
+        return disc.compliance[(e * n + k) * 2 * n + d * n + i];
+    };
+    double whole = 0, half = 0;
+    for (const std::size_t d : {0, 1})
+        for (const std::size_t e : {0, 1})
+            for (std::size_t i = end; i + 4 + end < n; ++i)
+                for (std::size_t k = end; k + 4 + end < n; ++k) {
+                    const double here = entry(d, i, e, k);
+                    whole = std::max(whole, std::abs(entry(d, i + 4, e, k + 4) - here));
+                    half = std::max(half, std::abs(entry(d, i + 3, e, k + 3) - here));
+                }
+    const double middle = entry(1, n / 2, 1, n / 2);
+    EXPECT_LT(whole, 1e-5 * middle);
+    EXPECT_GT(half, .1 * middle);
 }
 
 }  // namespace

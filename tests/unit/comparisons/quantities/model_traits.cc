@@ -1,4 +1,4 @@
-#include "comparisons/run/model_traits.h"
+#include "comparisons/quantities/model_traits.h"
 
 #include <gtest/gtest.h>
 

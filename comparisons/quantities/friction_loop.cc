@@ -1,0 +1,144 @@
+#include "comparisons/quantities/friction_loop.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <span>
+
+#include "contact/path_cycles.h"
+
+namespace tricontact::comparisons {
+
+namespace {
+
+using contact::History;
+using contact::StepRecord;
+
+/// Of the frictional work that would slide the whole contact through the cycle: what rounding of
+/// the solvers leaves of none.
+constexpr double no_work = 1e-9;
+
+/// Force and shift along one axis.
+struct DrivenAxis {
+    int d = 0;
+    double force(const StepRecord& s) const { return s.tangential_force[d]; }
+    double shift(const StepRecord& s) const { return s.shift[d]; }
+};
+
+/// Of the steps that end the rows of a path.
+std::map<std::size_t, std::size_t> steps_of_rows(const History& history) {
+    std::map<std::size_t, std::size_t> rows;
+    for (std::size_t k = 0; k < history.steps.size(); ++k) {
+        const double phase = history.steps[k].phase;
+        if (phase == std::floor(phase)) rows[static_cast<std::size_t>(phase)] = k;
+    }
+    return rows;
+}
+
+/// Where the line through the steps from `from` to `to` has this force [m].
+double shift_at(const std::vector<StepRecord>& steps, std::size_t from, std::size_t to,
+                const DrivenAxis& axis, double force) {
+    for (std::size_t k = from; k < to; ++k) {
+        const double before = axis.force(steps[k]) - force,
+                     after = axis.force(steps[k + 1]) - force;
+        if (before * after > 0 || before == after) continue;
+        return std::lerp(axis.shift(steps[k]), axis.shift(steps[k + 1]), before / (before - after));
+    }
+    return axis.shift(steps[to]);
+}
+
+/// dF/dU after the reversal at step `at` of a branch that goes on to `to`: of the parabola through
+/// it and the two steps behind it.
+std::optional<double> slope_after(const std::vector<StepRecord>& steps, std::size_t at,
+                                  std::size_t to, const DrivenAxis& axis) {
+    if (at + 2 > to) return {};
+    const auto force = [&](std::size_t k) { return axis.force(steps[k]) - axis.force(steps[at]); };
+    const auto shift = [&](std::size_t k) { return axis.shift(steps[k]) - axis.shift(steps[at]); };
+    // Compliance over force is as smooth as force over shift, and also exists where forces are
+    // prescribed.
+    const double f1 = force(at + 1), f2 = force(at + 2);
+    if (f1 == 0 || f2 == f1) return {};
+    const double compliance = (shift(at + 1) / f1 * f2 - shift(at + 2) / f2 * f1) / (f2 - f1);
+    return compliance > 0 ? std::optional(1 / compliance) : std::nullopt;
+}
+
+SlipRegime regime_of(std::span<const StepRecord> steps, double sliding_work) {
+    double work = 0;
+    bool all_slips = false;
+    for (const StepRecord& step : steps) {
+        work += step.dissipation;
+        all_slips = all_slips || (step.slip_area > 0 && step.stick_area == 0);
+    }
+    if (all_slips) return SlipRegime::gross_slip;
+    return work > no_work * sliding_work ? SlipRegime::partial_slip : SlipRegime::stick;
+}
+
+FrictionLoop loop_of(const History& history, const DrivenAxis& axis, std::size_t begin,
+                     std::size_t turn, std::size_t end) {
+    const auto& steps = history.steps;
+    FrictionLoop loop{.begin = begin, .turn = turn, .end = end};
+    const auto within = std::span(steps).subspan(begin, end - begin + 1);
+    const auto half_range = [&](const auto& of) {
+        const auto [least, most] = std::ranges::minmax(within, {}, of);
+        return (of(most) - of(least)) / 2;
+    };
+    loop.force_amplitude = half_range([&](const StepRecord& s) { return axis.force(s); });
+    loop.shift_amplitude = half_range([&](const StepRecord& s) { return axis.shift(s); });
+    const auto back = slope_after(steps, begin, turn, axis),
+               forth = slope_after(steps, turn, end, axis);
+    if (back && forth) loop.tangent_stiffness = (*back + *forth) / 2;
+    const double middle = (axis.force(steps[begin]) + axis.force(steps[turn])) / 2;
+    loop.aperture = std::abs(shift_at(steps, begin, turn, axis, middle) -
+                             shift_at(steps, turn, end, axis, middle));
+    for (const StepRecord& step : within) loop.mean_normal_force += step.normal_force;
+    loop.mean_normal_force /= static_cast<double>(within.size());
+    loop.has_constant_force = half_range([](const StepRecord& s) { return s.normal_force; }) <=
+                              1e-9 * loop.mean_normal_force;
+    loop.regime = regime_of(within.subspan(1),
+                            4 * history.friction_limit * std::max(loop.shift_amplitude, 0.));
+    return loop;
+}
+
+}  // namespace
+
+const char* name_of(SlipRegime regime) {
+    switch (regime) {
+        case SlipRegime::stick:
+            return "stick";
+        case SlipRegime::partial_slip:
+            return "partial-slip";
+        default:
+            return "gross-slip";
+    }
+}
+
+std::optional<double> FrictionLoop::secant_stiffness() const {
+    if (!(shift_amplitude > 0)) return {};
+    return force_amplitude / shift_amplitude;
+}
+
+std::optional<double> FrictionLoop::sliding_ratio() const {
+    if (!(shift_amplitude > 0)) return {};
+    return aperture / (2 * shift_amplitude);
+}
+
+std::vector<FrictionLoop> friction_loops(const contact::Case& c, const History& history) {
+    if (!c.prescribed_path) return {};
+    const auto& rows = c.prescribed_path->rows;
+    const auto moves = [&rows](int d) {
+        return std::ranges::any_of(rows, [&](const contact::PrescribedPath::Row& row) {
+            return row.tangential[d].value != rows.front().tangential[d].value;
+        });
+    };
+    const DrivenAxis axis{moves(0) ? 0 : 1};
+    if (!moves(axis.d)) return {};
+    const auto steps = steps_of_rows(history);
+    std::vector<FrictionLoop> loops;
+    for (const contact::PathCycle& cycle : contact::closed_cycles(*c.prescribed_path))
+        if (steps.contains(cycle.begin) && steps.contains(cycle.turn) && steps.contains(cycle.end))
+            loops.push_back(loop_of(history, axis, steps.at(cycle.begin), steps.at(cycle.turn),
+                                    steps.at(cycle.end)));
+    return loops;
+}
+
+}  // namespace tricontact::comparisons

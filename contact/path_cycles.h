@@ -1,0 +1,22 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "contact/prescribed_path.h"
+
+namespace tricontact::contact {
+
+/// A closed cycle of a path: rows at which its drive turns back, all that is prescribed being the
+/// same at `begin` and `end`.
+struct PathCycle {
+    std::size_t begin = 0, turn = 0, end = 0;
+};
+
+/// The cycles of a path, one after the other, the last one as late as there is one: from a reversal
+/// of the drive to the next but one, or to the last row. The drive is force or shift along x, where
+/// that is constant that along y, else the rotation. Empty where nothing turns back, or never to
+/// where it was.
+std::vector<PathCycle> closed_cycles(const PrescribedPath& path);
+
+}  // namespace tricontact::contact

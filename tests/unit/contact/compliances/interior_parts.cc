@@ -1,0 +1,68 @@
+#include "contact/compliances/interior_parts.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace tricontact::interior_parts_test {
+namespace {
+
+using contact::Interior;
+
+/// One hexahedron whose points are at this height, with values of its own.
+Interior body(double z, double value) {
+    Interior one;
+    one.hexes.push_back({});
+    for (int i = 0; i < 27; ++i) {
+        one.hexes[0].at(static_cast<std::size_t>(i)) = i;
+        one.points.push_back({.1 * (i % 3), .1 * (i / 3 % 3), z});
+        one.displacement.push_back({value, 2 * value, 3 * value});
+        one.stress.push_back({value, 0, 0, 0, 0, 0});
+    }
+    one.region = {0};
+    one.energy_density = {value};
+    one.strain_energy = value;
+    one.applied = {0, 0, -value};
+    one.base_reaction = {{0, 0, value}};
+    return one;
+}
+
+TEST(InteriorParts, BothBodiesKeepTheirOwnPointsAndTheSubstrateItsForces) {
+    const Interior below = body(-1, 5), above = contact::as_indenter(body(1, 7));
+    EXPECT_FALSE(contact::has_indenter(below));
+    EXPECT_FALSE(contact::has_substrate(above));
+    const Interior both = contact::joined_bodies(below, above);
+    EXPECT_TRUE(contact::has_indenter(both) && contact::has_substrate(both));
+    ASSERT_EQ(both.points.size(), 54u);
+    EXPECT_EQ(both.region, (std::vector<std::uint8_t>{0, contact::indenter_region}));
+    for (const int point : both.hexes[1])
+        EXPECT_EQ(both.points[static_cast<std::size_t>(point)][2], 1);
+    EXPECT_EQ(both.strain_energy, 12);
+    EXPECT_EQ(both.applied[2], -5);
+
+    const Interior part = contact::substrate_part(both);
+    EXPECT_EQ(part.points, below.points);
+    EXPECT_EQ(part.hexes, below.hexes);
+    EXPECT_EQ(part.stress, below.stress);
+    EXPECT_EQ(part.energy_density, below.energy_density);
+}
+
+TEST(InteriorParts, TheIndenterAloneMoves) {
+    Interior both = contact::joined_bodies(body(-1, 5), contact::as_indenter(body(1, 7)));
+    // A quarter turn about its corner: (x, y) goes to (-y, x).
+    contact::move_indenter(
+        {.shift = {.01, .02}, .indentation = .003, .rotation = std::numbers::pi / 2}, both);
+    for (std::size_t i = 0; i < 27; ++i)
+        EXPECT_EQ(both.displacement[i], (std::array<double, 3>{5, 10, 15}));
+    for (std::size_t i = 27; i < 54; ++i) {
+        const auto& [x, y, z] = both.points[i];
+        const auto& [u, v, w] = both.displacement[i];
+        EXPECT_NEAR(x + u, 7 + .01 - y, 1e-12);
+        EXPECT_NEAR(y + v, 14 + .02 + x, 1e-12);
+        EXPECT_NEAR(w, 21 - .003, 1e-12);
+    }
+}
+
+}  // namespace
+}  // namespace tricontact::interior_parts_test
