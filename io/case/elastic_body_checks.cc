@@ -20,9 +20,9 @@ std::string any_of(const Words& words) {
 void check_form(const Case& c, const Document& document) {
     const ElasticBody& body = *c.indenter.body;
     const BodyForm& form = contact::body_form(body.form);
-    const bool in_file = body.form == ElasticBody::Form::mesh;
-    const std::string word =
-        in_file ? "a body in a file " : "the body \"" + std::string(form.word) + "\" ";
+    const std::string word = body.form == ElasticBody::Form::mesh
+                                 ? "a body in a file "
+                                 : "the body \"" + std::string(form.word) + "\" ";
     if (!std::ranges::count(form.shapes, c.indenter.shape)) {
         std::vector<std::string_view> shapes;
         for (const auto shape : form.shapes) shapes.push_back(contact::body_shape(shape).word);
@@ -31,9 +31,6 @@ void check_form(const Case& c, const Document& document) {
                    std::string(contact::body_shape(c.indenter.shape).word) + '"',
                "take indenter.shape = " + any_of(shapes) + ", or another body");
     }
-    if (in_file && document.find("indenter.support"))
-        refuse(document, "indenter.support",
-               "the file's surface \"support\" is what holds the body", "omit it");
     if (!std::ranges::count(form.supports, body.support)) {
         std::vector<std::string_view> supports;
         for (const auto support : form.supports) supports.push_back(contact::word_of(support));
@@ -50,10 +47,8 @@ void check_form(const Case& c, const Document& document) {
                "is not smaller than the radius of " + rounded(c.indenter.radius) + " m",
                "reduce it");
     if (!form.has_height && document.find("indenter.height"))
-        refuse(
-            document, "indenter.height",
-            word + (in_file ? "has the height of its mesh" : "has the height that its radius says"),
-            "omit it");
+        refuse(document, "indenter.height", word + "has the height that its radius says",
+               "omit it");
 }
 
 void check_rigid_substrate(const Case& c, const Document& document) {

@@ -23,7 +23,7 @@ std::vector<double> hertz_on(const ContactPoints& points) {
 
 // A bilinear pressure of the same forces on points has larger moments than these forces: without
 // what each function spreads, a would be short by some 2 (h/a)^2.
-TEST(ContactRegion, MomentsOfBilinearPressuresAreThoseOfTheirFunctions) {
+TEST(ContactRegionMoments, MomentsOfBilinearPressuresAreThoseOfTheirFunctions) {
     constexpr int n = 12;
     constexpr double h = .2;
     ContactPoints points = ContactPoints::grid(n + 1, n + 1, {-h * n / 2, -h * n / 2}, {h, h});
@@ -40,7 +40,7 @@ TEST(ContactRegion, MomentsOfBilinearPressuresAreThoseOfTheirFunctions) {
 }
 
 // Cells: nothing is added, and nothing of what was there before changes.
-TEST(ContactRegion, CellsHaveTheMomentsOfTheirMiddles) {
+TEST(ContactRegionMoments, CellsHaveTheMomentsOfTheirMiddles) {
     const ContactPoints cells = ContactPoints::grid(24, 24, {-1.15, -1.15}, {.1, .1});
     const std::vector<double> p = hertz_on(cells);
     double force = 0, second = 0, fourth = 0;

@@ -65,14 +65,17 @@ TEST(FemBodies, HalfSpaceModelsSayThatTheyLeaveThemOut) {
 }
 
 TEST(FemBodies, OfAHalfSpaceNothingIsMeshed) {
-    EXPECT_EQ(refusal("shape = \"sphere\"\n" + silicone, "rigid = true\n", loaded),
-              "substrate.rigid = true: fem meshes no half-space: neither body is one that it can "
-              "deform; give indenter.body, the finite body that it is, or leave out fem");
+    EXPECT_EQ(
+        refusal("shape = \"sphere\"\n" + silicone, "rigid = true\n", loaded),
+        "substrate.rigid = true: fem meshes no half-space: neither body is one that it can "
+        "deform; give indenter.body or indenter.mesh, the finite body that it is, or leave out "
+        "fem");
     EXPECT_EQ(
         refusal("shape = \"sphere\"\n" + silicone, layer, loaded),
         "indenter.young = \"2 MPa\": fem takes the indenter as rigid, but its compliance (1 - "
-        "poisson^2)/young is 2 of the substrate's, more than 0.001; give indenter.body, the "
-        "finite body that it is, omit young and poisson of the indenter to make it rigid, or "
+        "poisson^2)/young is 2 of the substrate's, more than 0.001; give indenter.body or "
+        "indenter.mesh, the finite body that it is, omit young and poisson of the indenter to make "
+        "it rigid, or "
         "leave out fem");
 }
 
@@ -116,10 +119,31 @@ TEST(FemBodies, AreNeitherFinitelyStrainedNorMeshedByAFile) {
               "leave it out, or set substrate.material to \"linear\"");
     EXPECT_EQ(refusal(hemisphere, layer, loaded + "[fem]\nmesh = \"layer.msh\"\n"),
               "fem.mesh = \"layer.msh\": the nodes of a mesh file do not match those of the "
-              "indenter's body; omit it, or leave out indenter.body");
+              "indenter's body; omit it, or give the indenter's mesh as indenter.mesh");
     // The inside of the indenter is shown, also on a rigid substrate.
     EXPECT_EQ(refusal(hemisphere, "rigid = true\n", loaded + "[output]\nvolume = \"last\"\n"),
               "accepted");
+}
+
+TEST(FemBodies, AFileSaysHowFineItIsAndWhatHoldsIt) {
+    const std::string meshed =
+        "shape = \"sphere\"\n" + silicone + "mesh = \"" TRICONTACT_SOURCE_DIR "/README.md\"\n";
+    const auto expect = [](const std::string& message, const std::string& what) {
+        EXPECT_NE(message.find(what), std::string::npos) << message;
+    };
+    EXPECT_NO_THROW(parsed(meshed, layer, loaded));
+    expect(refusal(meshed + "body = \"hemisphere\"\nsupport = \"holder\"\n", layer, loaded),
+           "indenter.body gives the indenter another body; keep one of them");
+    expect(refusal(meshed + "height = \"1 mm\"\n", layer, loaded),
+           "has no effect without indenter.body, which is missing");
+    expect(refusal(meshed, layer, loaded + "[fem]\naccuracy = 0.01\n"),
+           "fem.accuracy = 0.01: the size of elements is that of the indenter's mesh");
+    expect(refusal(meshed, layer,
+                   loaded + "[fem]\nmesh = \"" TRICONTACT_SOURCE_DIR
+                            "/README.md\"\nsides = \"fixed\"\n"),
+           "fem.sides = \"fixed\": a body of a file is held by its surface \"support\"; omit it");
+    expect(refusal(meshed, "rigid = true\n", loaded + "[fem]\nsize = \"1 mm\"\n"),
+           "the only mesh is the indenter's, which is a file's; omit it");
 }
 
 }  // namespace
