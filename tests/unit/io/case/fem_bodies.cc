@@ -65,13 +65,16 @@ TEST(FemBodies, HalfSpaceModelsSayThatTheyLeaveThemOut) {
 }
 
 TEST(FemBodies, OfAHalfSpaceNothingIsMeshed) {
-    EXPECT_EQ(refusal("shape = \"sphere\"\n" + silicone, "rigid = true\n", loaded),
-              "substrate.rigid = true: fem meshes no half-space: neither body is one that it can "
-              "deform; give indenter.body, the finite body that it is, or leave out fem");
+    EXPECT_EQ(
+        refusal("shape = \"sphere\"\n" + silicone, "rigid = true\n", loaded),
+        "substrate.rigid = true: fem meshes no half-space: neither body is one that it can "
+        "deform; give indenter.body or indenter.mesh, the finite body that it is, or leave out "
+        "fem");
     EXPECT_EQ(
         refusal("shape = \"sphere\"\n" + silicone, layer, loaded),
         "indenter.young = \"2 MPa\": fem takes the indenter as rigid, but its compliance (1 - "
-        "poisson^2)/young is 2 of the substrate's, more than 0.001; give indenter.body, the "
+        "poisson^2)/young is 2 of the substrate's, more than 0.001; give indenter.body or "
+        "indenter.mesh, the "
         "finite body that it is, omit young and poisson of the indenter to make it rigid, or "
         "leave out fem");
 }
@@ -116,7 +119,7 @@ TEST(FemBodies, AreNeitherFinitelyStrainedNorMeshedByAFile) {
               "leave it out, or set substrate.material to \"linear\"");
     EXPECT_EQ(refusal(hemisphere, layer, loaded + "[fem]\nmesh = \"layer.msh\"\n"),
               "fem.mesh = \"layer.msh\": the nodes of a mesh file do not match those of the "
-              "indenter's body; omit it, or leave out indenter.body");
+              "indenter's body; omit it, or give the indenter's mesh as indenter.mesh");
     // The inside of the indenter is shown, also on a rigid substrate.
     EXPECT_EQ(refusal(hemisphere, "rigid = true\n", loaded + "[output]\nvolume = \"last\"\n"),
               "accepted");
