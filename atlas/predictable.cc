@@ -17,8 +17,9 @@ constexpr double rigid_share = 1e-3;
 
 /// What no atlas is about; empty if nothing is in the way.
 std::string what_is_not_mapped(const Case& c) {
-    if (!contact::is_hertz_round(c) && !c.is_line_contact())
+    if (!contact::is_hertz_round(c) && !c.is_cylindrical())
         return "bodies other than smooth paraboloids, spheres and cylinders";
+    if (c.has_hole()) return "pins in holes";
     if (c.tractive_rolling) return "rolling on";
     if (c.prescribed_path) return "prescribed paths";
     if (c.relaxation) return "relaxing substrates";

@@ -337,8 +337,7 @@ GridConvolution::Symbol2 inverse_under(const contact::LayerCompliance& layer,
     GridConvolution::Symbol2 under = bare;
     const double of_layer = layer.xx * layer.yy - layer.xy * layer.xy;
     contact::Blocks(bare.xx.size(), n_threads).for_points([&](std::size_t k) {
-        const double xx = bare.xx[k], xy = bare.xy[k], yy = bare.yy[k];
-        const double of_bare = xx * yy - xy * xy;
+        const double xx = bare.xx[k], xy = bare.xy[k], yy = bare.yy[k], of_bare = xx * yy - xy * xy;
         const double determinant =
             1 + xx * layer.xx + 2 * xy * layer.xy + yy * layer.yy + of_bare * of_layer;
         under.xx[k] = (xx + of_bare * layer.yy) / determinant;

@@ -45,6 +45,15 @@ struct Case {
         double total_thickness() const;  ///< of all layers; `thickness` must be there [m]
     };
 
+    /// Of the substrate: flat, that of a layer or a half-space, or a round hole along y.
+    enum class SubstrateShape { layer, hole };
+
+    /// A plate about a hole, whose lowest point the indenter presses on.
+    struct Hole {
+        double radius = 0;
+        double outer_radius = 0;  ///< where the plate ends and is held [m]; 0: it is rigid
+    };
+
     using Contact = ContactOptions;
 
     struct Load {
@@ -111,8 +120,10 @@ struct Case {
     std::string title;
     std::vector<std::string> models;
     IndenterData indenter;
-    Material substrate{0, 0};              ///< of a relaxing one: its relaxed state
-    bool has_rigid_substrate = false;      ///< a plane: `substrate` is rigid_material then
+    Material substrate{0, 0};          ///< of a relaxing one: its relaxed state
+    bool has_rigid_substrate = false;  ///< `substrate` is rigid_material then
+    SubstrateShape substrate_shape = SubstrateShape::layer;
+    Hole hole;                             ///< of SubstrateShape::hole
     Law law = Law::linear;                 ///< of the substrate in fem; others are linear
     std::optional<double> c01_ratio;       ///< c01/(c10 + c01) of Mooney and Rivlin's law [-]
     std::optional<Relaxation> relaxation;  ///< of the substrate; empty: elastic
@@ -141,9 +152,19 @@ struct Case {
     }
 
     /// Of a body that is long along y: pressures and tractions are uniform over its length.
-    bool is_line_contact() const { return indenter.shape == Shape::cylinder; }
-    /// Of a body along y that ends on either side, and rolls in x.
-    bool is_cylindrical() const { return is_line_contact() || indenter.shape == Shape::roller; }
+    bool is_line_contact() const {
+        return indenter.shape == Shape::cylinder || indenter.is_long_punch();
+    }
+    /// Of a round body along y that ends on either side, and rolls in x.
+    bool is_cylindrical() const {
+        return indenter.shape == Shape::cylinder || indenter.shape == Shape::roller;
+    }
+    bool has_hole() const { return substrate_shape == SubstrateShape::hole; }
+    /// R of the gap x^2/(2 R) between the bodies [m]: in a hole 1/R = 1/R_pin - 1/R_hole.
+    double relative_radius() const {
+        if (!has_hole()) return indenter.radius;
+        return indenter.radius * hole.radius / (hole.radius - indenter.radius);
+    }
     /// mu [-], for what presumes Coulomb's law. Throws InputError if friction follows another.
     double friction_coefficient() const;
     /// For what presumes a rigid interface, `what` its name: "maps", "deviations". Throws

@@ -10,6 +10,7 @@
 #include "contact/bodies/ellipsoid.h"
 #include "contact/cells.h"
 #include "contact/friction/radial_bound.h"
+#include "contact/section_scales.h"
 
 namespace tricontact::contact {
 
@@ -211,7 +212,7 @@ struct MeanFriction {
 };
 MeanFriction mean_friction(const Case& c, const HalfSpaceScales& s) {
     const auto law = c.friction.law();
-    if (is_nominally_flat(c)) {
+    if (is_nominally_flat(c) || is_section_alone(c)) {
         const double ratio = law->ratio_at(s.peak_pressure);
         return {ratio, ratio};
     }
@@ -288,6 +289,7 @@ namespace {
 
 HalfSpaceScales scales_of(const Case& c) {
     if (is_nominally_flat(c)) return rough_scales(c);
+    if (is_section_alone(c)) return section_scales(c);
     if (c.is_cylindrical()) return line_contact_scales(c);
     switch (c.indenter.shape) {
         case Case::Shape::paraboloid:

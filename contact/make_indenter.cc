@@ -2,7 +2,9 @@
 
 #include "contact/base/error.h"
 #include "contact/bodies/body_shapes.h"
+#include "contact/bodies/pin_in_hole.h"
 #include "contact/bodies/roughness.h"
+#include "contact/bodies/shapes_of_revolution.h"
 #include "contact/case.h"
 #include "contact/cells.h"
 
@@ -25,6 +27,9 @@ int roughness_nodes(const Case& c) {
 }
 
 std::unique_ptr<Indenter> smooth_body(const Case& c) {
+    if (c.has_hole()) return std::make_unique<PinInHole>(c.indenter.radius, c.hole.radius);
+    if (c.indenter.is_long_punch())
+        return std::make_unique<LongPunch>(c.make_axisymmetric_indenter(), c.indenter.length);
     // a map that has to fill a period repeats itself
     if (c.indenter.shape == Case::Shape::height_map && c.period)
         return std::make_unique<RoughIndenter>(std::make_unique<Plane>(),

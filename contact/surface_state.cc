@@ -54,9 +54,10 @@ Scales SurfaceModel::scales() const {
            })
             .point;
     return {.normal_force = now().normal->force,
-            .contact_radius = indenter_->presses_like_a_ball() && !points.on_springs
-                                  ? contact_radius(points, now().normal->pressure, now().offset)
-                                  : counted_radius(points, now().normal->pressure),
+            .contact_radius =
+                indenter_->presses_like_a_ball() && !points.on_springs && !points.is_whole_face
+                    ? contact_radius(points, now().normal->pressure, now().offset)
+                    : counted_radius(points, now().normal->pressure),
             .indentation = now().normal->indentation,
             .peak_pressure =
                 *std::max_element(now().normal->pressure.begin(), now().normal->pressure.end()),

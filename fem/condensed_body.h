@@ -8,7 +8,7 @@
 
 #include "contact/compliances/compliance.h"
 #include "fem/condensed_layer.h"
-#include "fem/mortar/pressure_grid.h"
+#include "fem/pressure_transfer.h"
 #include "fem/whole_body.h"
 
 namespace tricontact::fem {

@@ -41,6 +41,8 @@ std::string file_digests(const contact::Case& c) {
     for (const auto* name :
          {&c.indenter.file, &c.of<bem::Settings>().influence, &c.of<fem::Settings>().mesh})
         if (*name) digests += digest_of_file(**name) + '\n';
+    if (c.indenter.body && c.indenter.body->mesh)
+        digests += digest_of_file(*c.indenter.body->mesh) + '\n';
     return digests;
 }
 

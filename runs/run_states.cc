@@ -122,7 +122,12 @@ const contact::Subsurface* RunStates::add_volume(const contact::StepRecord& reco
     const bool both = contact::has_indenter(*inside);
     if (both) {
         contact::Interior moved = *inside;
-        contact::move_indenter({record.shift, record.indentation, record.rotation, record.offset},
+        const bool rolls = case_.indenter.body->support == contact::ElasticBody::Support::hub;
+        contact::move_indenter({.shift = record.shift,
+                                .indentation = record.indentation,
+                                .rotation = record.rotation,
+                                .offset = record.offset[0],
+                                .rolling_radius = rolls ? case_.indenter.radius : 0},
                                moved);
         inside = std::make_unique<const contact::Interior>(std::move(moved));
     }

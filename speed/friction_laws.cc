@@ -1,11 +1,13 @@
 // What a law of friction costs: runs of the rig by each model, each beside the same run under
 // Coulomb's law, in turn. `of_coulomb`: ratio of the medians. So do springs of the interface beside
-// a rigid one (`of_rigid`), and friction that falls with the speed of slip in steady rolling.
+// a rigid one (`of_rigid`), a layer that flows and hardens, and friction that falls with the speed
+// of slip in steady rolling.
 
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <functional>
 #include <memory>
 #include <vector>
@@ -144,6 +146,39 @@ void falling(benchmark::State& state) {
     };
     for (auto _ : state) state.counters["of_coulomb"] = ratio_of(run(rated), run(problem));
 }
+/// A ball drawn over rubber by a shift and back, 120 cells in a, with a layer that flows from 0.08
+/// MPa on and hardens by so many MPa/m.
+void hardening(benchmark::State& state) {
+    constexpr double depth = 3e-4;
+    contact::Case coulomb = rig(.2, .4);
+    coulomb.rolling.reset();
+    coulomb.load = {};
+    coulomb.load.indentation = depth;
+    coulomb.load.tangential_force = 0;
+    coulomb.indenter.material.reset();
+    coulomb.of<contact::Cells>().spacing = std::sqrt(coulomb.indenter.radius * depth) / 120;
+    coulomb.prescribed_path.emplace();
+    for (const double shift : {0., 260e-6, 180e-6}) {
+        contact::PrescribedPath::Row row;
+        row.normal = {contact::NormalControl::Kind::indentation, depth};
+        row.tangential[0] = {contact::TangentialControl::Kind::shift, shift};
+        row.tangential[1] = {contact::TangentialControl::Kind::shift, 0};
+        row.steps = 10;
+        coulomb.prescribed_path->rows.push_back(row);
+    }
+    contact::Case c = coulomb;
+    c.friction.yield = contact::InterfaceYield{8e4, 1e6 * static_cast<double>(state.range(0))};
+    for (auto _ : state)
+        state.counters["of_coulomb"] = ratio_of(run_of(c, cells), run_of(coulomb, cells));
+}
+BENCHMARK(hardening)
+    ->ArgName("MPa_per_m")
+    ->Arg(50)
+    ->Arg(500)
+    ->Arg(5000)
+    ->Unit(benchmark::kSecond)
+    ->Iterations(1);
+
 BENCHMARK(falling)->Unit(benchmark::kSecond)->Iterations(1);
 
 }  // namespace

@@ -115,7 +115,9 @@ void check_assumptions(RigOptions options) {
             return static_shift(rig, coupled, runner);
         };
         const auto indenter = [&](const experiments::Rig& rig) {
-            return options.makers->has(experiments::model_of_indenter(rig))
+            // Sections have no body of a file.
+            return options.makers->has(experiments::model_of_indenter(rig)) &&
+                           rig.c.indenter.body->form != contact::ElasticBody::Form::mesh
                        ? std::optional(experiments::indenter_contacts(rig, options.runner()))
                        : std::nullopt;
         };

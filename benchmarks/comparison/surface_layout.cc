@@ -17,6 +17,8 @@ using contact::InputError;
 
 // The height of a body over the contact's radius is a/(2 R): shallow contacts stay below it.
 constexpr double height_share = .2;
+// Of a pin in a hole it is tan(angle/2): up to 38 degrees.
+constexpr double height_share_of_lines = .35;
 
 struct Axis {
     Meaning meaning = Meaning::x;
@@ -101,7 +103,8 @@ SurfaceLayout surface_layout(const MeshField& field, Geometry problem) {
                          ": no positions: a column of them is missing; name it r, x or y");
     // Stable: equal spreads keep the order x, y, z.
     std::ranges::stable_sort(axes, std::greater<>(), &Axis::spread);
-    const bool is_profile = axes.size() == 1 || axes[1].spread < height_share * axes[0].spread;
+    const double flat = problem == Geometry::plane ? height_share_of_lines : height_share;
+    const bool is_profile = axes.size() == 1 || axes[1].spread < flat * axes[0].spread;
     if (is_profile && problem == Geometry::spatial)
         throw InputError(
             fmt::format("{}: the points lie along {}: the problem's fields vary over a surface; "

@@ -142,7 +142,9 @@ void set_friction(DeckModel& model, const contact::Case& c) {
 void set_round_body(DeckModel& model, const contact::Case& c) {
     using Body = contact::ElasticBody;
     const Body& body = *c.indenter.body;
-    if (body.form == Body::Form::punch || body.support == Body::Support::hub)
+    const bool is_round = body.form == Body::Form::hemisphere || body.form == Body::Form::ball ||
+                          body.form == Body::Form::cylinder;
+    if (!is_round || body.support == Body::Support::hub)
         refuse("bodies of decks are hemispheres, balls and cylinders between plates",
                "take one of these, or compare results of an input of your own");
     if (model.shape == DeckModel::Shape::half || model.mu > 0)

@@ -19,7 +19,8 @@ using std::numbers::pi;
 
 constexpr double hole = 10, clearance = .02, pin = hole - clearance;  // radii [mm]
 constexpr double half_angle = pi / 6;
-constexpr double plate = 100 * hole, hub = hole / 5;
+// The hub holds the harmonics of the pin as its square over the radius.
+constexpr double plate = 100 * hole, hub = hole / 50;
 constexpr double may_touch = 1.5;  // of the half angle
 
 /// A surface in contact: its radius, and the height of its centre.
@@ -90,7 +91,7 @@ DeckModel pin_model(const std::string& name) {
     model.own_mesh = pin_mesh;
     model.own_words =
         "Plate: its outer edge, of 1000 mm radius, is held; the hole has 10 mm. Pin: a rigid hub "
-        "of 2 mm radius in its axis carries the force. E = 210000 MPa, nu = 0.3. All is symmetric "
+        "of 0.2 mm radius in its axis carries the force. E = 210000 MPa, nu = 0.3. All is symmetric "
         "about x = 0, and the pin touches the hole's lowest point when the load begins.";
     model.depth_scale = .02;
     model.stiffness = 5e6;  // yields by 1.5e-5 mm, .07 % of the clearance

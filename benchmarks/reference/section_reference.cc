@@ -10,8 +10,8 @@
 #include "contact/models/model_kind.h"
 #include "fem/settings.h"
 
-// Pressing of bodies of a finite size: finite elements of their section on three meshes, 16, 32 and
-// 64 elements across the contact's half width.
+// Pressing of bodies of a finite size: finite elements of their section on three meshes, 12, 24 and
+// 48 elements across the contact's half width.
 
 namespace tricontact::benchmarks {
 
@@ -22,11 +22,11 @@ using contact::NormalControl;
 using std::numbers::pi;
 namespace keys = quantity_keys;
 
-constexpr std::array elements_of_levels{16., 32., 64.};
+constexpr std::array elements_of_levels{12., 24., 48.};
 constexpr double elements_of_neighbours = 32;
-constexpr double neighbour_step = .03;  // of depth or force, in effects
+constexpr double neighbour_step = .06;  // of depth or force, in effects
 
-/// Elements of this size, whose growth over a length is that of the case at 16 in the radius.
+/// Elements of this size, whose growth over a length is that of the case at 12 in the radius.
 Case on_elements(Case c, double radius, double count) {
     auto& settings = c.of<fem::Settings>();
     settings.size = radius / count;

@@ -75,10 +75,11 @@ void require_comparable(const Case& c) {
         refuse(
             "indenter.body is missing: without it the indenter is a half-space; give the body, "
             "--set indenter.body=hemisphere --set indenter.support=holder");
-    if (c.indenter.body->form == ElasticBody::Form::punch)
-        refuse(
-            "indenter.body: a punch has no size of Hertz' contact; take a hemisphere, ball or "
-            "cylinder");
+    const ElasticBody::Form form = c.indenter.body->form;
+    if (form != ElasticBody::Form::hemisphere && form != ElasticBody::Form::ball &&
+        form != ElasticBody::Form::cylinder)
+        refuse(std::string(c.indenter.body->key()) +
+               ": the size of hemispheres, balls and cylinders is compared; take one of them");
     if (!c.has_rigid_substrate)
         refuse(
             "substrate.rigid: the size of a body is judged on a rigid plane; set it to true, in "

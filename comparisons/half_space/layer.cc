@@ -8,6 +8,7 @@
 #include "contact/base/stopped.h"
 #include "contact/half_space_scales.h"
 #include "contact/load_path.h"
+#include "contact/section_scales.h"
 #include "theory/hertz.h"
 
 namespace tricontact::comparisons {
@@ -108,6 +109,8 @@ std::string why_no_exact_theory(const Case& c) {
         return "the exact theory covers bodies of revolution, the indenter is an ellipsoid";
     if (c.indenter.roughness || contact::is_nominally_flat(c))
         return "the exact theory covers smooth bodies, the indenter is rough";
+    if (contact::is_section_alone(c))
+        return "the exact theory covers bodies of revolution with a smooth edge, and cylinders";
     if (!c.layer.lower.empty()) return "the exact theory covers one layer, the case has more";
     if (c.layer.base == Case::Base::half_space)
         return "the exact theory covers a rigid ground, that of the case is elastic";

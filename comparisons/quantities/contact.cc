@@ -1,3 +1,5 @@
+#include <tuple>
+
 #include "comparisons/quantities/map_border.h"
 #include "comparisons/quantities/quantities.h"
 #include "contact/models/model_kind.h"
@@ -10,6 +12,16 @@ namespace {
 QuantityValue exact(const Reference& r, double value) {
     return r.is_nominal ? QuantityValue() : finite(value);
 }
+
+/// All of a face with a sharp edge touches.
+bool touches_sharp_edge(const Subject& s) {
+    constexpr double rounding = 1e-6;
+    const contact::IndenterData& body = s.c.indenter;
+    return body.shape == contact::Case::Shape::flat_punch &&
+           s.history.scales.contact_radius > body.flat_radius * (1 - rounding);
+}
+
+constexpr const char* in_a_hole = "of a pin in a hole";
 
 }  // namespace
 
@@ -53,10 +65,12 @@ constinit const Quantity peak_pressure{
     .unit = "Pa",
     .name = "peak pressure",
     .meaning = "Largest normal traction, pressed without friction.",
-    .defined = "not under a conical tip, where it is infinite: that of a mesh grows with the mesh",
+    .defined =
+        "not under a conical tip or a sharp edge, where it is infinite: that of a mesh grows "
+        "with the mesh",
     .source = "Johnson (1985), 4.2",
     .of = [](const Subject& s) -> QuantityValue {
-        if (contact::has_conical_tip(s.c)) return {};
+        if (contact::has_conical_tip(s.c) || touches_sharp_edge(s)) return {};
         return finite(s.history.scales.peak_pressure);
     },
     .exact = [](const Reference& r) { return finite(r.peak_pressure); },
@@ -92,6 +106,58 @@ constinit const Quantity tangential_ratio{
     .of = [](const Subject& s) { return finite(comparisons::tangential_ratio(s.history)); },
     .exact = [](const Reference& r) { return finite(r.tangential_ratio); },
     .part = Part::pressed};
+
+constinit const Quantity contact_half_angle{
+    .key = "contact_half_angle_rad",
+    .symbol = "eps",
+    .unit = "rad",
+    .name = "half angle of the contact",
+    .meaning = "Of a pin in a hole, from its lowest point to the edge of the contact.",
+    .defined = in_a_hole,
+    .source = "Persson (1964), Ciavarella and Decuzzi (2001)",
+    .of = [](const Subject& s) -> QuantityValue {
+        if (!s.c.has_hole()) return {};
+        return finite(s.history.scales.contact_radius / s.c.indenter.radius);
+    },
+    .part = Part::pressed,
+    .is_column = false,
+    .is_refined = true};
+
+constinit const Quantity conforming_peak{
+    .key = "conforming_peak_ratio",
+    .symbol = "R p_0/Q",
+    .name = "peak pressure of a conforming contact",
+    .meaning = "Radius of the pin times largest pressure over the load per length, Q = F_N/L.",
+    .defined = in_a_hole,
+    .source = "Persson (1964), Ciavarella and Decuzzi (2001)",
+    .of = [](const Subject& s) -> QuantityValue {
+        if (!s.c.has_hole()) return {};
+        const auto& [body, scales] = std::tie(s.c.indenter, s.history.scales);
+        return finite(body.radius * body.length * scales.peak_pressure / scales.normal_force);
+    },
+    .part = Part::pressed,
+    .is_column = false,
+    .is_refined = true};
+
+constinit const Quantity clearance_ratio{
+    .key = "clearance_ratio",
+    .symbol = "E*DR/Q",
+    .name = "clearance over load",
+    .meaning =
+        "Clearance times modulus over the load per length: the radius of the hole less that of the "
+        "pin, E = E/(1 - nu^2) of the pin, of the plate if the pin is rigid, and Q = F_N/L.",
+    .defined = in_a_hole,
+    .source = "Persson (1964), Ciavarella and Decuzzi (2001)",
+    .of = [](const Subject& s) -> QuantityValue {
+        if (!s.c.has_hole()) return {};
+        const contact::Material& material = s.c.indenter.material.value_or(s.c.substrate);
+        const double clearance = s.c.hole.radius - s.c.indenter.radius;
+        return finite(clearance * s.c.indenter.length / material.plane_compliance() /
+                      s.history.scales.normal_force);
+    },
+    .part = Part::pressed,
+    .is_column = false,
+    .is_refined = false};
 
 constinit const Quantity border_force_share{
     .key = "border_force_share",
@@ -157,9 +223,10 @@ constinit const Quantity coupled_tangential_stiffness{
     .source = "Johnson (1985), 7.2"};
 
 List of_contact() {
-    return {&normal_force,     &indentation,    &contact_radius,   &peak_pressure,
-            &normal_stiffness, &unit_shift,     &tangential_ratio, &border_force_share,
-            &amplitude,        &amplitude_ratio};
+    return {&normal_force,     &indentation,     &contact_radius,     &peak_pressure,
+            &normal_stiffness, &unit_shift,      &tangential_ratio,   &contact_half_angle,
+            &conforming_peak,  &clearance_ratio, &border_force_share, &amplitude,
+            &amplitude_ratio};
 }
 
 }  // namespace tricontact::comparisons::quantities

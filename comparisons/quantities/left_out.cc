@@ -35,9 +35,12 @@ void add_layer(const Case& c, const std::string& model, std::vector<std::string>
         all.emplace_back("substrate.thickness: the substrate is a half-space");
         return;
     }
-    if (!kind.sees_sides && c.layer.width)
+    if (kind.cut == ModelKind::Cut::of_revolution && c.layer.depth)
+        all.emplace_back("substrate.depth: the layer is round, of the diameter substrate.width");
+    const bool sees_width = kind.sees_sides || kind.is_section();
+    if (!sees_width && c.layer.width)
         all.emplace_back("substrate.width: the layer is infinitely wide");
-    if (!kind.sees_sides && c.layer.depth)
+    if (!sees_width && c.layer.depth)
         all.emplace_back("substrate.depth: the layer is infinitely deep along y");
     if (!kind.couples && c.contact.coupling)
         all.emplace_back("contact.coupling: normal and tangential contact are uncoupled");

@@ -63,6 +63,9 @@ std::vector<std::pair<const Quantity*, std::string>> why_undefined(const contact
         why.emplace_back(&quantities::eta, why_no_eta(c, r));
     if (contact::has_conical_tip(c))
         why.emplace_back(&quantities::peak_pressure, "it is infinite under a conical tip");
+    else if (c.indenter.shape == contact::Case::Shape::flat_punch &&
+             !r.number(quantities::peak_pressure))
+        why.emplace_back(&quantities::peak_pressure, "it is infinite at a sharp edge");
     return why;
 }
 

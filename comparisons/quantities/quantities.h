@@ -12,6 +12,8 @@ extern const Quantity normal_force, indentation, contact_radius, peak_pressure, 
 extern const Quantity normal_stiffness, tangential_stiffness, coupled_tangential_stiffness,
     shift_of_rolling;
 extern const Quantity border_force_share;  // of height maps, contact.cc
+// Of a pin in a hole, contact.cc.
+extern const Quantity contact_half_angle, conforming_peak, clearance_ratio;
 extern const Quantity static_shift, static_shift_ratio, final_shift, final_shift_ratio,
     settled_shift, settled_shift_ratio, settled_shift_error_ratio, shift_increment,
     shift_increment_ratio, shift_ratio_per_period, state, periods;                 // shift.cc

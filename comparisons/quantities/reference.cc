@@ -7,6 +7,7 @@
 #include "bem/settings.h"
 #include "contact/half_space_scales.h"
 #include "contact/models/model_kind.h"
+#include "contact/section_scales.h"
 #include "contact/substrates/normal_tangential.h"
 #include "theory/oscillating_cylinder.h"
 #include "theory/rolling/body_rolling.h"
@@ -82,7 +83,7 @@ double ratio_by_limit(const contact::Case& c, double amplitude_ratio) {
 Reference reference(const contact::Case& c) {
     Reference r;
     r.hertz = contact::half_space_scales(c);
-    r.is_nominal = contact::is_nominally_flat(c);
+    r.is_nominal = contact::is_nominally_flat(c) || contact::is_section_alone(c);
     r.static_shift_is_relaxed = static_shift_is_relaxed(c);
     r.tangential_ratio = tangential_ratio(c, {r.hertz.normal_force, r.hertz.friction_limit});
     if (c.rolling)
@@ -90,9 +91,11 @@ Reference reference(const contact::Case& c) {
             contact::rolling_amplitude(*c.rolling, r.hertz.contact_radius) / r.hertz.contact_radius;
     if (c.load.is_by_limit()) r.tangential_ratio = ratio_by_limit(c, r.amplitude_ratio);
     if (const theory::RolledLaw* law = mapped_law(c)) r.mdr_mapping = law->mdr_mapping;
-    if (contact::pressure_falls(c) && !contact::has_conical_tip(c))
+    if (contact::pressure_falls(c) && !contact::has_conical_tip(c) && !contact::is_section_alone(c))
         r.peak_pressure = r.hertz.peak_pressure;
-    if (!in_unit_range(r.tangential_ratio) || c.interface.is_elastic()) return r;
+    if (!in_unit_range(r.tangential_ratio) || c.interface.is_elastic() ||
+        contact::is_section_alone(c))
+        return r;
     if (c.is_cylindrical())
         add_line_contact(c, r);
     else
@@ -106,7 +109,7 @@ const theory::RolledLaw* mapped_law(const contact::Case& c) {
 }
 
 std::string size_name(const contact::Case& c) {
-    return c.is_cylindrical() ? "half width" : "contact radius";
+    return c.is_cylindrical() || c.is_line_contact() ? "half width" : "contact radius";
 }
 
 const char* pressure_name(const contact::Case& c) {

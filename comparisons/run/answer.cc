@@ -146,6 +146,22 @@ std::string not_tested(const Case& c, const std::vector<Results>& results) {
     return fmt::format("{}", fmt::join(list, ", "));
 }
 
+/// Along a path that ends with a closed cycle.
+bool has_loop(const Case& c, const Results& s) {
+    return c.prescribed_path && s.number(quantities::dissipation);
+}
+
+const char* words_of(SlipRegime regime) {
+    switch (regime) {
+        case SlipRegime::stick:
+            return "nothing slips";
+        case SlipRegime::partial_slip:
+            return "part of the contact slips";
+        default:
+            return "the whole contact slips";
+    }
+}
+
 bool ends_at_prescribed_shift(const Case& c) {
     return c.prescribed_path && c.prescribed_path->rows.back().tangential[0].kind ==
                                     contact::TangentialControl::Kind::shift;
@@ -155,6 +171,7 @@ bool ends_at_prescribed_shift(const Case& c) {
 
 Headline headline_of(const Case& c, const Results& s) {
     using namespace quantities;
+    if (has_loop(c, s)) return {"frictional work per cycle", &dissipation, nullptr};
     // All models end at a shift that is prescribed: they differ in what it takes.
     if (ends_at_prescribed_shift(c))
         return s.number(path_work).value_or(0) > 0
@@ -199,6 +216,13 @@ Verdict answer_of(const Case& c, const Results& s, const std::optional<Numerical
                              const char* word) {
         return Verdict{standing, words + number + note, word};
     };
+    if (has_loop(c, s)) {
+        const auto* const regime = std::get_if<SlipRegime>(&s[slip_regime]);
+        return verdict(Verdict::Standing::finding,
+                       fmt::format("In the last closed cycle {}; friction works ",
+                                   regime ? words_of(*regime) : "the path returns"),
+                       "path");
+    }
     if (ends_at_prescribed_shift(c))
         return verdict(Verdict::Standing::finding,
                        headline.length == &path_work

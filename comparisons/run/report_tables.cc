@@ -4,6 +4,7 @@
 
 #include "comparisons/quantities/change_table.h"
 #include "comparisons/quantities/reference.h"
+#include "contact/section_scales.h"
 #include "report/format.h"
 
 namespace tricontact::comparisons {
@@ -19,7 +20,9 @@ constexpr int most_open_periods = 12;  // longer tables start folded
 std::string results_note(const contact::Case& c, bool several_models,
                          const std::optional<NumericalError>& error) {
     std::string text = "Ratios u are over each model's own U_max. ";
-    if (c.interface.is_elastic())
+    if (contact::is_section_alone(c))
+        text += "The theory column is empty: half-spaces do not know this contact.";
+    else if (c.interface.is_elastic())
         text +=
             "The theory column is frictionless contact on the half-space without the springs of "
             "the interface (pressed); under friction no closed form has them.";

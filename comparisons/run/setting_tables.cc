@@ -9,6 +9,7 @@
 #include "comparisons/run/report_tables.h"
 #include "contact/bodies/body_forms.h"
 #include "contact/bodies/body_shapes.h"
+#include "contact/section_scales.h"
 #include "report/format.h"
 
 namespace tricontact::comparisons {
@@ -138,8 +139,12 @@ void add_bodies(const Case& c, Settings& settings) {
         settings.add("indenter material", "rigid");
     }
     add_elastic_body(c, settings);
+    if (c.has_hole()) {
+        settings.add("radius of the hole", c.hole.radius, "m");
+        settings.add_unless_zero("radius of the plate", c.hole.outer_radius, "m");
+    }
     if (c.has_rigid_substrate) {
-        settings.add("substrate", "rigid plane");
+        settings.add("substrate", c.has_hole() ? "rigid plate" : "rigid plane");
     } else {
         settings.add("substrate E_2", c.substrate.young, "Pa");
         settings.add("substrate ν_2", c.substrate.poisson);
@@ -212,6 +217,9 @@ void add_load(const Case& c, Settings& settings) {
 }
 
 std::string derived_note(const Case& c) {
+    if (contact::is_section_alone(c))
+        return "What ratios refer to, no solution: half-spaces know neither holes nor punches with "
+               "a sharp edge or along y.";
     if (c.is_cylindrical())
         return "Hertz' line contact of the half width a on the half-space; indentation and shift "
                "are those of a strip of the length L, at half length "

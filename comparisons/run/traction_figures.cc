@@ -68,7 +68,7 @@ void add_models(const contact::Case& c, const Histories& histories, Axis axis,
 
 void add_bounds(const contact::Case& c, const Reference& r, Axis axis, report::Figure& figure) {
     if (!c.friction.is_coulomb() || c.interface.is_elastic()) return;
-    if (!contact::is_hertz_round(c) && !c.is_cylindrical()) return;
+    if ((!contact::is_hertz_round(c) && !c.is_cylindrical()) || c.has_hole()) return;
     add_theory_curve(figure, "bound μp, upright", [](double x) { return least_bound(x, 0, 0); });
     if (!c.rolling || !constant_loads(c)) return;
     const double angle =

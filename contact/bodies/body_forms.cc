@@ -14,9 +14,10 @@ struct SupportWords {
     std::string_view word;
     const char* title;
 };
-constexpr std::array supports{SupportWords{"holder", "a rigid holder"},
-                              SupportWords{"plates", "a second plate"},
-                              SupportWords{"hub", "a rigid hub"}};
+constexpr std::array supports{
+    SupportWords{"holder", "a rigid holder"}, SupportWords{"plates", "a second plate"},
+    SupportWords{"hub", "a rigid hub"}, SupportWords{"force", "the contact alone, under a force"},
+    SupportWords{"pressure", "the contact alone, under a pressure"}};
 
 const std::vector<BodyForm>& forms() {
     static const std::vector<BodyForm> all{
@@ -35,7 +36,13 @@ const std::vector<BodyForm>& forms() {
         {.word = "punch",
          .title = "punch",
          .shapes = {Shape::rounded_punch},
-         .supports = {Support::holder},
+         .supports = {Support::holder, Support::pressure},
+         .has_height = true},
+        {.word = "pin", .title = "pin", .shapes = {Shape::cylinder}, .supports = {Support::hub}},
+        {.word = "block",
+         .title = "block",
+         .shapes = {Shape::flat_punch},
+         .supports = {Support::holder, Support::force, Support::pressure},
          .has_height = true},
         {.word = "",
          .title = "mesh",

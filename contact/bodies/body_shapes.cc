@@ -65,7 +65,7 @@ const std::vector<BodyShape>& shapes() {
          .pressure_falls = [](const Data& d) { return d.exponent <= 2; }},
         {.word = "rounded-punch",
          .title = "flat punch with rounded edge",
-         .keys = {"radius", "flat_radius"},
+         .keys = {"radius", "flat_radius", "length"},
          .of_revolution = [](const Data& d) -> std::unique_ptr<AxisymmetricIndenter> {
              return std::make_unique<RoundedPunch>(d.flat_radius, d.radius);
          }},
@@ -94,6 +94,12 @@ const std::vector<BodyShape>& shapes() {
          .keys = {"file", "spacing", "unit", "heights"},
          .other = [](const Data& d) -> std::unique_ptr<Indenter> {
              return std::make_unique<MappedIndenter>(*d.height_map);
+         }},
+        {.word = "flat-punch",
+         .title = "flat punch with sharp edge",
+         .keys = {"flat_radius", "length"},
+         .of_revolution = [](const Data& d) -> std::unique_ptr<AxisymmetricIndenter> {
+             return std::make_unique<FlatPunch>(d.flat_radius);
          }}};
     return all;
 }
@@ -109,6 +115,8 @@ const BodyShape& body_shape(IndenterData::Shape shape) {
 }
 
 bool is_smooth_ball(const IndenterData& body) {
+    // A punch with a sharp edge has no contact that grows with the load.
+    if (body.is_long_punch() || body.shape == IndenterData::Shape::flat_punch) return false;
     const bool is_ball =
         body_shape(body.shape).of_revolution || body.shape == IndenterData::Shape::ellipsoid;
     return is_ball && !body.roughness;

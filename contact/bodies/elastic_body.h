@@ -8,14 +8,15 @@ namespace tricontact::contact {
 /// The finite body of an indenter that deforms: finite elements mesh it, half-space models do not
 /// see it. Its surface is that of the indenter's shape.
 struct ElasticBody {
-    /// Places in the table of forms, see body_forms(). Hemisphere, ball and cylinder have the
+    /// Places in the table of forms, see body_forms(). Hemisphere, ball, cylinder and pin have the
     /// radius of the shape.
     /// `mesh`: whatever a file holds, which says by its groups what holds it.
-    enum class Form : int { hemisphere, ball, cylinder, punch, mesh };
+    enum class Form : int { hemisphere, ball, cylinder, punch, pin, block, mesh };
     /// What holds it: a rigid holder, bonded to the face opposite of the contact; a second plate
     /// like the substrate, pressed on the other side, whose contact is the mirror image of this
-    /// one; a rigid hub in its axis.
-    enum class Support : int { holder, plates, hub };
+    /// one; a rigid hub in its axis. Or nothing but the contact: the load, concentrated in the
+    /// middle of that face or spread evenly over it.
+    enum class Support : int { holder, plates, hub, force, pressure };
 
     Form form = Form::hemisphere;
     Support support = Support::holder;
@@ -26,6 +27,8 @@ struct ElasticBody {
 
     /// The key that gives the body.
     const char* key() const { return form == Form::mesh ? "indenter.mesh" : "indenter.body"; }
+    /// Nothing holds it but the contact.
+    bool is_loose() const { return support == Support::force || support == Support::pressure; }
 };
 
 }  // namespace tricontact::contact

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <memory>
 #include <numbers>
 #include <stdexcept>
 
@@ -80,6 +81,43 @@ class RoundedPunch final : public AxisymmetricIndenter {
 
   private:
     double flat_radius_, radius_;
+};
+
+/// Flat cylindrical punch with a sharp edge: h = 0 up to its radius b, where it ends. Its contact
+/// is complete, and no radius belongs to a load.
+class FlatPunch final : public AxisymmetricIndenter {
+  public:
+    /// `radius` b > 0 [m]; InputError otherwise.
+    explicit FlatPunch(double radius) : radius_(radius) {
+        if (!is_positive_and_finite(radius))
+            throw InputError("indenter: the radius of a punch must be positive and finite");
+    }
+    double profile(double) const override { return 0; }
+    double profile_slope(double) const override { return 0; }
+    double outer_radius() const override { return radius_ * (1 + 1e-9); }
+
+  private:
+    double radius_;
+};
+
+/// The section of a punch along y, |y| <= L/2: that of the punch of revolution.
+class LongPunch final : public Indenter {
+  public:
+    /// `length` L > 0 [m]; InputError otherwise.
+    LongPunch(std::unique_ptr<AxisymmetricIndenter> section, double length)
+        : section_(std::move(section)), length_(length) {
+        if (!is_positive_and_finite(length))
+            throw InputError("indenter: the length must be positive and finite");
+    }
+    double height(double x, double y) const override {
+        return std::abs(y) <= length_ / 2 ? section_->height(x, 0) : infinity;
+    }
+    Vector2 slope(double x, double) const override { return section_->slope(x, 0); }
+    bool presses_like_a_ball() const override { return section_->presses_like_a_ball(); }
+
+  private:
+    std::unique_ptr<AxisymmetricIndenter> section_;
+    double length_;
 };
 
 }  // namespace tricontact::contact

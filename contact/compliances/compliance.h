@@ -54,6 +54,9 @@ struct ContactPoints {
     /// Length L along y [m] of a contact that the outermost points in y bound, since the indenter
     /// or the substrate ends there; 0: it may go on beyond them.
     double line_length = 0;
+    /// The body that presses ends at the outermost points along x: a contact that reaches them is
+    /// whole.
+    bool is_whole_face = false;
     /// Displacement along over displacement into the surface by equal tractions on a place alone,
     /// E*/G*, where the response of one point does not tell it, as of a node of elements; 0: it
     /// does.

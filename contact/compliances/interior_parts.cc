@@ -22,6 +22,38 @@ void append(const Values& more, Values& values) {
     values.insert(values.end(), more.begin(), more.end());
 }
 
+/// Rows of a rotation.
+using Axes = std::array<std::array<double, 3>, 3>;
+
+/// Rolled about y so that what is an arc of `offset` from the lowest point comes down, then turned
+/// about z.
+Axes axes_of(const RigidMotion& motion) {
+    const double angle = motion.rolling_radius > 0 ? motion.offset / motion.rolling_radius : 0;
+    const double c = std::cos(angle), s = std::sin(angle);
+    const double cz = std::cos(motion.rotation), sz = std::sin(motion.rotation);
+    return {{{cz * c, -sz, cz * s}, {sz * c, cz, sz * s}, {-s, 0, c}}};
+}
+
+std::array<double, 3> times(const Axes& a, const std::array<double, 3>& v) {
+    std::array<double, 3> result{};
+    for (std::size_t i = 0; i < 3; ++i)
+        for (std::size_t k = 0; k < 3; ++k) result[i] += a[i][k] * v[k];
+    return result;
+}
+
+/// XX YY ZZ XY YZ XZ of a tensor that turns with them.
+std::array<double, 6> in_axes(const Axes& a, const std::array<double, 6>& s) {
+    const Axes tensor{{{s[0], s[3], s[5]}, {s[3], s[1], s[4]}, {s[5], s[4], s[2]}}};
+    const auto component = [&](std::size_t i, std::size_t j) {
+        double sum = 0;
+        for (std::size_t k = 0; k < 3; ++k)
+            for (std::size_t l = 0; l < 3; ++l) sum += a[i][k] * tensor[k][l] * a[j][l];
+        return sum;
+    };
+    return {component(0, 0), component(1, 1), component(2, 2),
+            component(0, 1), component(1, 2), component(0, 2)};
+}
+
 }  // namespace
 
 bool has_indenter(const Interior& interior) {
@@ -82,14 +114,17 @@ Interior substrate_part(const Interior& both) {
 
 void move_indenter(const RigidMotion& motion, Interior& both) {
     const std::vector<bool> of_indenter = points_of_indenter(both);
-    const double c = std::cos(motion.rotation) - 1, s = std::sin(motion.rotation);
+    const double height = motion.rolling_radius;
+    const Axes axes = axes_of(motion);
     for (std::size_t i = 0; i < both.points.size(); ++i) {
         if (!of_indenter[i]) continue;
-        const double x = both.points[i][0] - motion.centre[0],
-                     y = both.points[i][1] - motion.centre[1];
-        both.displacement[i][0] += motion.shift[0] + c * x - s * y;
-        both.displacement[i][1] += motion.shift[1] + s * x + c * y;
-        both.displacement[i][2] -= motion.indentation;
+        const auto& [x, y, z] = both.points[i];
+        auto& u = both.displacement[i];
+        // From the axis, deformed; then turned with it.
+        const auto turned = times(axes, {x + u[0], y + u[1], z + u[2] - height});
+        u = {turned[0] + motion.offset + motion.shift[0] - x, turned[1] + motion.shift[1] - y,
+             turned[2] + height - motion.indentation - z};
+        both.stress[i] = in_axes(axes, both.stress[i]);
     }
 }
 

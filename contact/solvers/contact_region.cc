@@ -3,6 +3,7 @@
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <utility>
 
 #include "contact/base/memory.h"
 #include "contact/compliances/blocks.h"
@@ -25,6 +26,35 @@ double half_width_squared(double m1, double m2) {
     const double discriminant = 36 * m1 * m1 - 16 * m2;
     return discriminant >= 0 ? 6 * m1 - std::sqrt(discriminant) : -1;
 }
+
+/// Whether pressures are bilinear between the points of a grid: the area of a corner is then a
+/// quarter of what its cell and its mirror images would have, of a cell's middle all of it.
+bool are_bilinear(const ContactPoints& points) {
+    if (points.n_x < 2 || points.n_y < 2) return false;
+    const double cell = points.spacing[0] * points.spacing[1];
+    const double corner = points.mirrored ? cell / 2 : cell / 4;
+    return std::abs(points.area.front() / corner - 1) < 1e-6;
+}
+
+/// Mean of the square and of the fourth power of the distance over a point's own function, which
+/// for bilinear ones has the variance h^2/6 and the fourth moment h^4/15 along each axis.
+struct OwnMoments {
+    Vector2 variance{};
+    double fourth = 0;
+
+    explicit OwnMoments(const ContactPoints& points) {
+        if (!are_bilinear(points)) return;
+        const auto [h, k] =
+            std::pair(points.spacing[0] * points.spacing[0], points.spacing[1] * points.spacing[1]);
+        variance = {h / 6, k / 6};
+        fourth = (h * h + k * k) / 15 + h * k / 18;
+    }
+    /// What they add to the fourth power of the distance of the point itself.
+    double fourth_beyond(double x, double y) const {
+        const double s = x * x + y * y, v = variance[0] + variance[1];
+        return 2 * s * v + 4 * (x * x * variance[0] + y * y * variance[1]) + fourth;
+    }
+};
 
 // A row of points without a length along y is the radius of a contact of revolution: it begins at
 // the axis.
@@ -70,14 +100,15 @@ double counted_radius(const ContactPoints& points, const std::vector<double>& pr
 double contact_radius(const ContactPoints& points, const std::vector<double>& pressure,
                       const Vector2& centre) {
     const bool line = points.line_length > 0;
+    const OwnMoments own(points);
     double force = 0, second = 0, fourth = 0;
     for (std::size_t i = 0; i < pressure.size(); ++i) {
         if (!(pressure[i] > 0)) continue;
-        const double x = points.x[i] - centre[0], y = points.y[i] - centre[1];
-        const double s = x * x + (line ? 0 : y * y), f = points.area[i] * pressure[i];
+        const double x = points.x[i] - centre[0], y = line ? 0 : points.y[i] - centre[1];
+        const double s = x * x + y * y, f = points.area[i] * pressure[i];
         force += f;
-        second += f * s;
-        fourth += f * s * s;
+        second += f * s + f * (own.variance[0] + own.variance[1]);
+        fourth += f * s * s + f * own.fourth_beyond(x, y);
     }
     const double counted = counted_radius(points, pressure);
     const double m1 = second / force, m2 = fourth / force;
@@ -102,7 +133,7 @@ void set_heights(const ContactPoints& points, const Indenter& indenter, const Ve
 }
 
 bool reaches_edge(const ContactPoints& points, const std::vector<double>& pressure) {
-    if (points.periodic) return false;
+    if (points.periodic || points.is_whole_face) return false;
     return points.n_x > 0 ? edge_of_grid_carries(points, pressure)
                           : edge_of_elements_carries(points, pressure);
 }

@@ -34,6 +34,7 @@ class TangentialNewton {
           force_tolerance_(problem.looseness * force_tolerance),
           alpha_(problem.contact_compliance),
           zone_alpha_(problem.zone_compliance(compliance.local_tangential())),
+          is_layer_(problem.hardening && 1 / problem.hardening->slope < softest * alpha_),
           solution_(solution),
           points_(active.size(), compliance.n_threads()),
           all_points_(compliance.points().size(), compliance.n_threads()),
@@ -96,6 +97,9 @@ class TangentialNewton {
     static constexpr int gradient_iterations = 60;  // at first, twice as many each time, up to
     static constexpr int most_gradient_iterations = 64 * gradient_iterations;
     static constexpr int cg_iterations = 300;
+    // Of a layer over the contact's compliance: softer ones flow farther than the contact is wide,
+    // and how far differs more than a mean can tell.
+    static constexpr double softest = 1e3;
     static constexpr double force_tolerance =
         1e-10;  // over sum bound A; ten times finer than promised
 
@@ -247,7 +251,7 @@ class TangentialNewton {
         const double slope = problem_.hardening ? problem_.hardening->slope : 0;
         if (problem_.hardening) {
             zones.radial.resize(active_.size(), 0.0);
-            zones.along = alpha_ / (alpha_ + 1 / slope);
+            zones.along = is_layer_ ? alpha_ / (alpha_ + 1 / slope) : 0;
             flowed = slip_;
         }
         points_.for_points([&](std::size_t k) {
@@ -263,7 +267,8 @@ class TangentialNewton {
             const double way = (size - disc_[k].at_start) / slope;
             zones.radial[k] = 1 / slope;
             // Tractions just above the start tell of no way yet: slips do.
-            zones.curvature[k] = std::max({0.0, way, dot(slip_.at(k), t) / size}) / size;
+            const double slipped = is_layer_ ? dot(slip_.at(k), t) / size : 0;
+            zones.curvature[k] = std::max({0.0, way, slipped}) / size;
             flowed.set(k, slip_.at(k) - (way / size) * t);
         });
         if (!system_->set_zones(std::move(zones))) return false;
@@ -306,23 +311,7 @@ class TangentialNewton {
         });
     }
 
-    /// On from where the last ones ended, for Newton's steps since then led nowhere: gradients
-    /// alone descend without end.
-    void take_gradient_steps() {
-        if (gradient_iterations_ > gradient_iterations) {
-            solution_.traction = descended_.traction;
-            solution_.shift_increment = descended_.shift_increment;
-        } else {
-            hand_over();
-        }
-        projected_gradient(compliance_, active_, products_, problem_, gradient_iterations_,
-                           solution_);
-        gradient_iterations_ = std::min(2 * gradient_iterations_, most_gradient_iterations);
-        descended_.traction = solution_.traction;
-        descended_.shift_increment = solution_.shift_increment;
-        take_over();
-        update_slip();
-    }
+    void take_gradient_steps();
 
     const Compliance& compliance_;
     const std::vector<std::size_t>& active_;
@@ -331,6 +320,7 @@ class TangentialNewton {
     const Tilt tilt_;
     const double tolerance_, force_tolerance_;
     const double alpha_, zone_alpha_;  // of the contact; what tells the zones [m/Pa]
+    const bool is_layer_;              // what flows is not far softer than the contact
     TangentialSolution& solution_;
     std::array<bool, 2> force_controlled_{};
     const Blocks points_, all_points_;  // active ones

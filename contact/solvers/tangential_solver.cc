@@ -27,6 +27,23 @@ void leave_apart(const TangentialProblem& problem, TangentialSolution& solution)
 
 }  // namespace
 
+/// On from where the last ones ended, for Newton's steps since then led nowhere: gradients
+/// alone descend without end.
+void TangentialNewton::take_gradient_steps() {
+    if (gradient_iterations_ > gradient_iterations) {
+        solution_.traction = descended_.traction;
+        solution_.shift_increment = descended_.shift_increment;
+    } else {
+        hand_over();
+    }
+    projected_gradient(compliance_, active_, products_, problem_, gradient_iterations_, solution_);
+    gradient_iterations_ = std::min(2 * gradient_iterations_, most_gradient_iterations);
+    descended_.traction = solution_.traction;
+    descended_.shift_increment = solution_.shift_increment;
+    take_over();
+    update_slip();
+}
+
 TangentialSolver::TangentialSolver(const Compliance& compliance, double tolerance)
     : compliance_(compliance), tolerance_(tolerance) {}
 

@@ -99,7 +99,7 @@ bool TangentialSystem::set_zones(Zones zones) {
 /// directions are alike in most contacts, and so is the matrix of its points: the mean is taken.
 void TangentialSystem::find_layer() {
     layer_.reset();
-    if (zones_.radial.empty() || !products_.knows_layers()) return;
+    if (!(zones_.along > 0) || zones_.radial.empty() || !products_.knows_layers()) return;
     const auto [n, n_sticking, xx, xy, yy] =
         points_
             .sum_points<Sums<5>>([&](Sums<5>& sum, std::size_t k) {
@@ -150,7 +150,9 @@ double TangentialSystem::rms_residual() const {
     if (zones_.radial.empty()) return std::sqrt(inner(residual_, residual_) / area_);
     const double sum = points_.sum_terms([&](std::size_t k) {
         const Vector2 r = residual_.at(k);
-        const Vector2 weighed = flows(k) ? stretched(k, r, 1, zones_.along) : r;
+        const double along =
+            zones_.along > 0 ? zones_.along : radial_scaling_[k] * radial_scaling_[k];
+        const Vector2 weighed = flows(k) ? stretched(k, r, 1, along) : r;
         return areas_[k] * dot(weighed, weighed);
     });
     return std::sqrt(sum / area_);

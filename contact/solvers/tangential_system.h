@@ -67,7 +67,7 @@ class TangentialSystem {
     /// What stands per active point: whether it slips, and if so the unit tangent of its friction
     /// disc and the curvature D [m/Pa]. What flows does not slip and has D along its traction in
     /// `radial` > 0 [m/Pa] (empty: nothing flows), tangent and curvature; `along`: by what that
-    /// part of its residual counts in the r.m.s.
+    /// part of its residual counts in the r.m.s., 0: as the local compliance beside a layer's.
     struct Zones {
         std::vector<std::uint8_t> slipping;
         std::vector<Vector2> tangent;

@@ -2,7 +2,7 @@
 // fem.mesh. Nothing of it matches hemisphere.geo. gmsh -3 block.geo -o block.msh
 DefineConstant[ n = 7 ];  // elements in half the contact surface
 w = 30;  // half the side
-p = 5.6; // half the side of the contact surface
+p = 4.3; // half the side of the contact surface
 b = 5;   // thickness
 
 // The base, in 3 x 2 pieces, which is moved up.

@@ -1,9 +1,9 @@
 // Half (y >= 0) of a hemisphere of the radius R, in mm, its pole at the origin and its flat face above: hexahedra
 // that tricontact reads as indenter.mesh. gmsh -3 hemisphere.geo -o hemisphere.msh
-DefineConstant[ n = 6 ];  // elements in half the contact surface
+DefineConstant[ n = 7 ];  // elements in half the contact surface
 R = 10;   // radius
-p = 5;    // half the side of the contact surface
-c = 4;    // half the side of the core, a box
+p = 4.2;  // half the side of the contact surface
+c = 3.6;  // half the side of the core, a box
 low = 5;  // height of the core's lower face over the pole
 e = R / Sqrt(2);
 

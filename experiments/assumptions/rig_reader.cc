@@ -6,6 +6,7 @@
 
 #include "contact/half_space_scales.h"
 #include "contact/load_path.h"
+#include "contact/section_scales.h"
 #include "experiments/assumptions/rig_quantities.h"
 #include "io/case/rig_keys.h"
 #include "io/keys/field_reader.h"
@@ -138,6 +139,10 @@ void check_covered(const io::RigFile& file) {
         if (ratio != 0)
             io::refuse(document, key, "the formulas of rigs are those of constant loads",
                        "omit it; tricontact run computes loads that oscillate");
+    if (contact::is_section_alone(c))
+        io::refuse(document, c.has_hole() ? "substrate.shape" : "indenter.shape",
+                   "the formulas of rigs are those of round indenters on flat substrates",
+                   "take one; tricontact run computes holes and punches");
     if (!c.friction.is_coulomb()) {
         const contact::HalfSpaceScales hertz = contact::half_space_scales(c);
         c.require_coulomb("the check of rigs",

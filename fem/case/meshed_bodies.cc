@@ -141,15 +141,19 @@ void say_grid(const Case& c, const ContactPoints& grid, const std::vector<double
             a / c.indenter.radius));
 }
 
-/// How far the mesh's surface is from the shape that other models press.
-void say_shape(const Case& c, const SurfaceGap& gap, const LayerCondenser& condenser) {
+/// How far the gap of the meshes is from the shape that other models press; `least` [m]: that gap
+/// where they touch.
+void say_shape(const Case& c, const ContactPoints& points, const SurfaceHeights& above,
+               const SurfaceHeights* below, double least, const LayerCondenser& condenser) {
     const double a = contact::half_space_scales(c).contact_radius;
     const auto shape = c.make_indenter();
     double off = 0;
-    for (std::size_t i = 0; i < gap.points().size(); ++i) {
-        const double x = gap.points().x[i], y = gap.points().y[i];
-        if (std::hypot(x, y) <= a)
-            off = std::max(off, std::abs(gap.at_points()[i] - shape->height(x, y)));
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const double x = points.x[i], y = points.y[i];
+        const auto lower = below ? below->at({x, y}) : std::optional(0.);
+        if (std::hypot(x, y) > a || !lower) continue;
+        const double gap = above.at_points()[i] - *lower - least;
+        off = std::max(off, std::abs(gap - shape->height(x, y)));
     }
     condenser.say(
         fmt::format("the gap of the meshes differs from that of indenter.shape, which "
@@ -192,8 +196,8 @@ MeshedContact make_meshed_contact(const Case& c, const LayerCondenser& condenser
     condenser.say(
         fmt::format("the indenter is let down by {:.4g} mm until it touches at x = {:.3g} "
                     "mm, y = {:.3g} mm",
-                    1e3 * least.height, 1e3 * least.place[0], 1e3 * least.place[1]));
-    say_shape(c, gap, condenser);
+                    1e3 * std::max(0., least.height), 1e3 * least.place[0], 1e3 * least.place[1]));
+    say_shape(c, indenter.points, above, below ? &*below : nullptr, least.height, condenser);
 
     MeshedContact contact;
     contact.indenter = std::make_unique<SurfaceGap>(std::move(gap));

@@ -161,9 +161,8 @@ std::unique_ptr<contact::Model> make_strained(const Case& c, const std::optional
 /// Bodies of files: their meshes say how fine, and how far.
 std::unique_ptr<contact::Model> make_meshed(const Case& c, const LayerCondenser& condenser) {
     MeshedContact bodies = make_meshed_contact(c, condenser);
-    const auto of_elastic = [&](const Case&) { return std::move(bodies.compliance); };
     return std::make_unique<contact::SurfaceModel>(
-        contact::models::fem, *contact::make_substrate(c, false, nullptr, of_elastic),
+        contact::models::fem, *contact::make_substrate(c, false, std::move(bodies.compliance), {}),
         std::move(bodies.indenter), c.friction.law(), c.of<Settings>().tolerance, c.contact);
 }
 

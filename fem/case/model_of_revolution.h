@@ -31,6 +31,7 @@ class ModelOfRevolution final : public contact::Model {
     std::vector<contact::ContactState> contact_states() const override {
         return radial_->contact_states();
     }
+    std::unique_ptr<const contact::Interior> interior() override { return radial_->interior(); }
     double limit_tangential_ratio() const override { return radial_->limit_tangential_ratio(); }
     void start_limit() override { radial_->start_limit(); }
     std::unique_ptr<contact::Model> sibling(const contact::Case::Contact& options) const override;

@@ -7,6 +7,7 @@
 #include "contact/base/vector2.h"
 #include "contact/compliances/compliance.h"
 #include "fem/condensed_layer.h"
+#include "fem/pressure_transfer.h"
 
 // Contact of bodies whose nodes do not match. Pressures and tractions live on a grid of their own
 // in the plane that both surfaces are seen on, bilinear between its points (a mortar), and a body
@@ -25,16 +26,6 @@ namespace tricontact::fem {
 /// Sides parallel to the axes [m].
 struct Rectangle {
     contact::Vector2 low, high;
-};
-
-/// int phi_i psi_k dA over a grid [m^2], of the nodes i of a surface and the grid's points k.
-struct PressureTransfer {
-    struct Entry {
-        int node, point;
-        double value;
-    };
-    int n_nodes = 0, n_points = 0;
-    std::vector<Entry> entries;  ///< those of one place are summed up
 };
 
 /// Area of the rectangle that a surface covers, seen along z [m^2]; `surface` with quadrilaterals.

@@ -3,119 +3,17 @@
 #include <Eigen/Sparse>
 #include <algorithm>
 #include <cmath>
-#include <map>
+#include <numeric>
 
-#include "contact/base/error.h"
 #include "fem/condensation.h"
+#include "fem/planar/section_unknowns.h"
+#include "fem/planar/whole_section.h"
 
-// Unknowns: interior nodes first, both directions of a node together; then the nodes of the contact
-// surface, along x of all, then along z. The condensation itself is that of three dimensions.
+// The condensation itself is that of three dimensions.
 
 namespace tricontact::fem::planar {
 
 namespace {
-
-struct Unknowns {
-    std::vector<std::array<int, 2>> of_node;  // -1: held
-    std::vector<int> node_of_unknown;
-    int n_interior = 0;
-};
-
-/// Nodes of the contact surface in the order of their coordinate.
-struct Surface {
-    std::vector<int> nodes;
-    std::vector<double> along;
-    std::vector<std::array<int, 3>> edges;
-};
-
-double coordinate(const BodyProblem& problem, const Point& x) {
-    if (problem.frame == Frame::plane) return x[0];
-    return problem.radius * std::atan2(x[0], problem.radius - x[1]);
-}
-
-Surface surface_of(const BodyProblem& problem) {
-    std::vector<std::pair<double, int>> found;
-    for (const auto& [nodes, boundary] : problem.mesh.edges)
-        if (boundary == Boundary::contact)
-            for (const int node : nodes)
-                found.emplace_back(coordinate(problem, problem.mesh.nodes[node]), node);
-    if (found.empty())
-        throw contact::InputError("mesh: no edge of a body touches; name its contact surface");
-    std::ranges::sort(found);
-    const auto repeated = std::ranges::unique(found);
-    found.erase(repeated.begin(), repeated.end());
-    Surface surface;
-    std::map<int, int> number;
-    for (const auto& [s, node] : found) {
-        number[node] = static_cast<int>(surface.nodes.size());
-        surface.nodes.push_back(node);
-        surface.along.push_back(s);
-    }
-    for (const auto& [nodes, boundary] : problem.mesh.edges) {
-        if (boundary != Boundary::contact) continue;
-        std::array<int, 3> edge{number[nodes[0]], number[nodes[2]], number[nodes[1]]};
-        if (edge[0] > edge[2]) std::swap(edge[0], edge[2]);
-        surface.edges.push_back(edge);
-    }
-    std::ranges::sort(surface.edges);
-    return surface;
-}
-
-/// Node of the support that is nearest to x = 0; -1 without a support.
-int middle_of_support(const Mesh& mesh) {
-    int nearest = -1;
-    for (const auto& [nodes, boundary] : mesh.edges) {
-        if (boundary != Boundary::support) continue;
-        for (const int node : nodes)
-            if (nearest < 0 || std::abs(mesh.nodes[node][0]) < std::abs(mesh.nodes[nearest][0]))
-                nearest = node;
-    }
-    return nearest;
-}
-
-/// By node and direction, whether it is held. A whole section in plane strain whose support does
-/// not hold it along x is held there by one node, in the middle.
-std::vector<std::array<bool, 2>> held_of(const BodyProblem& problem) {
-    const auto& [nodes, cells, edges] = problem.mesh;
-    std::vector<std::array<bool, 2>> held(nodes.size(), {false, false});
-    bool has_symmetry = problem.solid == Solid::of_revolution;
-    for (const auto& [on_edge, boundary] : edges) {
-        has_symmetry = has_symmetry || boundary == Boundary::symmetry;
-        for (const int node : on_edge) {
-            if (boundary == Boundary::symmetry) held[node][0] = true;
-            if (boundary != Boundary::support) continue;
-            held[node][0] = held[node][0] || problem.support == Support::bonded;
-            held[node][1] = held[node][1] || problem.support != Support::point;
-        }
-    }
-    if (const int middle = middle_of_support(problem.mesh); middle >= 0) {
-        held[middle][0] = held[middle][0] || !has_symmetry;
-        held[middle][1] = true;
-    }
-    for (std::size_t i = 0; i < nodes.size(); ++i)
-        if (problem.solid == Solid::of_revolution && nodes[i][0] == 0) held[i][0] = true;
-    return held;
-}
-
-Unknowns number_unknowns(const BodyProblem& problem, const Surface& surface) {
-    const auto held = held_of(problem);
-    std::vector<bool> touches(held.size(), false);
-    for (const int node : surface.nodes) touches[node] = true;
-    Unknowns unknowns;
-    unknowns.of_node.assign(held.size(), {-1, -1});
-    const auto add = [&](int node, int direction) {
-        if (held[node][direction]) return;
-        unknowns.of_node[node][direction] = static_cast<int>(unknowns.node_of_unknown.size());
-        unknowns.node_of_unknown.push_back(node);
-    };
-    for (int node = 0; node < static_cast<int>(held.size()); ++node)
-        if (!touches[node])
-            for (const int direction : {0, 1}) add(node, direction);
-    unknowns.n_interior = static_cast<int>(unknowns.node_of_unknown.size());
-    for (const int direction : {0, 1})
-        for (const int node : surface.nodes) add(node, direction);
-    return unknowns;
-}
 
 /// `held_row`: the sum of K u over all components along z that are held is its product with u.
 struct Stiffness {
@@ -123,7 +21,7 @@ struct Stiffness {
     std::vector<double> held_row;
 };
 
-Stiffness assemble(const BodyProblem& problem, const Unknowns& unknowns) {
+Stiffness assemble(const BodyProblem& problem, const SectionUnknowns& unknowns) {
     const Moduli moduli = moduli_of(problem.material, problem.largest_bulk_ratio);
     std::vector<Eigen::Triplet<double>> entries;
     entries.reserve(problem.mesh.cells.size() * 171);
@@ -155,15 +53,10 @@ Stiffness assemble(const BodyProblem& problem, const Unknowns& unknowns) {
             std::move(held_row)};
 }
 
-/// Directions of a node: along the surface, and into the substrate.
-std::array<Point, 2> frame_at(const BodyProblem& problem, double along) {
-    const double angle = problem.frame == Frame::plane ? 0 : along / problem.radius;
-    return {{{std::cos(angle), std::sin(angle)}, {std::sin(angle), -std::cos(angle)}}};
-}
-
 /// From x, z of the free unknowns to the frames of all nodes.
-std::vector<double> in_frames(const BodyProblem& problem, const Unknowns& unknowns,
-                              const Surface& surface, const std::vector<double>& compliance) {
+std::vector<double> in_frames(const BodyProblem& problem, const SectionUnknowns& unknowns,
+                              const SectionSurface& surface,
+                              const std::vector<double>& compliance) {
     const std::size_t n = surface.nodes.size();
     const std::size_t n_free = unknowns.node_of_unknown.size() - unknowns.n_interior;
     std::vector<double> turned(4 * n * n, 0);
@@ -191,8 +84,9 @@ std::vector<double> in_frames(const BodyProblem& problem, const Unknowns& unknow
 
 // The reaction to a unit force on a component is minus the displacement there when all that is held
 // along z moves by one (reciprocity), and a body that is held moves with it as a whole.
-std::vector<double> missing_reaction(const BodyProblem& problem, const Unknowns& unknowns,
-                                     const Surface& surface, const Condensation& condensation,
+std::vector<double> missing_reaction(const BodyProblem& problem, const SectionUnknowns& unknowns,
+                                     const SectionSurface& surface,
+                                     const Condensation& condensation,
                                      std::vector<double> held_row) {
     for (double& k : held_row) k = -k;
     const std::vector<double> moved = condensation.solve(held_row);
@@ -210,11 +104,65 @@ std::vector<double> missing_reaction(const BodyProblem& problem, const Unknowns&
     return missing;
 }
 
+/// Forces along z of a pressure all over the support, one in all, on the free unknowns.
+std::vector<double> even_load(const BodyProblem& problem, const SectionUnknowns& unknowns) {
+    // Gauss points of [0, 1]: exact to degree 5.
+    constexpr std::array<double, 3> at{.1127016653792583, .5, .8872983346207417};
+    constexpr std::array<double, 3> weight{5. / 18, 8. / 18, 5. / 18};
+    std::vector<double> load(unknowns.node_of_unknown.size(), 0);
+    double whole = 0;
+    for (const auto& [nodes, boundary] : problem.mesh.edges) {
+        if (boundary != Boundary::support) continue;
+        std::array<double, 3> x{};
+        for (std::size_t i = 0; i < 3; ++i) x[i] = problem.mesh.nodes[nodes[i]][0];
+        for (std::size_t q = 0; q < at.size(); ++q) {
+            const double s = at[q];
+            const std::array<double, 3> shape{(1 - s) * (1 - 2 * s), s * (2 * s - 1),
+                                              4 * s * (1 - s)};  // ends, middle
+            const double here = shape[0] * x[0] + shape[1] * x[1] + shape[2] * x[2];
+            const double slope = (4 * s - 3) * x[0] + (4 * s - 1) * x[1] + (4 - 8 * s) * x[2];
+            const double area = weight[q] * std::abs(slope) * extent(problem.solid, here);
+            whole += area;
+            for (std::size_t i = 0; i < 3; ++i)
+                if (const int unknown = unknowns.of_node[nodes[i]][1]; unknown >= 0)
+                    load[unknown] += area * shape[i];
+        }
+    }
+    for (double& force : load) force /= whole;
+    return load;
+}
+
+// The forces f on the contact press against the load -L (R'f), L of the resultant one and R the
+// displacement by one along z: the node that is pinned carries nothing. Displacements count from
+// the mean L'u, the one that does the load's work. With w = K^-1 L, then
+//   C - w R' - R w' + (L'w) R R'.
+void press_evenly(const BodyProblem& problem, const SectionUnknowns& unknowns,
+                  const SectionSurface& surface, const Condensation& condensation,
+                  const std::vector<double>& load, std::vector<double>& compliance) {
+    const std::vector<double> moved = condensation.solve(load);
+    const double mean = std::inner_product(load.begin(), load.end(), moved.begin(), 0.);
+    const std::size_t n = surface.nodes.size();
+    std::vector<double> along(2 * n, 0), rigid(2 * n, 0);
+    for (std::size_t i = 0; i < n; ++i) {
+        const auto frame = frame_at(problem, surface.along[i]);
+        for (std::size_t d = 0; d < 2; ++d) {
+            rigid[d * n + i] = frame[d][1];
+            for (std::size_t a = 0; a < 2; ++a)
+                if (const int unknown = unknowns.of_node[surface.nodes[i]][a]; unknown >= 0)
+                    along[d * n + i] += frame[d][a] * moved[unknown];
+        }
+    }
+    for (std::size_t k = 0; k < 2 * n; ++k)
+        for (std::size_t i = 0; i < 2 * n; ++i)
+            compliance[k * 2 * n + i] +=
+                mean * rigid[i] * rigid[k] - along[i] * rigid[k] - rigid[i] * along[k];
+}
+
 }  // namespace
 
 CondensedSection condense(const BodyProblem& problem) {
-    const Surface surface = surface_of(problem);
-    const Unknowns unknowns = number_unknowns(problem, surface);
+    const SectionSurface surface = surface_of(problem);
+    const SectionUnknowns unknowns = number_unknowns(problem, surface);
     Stiffness stiffness = assemble(problem, unknowns);
     Condensation condensation(stiffness.matrix, unknowns.node_of_unknown, unknowns.n_interior);
     condensation.factorise();
@@ -224,8 +172,15 @@ CondensedSection condense(const BodyProblem& problem) {
     for (const int node : surface.nodes) body.x.push_back(problem.mesh.nodes[node][0]);
     body.edges = surface.edges;
     body.compliance = in_frames(problem, unknowns, surface, condensation.compliance());
+    std::vector<double> load;
+    if (problem.support == Support::even) {
+        load = even_load(problem, unknowns);
+        press_evenly(problem, unknowns, surface, condensation, load, body.compliance);
+    }
     body.missing_reaction =
         missing_reaction(problem, unknowns, surface, condensation, std::move(stiffness.held_row));
+    body.whole = std::make_shared<WholeSection>(problem, surface, unknowns, std::move(condensation),
+                                                std::move(load));
     return body;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "contact/substrates/material.h"
@@ -14,8 +15,10 @@ enum class Support {
     bonded,   ///< not displaced at all
     sliding,  ///< not displaced along z: a frictionless ground, or the middle plane of a body
               ///< between two equal plates; a whole section along x in its middle alone
-    point     ///< a node of the support nearest to x = 0 alone, along z: a body that a force at
-              ///< this point presses, whose displacement there is part of the approach
+    // What nothing holds but the contact:
+    point,  ///< a force presses it at the node of the support nearest to x = 0, whose displacement
+            ///< is part of the approach
+    even    ///< a pressure presses it all over its support, whose mean displacement is part of it
 };
 
 /// Along what a contact surface is measured, and across what bodies approach.
@@ -23,6 +26,8 @@ enum class Frame {
     plane,  ///< x; along -z
     round   ///< radius times the angle from the lowest point; along the radius of the body's circle
 };
+
+class WholeSection;
 
 struct BodyProblem {
     Mesh mesh;
@@ -48,6 +53,7 @@ struct CondensedSection {
     /// Force along z of what holds the body, plus the force, under unit forces on these components:
     /// zero but for rounding.
     std::vector<double> missing_reaction;
+    std::shared_ptr<const WholeSection> whole;  ///< for its inside
 
     std::size_t size() const { return along.size(); }
 };

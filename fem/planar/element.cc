@@ -65,7 +65,9 @@ Strains strains_at(const ElementNodes& nodes, Solid solid, double s, double t, d
         const auto [u, v] = slope[i];
         const double dx = (u * jacobian[1][1] - v * jacobian[1][0]) / determinant;
         const double dz = (v * jacobian[0][0] - u * jacobian[0][1]) / determinant;
-        const double hoop = solid == Solid::of_revolution ? shape[i] / strains.x[0] : 0;
+        // On the axis u_x/x has the limit du_x/dx.
+        const double ratio = strains.x[0] > 0 ? shape[i] / strains.x[0] : dx;
+        const double hoop = solid == Solid::of_revolution ? ratio : 0;
         strains.of[i] = {dx, 0, hoop, dz};
         strains.of[n_nodes + i] = {0, dz, 0, dx};
     }
@@ -82,8 +84,17 @@ std::array<Strains, 9> strains_of(const ElementNodes& nodes, Solid solid) {
     return all;
 }
 
-/// Rows Y with int (projected div u)^2 = |Y u|^2.
-using Projection = std::array<std::array<double, n_element_unknowns>, n_psi>;
+/// Rows Y with int (projected div u)^2 = |Y u|^2; the projected dilatation is psi' L'^-1 Y u.
+struct Projection {
+    std::array<std::array<double, n_element_unknowns>, n_psi> rows;
+    std::array<std::array<double, n_psi>, n_psi> factor;  // L
+    Point centre;
+    double size;
+
+    std::array<double, n_psi> psi(const Point& x) const {
+        return {1, (x[0] - centre[0]) / size, (x[1] - centre[1]) / size};
+    }
+};
 Projection projection_of(const std::array<Strains, 9>& points) {
     double volume = 0;
     Point centre{};
@@ -95,11 +106,11 @@ Projection projection_of(const std::array<Strains, 9>& points) {
     const double size =
         std::hypot(points[0].x[0] - points[8].x[0], points[0].x[1] - points[8].x[1]);
 
-    std::array<std::array<double, n_psi>, n_psi> mass{};
-    Projection rows{};
+    Projection projection{{}, {}, centre, size};
+    auto& rows = projection.rows;
+    auto& mass = projection.factor;
     for (const Strains& p : points) {
-        const std::array<double, n_psi> psi{1, (p.x[0] - centre[0]) / size,
-                                            (p.x[1] - centre[1]) / size};
+        const auto psi = projection.psi(p.x);
         for (int m = 0; m < n_psi; ++m) {
             for (int n = 0; n <= m; ++n) mass[m][n] += p.weight * psi[m] * psi[n];
             for (int r = 0; r < n_element_unknowns; ++r)
@@ -116,7 +127,7 @@ Projection projection_of(const std::array<Strains, 9>& points) {
             for (int n = 0; n < m; ++n) rows[m][r] -= mass[m][n] * rows[n][r];
             rows[m][r] /= mass[m][m];
         }
-    return rows;
+    return projection;
 }
 
 }  // namespace
@@ -138,9 +149,51 @@ void element_stiffness(const ElementNodes& nodes, Solid solid, const Moduli& mod
                 shear += p.weight * (a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + a[3] * b[3] / 2 -
                                      p.dilatation(r) * p.dilatation(c) / 3);
             }
-            for (int m = 0; m < n_psi; ++m) volumetric += y[m][r] * y[m][c];
+            for (int m = 0; m < n_psi; ++m) volumetric += y.rows[m][r] * y.rows[m][c];
             k[r][c] = k[c][r] = 2 * moduli.shear * shear + moduli.bulk * volumetric;
         }
+}
+
+ElementState element_state(const ElementNodes& nodes, Solid solid, const Moduli& moduli,
+                           const std::array<double, n_element_unknowns>& displacement) {
+    const auto points = strains_of(nodes, solid);
+    const Projection y = projection_of(points);
+    std::array<double, n_psi> projected{};  // Y u
+    for (int m = 0; m < n_psi; ++m)
+        for (int r = 0; r < n_element_unknowns; ++r) projected[m] += y.rows[m][r] * displacement[r];
+    const auto strain_of = [&](const Strains& p) {
+        std::array<double, 4> strain{};
+        for (int r = 0; r < n_element_unknowns; ++r)
+            for (int k = 0; k < 4; ++k) strain[k] += p.of[r][k] * displacement[r];
+        return strain;
+    };
+    ElementState state{};
+    for (const Strains& p : points) {
+        const auto e = strain_of(p);
+        const double theta = e[0] + e[1] + e[2];
+        state.energy +=
+            p.weight * moduli.shear *
+            (e[0] * e[0] + e[1] * e[1] + e[2] * e[2] + e[3] * e[3] / 2 - theta * theta / 3);
+        state.volume += p.weight;
+    }
+    for (const double one : projected) state.energy += moduli.bulk / 2 * one * one;
+    for (int i = 0; i < n_nodes; ++i) {
+        const auto [a, b] = positions[i];
+        const Strains p = strains_at(nodes, solid, a - 1, b - 1, 0);
+        const auto e = strain_of(p);
+        auto psi = y.psi(p.x);  // then L^-1 psi
+        double dilatation = 0;
+        for (int m = 0; m < n_psi; ++m) {
+            for (int n = 0; n < m; ++n) psi[m] -= y.factor[m][n] * psi[n];
+            psi[m] /= y.factor[m][m];
+            dilatation += psi[m] * projected[m];
+        }
+        const double theta = e[0] + e[1] + e[2];
+        const double mean = moduli.bulk * dilatation - 2 * moduli.shear * theta / 3;
+        state.stress[i] = {2 * moduli.shear * e[0] + mean, 2 * moduli.shear * e[1] + mean,
+                           2 * moduli.shear * e[2] + mean, moduli.shear * e[3]};
+    }
+    return state;
 }
 
 }  // namespace tricontact::fem::planar

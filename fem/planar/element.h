@@ -28,4 +28,14 @@ using ElementStiffness = std::array<std::array<double, n_element_unknowns>, n_el
 void element_stiffness(const ElementNodes& nodes, Solid solid, const Moduli& moduli,
                        ElementStiffness& k);
 
+/// At the nodes of an element: normal stresses in x, z and across the section, and the shear xz
+/// [Pa]; its energy, that of the stiffness, and its volume, of plane strain per length along y.
+struct ElementState {
+    std::array<std::array<double, 4>, 9> stress;
+    double energy, volume;
+};
+/// Under displacements of its unknowns [m].
+ElementState element_state(const ElementNodes& nodes, Solid solid, const Moduli& moduli,
+                           const std::array<double, n_element_unknowns>& displacement);
+
 }  // namespace tricontact::fem::planar

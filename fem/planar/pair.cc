@@ -4,6 +4,9 @@
 #include <Eigen/Sparse>
 #include <cmath>
 
+#include "contact/compliances/interior_parts.h"
+#include "fem/planar/whole_section.h"
+
 // Columns of the matrix are displacements by forces, traction times area: with pressures p = f/area
 // and the weighted displacements M'u / area, A = D^-1 M' C M D^-1, D the areas.
 
@@ -56,6 +59,7 @@ contact::ContactPoints points_of(const ContactGrid& grid, Solid solid, const Pai
     points.x = grid.along;
     points.local_ratio = options.local_ratio;
     points.area = grid.area;
+    points.is_whole_face = options.is_whole_face;
     if (!line) return points;
     for (double& area : points.area) area *= (options.halves ? 2 : 1) * options.length;
     points.line_length = options.length;
@@ -99,6 +103,32 @@ std::optional<std::array<double, 3>> SectionCompliance::missing_reaction(
     return std::array<double, 3>{0, 0, worst};
 }
 
+std::unique_ptr<const contact::Interior> SectionCompliance::interior(
+    std::span<const double> p, const contact::TangentialField& t) const {
+    if (parts_.empty()) return nullptr;
+    auto both = std::make_unique<contact::Interior>();
+    std::optional<contact::Interior> indenter;
+    for (const Part& part : parts_) {
+        std::vector<double> forces(2 * part.n_nodes, 0);
+        for (const auto& [node, point, value] : part.transfer) {
+            const double share = share_of_approach(options_, points().x[point]);
+            forces[node] += value * t.x[point];
+            forces[part.n_nodes + node] += value * p[point] / share;
+        }
+        // Both are condensed under what presses the substrate; it is the other way round on the
+        // body that presses.
+        contact::Interior inside = part.body->interior(forces, part.presses ? -1 : 1,
+                                                       options_.length, options_.halves ? 2 : 1);
+        if (part.presses)
+            indenter = contact::as_indenter(std::move(inside));
+        else
+            *both = std::move(inside);
+    }
+    for (std::size_t i = 0; i < p.size(); ++i) both->applied[2] -= points().area[i] * p[i];
+    if (indenter) *both = contact::joined_bodies(std::move(*both), *indenter);
+    return both;
+}
+
 std::unique_ptr<SectionCompliance> pair_compliance(const std::vector<CondensedSection>& bodies,
                                                    const ContactGrid& grid,
                                                    const PairOptions& options) {
@@ -118,8 +148,15 @@ std::unique_ptr<SectionCompliance> pair_compliance(const std::vector<CondensedSe
                         per_force *
                         blocks[r][c](static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(k)) /
                         (share(i) * share(k));
-    return std::make_unique<SectionCompliance>(points_of(grid, solid, options), std::move(matrix),
-                                               missing_by_points(bodies, grid, options));
+    auto pair =
+        std::make_unique<SectionCompliance>(points_of(grid, solid, options), std::move(matrix),
+                                            missing_by_points(bodies, grid, options));
+    std::vector<SectionCompliance::Part> parts;
+    for (std::size_t b = 0; b < bodies.size(); ++b)
+        parts.push_back(
+            {bodies[b].whole, grid.transfer[b], bodies[b].size(), options.first_presses && b == 0});
+    pair->set_parts(std::move(parts), options);
+    return pair;
 }
 
 }  // namespace tricontact::fem::planar

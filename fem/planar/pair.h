@@ -19,8 +19,10 @@ struct PairOptions {
     bool halves = false;
     /// Cosine of the angle at which each point is pressed, of a conforming contact: see below.
     bool conforming = false;
-    double radius = 0;       ///< of a conforming contact [m]
-    double local_ratio = 1;  ///< see contact::ContactPoints
+    double radius = 0;           ///< of a conforming contact [m]
+    double local_ratio = 1;      ///< see contact::ContactPoints
+    bool is_whole_face = false;  ///< likewise
+    bool first_presses = false;  ///< the first of the bodies is the one that presses
 };
 
 /// See pair_compliance().
@@ -38,8 +40,26 @@ class SectionCompliance final : public DenseCompliance {
     /// Rounding, times K/G of up to 1e6.
     double allowed_missing_reaction() const override { return 1e-7; }
 
+    /// What interior() needs of each body.
+    struct Part {
+        std::shared_ptr<const WholeSection> body;
+        std::vector<ContactGrid::Entry> transfer;  ///< see ContactGrid
+        std::size_t n_nodes;
+        bool presses;
+    };
+    void set_parts(std::vector<Part> parts, const PairOptions& options) {
+        parts_ = std::move(parts);
+        options_ = options;
+    }
+    /// Of all bodies, see contact/compliances/interior_parts.h: a slab of the length, or turned
+    /// about the axis. Of a conforming contact both are drawn at the pin's radius.
+    std::unique_ptr<const contact::Interior> interior(
+        std::span<const double> p, const contact::TangentialField& t) const override;
+
   private:
     std::vector<std::vector<double>> missing_;
+    std::vector<Part> parts_;
+    PairOptions options_;
 };
 
 /// The compliance of all deformable bodies that touch, on the points of `grid`: A = sum M'CM over
@@ -49,7 +69,7 @@ class SectionCompliance final : public DenseCompliance {
 /// Of a conforming contact of radius R the body that presses approaches by d cos(theta). With
 /// pressures p cos(theta), and gaps and displacements over cos(theta), the approach is the same
 /// everywhere and the force that is carried the sum of pressures times areas: frictionless contact
-/// is that of flat bodies. Points beyond 85 degrees are left out of it.
+/// is that of flat bodies. All points must lie within 90 degrees of the lowest one.
 std::unique_ptr<SectionCompliance> pair_compliance(const std::vector<CondensedSection>& bodies,
                                                    const ContactGrid& grid,
                                                    const PairOptions& options);

@@ -12,7 +12,9 @@ constexpr double pi = std::numbers::pi;
 NodeLine across(const Sizes& s, double width) {
     return continued(equal_elements(s.n, s.size), width, s.growth);
 }
+// Where elements of the patch are larger than the body is thick: two of them, if less square.
 NodeLine in_depth(const Sizes& s, double depth) {
+    if (s.n_deep * s.size > depth) return equal_elements(2, depth / 2);
     return continued(equal_elements(s.n_deep, s.size), depth, s.growth);
 }
 

@@ -275,7 +275,7 @@ void check_line_contact(const Case& c, const Document& document) {
                "a cylinder or roller rolls across its axis, along x, only",
                "omit it, or take a body of revolution");
     check_options(c, document);
-    check_size(c, document);
+    if (!c.has_hole()) check_size(c, document);
 }
 
 }  // namespace tricontact::io

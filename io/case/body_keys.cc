@@ -58,7 +58,8 @@ Field of_body(Case& c) {
 std::vector<Choice> support_choices() {
     std::vector<Choice> out;
     for (const auto support :
-         {ElasticBody::Support::holder, ElasticBody::Support::plates, ElasticBody::Support::hub})
+         {ElasticBody::Support::holder, ElasticBody::Support::plates, ElasticBody::Support::hub,
+          ElasticBody::Support::force, ElasticBody::Support::pressure})
         out.push_back(choice(contact::word_of(support), support));
     return out;
 }
@@ -90,8 +91,13 @@ std::vector<CaseKey> indenter_keys() {
                     "length of a power law",
                     {.required = true}),
          at<&Case::indenter, &Indenter::radius>},
-        {length_key("indenter.length", R"("80 mm")", "length L along y", {.required = true}),
-         at<&Case::indenter, &Indenter::length>},
+        {length_key("indenter.length", R"("80 mm")",
+                    "length L along y; a punch without it is one of revolution",
+                    {.required = true}),
+         [](Case& c) {
+             const bool has_length = c.is_cylindrical() || c.indenter.length > 0;
+             return has_length ? Field(&c.indenter.length) : Field();
+         }},
         {quantity_key("indenter.chamfer", Dimension::length, {0, 1e6}, R"("1 mm")",
                       "radius of the rounded ends of a roller; 0: sharp ends",
                       {.default_value = R"("0 m")"}),
@@ -106,8 +112,8 @@ std::vector<CaseKey> indenter_keys() {
         {number_key("indenter.exponent", {1, 100}, "4", "n of the power law",
                     {.reason = "below 1 the tip is a spike of infinite slope", .required = true}),
          at<&Case::indenter, &Indenter::exponent>},
-        {length_key("indenter.flat_radius", R"("5 mm")", "radius b of a punch's flat face",
-                    {.required = true}),
+        {length_key("indenter.flat_radius", R"("5 mm")",
+                    "radius b of a punch's flat face, half its width along y", {.required = true}),
          at<&Case::indenter, &Indenter::flat_radius>},
         {text_key("indenter.file", R"("profile.csv")",
                   "table of a profile, or a height map: .npy, .sdf, .csv or .txt",
@@ -141,7 +147,9 @@ std::vector<CaseKey> indenter_keys() {
          of_body<&ElasticBody::form, false>},
         {choice_key("indenter.support", support_choices(), R"("holder")",
                     "what holds this body: a rigid holder bonded to the face opposite of the "
-                    "contact, a second plate like the substrate, or a rigid hub in its axis",
+                    "contact, a second plate like the substrate, a rigid hub in its axis, or "
+                    "nothing but the contact: the load is a force in the middle of that face, or a "
+                    "pressure all over it",
                     {.required = true, .needs = "indenter.body"}),
          of_body<&ElasticBody::support, false>},
         {length_key("indenter.hub_radius", R"("3 mm")", "radius of the hub",
@@ -152,7 +160,8 @@ std::vector<CaseKey> indenter_keys() {
                         ? Field(&c.indenter.body->hub_radius)
                         : Field();
          }},
-        {length_key("indenter.height", R"("20 mm")", "of a punch, from its face to the holder",
+        {length_key("indenter.height", R"("20 mm")",
+                    "of a punch or block, from its lower to its upper face",
                     {.required = true, .needs = "indenter.body"}),
          [](Case& c) {
              const auto& body = c.indenter.body;
@@ -195,10 +204,28 @@ std::vector<CaseKey> indenter_keys() {
 
 std::vector<CaseKey> substrate_keys() {
     return {
-        {boolean_key("substrate.rigid", "true",
-                     "the substrate is a rigid plane, on which an elastic indenter is pressed",
-                     {.needs = "indenter.young"}),
+        {boolean_key(
+             "substrate.rigid", "true",
+             "the substrate is rigid, a plane or a hole, and an elastic indenter is pressed on it",
+             {.needs = "indenter.young"}),
          [](Case& c) { return c.has_rigid_substrate ? Field(&c.has_rigid_substrate) : Field(); }},
+        {choice_key("substrate.shape",
+                    {choice("layer", Case::SubstrateShape::layer),
+                     choice("hole", Case::SubstrateShape::hole)},
+                    R"("hole")",
+                    "a flat layer or half-space, which it is without this key, or a plate about a "
+                    "round hole along y, in which a cylinder is pressed in plane strain"),
+         [](Case& c) { return c.has_hole() ? Field(&c.substrate_shape) : Field(); }},
+        {length_key("substrate.hole_radius", R"("10.05 mm")",
+                    "radius of the hole; less that of the cylinder it is the clearance",
+                    {.required = true, .needs = "substrate.shape"}),
+         [](Case& c) { return c.has_hole() ? Field(&c.hole.radius) : Field(); }},
+        {length_key("substrate.outer_radius", R"("100 mm")",
+                    "radius of the plate about the hole, whose edge is held",
+                    {.required = true, .needs = "substrate.shape"}),
+         [](Case& c) {
+             return c.has_hole() && !c.has_rigid_substrate ? Field(&c.hole.outer_radius) : Field();
+         }},
         {modulus_key("substrate.young", R"("5.2 MPa")", "Young's modulus", {.required = true}),
          of_elastic_substrate<&Material::young>},
         {poisson_key("substrate.poisson", "0.5", "Poisson's ratio; 0.5 is incompressible",

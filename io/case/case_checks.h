@@ -127,6 +127,13 @@ void check_section(const contact::ModelKind& kind, const contact::Case& c,
 /// what is said of it and with the models.
 void check_bodies(const contact::Case& c, const Document& document);
 
+/// A hole goes with a cylinder that fits into it, with models that know it, and with what is pressed
+/// without friction.
+void check_hole(const contact::Case& c, const Document& document);
+
+/// Punches with a sharp edge or along y are known to models of sections, and do not roll.
+void check_punch(const contact::Case& c, const Document& document);
+
 /// Height maps, planes and roughness: models that can, a period that fits, cells that resolve, and
 /// nothing that refers to a radius of contact where there is none.
 void check_rough_bodies(const contact::Case& c, const Document& document);

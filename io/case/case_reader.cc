@@ -23,6 +23,7 @@ using contact::Case;
 // Makes those parts of the case that the document has, so that their fields have a place.
 void make_optional_parts(Case& c, const Document& document) {
     if (document.find("indenter.young")) c.indenter.material = contact::Material{};
+    if (document.find("indenter.length")) c.indenter.length = 1;  // until it is read
     if (document.find("indenter.body")) c.indenter.body = contact::ElasticBody{};
     if (document.find("indenter.mesh")) {
         if (document.find("indenter.body"))
@@ -31,6 +32,8 @@ void make_optional_parts(Case& c, const Document& document) {
         c.indenter.body = contact::ElasticBody{.form = contact::ElasticBody::Form::mesh};
     }
     c.has_rigid_substrate = document.find("substrate.rigid");  // until it is read
+    if (document.find("substrate.shape"))
+        c.substrate_shape = Case::SubstrateShape::hole;  // as well
     if (document.find_section("indenter.roughness")) c.indenter.roughness = contact::Roughness{};
     if (document.find_section("substrate.relaxation")) c.relaxation = contact::Relaxation{};
     if (document.find_section("friction.rate")) c.friction.rate = contact::FrictionRate{};
@@ -99,6 +102,8 @@ Case resolve(const Document& document) {
     for (const CaseKey& key : case_keys()) read_or_default(key, place_of(key, c), document, keys);
     if (c.has_rigid_substrate) c.substrate = contact::rigid_material;
     make_paths_absolute(c, document);
+    // Along the radii of a hole there is no coupling, see check_hole().
+    if (c.has_hole() && !document.find("contact.coupling")) c.contact.coupling = false;
     check_bodies(c, document);
     resolve_path(c, document);
     resolve_height_map(c, document);

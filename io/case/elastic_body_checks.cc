@@ -78,6 +78,8 @@ void check_rigid_substrate(const Case& c, const Document& document) {
 }  // namespace
 
 void check_bodies(const Case& c, const Document& document) {
+    check_hole(c, document);
+    check_punch(c, document);
     if (c.indenter.body) check_form(c, document);
     if (c.has_rigid_substrate) check_rigid_substrate(c, document);
 }

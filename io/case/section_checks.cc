@@ -29,6 +29,7 @@ void check_section_substrate(const Case& c, const Refusal& refuse_key) {
     if (c.law != Case::Law::linear)
         refuse_key("substrate.material", "knows small strains alone",
                    "take fem, or set substrate.material to \"linear\"");
+    if (c.has_hole()) return;
     if (c.has_rigid_substrate) {
         if (!c.indenter.body)
             refuse_key("substrate.rigid", "needs the size of a body that is to deform on it",
@@ -61,8 +62,9 @@ void check_section_elements(const Case& c, const Document& document, const Refus
     if (document.find("fem.mesh")) refuse_key("fem.mesh", "makes its own mesh", "leave it out");
     if (c.of<fem::Settings>().sides == fem::Sides::fixed)
         refuse_key("fem.sides", "has the sides of the layer far away", "leave it out");
-    if (c.of<Output>().volume != Output::Volume::none)
-        refuse_key("output.volume", "does not show the inside of bodies", "leave it out");
+    if (c.relaxation && c.of<Output>().volume != Output::Volume::none)
+        refuse_key("output.volume", "shows the inside of elastic bodies",
+                   "leave it out, or omit [substrate.relaxation]");
     if (c.period) refuse_key("bem.period", "knows one contact alone", "leave it out");
 }
 
@@ -82,6 +84,9 @@ void check_rolling_section(const Case& c, const Document& document, const Refusa
 
 void check_plane_strain(const ModelKind& kind, const Case& c, const Document& document,
                         const Refusal& refuse_key) {
+    if (c.indenter.is_punch() && !c.is_line_contact())
+        refuse_key("indenter.shape", "takes a punch along y, in plane strain",
+                   "give its indenter.length, or take fem-axisymmetric");
     if (!c.is_line_contact())
         refuse_key("indenter.shape", "is about cylinders, in plane strain",
                    "take shape = \"cylinder\", or fem-axisymmetric");
@@ -99,6 +104,8 @@ void check_plane_strain(const ModelKind& kind, const Case& c, const Document& do
 }
 
 void check_of_revolution(const Case& c, const Document& document, const Refusal& refuse_key) {
+    if (c.indenter.is_long_punch())
+        refuse_key("indenter.length", "takes a punch of revolution", "omit it, or take fem-plane");
     if (!contact::body_shape(c.indenter.shape).of_revolution)
         refuse_key("indenter.shape", "is about bodies of revolution",
                    c.is_line_contact() ? "take fem-plane" : "take bem or fem");

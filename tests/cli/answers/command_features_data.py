@@ -90,6 +90,13 @@ at_rest = {"rolling.*": None}
 pressed = {f"run {model}": {**at_rest, "load.tangential_ratio": "0.0"} for model in ("fem", "fem-axisymmetric")}
 hemisphere = {"indenter.body": '"hemisphere"', "indenter.support": '"holder"'}
 on_hub = {"indenter.body": '"cylinder"', "indenter.support": '"hub"', "indenter.hub_radius": '"10 mm"'}
+still = {"rolling.*": None, "tractive_rolling.*": None, "load.tangential_ratio": "0.0"}
+in_hole = {**still, "substrate.thickness": None, "substrate.width": None, "substrate.depth": None, "substrate.shape": '"hole"', "substrate.hole_radius": '"40.5 mm"',
+           "substrate.outer_radius": '"400 mm"', "indenter.shape": '"cylinder"', "indenter.length": '"60 mm"'}
+flat_punch = {**still, **body, "indenter.shape": '"flat-punch"', "indenter.flat_radius": '"3 mm"'}
+along_y = {"run fem-plane": {"indenter.length": '"60 mm"'}}
+long_punch = {**still, "indenter.shape": '"rounded-punch"', "indenter.flat_radius": '"1 mm"', "indenter.length": '"60 mm"'}
+loose_block = {**flat_punch, **elastic, "indenter.body": '"block"', "indenter.support": '"pressure"', "indenter.height": '"6 mm"'}
 mapped = {**body, "indenter.shape": '"height-map"', "indenter.file": '"map.txt"', "indenter.spacing": '"0.2 mm"',
           "bem.cells_per_radius": None, "bem.spacing": '"0.4 mm"', "load.normal_force": '"1 N"',
           "rolling.amplitude_ratio": None, "rolling.amplitude": '"0.4 mm"'}
@@ -182,6 +189,13 @@ features = [
     feature("rigid substrate", "substrate.rigid", "substrate.rigid|substrate.thickness|substrate.young|rigid|layer", elastic,
             {**elastic, "substrate.*": None, "substrate.rigid": "true"},
             over_for={"run fem": {**at_rest, **hemisphere, "fem.size": '"1 mm"'}, "run fem-axisymmetric": hemisphere, "run fem-plane": on_hub}),
+    feature("hole in the substrate", "substrate.shape substrate.hole_radius substrate.outer_radius", "hole|flat substrate|substrate.thickness",
+            in_hole, {**in_hole, "substrate.hole_radius": '"41 mm"'}),
+    feature("punch with a sharp edge", "", "sharp edge|flat punch|punch along y|indenter.shape", flat_punch,
+            {**flat_punch, "indenter.flat_radius": '"2 mm"'}, over_for=along_y),
+    feature("punch along y", "", "punch along y|punch of revolution|flat punch|indenter.shape", long_punch, {**long_punch, "indenter.flat_radius": '"2 mm"'}),
+    feature("body that nothing holds", "", "indenter.body|sharp edge|punch along y|flat punch|indenter.young|indenter.shape", loose_block,
+            {**loose_block, "indenter.height": '"4 mm"'}, over_for=along_y),
     feature("coupled contact", "contact.coupling", "contact.coupling|coupl", {"contact.coupling": "false"},
             {"contact.coupling": "true"}, {**layer, "substrate.poisson": "0.3"},
             over_for={"design": {"substrate.poisson": "0.5"}}),

@@ -140,7 +140,6 @@ refuses "too large for the indenter's body" hemisphere.toml --set indenter.shape
 refuses "fewer than 2 elements" hemisphere.toml --set "fem.size=3 mm"
 refuses "about its hub by no more than 115 degrees" rolled.toml "${cover[@]}" --set "rolling.amplitude=85 mm"
 refuses "takes no [rolling]" cylinder.toml --set rolling.amplitude_ratio=0.3
-refuses "output.volume" hemisphere.toml --set output.volume=last
 refuses "fem.mesh" hemisphere.toml --set fem.mesh=none.msh
 refused "fem.size" refine "$work/hemisphere.toml" --models fem-axisymmetric --output out
 finish

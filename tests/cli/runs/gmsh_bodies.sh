@@ -30,6 +30,14 @@ sed '/^mesh/d' hemisphere_on_block.toml >own.toml
 near "force beside the built-in pair" "$(of meshed normal_force_N)" "$(of own normal_force_N)" .01
 near "radius beside the built-in pair" "$(of meshed contact_radius_m)" "$(of own contact_radius_m)" .01
 near "pressure beside the built-in pair" "$(of meshed peak_pressure_Pa)" "$(of own peak_pressure_Pa)" .01
+# Friction is that of both, too: what a tangential force shifts.
+loaded=(--set load.tangential_ratio=0.5 --set load.press=friction)
+"$program" run hemisphere_on_block.toml "${quick[@]}" "${loaded[@]}" -o meshed_t >log 2>&1 || complain "$(cat log)"
+grep -q "condensed substrate reused" log || complain "the block is condensed again for another load"
+"$program" run own.toml "${quick[@]}" "${loaded[@]}" --set indenter.body=hemisphere --set indenter.support=holder \
+    --set "substrate.width=60 mm" --set "substrate.depth=60 mm" --set "fem.size=0.84 mm" -o own_t >log 2>&1 ||
+    complain "$(cat log)"
+near "shift beside the built-in pair" "$(of meshed_t final_shift_m)" "$(of own_t final_shift_m)" .01
 # Reference of another program: axisymmetric finite elements, an unbounded layer.
 near "force" "$(of meshed normal_force_N)" 11.4475 .01
 near "radius" "$(of meshed contact_radius_m)" .0035162 .01
@@ -99,7 +107,7 @@ broken() {
     [[ $message == *box.msh* && $message == *\;* ]] || complain "no file or remedy in: $message"
 }
 broken "open" "is open: it holds surfaces and no volume"
-broken "cracked" "are not connected"
+broken "cracked" "the body is open at (0, -0.005, 0.0025) m: a face touches another without sharing its nodes"
 broken "in pieces" "the body is in pieces"
 broken "inverted" "hexahedron 4 of 8, centre (0.005, 0.005, 0.0025) m, is inverted or flat"
 broken "no body" "belongs to no physical group"
@@ -111,7 +119,7 @@ broken "low" "the bodies overlap: the node at (-0.01, -0.01, -0.002) m lies 0.00
 broken "turned" "does not face the other body: z of its outward normal is 1, not below -0.5"
 broken "beside" "the contact surfaces do not face each other about the origin"
 # Under another body they overlap where their surfaces do, and must be halves alike.
-sed 's/^0 0 -10/&/' block.geo | sed 's/{0, 0, b} {/{0, 0, b + 0.5} {/' >high.geo
+sed 's/{0, 0, b} {/{0, 0, b + 0.5} {/' block.geo >high.geo
 gmsh -3 high.geo -o high.msh >log 2>&1 || complain "$(cat log)"
 refused "the bodies overlap by 0.0005 m" run "$work/hemisphere_on_block.toml" "${quick[@]}" --set "fem.mesh=$work/high.msh" -o out
 box "$work/box.msh" turned

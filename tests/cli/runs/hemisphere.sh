@@ -45,6 +45,21 @@ body = 1.1922 * 4 / 3 * modulus * 10 ** .5 * .5 ** 1.5
 assert abs(force["deviation"] - (sphere / body - 1)) < 1.5 * force["deviation_half_width"] < .005, (force, sphere, body)
 assert "indentation_m" not in entry["quantities"], "prescribed"
 PY
+# A cover that rolls: the limit of shakedown, which the pressures tell, is hardly another one, where it settles is.
+"$program" run "$source_dir/examples/cases/cylinder_on_hub.toml" --no-report --set rolling.amplitude_ratio=0.6 --set rolling.periods=40 \
+    --set load.tangential_ratio=0.2 -o rolled >log 2>&1 || complain "$(cat log)"
+$python - rolled/summary.json >log 2>&1 <<'PY' || complain "half-space deviation, rolled: $(cat log)"
+import json, math, sys
+summary = json.load(open(sys.argv[1]))
+entry = summary["half_space_deviation"]
+assert entry["other_assumptions"] == "half-space", entry
+limit, settled = (entry["quantities"][key] for key in ("limit_tangential_ratio", "settled_shift_m"))
+# Line contact of half-spaces, docs/explanation/cylinder.md: (2/pi)(arccos w - w sqrt(1 - w^2)), w = 0.6.
+exact = 2 / math.pi * (math.acos(.6) - .6 * .8)
+assert abs(limit["half_space"] - exact) < .005, (limit, exact)
+assert abs(limit["deviation"]) < .03 and .3 < settled["deviation"] < .4, entry
+assert 0 < settled["deviation_half_width"] < .02, settled
+PY
 "$program" run "$source_dir/examples/cases/rig_sphere_parallel.toml" --models mdr,bem --no-report --no-studies --set rolling.periods=1 \
     --set "bem.cells_per_radius=8" -o rigid >log 2>&1 || complain "$(cat log)"
 grep -q half_space_deviation rigid/summary.json && complain "an entry of a body that is not there"

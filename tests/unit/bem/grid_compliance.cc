@@ -5,9 +5,12 @@
 #include <Eigen/Dense>
 #include <cmath>
 #include <functional>
+#include <limits>
+#include <numeric>
 #include <vector>
 
 #include "bem/influence.h"
+#include "contact/compliances/active_operator.h"
 
 namespace tricontact::grid_compliance_test {
 namespace {
@@ -17,6 +20,7 @@ using bem::half_space_compliance;
 using contact::ContactPoints;
 using contact::MaterialPair;
 using contact::TangentialField;
+using contact::operator-;
 
 const ContactPoints grid_a = ContactPoints::grid(9, 6, {-.8, 2}, {.2, .3});
 const ContactPoints grid_b = ContactPoints::grid(5, 7, {0, 0}, {.1, .1});
@@ -141,6 +145,79 @@ TEST(GridCompliance, PreconditionerIsSymmetricPositiveAndGood) {
             // it must be worth its transforms
             EXPECT_LT(condition(inverse * tangential), .6 * condition(tangential));
         }
+}
+
+std::vector<std::size_t> all_of(const ContactPoints& grid) {
+    std::vector<std::size_t> all(grid.size());
+    std::iota(all.begin(), all.end(), std::size_t{0});
+    return all;
+}
+
+// Alone it is the preconditioner without, and the softer the layer, the nearer it is to the inverse
+// of both: what the bare period leaves out is of the body alone.
+TEST(GridCompliance, PreconditionsUnderALayer) {
+    const ContactPoints grid = ContactPoints::grid(9, 8, {0, 0}, {.1, .1});
+    for (const double nu : {0., .5}) {
+        const auto compliance = half_space_compliance(materials(nu), grid, 1);
+        const auto products = compliance->among(all_of(grid));
+        ASSERT_TRUE(products && products->knows_layers());
+        const auto n = static_cast<Eigen::Index>(grid.size());
+        const auto tangential =
+            matrix_of(grid.size(), [&](const auto& t, auto& u) { products->apply(t, u); });
+        const auto without =
+            matrix_of(grid.size(), [&](const auto& r, auto& z) { products->precondition(r, z); });
+        double last = std::numeric_limits<double>::infinity();
+        for (const double soft : {0., 1., 10., 100., 1e4}) {
+            const double local = soft * compliance->local_tangential();
+            const contact::LayerCompliance layer{local, .2 * local, .5 * local};
+            const auto inverse = matrix_of(grid.size(), [&](const auto& r, auto& z) {
+                products->precondition_under(layer, r, z);
+            });
+            EXPECT_LT(asymmetry(inverse), 1e-13);
+            EXPECT_GT(least_eigenvalue(inverse), 0);
+            if (soft == 0) {
+                EXPECT_LT((inverse - without).cwiseAbs().maxCoeff(),
+                          1e-13 * without.cwiseAbs().maxCoeff());
+            }
+            Eigen::MatrixXd both = tangential;
+            both.diagonal().head(n).array() += layer.xx;
+            both.diagonal().tail(n).array() += layer.yy;
+            both.topRightCorner(n, n).diagonal().array() += layer.xy;
+            both.bottomLeftCorner(n, n).diagonal().array() += layer.xy;
+            const Eigen::VectorXd values = (inverse * both).eigenvalues().real();
+            const double condition = values.maxCoeff() / values.minCoeff();
+            EXPECT_LT(condition, last) << soft;
+            last = condition;
+        }
+        EXPECT_LT(last, 1.001);
+    }
+}
+
+// On half of the plane, whose layer has no xy.
+TEST(GridCompliance, PreconditionsMirroredUnderALayer) {
+    constexpr int n_x = 32, n_y = 8;
+    const auto half = ContactPoints::mirrored_grid(n_x, n_y, 0, {.1, .1});
+    const auto whole = ContactPoints::grid(n_x, 2 * n_y - 1, {0, -.7}, {.1, .1});
+    const auto on_half = half_space_compliance(materials(.3), half, 1);
+    const auto on_whole = half_space_compliance(materials(.3), whole, 1);
+    TangentialField r(half.size()), z(half.size()), all_r(whole.size()), all_z(whole.size());
+    for (int j = 0; j < 2 * n_y - 1; ++j)
+        for (int i = 0; i < n_x; ++i) {
+            const int row = std::abs(j - (n_y - 1)), side = j < n_y - 1 ? -1 : 1;
+            const std::size_t k = row * n_x + i;
+            r.set(k, {std::sin(3. * k), row == 0 ? 0 : std::cos(5. * k)});
+            all_r.set(j * n_x + i, {r.x[k], side * r.y[k]});
+        }
+    const double local = on_half->local_tangential();
+    on_half->among(all_of(half))->precondition_under({3 * local, local, 5 * local}, r, z);
+    on_whole->among(all_of(whole))->precondition_under({3 * local, 0, 5 * local}, all_r, all_z);
+    double largest = 0, worst = 0;
+    for (std::size_t k = 0; k < half.size(); ++k) {
+        const std::size_t of_whole = (k / n_x + n_y - 1) * n_x + k % n_x;
+        largest = std::max(largest, std::abs(z.x[k]));
+        worst = std::max(worst, contact::norm(z.at(k) - all_z.at(of_whole)));
+    }
+    EXPECT_LT(worst, 1e-13 * largest);
 }
 
 TEST(GridCompliance, CouplesWhereTheMaterialsDo) {

@@ -11,6 +11,7 @@
 #include <cmath>
 #include <functional>
 #include <numbers>
+#include <optional>
 
 #include "bem/model.h"
 #include "contact/base/error.h"
@@ -298,6 +299,24 @@ TEST(BemSlipMemory, HardeningFromNoneToNoYield) {
         EXPECT_LT(force[0], never[0]) << hardening;
         last = force;
     }
+}
+
+// From a tenth of the contact's stiffness to a hundred times it, on the way up and back: products
+// of the compliance. 1.8 times Coulomb's law where the preconditioner is that of the bodies alone.
+TEST(BemSlipMemory, SoftLayersCostWhatCoulombsLawDoes) {
+    std::vector<double> shifts = rising(3e-4, 6);
+    for (const double back : {2.5e-4, 2e-4}) shifts.push_back(back);
+    Case c = shifted(shifts, 30);
+    c.substrate.poisson = .5;
+    const auto products = [&](std::optional<double> hardening) {
+        if (hardening) c.friction.yield = contact::InterfaceYield{8e4, *hardening};
+        int sum = 0;
+        for (const auto& step : run_bem(c).steps) sum += step.tangential_iterations;
+        return sum;
+    };
+    const int coulomb = products({});
+    for (const double hardening : {1e8, 1e9, 5e9, 1e11})
+        EXPECT_LT(products(hardening), 1.3 * coulomb) << hardening;
 }
 
 TEST(BemSlipMemory, LimitsAreCoulombs) {

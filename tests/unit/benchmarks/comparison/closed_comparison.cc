@@ -199,7 +199,8 @@ TEST(ClosedComparison, ReferencesAreTheTargets) {
     for (const auto& [name, reference] :
          {std::pair{"patch_test", patch_test_reference()}, std::pair{"wedge", wedge_reference()},
           std::pair{"complete_punch", complete_punch_reference(true)},
-          std::pair{"rounded_punch_plane", rounded_punch_plane_reference()}}) {
+          std::pair{"rounded_punch_plane", rounded_punch_plane_reference()},
+          std::pair{"pin_in_hole", pin_in_hole_reference()}}) {
         EXPECT_TRUE(has_closed_comparison(name));
         for (const Target& target : required_problem(name).targets) {
             if (!target.is_solution) continue;
@@ -250,6 +251,23 @@ TEST(RoundedPunch, GetfemPasses) {
 // The same force on a contact that is 4 % narrower.
 TEST(RoundedPunch, NarrowerContactFails) {
     EXPECT_EQ(getfem_punch(1 / .96, .96).standing, Standing::fail);
+}
+
+// E* DR/Q and R pmax/Q at 30 degrees by exact Fourier kernels of disc and hole; the projection of p
+// is the force.
+TEST(PinInHole, PressuresOfExactKernels) {
+    const Reference r = pin_in_hole_reference();
+    const double load = r.find("normal_force")->value;
+    EXPECT_NEAR(210e9 / .91 * 2e-5 / load, 7.94354, 1e-5);
+    EXPECT_NEAR(.01 * r.find("peak_pressure")->value / load, 1.260289, 1e-6);
+    EXPECT_NEAR(r.fields->load_within(.005), load, 1e-6 * load);
+    EXPECT_NEAR(r.fields->at(.003, 0).pressure, r.fields->at(-.003, 0).pressure, 1e-6);
+    EXPECT_EQ(r.fields->at(.005001, 0).pressure, 0);
+    // By its own rule over x, whose root at the edge leaves 1e-4.
+    double sum = 0;
+    constexpr int n = 4000;
+    for (int i = 0; i < n; ++i) sum += r.fields->at(.003 * (i + .5) / n, 0).pressure * .006 / n;
+    EXPECT_NEAR(r.fields->load_within(.003), sum, 1e-4 * load);
 }
 
 }  // namespace

@@ -4,8 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <numbers>
+#include <sstream>
 
+#include "benchmarks/decks/closed_decks.h"
 #include "benchmarks/decks/contact_mesh.h"
 #include "benchmarks/decks/deck.h"
 #include "benchmarks/problems/problem.h"
@@ -129,6 +132,28 @@ TEST(RoundDeck, PlatesLeaveTheMiddlePlaneFree) {
     EXPECT_NE(text("hemisphere", "getfem").find("simplification('u', BASE)"), std::string::npos);
     EXPECT_EQ(text("ball_between_plates", "getfem").find("simplification('u', BASE)"),
               std::string::npos);
+}
+
+// Two arcs that touch in the lowest point, at nodes of the same angles.
+TEST(RoundDeck, PinTouchesTheHole) {
+    const auto files =
+        write_closed_deck({.code = "calculix", .levels = 1, .problem = "pin_in_hole"});
+    std::stringstream lines(files.front().text);
+    std::string line;
+    int on_hole = 0, on_pin = 0, both = 0;
+    while (std::getline(lines, line) && !line.starts_with("*NODE")) {
+    }
+    while (std::getline(lines, line) && !line.starts_with('*')) {
+        int node = 0;
+        double x = 0, y = 0;
+        ASSERT_EQ(std::sscanf(line.c_str(), "%d,%lf,%lf", &node, &x, &y), 3) << line;
+        on_hole += std::abs(std::hypot(x, y) - 10) < 1e-8;
+        on_pin += std::abs(std::hypot(x, y + .02) - 9.98) < 1e-8;
+        both += std::hypot(x, y + 10) < 1e-8;
+    }
+    EXPECT_EQ(on_hole, on_pin);
+    EXPECT_GT(on_hole, 20);
+    EXPECT_EQ(both, 2);
 }
 
 TEST(RoundDeck, SaysWhatNoDeckHas) {

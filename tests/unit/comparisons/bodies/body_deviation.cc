@@ -48,7 +48,7 @@ bool says(const std::vector<std::string>& sentences, const std::string& part) {
 /// Whose half widths a synthetic pair of meshes gives.
 NumericalError error_of(const Case& c, const Results& fine, const Quantity& q, double coarser) {
     NumericalError error{.model = fine.model};
-    ResolvedRun run(c, contact::History{});
+    ResolvedRun run(c, synthetic::loaded_history(fine.model));
     run.results = fine;
     error.run = error.coarser = run;
     error.coarser->results.set(q, coarser);

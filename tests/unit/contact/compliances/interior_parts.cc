@@ -50,18 +50,39 @@ TEST(InteriorParts, BothBodiesKeepTheirOwnPointsAndTheSubstrateItsForces) {
 
 TEST(InteriorParts, TheIndenterAloneMoves) {
     Interior both = contact::joined_bodies(body(-1, 5), contact::as_indenter(body(1, 7)));
-    // A quarter turn about its corner: (x, y) goes to (-y, x).
+    // A quarter turn about its lowest point: (x, y) goes to (-y, x), and so do displacements.
     contact::move_indenter(
         {.shift = {.01, .02}, .indentation = .003, .rotation = std::numbers::pi / 2}, both);
-    for (std::size_t i = 0; i < 27; ++i)
+    for (std::size_t i = 0; i < 27; ++i) {
         EXPECT_EQ(both.displacement[i], (std::array<double, 3>{5, 10, 15}));
+        EXPECT_EQ(both.stress[i][0], 5);
+    }
     for (std::size_t i = 27; i < 54; ++i) {
         const auto& [x, y, z] = both.points[i];
         const auto& [u, v, w] = both.displacement[i];
-        EXPECT_NEAR(x + u, 7 + .01 - y, 1e-12);
-        EXPECT_NEAR(y + v, 14 + .02 + x, 1e-12);
+        EXPECT_NEAR(x + u, .01 - (y + 14), 1e-12);
+        EXPECT_NEAR(y + v, .02 + (x + 7), 1e-12);
         EXPECT_NEAR(w, 21 - .003, 1e-12);
+        EXPECT_NEAR(both.stress[i][1], 7, 1e-12) << "x has become y";
+        EXPECT_NEAR(both.stress[i][0], 0, 1e-12);
     }
+}
+
+TEST(InteriorParts, WhatRollsComesDownWhereItTouches) {
+    constexpr double radius = 2, offset = .5;
+    Interior above = contact::as_indenter(body(1, 0));
+    // A point of the surface an arc of the offset from the lowest one, pressed radially.
+    const double angle = offset / radius;
+    above.points[0] = {radius * std::sin(angle), 0, radius * (1 - std::cos(angle))};
+    const double s = std::sin(angle), c = std::cos(angle);
+    above.stress[0] = {-s * s, 0, -c * c, 0, 0, s * c};  // -1 along its radius
+    Interior both = contact::joined_bodies(body(-1, 5), above);
+    contact::move_indenter({.offset = offset, .rolling_radius = radius}, both);
+    const auto& [x, y, z] = both.points[27];
+    EXPECT_NEAR(x + both.displacement[27][0], offset, 1e-12);
+    EXPECT_NEAR(z + both.displacement[27][2], 0, 1e-12);
+    for (std::size_t k = 0; k < 6; ++k)
+        EXPECT_NEAR(both.stress[27].at(k), k == 2 ? -1 : 0, 1e-12) << k;
 }
 
 }  // namespace

@@ -1,0 +1,97 @@
+#include "fem/case/conforming_model.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "contact/base/error.h"
+
+namespace tricontact::fem {
+
+namespace {
+
+using contact::Surface;
+
+void refuse_motion(const contact::LoadStep& step) {
+    const bool pulled = std::ranges::any_of(step.tangential,
+                                            [](const auto& control) { return control.value != 0; });
+    if (pulled || contact::norm(step.offset) != 0 || step.rotation != 0)
+        throw contact::InputError(
+            "load: a pin in a hole is pressed where it is, without a load along the surface");
+}
+
+/// The line a + b x by least squares: its zero. Needs two x at least, and b != 0.
+double zero_of_line(const std::vector<std::array<double, 2>>& points) {
+    double n = 0, x = 0, y = 0, xx = 0, xy = 0;
+    for (const auto& [at, value] : points) {
+        n += 1;
+        x += at;
+        y += value;
+        xx += at * at;
+        xy += at * value;
+    }
+    const double slope = (n * xy - x * y) / (n * xx - x * x);
+    return (x - y / slope) / n;
+}
+
+/// Where a pressure whose square is smooth at the edge ends [m]. The square is taken over the
+/// distance from the middle: p^2/(e + x) is about linear towards the edge e. `spacing` of points,
+/// by whose half the last one that carries is off.
+double edge_of(const Surface& s, double spacing) {
+    double last = 0;
+    for (std::size_t i = 0; i < s.size(); ++i)
+        if (s.normal_traction[i] > 0) last = std::max(last, std::abs(s.x(static_cast<int>(i))));
+    constexpr double outer = .75;  // of the contact, from which on points count
+    constexpr int most_rounds = 20;
+    double edge = last + spacing / 2;
+    for (int round = 0; round < most_rounds; ++round) {
+        std::vector<std::array<double, 2>> points;
+        for (std::size_t i = 0; i < s.size(); ++i) {
+            const double x = std::abs(s.x(static_cast<int>(i))), p = s.normal_traction[i];
+            // The last point carries the mean of a pressure that ends beside it.
+            if (p > 0 && x > outer * last && x < last - spacing / 2)
+                points.push_back({x, p * p / (edge + x)});
+        }
+        if (points.size() < 4) return edge;
+        const double next = zero_of_line(points);
+        if (!(next > last - spacing) || !(next < last + 2 * spacing)) return edge;
+        if (std::abs(next - edge) < 1e-12 * last) return next;
+        edge = next;
+    }
+    return edge;
+}
+
+}  // namespace
+
+contact::StepRecord ConformingModel::advance(const contact::LoadStep& step) {
+    refuse_motion(step);
+    return along_z_->advance(step);
+}
+
+contact::Scales ConformingModel::scales() const {
+    contact::Scales scales = along_z_->scales();
+    const Surface s = surface();
+    scales.peak_pressure = *std::ranges::max_element(s.normal_traction);
+    scales.contact_radius = edge_of(s, s.spacing[0]);
+    return scales;
+}
+
+Surface ConformingModel::surface() const {
+    Surface s = along_z_->surface();
+    for (std::size_t i = 0; i < s.size(); ++i) {
+        const double cosine = std::cos(s.x(static_cast<int>(i)) / radius_);
+        for (auto* const traction : {&s.normal_traction, &s.friction_bound})
+            if (!traction->empty()) (*traction)[i] /= cosine;
+        for (auto* const length : {&s.displacement_x, &s.displacement_z, &s.gap})
+            if (!length->empty()) (*length)[i] *= cosine;
+    }
+    return s;
+}
+
+std::unique_ptr<contact::Model> ConformingModel::sibling(
+    const contact::Case::Contact& options) const {
+    auto other = along_z_->sibling(options);
+    return other ? std::make_unique<ConformingModel>(std::move(other), radius_) : nullptr;
+}
+
+}  // namespace tricontact::fem

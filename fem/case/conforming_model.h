@@ -1,0 +1,47 @@
+#pragma once
+
+#include <memory>
+
+#include "contact/surface_model.h"
+
+namespace tricontact::fem {
+
+/// A pin in a hole, whose points are pressed along their common radius. `along_z` solves it with
+/// pressures times the cosine of the angle and lengths over it (see planar::pair_compliance); this
+/// model tells pressures, gaps and displacements along the radius. Its x is the arc on the pin. It
+/// is pressed without friction.
+class ConformingModel final : public contact::Model {
+  public:
+    /// `radius` of the pin [m].
+    ConformingModel(std::unique_ptr<contact::Model> along_z, double radius)
+        : along_z_(std::move(along_z)), radius_(radius) {}
+
+    std::string name() const override { return along_z_->name(); }
+    double step_accuracy() const override { return along_z_->step_accuracy(); }
+    bool is_coupled() const override { return false; }
+    /// Throws contact::InputError also for a step with a load along the surface or an offset.
+    contact::StepRecord advance(const contact::LoadStep& step) override;
+    void release() override { along_z_->release(); }
+    void enlarge(const contact::ContactAtEdge& reached) override { along_z_->enlarge(reached); }
+    void start_period() override { along_z_->start_period(); }
+    /// The contact radius is R times the half angle, where p^2, which falls to zero there as a
+    /// smooth function, is zero.
+    contact::Scales scales() const override;
+    contact::Surface surface() const override;
+    std::vector<contact::ContactState> contact_states() const override {
+        return along_z_->contact_states();
+    }
+    std::unique_ptr<const contact::Interior> interior() override { return along_z_->interior(); }
+    double limit_tangential_ratio() const override { return along_z_->limit_tangential_ratio(); }
+    void start_limit() override { along_z_->start_limit(); }
+    std::unique_ptr<contact::Model> sibling(const contact::Case::Contact& options) const override;
+    std::string write_state() const override { return along_z_->write_state(); }
+    void read_state(std::string_view bytes) override { along_z_->read_state(bytes); }
+    const contact::Audit& audit() const override { return along_z_->audit(); }
+
+  private:
+    std::unique_ptr<contact::Model> along_z_;
+    double radius_;
+};
+
+}  // namespace tricontact::fem
