@@ -88,8 +88,10 @@ inline bool is_cylinder_on_hub(const contact::ElasticBody& body) {
     return body.form == contact::ElasticBody::Form::cylinder &&
            body.support == contact::ElasticBody::Support::hub;
 }
-/// A cylinder on a hub turns no farther to either side than by 115 degrees, two radii of way.
-void check_turn_of_hub(const std::string& model, const contact::Case& c, const Document& document);
+/// A cylinder on a hub turns no farther to either side than by 115 degrees, two radii of way, and
+/// its inside is shown where it stands upright.
+void check_rolling_on_hub(const std::string& model, const contact::Case& c,
+                          const Document& document);
 /// What fem computes of an indenter's body.
 void check_fem_body(const contact::Case& c, const Document& document);
 
@@ -127,8 +129,8 @@ void check_section(const contact::ModelKind& kind, const contact::Case& c,
 /// what is said of it and with the models.
 void check_bodies(const contact::Case& c, const Document& document);
 
-/// A hole goes with a cylinder that fits into it, with models that know it, and with what is pressed
-/// without friction.
+/// A hole goes with a cylinder that fits into it, with models that know it, and with what is
+/// pressed without friction.
 void check_hole(const contact::Case& c, const Document& document);
 
 /// Punches with a sharp edge or along y are known to models of sections, and do not roll.

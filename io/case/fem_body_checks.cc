@@ -29,18 +29,6 @@ std::string why_it_stands(const ElasticBody& body) {
            "axis that it rolls about";
 }
 
-// The inside of the cylinder is that of the upright one.
-void check_volume_of_rolling(const Case& c, const Document& document) {
-    const Output::Volume volume = c.of<Output>().volume;
-    if (volume == Output::Volume::none || !(contact::path_reach(c, c.indenter.radius)[0] > 0))
-        return;
-    if (c.prescribed_path || volume == Output::Volume::quarters)
-        refuse(document, "output.volume",
-               "fem shows the inside of a cylinder that rolls where it stands upright, after a "
-               "period of [rolling]",
-               c.prescribed_path ? "omit it" : "take volume = \"last\"");
-}
-
 void check_motion(const Case& c, const Document& document) {
     const ElasticBody& body = *c.indenter.body;
     const std::string remedy = std::string("leave out fem, or ") + body.key();
@@ -48,8 +36,7 @@ void check_motion(const Case& c, const Document& document) {
         refuse(document, "tractive_rolling.distance",
                "fem does not roll the body of an indenter on", remedy);
     if (is_cylinder_on_hub(body)) {
-        check_turn_of_hub(contact::models::fem, c, document);
-        check_volume_of_rolling(c, document);
+        check_rolling_on_hub(contact::models::fem, c, document);
         return;
     }
     if (c.rolling)
@@ -106,14 +93,23 @@ void check_meshes(const Case& c, const Document& document) {
 
 }  // namespace
 
-void check_turn_of_hub(const std::string& model, const Case& c, const Document& document) {
-    const double a = contact::half_space_scales(c).contact_radius;
-    if (contact::path_reach(c, a)[0] <= farthest_turn * c.indenter.radius) return;
-    refuse(document,
-           c.rolling ? used(document, "rolling.amplitude_ratio", "rolling.amplitude")
-                     : path_key(document),
-           model + " turns a cylinder about its hub by no more than 115 degrees to either side",
-           "reduce it to two radii, or leave indenter.body out");
+void check_rolling_on_hub(const std::string& model, const Case& c, const Document& document) {
+    const double reach = contact::path_reach(c, contact::half_space_scales(c).contact_radius)[0];
+    if (reach > farthest_turn * c.indenter.radius)
+        refuse(document,
+               c.rolling ? used(document, "rolling.amplitude_ratio", "rolling.amplitude")
+                         : path_key(document),
+               model + " turns a cylinder about its hub by no more than 115 degrees to either side",
+               "reduce it to two radii, or leave indenter.body out");
+    // The inside of the cylinder is that of the upright one.
+    const Output::Volume volume = c.of<Output>().volume;
+    if (!(reach > 0) || volume == Output::Volume::none) return;
+    if (c.prescribed_path || volume == Output::Volume::quarters)
+        refuse(document, "output.volume",
+               model +
+                   " shows the inside of a cylinder that rolls where it stands upright, after a "
+                   "period of [rolling]",
+               c.prescribed_path ? "omit it" : "take volume = \"last\"");
 }
 
 void check_fem_body(const Case& c, const Document& document) {

@@ -95,7 +95,7 @@ void check_plane_strain(const ModelKind& kind, const Case& c, const Document& do
                    "take base = \"bonded\"");
     if (!c.indenter.body) return;
     if (is_cylinder_on_hub(*c.indenter.body))
-        check_turn_of_hub(kind.name, c, document);
+        check_rolling_on_hub(kind.name, c, document);
     else
         check_rolling_section(c, document, refuse_key);
     if (has_tangential_load(c) && c.indenter.body->support == ElasticBody::Support::plates)
