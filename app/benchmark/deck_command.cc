@@ -36,7 +36,7 @@ std::vector<benchmarks::DeckFile> files_of(const BenchmarkCase& found, const Dec
 void write_deck_files(DeckOptions options) {
     const benchmarks::Problem* problem = benchmarks::find_problem(options.problem);
     std::vector<benchmarks::DeckFile> files;
-    if (problem && !problem->has_case()) {
+    if (problem && benchmarks::has_closed_deck(problem->name)) {
         options.file = problem->name + ".toml";
         files = benchmarks::write_closed_deck(wishes_of(options, problem->name));
     } else {

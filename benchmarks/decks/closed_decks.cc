@@ -12,11 +12,10 @@ struct ClosedDeck {
     const char* name;
     std::vector<DeckFile> (*write)(const DeckWishes& wishes);
 };
-constexpr ClosedDeck closed_decks[]{{"patch_test", patch_test_deck},
-                                    {"wedge", wedge_deck},
-                                    {"complete_punch", complete_punch_deck},
-                                    {"rounded_punch_plane", rounded_punch_plane_deck},
-                                    {"pin_in_hole", pin_in_hole_deck}};
+constexpr ClosedDeck closed_decks[]{
+    {"patch_test", patch_test_deck},         {"wedge", wedge_deck},
+    {"complete_punch", complete_punch_deck}, {"rounded_punch_plane", rounded_punch_plane_deck},
+    {"pin_in_hole", pin_in_hole_deck},       {"receding_layer", receding_layer_deck}};
 
 const ClosedDeck* find_deck(std::string_view problem) {
     for (const ClosedDeck& deck : closed_decks)
@@ -36,7 +35,7 @@ std::vector<DeckFile> write_closed_deck(const DeckWishes& wishes) {
         throw contact::InputError("deck: " + wishes.problem +
                                   " has no deck of its own; choose of patch_test, wedge, "
                                   "complete_punch, rounded_punch_plane, "
-                                  "pin_in_hole");
+                                  "pin_in_hole, receding_layer");
     return deck->write(wishes);
 }
 

@@ -21,4 +21,7 @@ std::vector<DeckFile> rounded_punch_plane_deck(const DeckWishes& wishes);
 /// An elastic pin in the hole of a plate. Persson (1964).
 std::vector<DeckFile> pin_in_hole_deck(const DeckWishes& wishes);
 
+/// A loose strip on a thick block under a line load. Keer, Dundurs and Tsai (1972).
+std::vector<DeckFile> receding_layer_deck(const DeckWishes& wishes);
+
 }  // namespace tricontact::benchmarks

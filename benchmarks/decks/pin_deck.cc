@@ -91,7 +91,8 @@ DeckModel pin_model(const std::string& name) {
     model.own_mesh = pin_mesh;
     model.own_words =
         "Plate: its outer edge, of 1000 mm radius, is held; the hole has 10 mm. Pin: a rigid hub "
-        "of 0.2 mm radius in its axis carries the force. E = 210000 MPa, nu = 0.3. All is symmetric "
+        "of 0.2 mm radius in its axis carries the force. E = 210000 MPa, nu = 0.3. All is "
+        "symmetric "
         "about x = 0, and the pin touches the hole's lowest point when the load begins.";
     model.depth_scale = .02;
     model.stiffness = 5e6;  // yields by 1.5e-5 mm, .07 % of the clearance

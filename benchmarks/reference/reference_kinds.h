@@ -41,7 +41,7 @@ void refer_carter(Reference& reference);
 void refer_radial(Reference& reference, const contact::ModelRunner& runner);
 /// The same of a cylinder, plane strain.
 void refer_line(Reference& reference, const contact::ModelRunner& runner);
-/// An indenter of a finite size: no half-space stands for it.
+/// An indenter of a finite size, or a hole: no half-space stands for it.
 bool has_finite_body(const contact::Case& c);
 /// Fills a reference of bodies of a finite size, pressed without friction: finite elements of their
 /// section on three meshes. Throws contact::InputError under friction.

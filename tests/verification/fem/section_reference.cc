@@ -48,6 +48,24 @@ TEST(SectionReference, JohnsonsCylinderBetweenPlates) {
     expect_targets(r, "cylinder_between_plates");
 }
 
+// Contact radii of nodes are known within a half of their distance.
+TEST(SectionReference, RecedingLayerOfKeerDundursAndTsai) {
+    const Reference r = reference_of_problem("receding_layer");
+    EXPECT_NEAR(r.find(keys::contact_radius)->value, 1.324165 * 2e-3, .005 * 2.648e-3);
+    EXPECT_NEAR(r.find(keys::peak_pressure)->value, .713080 * 12.5 / 2e-3, 5e-4 * 4457);
+    EXPECT_FALSE(r.find(keys::indentation));
+}
+
+// A hole is no flat substrate, and a pin in it no half-space on one.
+TEST(SectionReference, RefusesHoles) {
+    contact::Case c = required_problem("cylinder_between_plates").make_case();
+    c.has_rigid_substrate = false;
+    c.substrate_shape = contact::Case::SubstrateShape::hole;
+    EXPECT_THROW(reference(c, contact::ModelRunner(app::model_makers(), 1)), contact::InputError);
+    c.indenter.body.reset();
+    EXPECT_THROW(reference(c, contact::ModelRunner(app::model_makers(), 1)), contact::InputError);
+}
+
 // dF/dd of this force: two runs of the independent program at other depths are not there, so the
 // exponent between d = .1 and 1 mm of its table, 1.5806, bounds it from above, Hertz' from below.
 TEST(SectionReference, FieldsCarryTheForceAndTheStiffnessFits) {

@@ -295,9 +295,9 @@ TEST(Deck, GetfemPressesWithFriction) {
     EXPECT_NE(refusal(reference, {.code = "freefem"}).find("frictionless"), std::string::npos);
 }
 
-TEST(ClosedDeck, FiveProblems) {
-    for (const char* name :
-         {"patch_test", "wedge", "complete_punch", "rounded_punch_plane", "pin_in_hole"}) {
+TEST(ClosedDeck, SixProblems) {
+    for (const char* name : {"patch_test", "wedge", "complete_punch", "rounded_punch_plane",
+                             "pin_in_hole", "receding_layer"}) {
         EXPECT_TRUE(has_closed_deck(name));
         const auto files = write_closed_deck({.code = "calculix", .problem = name});
         EXPECT_EQ(text_of(files, "submission.toml"), "");

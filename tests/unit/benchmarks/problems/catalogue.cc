@@ -73,7 +73,9 @@ TEST(BenchmarkCatalogue, HasTheProblemsOfTheField) {
                              "hemisphere",
                              "hemisphere_on_layer",
                              "ball_between_plates",
-                             "cylinder_between_plates"})
+                             "cylinder_between_plates",
+                             "pin_in_hole",
+                             "receding_layer"})
         EXPECT_NE(benchmarks::find_problem(name), nullptr) << name;
     EXPECT_EQ(benchmarks::find_problem("layer-pressed"), benchmarks::find_problem("layer_pressed"));
     EXPECT_EQ(benchmarks::find_problem("no_problem"), nullptr);
