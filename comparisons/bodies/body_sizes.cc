@@ -152,7 +152,7 @@ std::string name_of(const SizedBody& body, double radius) {
             return form + " on a holder";
         case ElasticBody::Support::plates:
             return form + " between plates";
-        case ElasticBody::Support::hub:
+        default:  // of holes and loose bodies there are no sizes
             break;
     }
     return fmt::format("{} on a hub of {} R", form,

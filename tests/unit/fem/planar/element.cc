@@ -102,23 +102,23 @@ TEST(FemPlanarElement, RefusesNodesThatRunClockwise) {
 // A linear field on a curved element: its stresses are those of Hooke's law at every node, its
 // energy that of the stiffness.
 TEST(FemPlanarElement, StateIsThatOfALinearField) {
-    const Moduli moduli{2, 7};
+    const Moduli stiff{2, 7};
     for (const Solid solid : {Solid::plane_strain, Solid::of_revolution}) {
         const bool line = solid == Solid::plane_strain;
         const auto u = nodal(curved(), [](const Point& x) -> Point {
             return {.3 * x[0], .1 * x[0] - .2 * x[1]};
         });
         const double hoop = line ? 0 : .3, theta = .3 - .2 + hoop;
-        const double mean = moduli.bulk * theta - 2 * moduli.shear * theta / 3;
-        const ElementState state = element_state(curved(), solid, moduli, u);
+        const double mean = stiff.bulk * theta - 2 * stiff.shear * theta / 3;
+        const ElementState state = element_state(curved(), solid, stiff, u);
         for (const auto& stress : state.stress) {
-            EXPECT_NEAR(stress[0], 2 * moduli.shear * .3 + mean, 1e-12);
-            EXPECT_NEAR(stress[1], 2 * moduli.shear * -.2 + mean, 1e-12);
-            EXPECT_NEAR(stress[2], 2 * moduli.shear * hoop + mean, 1e-12);
-            EXPECT_NEAR(stress[3], moduli.shear * .1, 1e-12);
+            EXPECT_NEAR(stress[0], 2 * stiff.shear * .3 + mean, 1e-12);
+            EXPECT_NEAR(stress[1], 2 * stiff.shear * -.2 + mean, 1e-12);
+            EXPECT_NEAR(stress[2], 2 * stiff.shear * hoop + mean, 1e-12);
+            EXPECT_NEAR(stress[3], stiff.shear * .1, 1e-12);
         }
         ElementStiffness k;
-        element_stiffness(curved(), solid, moduli, k);
+        element_stiffness(curved(), solid, stiff, k);
         EXPECT_NEAR(state.energy / energy(k, u), 1, 1e-12);
     }
 }
