@@ -41,7 +41,7 @@ struct LoadingStudy {
     std::map<std::string, double> normal_stiffness;  ///< dF_N/dd without friction [N/m], by model
     /// F_T/U [N/m] of contacts that stick, by model; of indenters with a body.
     std::map<std::string, double> tangential_stiffness = {};
-    bool with_variants = true;                       ///< else the stiffness alone
+    bool with_variants = true;  ///< else the stiffness alone
 };
 
 /// The quantities of a run, and what the study found beside it.

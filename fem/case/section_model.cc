@@ -98,9 +98,8 @@ planar::CondensedSection layer_of(const Case& c, Solid solid, const planar::Size
             "substrate.width: the contact's {:.4g} m to either side reach the edge; enlarge it",
             sizes.patch()));
     return condense(problem_of(layer_section(sizes, side, thickness), solid, c.substrate,
-                               c.layer.base == Case::Base::frictionless
-                                   ? planar::Support::sliding
-                                   : planar::Support::bonded));
+                               c.layer.base == Case::Base::frictionless ? planar::Support::sliding
+                                                                        : planar::Support::bonded));
 }
 
 planar::Mesh indenter_mesh(const Case& c, const planar::Sizes& sizes) {

@@ -40,7 +40,8 @@ NodeLine equal_elements(int n, double size) {
 
 NodeLine continued(NodeLine line, double end, double growth) {
     const double last = line.back() - line[line.size() - 3], rest = end - line.back();
-    if (!(rest >= -1e-9 * last)) throw std::invalid_argument("continued: the line ends behind its end");
+    if (!(rest >= -1e-9 * last))
+        throw std::invalid_argument("continued: the line ends behind its end");
     if (rest <= 1e-9 * last) return line;
     int n = 1;
     while (grown_length(n, growth) < rest / last) ++n;

@@ -100,9 +100,9 @@ TEST(FemPlanarNafemsBenchmarks, PunchWithRoundedEdge) {
     EXPECT_NEAR(depth - with_friction, .00215, 5e-5);
 }
 
-// A roller of radius 50 on a block of 200 x 200 that is held at its base, under 35 kN/mm. Hertz: half
-// width 6.21, peak 3585.4. Depth of the middle 1.3069 and 1.3080, at large rotations; here, where
-// p0/E = .05 counts as small, 2 % less.
+// A roller of radius 50 on a block of 200 x 200 that is held at its base, under 35 kN/mm. Hertz:
+// half width 6.21, peak 3585.4. Depth of the middle 1.3069 and 1.3080, at large rotations; here,
+// where p0/E = .05 counts as small, 2 % less.
 TEST(FemPlanarNafemsBenchmarks, RollerOnABlock) {
     const Sizes sizes{48, 8. / 48, 1.15, 8};
     const std::vector<CondensedSection> bodies{
