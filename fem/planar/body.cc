@@ -168,6 +168,7 @@ CondensedSection condense(const BodyProblem& problem) {
     condensation.factorise();
     CondensedSection body;
     body.solid = problem.solid;
+    body.is_pinned = problem.support == Support::even || problem.support == Support::point;
     body.along = surface.along;
     for (const int node : surface.nodes) body.x.push_back(problem.mesh.nodes[node][0]);
     body.edges = surface.edges;

@@ -53,6 +53,7 @@ struct CondensedSection {
     /// Force along z of what holds the body, plus the force, under unit forces on these components:
     /// zero but for rounding.
     std::vector<double> missing_reaction;
+    bool is_pinned = false;  ///< a node alone holds it, see Support::even and Support::point
     std::shared_ptr<const WholeSection> whole;  ///< for its inside
 
     std::size_t size() const { return along.size(); }

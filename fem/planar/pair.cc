@@ -2,6 +2,7 @@
 
 #include <Eigen/Dense>
 #include <Eigen/Sparse>
+#include <algorithm>
 #include <cmath>
 
 #include "contact/compliances/interior_parts.h"
@@ -156,6 +157,7 @@ std::unique_ptr<SectionCompliance> pair_compliance(const std::vector<CondensedSe
         parts.push_back(
             {bodies[b].whole, grid.transfer[b], bodies[b].size(), options.first_presses && b == 0});
     pair->set_parts(std::move(parts), options);
+    pair->set_pinned(std::ranges::any_of(bodies, &CondensedSection::is_pinned));
     return pair;
 }
 

@@ -37,8 +37,9 @@ class SectionCompliance final : public DenseCompliance {
     /// Of the body whose support lacks the most, along z.
     std::optional<std::array<double, 3>> missing_reaction(
         std::span<const double> p, const contact::TangentialField& t) const override;
-    /// Rounding, times K/G of up to 1e6.
-    double allowed_missing_reaction() const override { return 1e-7; }
+    /// Rounding, times K/G of up to 1e6; ten times that where one node holds a body, which gives
+    /// way there by what rounding leaves of the balance.
+    double allowed_missing_reaction() const override { return is_pinned_ ? 1e-6 : 1e-7; }
 
     /// What interior() needs of each body.
     struct Part {
@@ -51,6 +52,7 @@ class SectionCompliance final : public DenseCompliance {
         parts_ = std::move(parts);
         options_ = options;
     }
+    void set_pinned(bool is_pinned) { is_pinned_ = is_pinned; }
     /// Of all bodies, see contact/compliances/interior_parts.h: a slab of the length, or turned
     /// about the axis. Of a conforming contact both are drawn at the pin's radius.
     std::unique_ptr<const contact::Interior> interior(
@@ -60,6 +62,7 @@ class SectionCompliance final : public DenseCompliance {
     std::vector<std::vector<double>> missing_;
     std::vector<Part> parts_;
     PairOptions options_;
+    bool is_pinned_ = false;
 };
 
 /// The compliance of all deformable bodies that touch, on the points of `grid`: A = sum M'CM over
