@@ -91,7 +91,13 @@ std::string line_of(const comparisons::Results& r) {
     if (const auto state = r.state())
         fmt::format_to(std::back_inserter(line), "{}{}, ", contact::name_of(*state),
                        r.verdict.by_limit ? by_limit_words(*state) : "");
-    if (!is_pressed_alone(r))
+    if (const auto* regime = std::get_if<comparisons::SlipRegime>(&r[slip_regime]))
+        line += fmt::format("{}, {} a cycle, F = {}, U = {} to either side",
+                            comparisons::name_of(*regime),
+                            report::quantity(r.number(dissipation).value_or(0), "J"),
+                            report::quantity(r.number(loop_force).value_or(0), "N"),
+                            report::quantity(r.number(loop_shift).value_or(0), "m"));
+    else if (!is_pressed_alone(r))
         fmt::format_to(std::back_inserter(line), "U = {} ({:.4g} U_max)", length(final_shift),
                        r.number(final_shift_ratio).value_or(0));
     else

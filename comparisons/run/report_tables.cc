@@ -138,8 +138,9 @@ class RowMaker {
     }
 
     bool is_known(const Quantity& q) const {
-        return std::ranges::any_of(results_,
-                                   [&](const Results& r) { return r.number(q).has_value(); });
+        return std::ranges::any_of(results_, [&](const Results& r) {
+            return r.number(q) || std::holds_alternative<SlipRegime>(r[q]);
+        });
     }
 
     /// What no tangential load leaves of it.
