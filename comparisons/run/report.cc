@@ -1,9 +1,11 @@
 #include "comparisons/run/report.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "comparisons/bodies/body_deviation.h"
 #include "comparisons/half_space/layer_report.h"
+#include "comparisons/quantities/quantities.h"
 #include "comparisons/quantities/results.h"
 #include "comparisons/run/answer.h"
 #include "comparisons/run/contact_film.h"
@@ -98,6 +100,16 @@ std::vector<std::pair<std::string, std::string>> files_of(const std::vector<Resu
     return files;
 }
 
+/// What a path with a closed cycle is asked for stands first, its shift among the path's figures.
+void lead_with_loop(report::Document& document) {
+    for (DocumentSection& section : document.sections)
+        for (report::Figure& figure : section.figures)
+            if (document.figure && figure.id.starts_with("path_loop")) {
+                std::swap(*document.figure, figure);
+                return;
+            }
+}
+
 }  // namespace
 
 std::vector<NumericalError> errors_of(const ReportExtras& extras) {
@@ -136,6 +148,7 @@ report::Document run_document(const contact::Case& c, const std::string& resolve
         document.figure = std::move(figures.front());
         figures.erase(figures.begin());
     }
+    if (results.back().number(quantities::loop_force)) lead_with_loop(document);
     if (c.relaxation)
         for (report::Figure& figure : modulus_figures(c, extras.relaxation))
             figures.push_back(std::move(figure));

@@ -52,7 +52,7 @@ value() {
 
 # changed NAME CASE_KEY KEY: a value of the run with the case's key changed, as the run says.
 changed() {
-    grep -A14 "\"key\": \"$2\"" "$1/summary.json" | sed -n '/"other"/,$p' | grep -m1 "\"$3\":" |
+    grep -A20 "\"key\": \"$2\"" "$1/summary.json" | sed -n '/"other"/,$p' | grep -m1 "\"$3\":" |
         sed 's/.*: //; s/,$//'
 }
 
