@@ -25,8 +25,16 @@
 
 namespace tricontact::runs {
 
+void require_models(const Case& c, const RunOptions& options) {
+    for (const std::string& name : c.models)
+        if (options.makers && !options.makers->has(name))
+            throw contact::InputError("models: this program was built without the model " + name +
+                                      "; name others");
+}
+
 CaseRun run_models(const Case& c, const RunOptions& options, const Say& say,
                    const ModelRun& run_one) {
+    require_models(c, options);
     CaseRun run{.c = c, .resolved = io::write_case(c), .histories = {}, .extras = {}};
     for (const std::string& name : c.models) {
         run.histories.push_back(run_one(name, options.studies ? &run.extras.study : nullptr));

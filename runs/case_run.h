@@ -23,6 +23,9 @@ struct CaseRun {
 using ModelRun =
     std::function<contact::History(const std::string& name, comparisons::LoadingStudy* study)>;
 
+/// Before anything is computed. Throws InputError if the program was built without one of the
+/// case's models.
+void require_models(const Case& c, const RunOptions& options);
 /// Runs the case's models one after another, and what `options` want beside them. Throws
 /// InputError, NotConverged.
 CaseRun run_models(const Case& c, const RunOptions& options, const Say& say,

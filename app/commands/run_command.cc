@@ -38,6 +38,7 @@ std::vector<comparisons::Results> all_results(const runs::CaseRun& run) {
 }
 
 runs::CaseRun compute(const Case& c, const runs::RunOptions& options) {
+    runs::require_models(c, options);
     const std::string resolved = io::write_case(c);
     options.write(resolved_case_name, resolved);
     std::vector<report::Film> films;

@@ -63,6 +63,27 @@ TEST(CaseRun, SummaryHasHertzAndMindlin) {
     EXPECT_FALSE(summary.contains("numerical_error"));
 }
 
+// Of several models none is run first when another is missing.
+TEST(CaseRun, AModelThatIsNotBuiltIsToldBeforeAnythingRuns) {
+    Case c = sphere();
+    c.models = {contact::models::mdr, contact::models::bem};
+    contact::ModelMakers without = app::model_makers();
+    without.has = [](std::string_view name) { return name == contact::models::mdr; };
+    RunOptions options = quiet_options(false);
+    options.makers = &without;
+    const auto run_one = [](const std::string&, comparisons::LoadingStudy*) -> contact::History {
+        ADD_FAILURE() << "a model ran";
+        return {};
+    };
+    try {
+        runs::run_models(c, options, contact::silent, run_one);
+        FAIL() << "accepted";
+    } catch (const contact::InputError& error) {
+        EXPECT_STREQ(error.what(),
+                     "models: this program was built without the model bem; name others");
+    }
+}
+
 // The +- covers what springs are off Hertz' solution.
 TEST(CaseRun, ErrorBarsCoverClosedForms) {
     Case c = sphere();
