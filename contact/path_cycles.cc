@@ -68,4 +68,15 @@ std::vector<PathCycle> closed_cycles(const PrescribedPath& path) {
     return cycles;
 }
 
+std::vector<const StepRecord*> steps_at_rows(const History& history) {
+    std::vector<const StepRecord*> rows;
+    for (const StepRecord& step : history.steps) {
+        if (step.phase != std::floor(step.phase)) continue;
+        const auto row = static_cast<std::size_t>(step.phase);
+        if (rows.size() <= row) rows.resize(row + 1, nullptr);
+        rows[row] = &step;
+    }
+    return rows;
+}
+
 }  // namespace tricontact::contact

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "contact/history.h"
 #include "contact/prescribed_path.h"
 
 namespace tricontact::contact {
@@ -18,5 +19,9 @@ struct PathCycle {
 /// that is constant that along y, else the rotation. Empty where nothing turns back, or never to
 /// where it was.
 std::vector<PathCycle> closed_cycles(const PrescribedPath& path);
+
+/// The last step at each row of a prescribed path; null where a row was never a step's end: the
+/// first one of a path that starts unloaded.
+std::vector<const StepRecord*> steps_at_rows(const History& history);
 
 }  // namespace tricontact::contact

@@ -9,7 +9,7 @@
 #include "contact/models/model_kind.h"
 #include "io/case/rolling_on.h"
 #include "report/table_text.h"
-#include "studies/study_kind.h"
+#include "studies/deviation_runs.h"
 
 namespace tricontact::app {
 
@@ -37,27 +37,19 @@ void add_runs(const DeviationOptions& options, HalfSpaceDeviation& deviation) {
     for (const RolledRun& run : runs) {
         const Case c =
             comparisons::rolled_case(deviation.c, deviation.contact, deviation.amplitudes, run);
-        // Whatever the user's case passes, that of a run is checked by itself.
-        const Case checked = io::parse_case(io::write_case(c), options.file);
-        points.push_back(
-            studies::make_point(checked, checked.models.front(), run.level, options.file));
+        points.push_back(studies::deviation_point(c, run.level, options.file));
     }
-    io::ResultStore store = studies::open_results(options.output);
-    studies::compute_missing(studies::contact_kind(), points, store,
-                             {.name = "deviation", .options = options});
+    const auto found = studies::deviation_results(options, points);
     std::vector<RolledResult> results;
-    for (std::size_t i = 0; i < runs.size(); ++i)
-        results.push_back({runs[i], studies::results_of(store.find(points[i].key))});
+    for (std::size_t i = 0; i < runs.size(); ++i) results.push_back({runs[i], found[i]});
     comparisons::add_rolled(results, deviation);
 }
 
 void write(const DeviationOptions& options, const Case& c, const HalfSpaceDeviation& deviation) {
     options.write("deviation.csv", deviation_csv(deviation));
     options.write("deviation.json", deviation_json(files::version, io::write_case(c), deviation));
-    std::string command = "tricontact deviation " + options.file;
-    for (const std::string& text : options.overrides) command += fmt::format(" --set \"{}\"", text);
     options.write_report(deviation_document(deviation),
-                         command + (options.runs ? "" : " --no-runs"));
+                         studies::deviation_command(options) + (options.runs ? "" : " --no-runs"));
 }
 
 /// How far the layer of a case is from a half-space: deviation.json, deviation.csv, the report, and
@@ -85,19 +77,10 @@ void compare_with_half_space(DeviationOptions options) {
 
 SizeDeviation sizes_computed(const CommandOptions& options, const SizeContact& contact) {
     studies::StudyPoints points;
-    for (const comparisons::SizeRun& run : comparisons::size_runs(contact)) {
-        const Case c = comparisons::size_case(contact, run);
-        // Whatever the user's case passes, that of a run is checked by itself.
-        const Case checked = io::parse_case(io::write_case(c), options.file);
-        points.push_back(studies::make_point(checked, checked.models.front(), 0, options.file));
-    }
-    io::ResultStore store = studies::open_results(options.output);
-    studies::compute_missing(studies::contact_kind(), points, store,
-                             {.name = "deviation", .options = options});
-    std::vector<std::optional<comparisons::Results>> results;
-    for (const studies::StudyPoint& point : points)
-        results.push_back(studies::results_of(store.find(point.key)));
-    return comparisons::size_deviation(contact, results);
+    for (const comparisons::SizeRun& run : comparisons::size_runs(contact))
+        points.push_back(
+            studies::deviation_point(comparisons::size_case(contact, run), 0, options.file));
+    return comparisons::size_deviation(contact, studies::deviation_results(options, points));
 }
 
 /// How large the body of a case's indenter has to be to press as a half-space does:
@@ -119,10 +102,8 @@ void compare_body_sizes(CommandOptions options) {
                      deviation = sizes_computed(options, contact);
                      options.write("body_size.csv", size_csv(deviation));
                      options.write("body_size.json", json());
-                     std::string command = "tricontact deviation " + options.file;
-                     for (const std::string& text : options.overrides)
-                         command += fmt::format(" --set \"{}\"", text);
-                     options.write_report(size_document(deviation), command + " --body");
+                     options.write_report(size_document(deviation),
+                                          studies::deviation_command(options) + " --body");
                  });
     Answer answer(json, report::table_text(size_table(deviation)));
     answer.note(comparisons::left_out_lines(c, {contact.model()}));
@@ -137,8 +118,7 @@ void compare(const DeviationOptions& options) {
     if (options.body && (options.finite_strain || !options.runs))
         throw contact::InputError(
             "--body: goes neither with --finite-strain nor with --no-runs, since sizes are known "
-            "from "
-            "runs alone; drop the other option");
+            "from runs alone; drop the other option");
     if (options.body) return compare_body_sizes(options);
     if (!options.finite_strain) return compare_with_half_space(options);
     if (!options.runs)

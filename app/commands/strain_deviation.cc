@@ -10,7 +10,7 @@
 #include "fem/settings.h"
 #include "io/case/rolling_on.h"
 #include "report/table_text.h"
-#include "studies/study_kind.h"
+#include "studies/deviation_runs.h"
 
 namespace tricontact::app {
 
@@ -25,32 +25,16 @@ studies::StudyPoints points_of(const StrainContact& contact, const std::string& 
     for (const auto& point : comparisons::strain_points(contact))
         for (const bool finite : {false, true}) {
             const Case c = comparisons::strain_case(contact, point, finite);
-            // Whatever the user's case passes, that of a run is checked by itself.
-            const Case checked = io::parse_case(io::write_case(c), file);
-            points.push_back(
-                studies::make_point(checked, checked.models.front(), point.level, file));
+            points.push_back(studies::deviation_point(c, point.level, file));
         }
     return points;
-}
-
-StrainDeviation computed(const CommandOptions& options, const StrainContact& contact,
-                         const studies::StudyPoints& points) {
-    io::ResultStore store = studies::open_results(options.output);
-    studies::compute_missing(studies::contact_kind(), points, store,
-                             {.name = "deviation", .options = options});
-    std::vector<std::optional<comparisons::Results>> results;
-    for (const studies::StudyPoint& point : points)
-        results.push_back(studies::results_of(store.find(point.key)));
-    return comparisons::strain_deviation(contact, results);
 }
 
 void write(const CommandOptions& options, const StrainDeviation& deviation, double elements) {
     options.write("finite_strain.csv", strain_csv(deviation));
     options.write("finite_strain.json",
                   strain_json(files::version, io::write_case(deviation.contact.c), deviation));
-    std::string command = "tricontact deviation " + options.file;
-    for (const std::string& text : options.overrides) command += fmt::format(" --set \"{}\"", text);
-    command += " --finite-strain";
+    std::string command = studies::deviation_command(options) + " --finite-strain";
     if (elements != StrainContact{}.elements) command += fmt::format(" --elements {}", elements);
     options.write_report(strain_document(deviation), command);
 }
@@ -71,7 +55,8 @@ void compare_with_finite_strains(CommandOptions options, double elements) {
     options.fill(
         {{"finite_strain.csv", "finite_strain.json", "report.html"}, io::result_store_files()},
         [&] {
-            deviation = computed(options, contact, points);
+            deviation =
+                comparisons::strain_deviation(contact, studies::deviation_results(options, points));
             write(options, deviation, elements);
         });
     Answer answer(

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <span>
 
 #include "contact/path_cycles.h"
@@ -24,16 +23,6 @@ struct DrivenAxis {
     double force(const StepRecord& s) const { return s.tangential_force[d]; }
     double shift(const StepRecord& s) const { return s.shift[d]; }
 };
-
-/// Of the steps that end the rows of a path.
-std::map<std::size_t, std::size_t> steps_of_rows(const History& history) {
-    std::map<std::size_t, std::size_t> rows;
-    for (std::size_t k = 0; k < history.steps.size(); ++k) {
-        const double phase = history.steps[k].phase;
-        if (phase == std::floor(phase)) rows[static_cast<std::size_t>(phase)] = k;
-    }
-    return rows;
-}
 
 /// Where the line through the steps from `from` to `to` has this force [m].
 double shift_at(const std::vector<StepRecord>& steps, std::size_t from, std::size_t to,
@@ -94,8 +83,7 @@ FrictionLoop loop_of(const History& history, const DrivenAxis& axis, std::size_t
     loop.mean_normal_force /= static_cast<double>(within.size());
     loop.has_constant_force = half_range([](const StepRecord& s) { return s.normal_force; }) <=
                               1e-9 * loop.mean_normal_force;
-    loop.regime = regime_of(within.subspan(1),
-                            4 * history.friction_limit * std::max(loop.shift_amplitude, 0.));
+    loop.regime = regime_of(within.subspan(1), 4 * history.friction_limit * loop.shift_amplitude);
     return loop;
 }
 
@@ -132,12 +120,16 @@ std::vector<FrictionLoop> friction_loops(const contact::Case& c, const History& 
     };
     const DrivenAxis axis{moves(0) ? 0 : 1};
     if (!moves(axis.d)) return {};
-    const auto steps = steps_of_rows(history);
+    const auto at_row = contact::steps_at_rows(history);
+    const auto step_at = [&](std::size_t row) {
+        return static_cast<std::size_t>(at_row[row] - history.steps.data());
+    };
     std::vector<FrictionLoop> loops;
+    // Cycles begin behind the first row, the only one that no step may have ended.
     for (const contact::PathCycle& cycle : contact::closed_cycles(*c.prescribed_path))
-        if (steps.contains(cycle.begin) && steps.contains(cycle.turn) && steps.contains(cycle.end))
-            loops.push_back(loop_of(history, axis, steps.at(cycle.begin), steps.at(cycle.turn),
-                                    steps.at(cycle.end)));
+        if (cycle.end < at_row.size())
+            loops.push_back(loop_of(history, axis, step_at(cycle.begin), step_at(cycle.turn),
+                                    step_at(cycle.end)));
     return loops;
 }
 

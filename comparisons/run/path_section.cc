@@ -6,6 +6,7 @@
 #include <cmath>
 #include <functional>
 
+#include "contact/path_cycles.h"
 #include "report/format.h"
 
 namespace tricontact::comparisons {
@@ -14,6 +15,7 @@ namespace {
 
 using contact::History;
 using contact::StepRecord;
+using contact::steps_at_rows;
 
 constexpr std::size_t most_path_points = 3000;  // of a line: more than the picture has pixels
 constexpr double negligible = 1e-7;             // of the largest value: the solvers' tolerance
@@ -133,17 +135,6 @@ report::Figure figure_of(const std::string& id, const std::string& title, const 
 }
 
 }  // namespace
-
-std::vector<const StepRecord*> steps_at_rows(const History& history) {
-    std::vector<const StepRecord*> rows;
-    for (const StepRecord& step : history.steps) {
-        if (step.phase != std::floor(step.phase)) continue;
-        const auto row = static_cast<std::size_t>(step.phase);
-        if (rows.size() <= row) rows.resize(row + 1, nullptr);
-        rows[row] = &step;
-    }
-    return rows;
-}
 
 std::string centre_of_rotation_text(const contact::Case& c) {
     const contact::CentreOfRotation& centre = c.prescribed_path->centre;

@@ -19,6 +19,18 @@ statistics::Estimate with_error(double fine, double coarse) {
     return {fine, std::abs(numerical_error(fine, coarse))};
 }
 
+}  // namespace
+
+Case at_rest(Case c, double tangential_ratio) {
+    c.rolling.reset();
+    c.tractive_rolling.reset();
+    c.relaxation.reset();
+    c.load.hold = 0;
+    c.load.normal_amplitude_ratio = c.load.tangential_amplitude_ratio = 0;
+    c.load.set_tangential_ratio(tangential_ratio);
+    return c;
+}
+
 BodyContact contact_by(const std::string& model, const Case& c,
                        const contact::ModelRunner& runner) {
     const History fine = runner.history_of(model, c), coarse = runner.history_of_coarser(model, c);
@@ -31,16 +43,8 @@ BodyContact contact_by(const std::string& model, const Case& c,
             comparisons::border_force_share(c, fine).value_or(0)};
 }
 
-}  // namespace
-
 BodyContacts body_contacts(const Case& c, const contact::ModelRunner& runner) {
-    Case still = c;
-    still.rolling.reset();
-    still.tractive_rolling.reset();
-    still.relaxation.reset();
-    still.load.hold = 0;
-    still.load.normal_amplitude_ratio = still.load.tangential_amplitude_ratio = 0;
-    still.load.set_tangential_ratio(coupling_tangential_ratio);
+    Case still = at_rest(c, coupling_tangential_ratio);
     Case uncoupled = still;
     uncoupled.contact.coupling = false;
     still.contact.coupling = true;

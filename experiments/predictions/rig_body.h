@@ -6,6 +6,14 @@
 
 namespace tricontact::experiments {
 
+/// The case without motion, relaxed, its loads constant, F_T/(mu F_N) as given.
+contact::Case at_rest(contact::Case c, double tangential_ratio);
+
+/// What a model has of a case at rest; standard errors by runs on cells or elements of twice the
+/// size. Throws contact::InputError, contact::NotConverged.
+BodyContact contact_by(const std::string& model, const contact::Case& c,
+                       const contact::ModelRunner& runner);
+
 /// The body of a rig's case, pressed by F_N and loaded by coupling_tangential_ratio, by boundary
 /// elements with the case's settings; standard errors by runs on cells of twice the size. The
 /// substrate is relaxed. Throws contact::InputError, contact::NotConverged.

@@ -1,29 +1,21 @@
 #include "experiments/predictions/rig_indenter.h"
 
-#include <cmath>
-
 #include "contact/base/special_values.h"
 #include "contact/models/model_kind.h"
-#include "experiments/records/experiment_evaluation.h"
+#include "experiments/predictions/rig_body.h"
 
 namespace tricontact::experiments {
 
 namespace {
 
 using contact::Case;
-using contact::History;
 
-statistics::Estimate beside_coarser(double fine, double coarse) {
-    return {fine, std::abs(numerical_error(fine, coarse))};
-}
-
+/// Nothing is pulled: there is no static shift.
 BodyContact pressed_by(const std::string& model, const Case& c,
                        const contact::ModelRunner& runner) {
-    const History fine = runner.history_of(model, c), coarse = runner.history_of_coarser(model, c);
-    return {beside_coarser(fine.scales.indentation, coarse.scales.indentation),
-            beside_coarser(fine.scales.contact_radius, coarse.scales.contact_radius),
-            beside_coarser(fine.scales.peak_pressure, coarse.scales.peak_pressure),
-            {contact::undefined}};
+    BodyContact found = contact_by(model, c, runner);
+    found.static_shift = {contact::undefined};
+    return found;
 }
 
 }  // namespace
@@ -34,13 +26,7 @@ const char* model_of_indenter(const Rig& rig) {
 }
 
 IndenterContacts indenter_contacts(const Rig& rig, const contact::ModelRunner& runner) {
-    Case c = rig.c;
-    c.rolling.reset();
-    c.tractive_rolling.reset();
-    c.relaxation.reset();
-    c.load.hold = 0;
-    c.load.normal_amplitude_ratio = c.load.tangential_amplitude_ratio = 0;
-    c.load.set_tangential_ratio(0);
+    Case c = at_rest(rig.c, 0);
     c.load.press = Case::Press::frictionless;
     c.contact.coupling = false;
     c.layer.width.reset();

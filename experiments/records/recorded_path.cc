@@ -6,9 +6,9 @@
 #include <cmath>
 #include <limits>
 
-#include "comparisons/run/path_section.h"
 #include "contact/base/error.h"
 #include "contact/load_path.h"
+#include "contact/path_cycles.h"
 #include "experiments/records/experiment_run.h"
 #include "experiments/records/loading_time.h"
 #include "experiments/records/record_noise.h"
@@ -304,7 +304,7 @@ Case RecordedPath::followed_by(const Case& c) const {
 
 std::vector<double> RecordedPath::shifts(const contact::History& history, double after,
                                          std::size_t stage) const {
-    const auto steps = comparisons::steps_at_rows(history);
+    const auto steps = contact::steps_at_rows(history);
     const auto shift = [&](int row) { return steps[static_cast<std::size_t>(row)]->shift[0]; };
     const auto time = [&](int row) { return path.rows[static_cast<std::size_t>(row)].time; };
     const auto slope_of = [&](const std::vector<int>& rows) {
