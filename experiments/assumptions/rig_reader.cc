@@ -163,6 +163,13 @@ void check_covered(const io::RigFile& file) {
     if (!c.layer.thickness && c.relaxation)
         io::fail(document.place_of("substrate.thickness"), "", "missing key substrate.thickness",
                  "add thickness = \"8 mm\" or the like: rigs on a half-space are elastic");
+    if (c.layer.thickness) {
+        c.require_no_bulk_stress("assumptions of rigs on a layer");
+        for (const char* key : {"substrate.yield_stress", "indenter.yield_stress"})
+            if (document.find(key))
+                io::refuse(document, key, "strength is judged of rigs on a half-space alone",
+                           "omit it, or omit substrate.thickness");
+    }
     if (c.layer.base != Case::Base::bonded || !c.layer.lower.empty())
         io::fail(document.place_of("substrate.base"), "",
                  "the formulas of rigs are those of one layer bonded to a rigid base",

@@ -26,19 +26,26 @@ constexpr Formula worn_depth(
 
 // All of the power 4 mu F_N U_a f enters one body uniformly over the contact, at rest: at its
 // centre q a/k of a disc, 2 q/(pi k) [a asinh(L/(2 a)) + L/2 asinh(2 a/L)] of a rectangle.
-double heating_of(const RigData& r) {
-    const double power = 4 * r.mu * r.F_N * r.U_a * r.f_c;
-    if (!r.L.is_known()) return power / (pi * hertz_of(r).contact_radius * r.k_th);
-    const double a = line_half_width_of(r), l = r.L / 2;
-    return power / (2 * a * r.L) * 2 / (pi * r.k_th) *
-           (a * std::asinh(l / a) + l * std::asinh(a / l));
-}
 constexpr const char* heat_source =
     "Carslaw and Jaeger (1959), section 10.5; all of U_a slips, all heat enters one body";
 constexpr Inputs heat_inputs = hertz_inputs + Inputs{&Rig::mu, &Rig::U_a, &Rig::f_c, &Rig::k_th};
-constexpr Formula heating("frictional_heating", "Delta T",
-                          "4 mu F_N U_a f/(pi a k_th) of a disc, of a rectangle likewise",
-                          heat_source, "K", heat_inputs, heating_of);
+double power_of(const RigData& r) {
+    return 4 * r.mu * r.F_N * r.U_a * r.f_c;
+}
+constexpr Formula heating_of_disc("frictional_heating", "Delta T", "4 mu F_N U_a f/(pi a k_th)",
+                                  heat_source, "K", heat_inputs, [](const RigData& r) {
+                                      return power_of(r) /
+                                             (pi * hertz_of(r).contact_radius * r.k_th);
+                                  });
+constexpr Formula heating_of_strip(
+    "frictional_heating", "Delta T",
+    "4 mu F_N U_a f/(pi a L k_th) [a ln(y + sqrt(1 + y^2)) + L/2 ln(1/y + sqrt(1 + 1/y^2))], y = "
+    "L/(2 a)",
+    heat_source, "K", heat_inputs, [](const RigData& r) {
+        const double a = line_half_width_of(r), l = r.L / 2;
+        return power_of(r) / (pi * a * r.L * r.k_th) *
+               (a * std::asinh(l / a) + l * std::asinh(a / l));
+    });
 constexpr double largest_rise = 20;  // [K]
 
 }  // namespace
@@ -64,6 +71,7 @@ Assumption no_fretting_heating(const Rig& rig) {
     Assumption a{.name = "no_fretting_heating",
                  .title = "No frictional heating",
                  .claim = "Friction does not heat the contact enough to change the materials"};
+    const Formula& heating = rig.kind == Rig::Kind::cylinder ? heating_of_strip : heating_of_disc;
     if (!decide(a, rig, heating, at_most, largest_rise,
                 "moduli and hardness of metals change by about a per cent"))
         return a;
