@@ -59,6 +59,7 @@ void SurfaceModel::release() {
     for (auto* kept : {&least_pressure_, &least_share_, &slip_path_, &friction_work_, &work_})
         kept->clear();
     energy_ = material_dissipation_ = rotation_ = released_ = 0;
+    bulk_ = {};
     substrate_->forget();
 }
 
@@ -77,6 +78,7 @@ StepRecord SurfaceModel::take(const LoadStep& step, const StepStart& before) {
         throw std::logic_error(name_ + ": half of a contact takes no load across its symmetry");
     phase_ = step.recurs ? step.phase : 0;
     rotation_ += before.rotation;
+    bulk_ = step.bulk;
     solver_->solve(step, before);
     if (reaches_edge(points(), now().normal->pressure))
         throw ContactAtEdge(fmt::format(
@@ -109,7 +111,7 @@ void SurfaceModel::update_slip(const StepStart& before) {
             contact_state_[i] = ContactState::open;
             return;
         }
-        slip_.set(i, moved + solver_->rotated(before, i) - (u.at(i) - old.at(i)) -
+        slip_.set(i, moved + solver_->uneven_shift(before, i) - (u.at(i) - old.at(i)) -
                          solver_->before_touch(i));
         // On the bound without having moved is stick; 10 tolerances: the solver's noise.
         const bool moves = std::hypot(slip_.x[i], slip_.y[i]) > 10 * tolerance_ * unit;
@@ -171,6 +173,7 @@ double SurfaceModel::limit_tangential_ratio() const {
 
 std::unique_ptr<const Interior> SurfaceModel::interior() {
     auto inside = substrate_->interior(solver_->tractions());
+    if (inside && bulk_.stress[0] != 0) inside = with_bulk(*inside, bulk_);
     if (!inside || !inside->base_reaction) return inside;
     double missing = 0, applied = 0;
     for (int d = 0; d < 3; ++d) {

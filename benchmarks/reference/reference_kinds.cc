@@ -55,6 +55,10 @@ void check_has_reference(const Case& c) {
             "a contact that stays in its place or rolls back and forth is assumed, or Carter's "
             "cylinder, but this one rolls on",
             "take tricontact run, whose creep curves stand beside closed forms");
+    if (c.has_bulk_stress())
+        refuse(
+            "a substrate that the contact alone loads is assumed, but this one has a bulk stress",
+            "omit bulk_stress");
     if (c.period) refuse("one indenter is assumed, but the case repeats it", "remove bem.period");
     if (c.of<bem::Settings>().influence)
         refuse(

@@ -25,7 +25,9 @@ double oscillating_ratio(const Case& c, const History& history) {
 /// W0 [J] of the model's own scales; empty where there is no closed form of it.
 std::optional<double> unit_dissipation(const Case& c, const History& history) {
     const double f = oscillating_ratio(c, history);
-    if (!in_unit_range(f) || !c.friction.is_coulomb() || c.interface.is_elastic()) return {};
+    if (!in_unit_range(f) || !c.friction.is_coulomb() || c.interface.is_elastic() ||
+        c.has_bulk_stress())
+        return {};
     if (c.is_cylindrical()) {
         const double bound = c.friction_coefficient() * history.scales.normal_force;
         return theory::line_cycle_dissipation(f) * bound * bound * 2 /

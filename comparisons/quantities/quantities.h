@@ -28,12 +28,15 @@ extern const Quantity frequency, storage_modulus, loss_modulus;  // relaxation.c
 extern const Quantity largest_stretch, largest_shear;            // strain.cc
 extern const Quantity end_normal_force, end_indentation, contact_area, stick_area, slip_area,
     stored_energy,
-    friction_energy;                     // end_of_run.cc
-extern const Quantity steps, wall_time;  // cost.cc
+    friction_energy;  // end_of_run.cc
+extern const Quantity strength_normal_force, strength_tangential_force, strength_bulk_stress,
+    yield_factor, first_yield_force, trailing_stress;  // strength/
+extern const Quantity steps, wall_time;                // cost.cc
 
 /// The declarations of each file.
 using List = std::vector<const Quantity*>;
 List of_contact(), of_shift(), of_limit(), of_mapping(), of_dissipation(), of_loop(), of_jumps(),
-    of_relaxation(), of_roller(), of_subsurface(), of_strain(), of_end_of_run(), of_cost();
+    of_relaxation(), of_roller(), of_subsurface(), of_strength(), of_strain(), of_end_of_run(),
+    of_cost();
 
 }  // namespace tricontact::comparisons::quantities

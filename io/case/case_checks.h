@@ -60,6 +60,12 @@ void resolve_path(contact::Case& c, const Document& document);
 /// forces.
 void check_prescribed_path(const contact::Case& c, const Document& document);
 
+/// Yield stresses go with what strength is known of: Hertz' contacts on half-spaces.
+void check_yield_stress(const contact::Case& c, const Document& document);
+
+/// A bulk stress goes with a half-space that is elastic, and with a contact that does not roll.
+void check_bulk_stress(const contact::Case& c, const Document& document);
+
 /// Rules that concern several keys at once: friction limit, coupling of the materials, scale of
 /// the contact against the indenter, resolution and cost.
 void check_case(const contact::Case& c, const Document& document);

@@ -91,6 +91,11 @@ std::vector<CaseKey> load_keys() {
                       R"("90 deg")", "phase by which the oscillation of F_T leads the rolling",
                       {.default_value = R"("0 rad")", .needs = "load.tangential_amplitude_ratio"}),
          unless_prescribed<&Case::load, &Load::tangential_phase>},
+        {quantity_key("load.bulk_stress", Dimension::pressure, {-1e12, 1e12}, R"("100 MPa")",
+                      "stress along x in all of the substrate, tension positive, which acts "
+                      "together with F_T; with [path] its column bulk_stress",
+                      {.default_value = R"("0 Pa")"}),
+         unless_prescribed<&Case::load, &Load::bulk_stress>},
         {choice_key(
              "load.press",
              {choice("friction", Press::friction), choice("frictionless", Press::frictionless)},

@@ -17,11 +17,15 @@ using contact::PrescribedPath;
 using contact::TangentialControl;
 
 /// What a path says instead.
-constexpr std::array prescribed_keys{
-    "load.normal_force",           "load.indentation",
-    "load.tangential_ratio",       "load.tangential_force",
-    "load.limit_fraction",         "load.limit_excess",
-    "load.normal_amplitude_ratio", "load.tangential_amplitude_ratio"};
+constexpr std::array prescribed_keys{"load.normal_force",
+                                     "load.indentation",
+                                     "load.tangential_ratio",
+                                     "load.tangential_force",
+                                     "load.limit_fraction",
+                                     "load.limit_excess",
+                                     "load.normal_amplitude_ratio",
+                                     "load.tangential_amplitude_ratio",
+                                     "load.bulk_stress"};
 
 void check_alone(const Case& c, const Document& document) {
     for (const char* key : prescribed_keys)
@@ -112,7 +116,39 @@ void check_carried(const Case& c, const Document& document) {
     }
 }
 
+/// Whether the strain of a bulk stress is a shift of the surface beside those of the tractions, as
+/// solvers over a half-space's surface take it.
+bool strains_freely(const contact::ModelKind& kind) {
+    return kind.is_on_cells_of(contact::ModelKind::Body::half_space);
+}
+
 }  // namespace
+
+void check_bulk_stress(const Case& c, const Document& document) {
+    if (!c.has_bulk_stress()) return;
+    const std::string key = c.prescribed_path ? path_key(document) : "load.bulk_stress";
+    const std::string what = c.prescribed_path ? "bulk_stress: " : "";
+    for (const std::string& model : c.models)
+        if (!strains_freely(contact::model_kind(model)))
+            refuse(document, key,
+                   what +
+                       "models on the surface of a half-space alone, bem, know a substrate that "
+                       "is strained as a whole",
+                   "leave out " + model + ", or omit it");
+    if (c.rolling || c.tractive_rolling)
+        refuse(document, key, "a bulk stress acts on a contact that stays in its place",
+               "omit it, or give a [path] without offsets in place of the rolling");
+    if (c.prescribed_path && contact::norm(c.prescribed_path->reach()) > 0)
+        refuse(document, key, "a bulk stress acts on a contact that stays in its place",
+               "omit the column bulk_stress, or those of the offsets");
+    if (c.relaxation || c.has_rigid_substrate || c.period)
+        refuse(
+            document, key,
+            what + (c.relaxation ? "the strain of a substrate that relaxes lags behind its stress"
+                    : c.period   ? "the strain of a periodic surface is not periodic"
+                                 : "a rigid substrate is not strained"),
+            "omit it");
+}
 
 std::string path_key(const Document& document) {
     return used(document, "path.table", "path.file");
