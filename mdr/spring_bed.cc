@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "contact/base/compensated_sum.h"
+#include "contact/base/state_bytes.h"
 #include "mdr/line_surface.h"
 
 namespace tricontact::mdr {
@@ -260,6 +261,27 @@ void SpringBed::audit_step(const LoadStep& step, const SlipSums& sums, double fo
     const double farthest =
         std::max({largest_bound_, largest_bound_before_, std::abs(shift_increment_)});
     audit_.record("energy_balance", std::abs(work - used) / (largest_limit * farthest), rounding);
+}
+
+template <class Archive, class Self>
+void SpringBed::transfer_all(Archive& archive, Self& bed) {
+    transfer(archive, bed);
+    NormalBed::transfer(archive, bed.normal_);
+    archive(bed.deflections_, bed.deflections_before_, bed.contact_before_, bed.bounds_,
+            bed.largest_bound_, bed.largest_bound_before_, bed.total_bound_before_, bed.carried_,
+            bed.is_fresh_, bed.depth_before_, bed.normal_force_before_, bed.normal_energy_,
+            bed.least_bounds_, bed.least_contact_);
+}
+
+std::string SpringBed::write_state() const {
+    contact::StateWriter out;
+    transfer_all(out, *this);
+    return out.take();
+}
+
+void SpringBed::read_state(std::string_view bytes) {
+    contact::StateReader in(bytes);
+    transfer_all(in, *this);
 }
 
 contact::Scales SpringBed::scales() const {

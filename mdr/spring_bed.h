@@ -1,6 +1,8 @@
 #pragma once
 
 #include <optional>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "mdr/bed.h"
@@ -53,10 +55,15 @@ class SpringBed final : public Bed {
         limit_total_bound_ = total_bound_;
     }
 
+    std::string write_state() const override;
+    void read_state(std::string_view bytes) override;
+
     const NormalBed& normal() const { return normal_; }
     double deflection(int i) const { return deflections_[i]; }  ///< tangential, of spring i [m]
 
   private:
+    template <class Archive, class Self>
+    static void transfer_all(Archive& archive, Self& bed);
     int press(double position, const contact::NormalControl& control);
     void grow();
     void update_bounds();
