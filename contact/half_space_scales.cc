@@ -10,6 +10,7 @@
 #include "contact/bodies/ellipsoid.h"
 #include "contact/cells.h"
 #include "contact/friction/radial_bound.h"
+#include "contact/rig_stiffness.h"
 #include "contact/section_scales.h"
 
 namespace tricontact::contact {

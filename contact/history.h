@@ -8,7 +8,6 @@
 
 #include "contact/base/vector2.h"
 #include "contact/compliances/interior.h"
-#include "contact/rig_stiffness.h"
 #include "contact/surface.h"
 
 namespace tricontact::contact {
@@ -129,7 +128,6 @@ struct History {
     double limit_tangential_ratio = 0;  ///< (1/F_N) ∫ min over the path of p dA, F_N the mean
     std::vector<Snapshot> snapshots;
     std::optional<Subsurface> subsurface;  ///< of the last inside that was written
-    RigStiffness rig;                      ///< in series with the contact
     Audit audit;
     double cpu_s = 0, wall_s = 0;
 };

@@ -60,7 +60,6 @@ class Run {
         const double cpu = cpu_now();
         const auto wall = std::chrono::steady_clock::now();
         history_.model = model_.name();
-        history_.rig = case_.of<RigStiffness>();
         case_ = loaded_by_own_limit(case_, model_);
         press_and_load();
         roll();

@@ -5,6 +5,7 @@
 #include "contact/cells.h"
 #include "contact/half_space_scales.h"
 #include "contact/heat.h"
+#include "contact/rig_stiffness.h"
 #include "contact_program/sequence.h"
 #include "io/case/case_input.h"
 #include "io/keys/messages.h"

@@ -15,18 +15,15 @@ using contact::StepRecord;
 
 namespace {
 
-std::vector<std::string_view> column_names(const History& history) {
+std::vector<std::string_view> column_names(const History&) {
     std::vector<std::string_view> names;
     for (const io::HistoryColumn& column : io::history_columns()) names.push_back(column.name);
-    if (history.rig.yields())
-        for (const io::DriveColumn& column : io::drive_columns()) names.push_back(column.name);
     return names;
 }
 
 /// A quantity of all steps: every so many bytes in the steps themselves.
 py::array column(const py::object& self, const std::string& name) {
-    const auto& history = self.cast<const History&>();
-    const auto& steps = history.steps;
+    const auto& steps = self.cast<const History&>().steps;
     for (const io::HistoryColumn& column : io::history_columns()) {
         if (column.name != name) continue;
         const auto view_of = [&](const auto* first) {
@@ -35,20 +32,13 @@ py::array column(const py::object& self, const std::string& name) {
         };
         return std::visit(view_of, column.place(steps.front()));  // a run has steps
     }
-    for (const io::DriveColumn& column : io::drive_columns()) {
-        if (!history.rig.yields() || column.name != name) continue;
-        py::array_t<double> values(static_cast<py::ssize_t>(steps.size()));
-        for (std::size_t i = 0; i < steps.size(); ++i)
-            values.mutable_at(static_cast<py::ssize_t>(i)) = column.value(history.rig, steps[i]);
-        return values;
-    }
-    refuse_key("column", name, column_names(history));
+    refuse_key("column", name, column_names(self.cast<const History&>()));
 }
 
 py::object to_pandas(const py::object& self) {
     py::dict columns;
-    for (const std::string_view name : column_names(self.cast<const History&>()))
-        columns[py::str(std::string(name))] = column(self, std::string(name));
+    for (const io::HistoryColumn& c : io::history_columns())
+        columns[py::str(std::string(c.name))] = column(self, std::string(c.name));
     return py::module_::import("pandas").attr("DataFrame")(columns);
 }
 

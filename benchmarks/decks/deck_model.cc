@@ -8,6 +8,7 @@
 
 #include "benchmarks/decks/graded_line.h"
 #include "contact/base/error.h"
+#include "contact/rig_stiffness.h"
 
 namespace tricontact::benchmarks {
 

@@ -6,12 +6,14 @@
 #include <span>
 
 #include "contact/path_cycles.h"
+#include "contact/rig_stiffness.h"
 
 namespace tricontact::comparisons {
 
 namespace {
 
 using contact::History;
+using contact::RigStiffness;
 using contact::StepRecord;
 
 /// Of the frictional work that would slide the whole contact through the cycle: what rounding of
@@ -78,8 +80,8 @@ std::optional<double> shift_to_gross_slip(const std::vector<StepRecord>& steps, 
     return std::abs(axis.shift(last) + std::clamp(share, 0., 1.) * step - axis.shift(steps[at]));
 }
 
-FrictionLoop loop_of(const History& history, const DrivenAxis& axis, std::size_t begin,
-                     std::size_t turn, std::size_t end) {
+FrictionLoop loop_of(const History& history, const RigStiffness& rig, const DrivenAxis& axis,
+                     std::size_t begin, std::size_t turn, std::size_t end) {
     const auto& steps = history.steps;
     FrictionLoop loop{.begin = begin, .turn = turn, .end = end};
     const auto within = std::span(steps).subspan(begin, end - begin + 1);
@@ -104,9 +106,9 @@ FrictionLoop loop_of(const History& history, const DrivenAxis& axis, std::size_t
     const auto one_way = shift_to_gross_slip(steps, begin, turn, axis),
                other_way = shift_to_gross_slip(steps, turn, end, axis);
     if (one_way && other_way) loop.gross_slip_shift = (*one_way + *other_way) / 2;
-    if (history.rig.tangential)
+    if (rig.tangential)
         loop.drive_shift_amplitude =
-            half_range([&](const StepRecord& s) { return history.rig.drive_shift(s)[axis.d]; });
+            half_range([&](const StepRecord& s) { return rig.drive_shift(s)[axis.d]; });
     loop.regime = regime_of(within.subspan(1), 4 * history.friction_limit * loop.shift_amplitude);
     return loop;
 }
@@ -164,8 +166,8 @@ std::vector<FrictionLoop> friction_loops(const contact::Case& c, const History& 
     // Cycles begin behind the first row, the only one that no step may have ended.
     for (const contact::PathCycle& cycle : contact::closed_cycles(*c.prescribed_path))
         if (cycle.end < at_row.size())
-            loops.push_back(loop_of(history, axis, step_at(cycle.begin), step_at(cycle.turn),
-                                    step_at(cycle.end)));
+            loops.push_back(loop_of(history, c.of<RigStiffness>(), axis, step_at(cycle.begin),
+                                    step_at(cycle.turn), step_at(cycle.end)));
     return loops;
 }
 

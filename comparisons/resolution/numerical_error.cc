@@ -10,6 +10,7 @@
 
 #include "comparisons/resolution/refinement.h"
 #include "contact/models/model_kind.h"
+#include "contact/rig_stiffness.h"
 
 namespace tricontact::comparisons {
 

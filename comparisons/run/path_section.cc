@@ -8,6 +8,7 @@
 
 #include "comparisons/quantities/quantities.h"
 #include "contact/path_cycles.h"
+#include "contact/rig_stiffness.h"
 #include "report/format.h"
 
 namespace tricontact::comparisons {

@@ -63,20 +63,20 @@ std::span<const HistoryColumn> history_columns() {
     return columns;
 }
 
-std::string history_csv(const contact::History& history) {
+std::string history_csv(const contact::History& history, const contact::RigStiffness& rig) {
     const auto number = [](const auto* place) { return shortest(*place); };
     std::string out = "step";
     for (const HistoryColumn& column : history_columns()) out.append(",").append(column.name);
-    if (history.rig.yields())
+    if (rig.yields())
         for (const DriveColumn& column : drive_columns()) out.append(",").append(column.name);
     out += '\n';
     for (std::size_t i = 0; i < history.steps.size(); ++i) {
         out += std::to_string(i);
         for (const HistoryColumn& column : history_columns())
             out.append(",").append(std::visit(number, column.place(history.steps[i])));
-        if (history.rig.yields())
+        if (rig.yields())
             for (const DriveColumn& column : drive_columns())
-                out.append(",").append(shortest(column.value(history.rig, history.steps[i])));
+                out.append(",").append(shortest(column.value(rig, history.steps[i])));
         out += '\n';
     }
     return out;
