@@ -57,8 +57,8 @@ double Case::bulk_stress_at(double phase) const {
 void Case::require_no_bulk_stress(const std::string& what) const {
     if (has_bulk_stress())
         throw InputError(
-            std::string(prescribed_path ? "path: bulk_stress: " : "load.bulk_stress: ") + what +
-            " presume a substrate that the contact alone loads; omit it");
+            std::string(load.bulk_stress == 0 ? "path: bulk_stress: " : "load.bulk_stress: ") +
+            what + " presume a substrate that the contact alone loads; omit it");
 }
 
 double Case::Layer::total_thickness() const {

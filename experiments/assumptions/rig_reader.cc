@@ -8,6 +8,8 @@
 #include "contact/load_path.h"
 #include "contact/section_scales.h"
 #include "experiments/assumptions/rig_quantities.h"
+#include "io/case/case_checks.h"
+#include "io/case/case_input.h"
 #include "io/case/rig_keys.h"
 #include "io/keys/field_reader.h"
 #include "io/keys/key_checks.h"
@@ -124,13 +126,14 @@ void check_covered(const io::RigFile& file) {
     const Case& c = file.c;
     const io::Document& document = file.document;
     if (c.prescribed_path && c.layer.thickness)
-        io::fail(document.place_of("path.table"), "",
-                 "[path]: the formulas of rigs on a layer are those of one normal force and of "
-                 "rolling back and forth",
+        io::fail(document.place_of(io::path_key(document)), "",
+                 io::path_words(c) +
+                     ": the formulas of rigs on a layer are those of one normal force and of "
+                     "rolling back and forth",
                  "give load.normal_force and [rolling] in place of the path; tricontact run "
                  "computes it");
     if (c.prescribed_path && contact::norm(c.prescribed_path->reach()) > 0)
-        io::fail(document.place_of("path.table"), "",
+        io::fail(document.place_of(io::path_key(document)), "",
                  "[path]: rigs that roll are described by [rolling]",
                  "give load.normal_force and [rolling] in place of the path");
     if (c.tractive_rolling)

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <string>
 #include <string_view>
 
@@ -28,8 +29,15 @@ bool all_have(const contact::Case& c, const Property& property) {
     return !c.models.empty() && std::ranges::all_of(c.models, property, contact::model_kind);
 }
 
-/// The key that says where the rows of [path] come from.
+/// Keys of a force or shift that alternates about zero: a path that [load] says.
+inline constexpr std::array oscillation_keys{"load.tangential_amplitude", "load.shift_amplitude"};
+/// The key that says the path: where the rows of [path] come from, or an oscillation.
 std::string path_key(const Document& document);
+/// Whether there is one.
+inline bool says_path(const Document& document) {
+    return document.find_section("path") ||
+           std::ranges::any_of(oscillation_keys, [&](auto* key) { return document.find(key); });
+}
 
 /// Whether [load] asks for a tangential force.
 inline bool has_tangential_load(const contact::Case& c) {
@@ -55,6 +63,9 @@ inline constexpr double closest_to_sliding = 1e-6;
 
 /// Reads the rows of [path], in place of the keys of [load] that they prescribe.
 void resolve_path(contact::Case& c, const Document& document);
+
+/// Makes the path of a force or shift that alternates about zero.
+void resolve_oscillation(contact::Case& c, const Document& document);
 
 /// Prescribed paths: the bodies, models and materials know the motions, and friction carries the
 /// forces.

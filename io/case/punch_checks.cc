@@ -37,9 +37,9 @@ void check_punch_motion(const Case& c, const Document& document) {
                "leave [rolling] out");
     if (c.tractive_rolling)
         refuse(document, "tractive_rolling.distance", rule, "leave [tractive_rolling] out");
-    if (document.find_section("path"))
+    if (says_path(document))
         refuse(document, path_key(document), "flat punches are pressed and pulled, without a path",
-               "leave [path] out");
+               "leave the path out");
 }
 
 /// What holds a loose body is the contact, by its pressures alone.

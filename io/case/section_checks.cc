@@ -78,8 +78,7 @@ void check_rolling_section(const Case& c, const Document& document, const Refusa
         refuse_key("tractive_rolling.distance", rule + "[tractive_rolling]",
                    "leave that section out, or take bem");
     if (c.prescribed_path)
-        refuse_key(path_key(document), rule + "[path]",
-                   "leave that section out, or take bem or fem");
+        refuse_key(path_key(document), rule + "path", "leave it out, or take bem or fem");
 }
 
 void check_plane_strain(const ModelKind& kind, const Case& c, const Document& document,
