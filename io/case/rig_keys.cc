@@ -75,6 +75,10 @@ std::vector<Key> measurement_keys() {
             "measurement.sliding_force", R"("sliding.csv")",
             "table of normal forces and the tangential forces at which the contact slid as a "
             "whole"),
+        tables_key("measurement.friction_loop", R"("loops.csv")",
+                   "table of friction loops: cycle, shift of the drive, tangential force of both "
+                   "signs, without rolling; with columns normal_force and amplitude several loads "
+                   "and amplitudes"),
         tables_key("measurement.force_indentation", R"("indentation.csv")",
                    "table of indentations and the normal forces they took"),
         tables_key("measurement.contact_radius", R"("radius.csv")",
@@ -111,6 +115,7 @@ std::vector<Key> measurement_keys() {
                         {"interface.normal_stiffness"},
                         {"interface.tangential_stiffness"},
                         {"rig.pivot_height"},
+                        {"rig.tangential_stiffness"},
                         {"zero_depth"}},
                        R"(["substrate.young"])",
                        "what follows from the tables; of E, mu, strengths and the pivot the case "
