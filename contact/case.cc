@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "contact/base/error.h"
 #include "contact/bodies/body_shapes.h"
 
@@ -75,6 +77,15 @@ bool is_hertz_round(const Case& c) {
 
 bool Case::has_bulk_stress() const {
     return load.bulk_stress != 0 || (prescribed_path && prescribed_path->has_bulk_stress());
+}
+
+bool Case::is_pressed_only() const {
+    if (rolling || tractive_rolling) return false;
+    if (!prescribed_path) return !load.is_tangential() && !has_bulk_stress();
+    return std::ranges::none_of(prescribed_path->rows, [](const PrescribedPath::Row& row) {
+        return row.rotation != 0 || row.offset != Vector2{} || row.bulk_stress != 0 ||
+               std::ranges::any_of(row.tangential, [](const auto& t) { return t.value != 0; });
+    });
 }
 
 bool is_coulomb_round(const Case& c) {

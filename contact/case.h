@@ -93,6 +93,11 @@ struct Case {
         bool is_by_limit() const { return limit_fraction || limit_excess; }
         /// The key that says so; null if there is none.
         const char* limit_key() const;
+        /// A tangential force is asked for, in whatever way.
+        bool is_tangential() const {
+            return tangential_force.value_or(0) != 0 || tangential_ratio.value_or(0) != 0 ||
+                   is_by_limit();
+        }
         /// F_T/(mu F_N) of a load by this limit.
         double ratio_by_limit(double limit) const;
         /// F_T/(mu F_N) in place of whatever says F_T.
@@ -194,6 +199,8 @@ struct Case {
     }
     /// Whether the load or a row of the path has one.
     bool has_bulk_stress() const;
+    /// Neither load, path nor rolling asks for anything but the normal load.
+    bool is_pressed_only() const;
     /// At a phase of a run [Pa].
     double bulk_stress_at(double phase) const;
     MaterialPair materials() const { return {indenter.material, substrate}; }

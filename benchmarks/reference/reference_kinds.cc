@@ -21,23 +21,11 @@ using contact::NormalControl;
     throw contact::InputError("reference: " + assumption + "; " + remedy);
 }
 
-bool is_tangential(const contact::PrescribedPath::Row& row) {
-    return row.rotation != 0 || row.offset != contact::Vector2{} ||
-           std::ranges::any_of(row.tangential, [](const auto& t) { return t.value != 0; });
-}
-
 bool has_friction_law(const Case& c) {
     return c.friction.law()->ratio_at(1) > 0;
 }
 
 }  // namespace
-
-bool is_pressed_only(const Case& c) {
-    if (c.rolling) return false;
-    if (c.prescribed_path) return std::ranges::none_of(c.prescribed_path->rows, is_tangential);
-    return !c.load.is_by_limit() && c.load.tangential_force.value_or(0) == 0 &&
-           c.load.tangential_ratio.value_or(0) == 0;
-}
 
 void check_has_reference(const Case& c) {
     if (c.law != Case::Law::linear)
@@ -96,7 +84,7 @@ bool would_couple(Case c) {
 }
 
 bool is_frictionless(const Case& c) {
-    if (!is_pressed_only(c)) return false;
+    if (!c.is_pressed_only()) return false;
     return is_uncoupled(c) || (!c.prescribed_path && c.load.press == Case::Press::frictionless);
 }
 

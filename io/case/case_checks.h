@@ -39,11 +39,6 @@ inline bool says_path(const Document& document) {
            std::ranges::any_of(oscillation_keys, [&](auto* key) { return document.find(key); });
 }
 
-/// Whether [load] asks for a tangential force.
-inline bool has_tangential_load(const contact::Case& c) {
-    return c.load.tangential_force.value_or(0) != 0 || c.load.tangential_ratio.value_or(0) != 0 ||
-           c.load.is_by_limit();
-}
 /// The key that says that force.
 inline std::string tangential_key(const contact::Case& c) {
     if (c.load.is_by_limit()) return c.load.limit_key();

@@ -83,7 +83,7 @@ void check_pressed_alone(const Case& c, const Document& document) {
         document.find_section("design"))
         refuse(document, "substrate.shape", "experiments are about flat substrates",
                "omit it, or leave out the sections of experiments");
-    if (has_tangential_load(c))
+    if (c.load.is_tangential())
         refuse(document, tangential_key(c), rule, "set load.tangential_ratio = 0");
 }
 

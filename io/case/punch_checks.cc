@@ -45,7 +45,7 @@ void check_punch_motion(const Case& c, const Document& document) {
 /// What holds a loose body is the contact, by its pressures alone.
 void check_loose_body(const Case& c, const Document& document) {
     const ElasticBody& body = *c.indenter.body;
-    if (has_tangential_load(c))
+    if (c.load.is_tangential())
         refuse(document, tangential_key(c),
                "nothing holds a body that " + std::string(contact::word_of(body.support)) +
                    " presses against a load along the surface",
