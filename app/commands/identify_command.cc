@@ -7,6 +7,7 @@
 #include "experiments/identification/identification_checks.h"
 #include "experiments/identification/identification_models.h"
 #include "experiments/identification/identification_study.h"
+#include "experiments/identification/loops/loop_report.h"
 #include "io/case/rig_file.h"
 #include "report/format.h"
 
@@ -60,13 +61,14 @@ void identify_properties(IdentifyOptions options) {
     experiments::check_lengths_scale(input);
     options.choose_folder();
     IdentificationStudy study;
-    options.fill({{"identify.json", "report.html", "posterior.csv"}}, [&] {
+    options.fill({{"identify.json", "report.html", "posterior.csv", "loops.csv"}}, [&] {
         study = experiments::identification_study(input, options.posterior, options.runner(),
                                                   options.sayer());
         study.command =
             "tricontact identify " + std::filesystem::path(input.name).filename().string();
         study.version = files::version;
         if (options.posterior) options.write("posterior.csv", experiments::posterior_csv(study));
+        if (study.loops) options.write("loops.csv", experiments::loops_csv(study));
         options.write("identify.json", experiments::identification_json(study).dump(2) + '\n');
         options.write_report(experiments::identification_document(study), study.command);
     });
@@ -82,7 +84,7 @@ void identify_properties(IdentifyOptions options) {
 Command identify_command() {
     return Declared<IdentifyOptions>(
                Group::rigs, "identify",
-               "Find E, nu, mu, lengths and Prony terms from measurements on a rig",
+               "Find E, nu, mu, lengths, Prony terms and friction loops' regimes from measurements",
                identify_properties)
         .on_case({"[measurement]", "[rig]", io::uncertainty_mark})
         .flag("--posterior", &IdentifyOptions::posterior,

@@ -5,6 +5,7 @@
 #include "experiments/identification/friction_values.h"
 #include "experiments/identification/identification_checks.h"
 #include "experiments/identification/law_parameters.h"
+#include "experiments/identification/loops/loop_parameters.h"
 #include "io/case/measurement_laws.h"
 #include "io/case/measurement_models.h"
 #include "io/keys/key_checks.h"
@@ -69,6 +70,7 @@ void check_laws(const Input& input, const std::vector<std::string>& find,
 }
 
 void check_loads(const Input& input, const io::Document& document) {
+    check_loop_loads(input, document);
     const auto tables = input.all(Measurement::static_shift);
     const auto has_loads = [](const Input::Table* table) { return !table->normal_forces.empty(); };
     if (std::ranges::none_of(tables, has_loads)) return;
@@ -89,8 +91,7 @@ void check_loads(const Input& input, const io::Document& document) {
 
 void check_rows_of_laws(const Input& input, const io::Document& document) {
     std::size_t n_rows = 0, n_numbers = 0;
-    for (const auto& table : input.tables)
-        n_rows += table.observed.size() - table.has_free_origin();
+    for (const auto& table : input.tables) n_rows += table.observed.size() - table.n_own();
     for (const std::string& law : input.laws)
         n_numbers = std::max<std::size_t>(n_numbers, io::measurement_law(law).n_numbers());
     n_numbers += input.parameters.size();

@@ -8,6 +8,7 @@
 #include "experiments/identification/estimation/told_combination.h"
 #include "experiments/identification/identification_report.h"
 #include "experiments/identification/interface_parameters.h"
+#include "experiments/identification/loops/loop_values.h"
 
 namespace tricontact::experiments {
 
@@ -56,6 +57,20 @@ std::optional<Verdict> not_identifiable(const IdentifiedModel& model, std::size_
                                p.shown(is_open_below ? high : low), remedy_for(p))};
 }
 
+/// A spring in series of any stiffness above a bound is as likely.
+std::optional<Verdict> rigid_rig_as_likely(const IdentifiedModel& model, std::size_t k) {
+    const FreeParameter& p = model.found.free[k];
+    const Interval interval = model.found.parameters[k].likelihood;
+    if (std::isfinite(interval.high)) return {};
+    return Verdict{
+        not_resolved,
+        fmt::format(
+            "{}: {} is not identifiable: {} and a rigid rig are as likely. It is in series "
+            "with the contact: measure at several loads and in gross slip, or state E.",
+            model.name, p.symbol,
+            interval.low <= p.low ? "all values" : "all values above " + p.shown(interval.low))};
+}
+
 /// Springs of any stiffness above a bound are as likely.
 std::optional<Verdict> rigid_as_likely(const IdentifiedModel& model, std::size_t k) {
     const FreeParameter& p = model.found.free[k];
@@ -87,6 +102,11 @@ std::vector<Verdict> identifiability_verdicts(const IdentifiedModel& model) {
                     {not_resolved, model.name +
                                        ": mu is not identifiable: all larger values are as likely. "
                                        "Measure at larger forces, closer to sliding."});
+        } else if (model.found.free[k].key == rig_stiffness_key) {
+            if (auto verdict = rigid_rig_as_likely(model, k))
+                verdicts.push_back(std::move(*verdict));
+        } else if (model.found.free[k].key == drift_key) {
+            continue;  // loops' verdicts say what is known of it
         } else if (is_stiffness(model.found.free[k].key)) {
             if (auto verdict = rigid_as_likely(model, k)) verdicts.push_back(std::move(*verdict));
         } else if (!is_named[k]) {

@@ -52,7 +52,8 @@ void check_rolling(const Input& input, const std::vector<std::string>& find, con
 }  // namespace
 
 bool is_sheared(const Input& input) {
-    return input.find(Measurement::static_shift) || input.find(Measurement::rolling_shift);
+    return input.find(Measurement::static_shift) || input.find(Measurement::rolling_shift) ||
+           input.find(Measurement::friction_loop);
 }
 
 double quantity_of(const io::Document& document, std::string_view path) {
@@ -95,12 +96,13 @@ void check_lengths(const Table& table, double radius, const io::Document& docume
     const MeasuredColumns& columns = columns_of(table.measurement);
     double largest = 0;
     const double zero = table.has_free_zero ? zero_depth_guess(table) : 0;
-    for (const double value : deep ? table.given : table.observed)
+    const bool is_given = deep || table.measurement == Measurement::friction_loop;
+    for (const double value : is_given ? table.given : table.observed)
         largest = std::max(largest, deep && table.has_free_zero ? value - zero : std::abs(value));
     if (largest >= radius)
         io::refuse(document, std::string(key_of(table.measurement)),
-                   std::string(deep ? columns.given.name : columns.observed.name) + " reaches " +
-                       io::shortest(largest) + " m, the indenter's radius is " +
+                   std::string(is_given ? columns.given.name : columns.observed.name) +
+                       " reaches " + io::shortest(largest) + " m, the indenter's radius is " +
                        io::shortest(radius) + " m: small deformations are assumed",
                    "check the units of the table and of indenter.radius");
 }
@@ -125,8 +127,9 @@ void check_find(const Input& input, const std::vector<std::string>& find,
     const auto refuse = [&](const std::string& rule, const std::string& remedy) {
         io::refuse(document, "measurement.find", rule, remedy);
     };
-    const bool has_friction =
-        input.find(Measurement::static_shift) || input.find(Measurement::sliding_force);
+    const bool has_friction = input.find(Measurement::static_shift) ||
+                              input.find(Measurement::sliding_force) ||
+                              input.find(Measurement::friction_loop);
     if (is_free(coefficient_key) && !has_friction)
         refuse("without tangential force nothing determines the coefficient of friction",
                "leave out friction.coefficient");

@@ -7,6 +7,7 @@
 
 #include "contact/base/special_values.h"
 #include "experiments/identification/identification_report.h"
+#include "experiments/identification/loops/loop_report.h"
 #include "report/format.h"
 
 namespace tricontact::experiments {
@@ -136,6 +137,7 @@ report::Document identification_document(const IdentificationStudy& study) {
                                 .heading = "Fit",
                                 .figures = fit_figures(study),
                                 .tables = {goodness_table(study)}};
+    std::ranges::move(loop_tables(study), std::back_inserter(fit.tables));
     if (study.laws) fit.tables.push_back(law_table(*study.laws));
     if (study.interfaces) fit.tables.push_back(interface_table(*study.interfaces));
     report::DocumentSection values{.id = "values_section",
@@ -147,6 +149,7 @@ report::Document identification_document(const IdentificationStudy& study) {
     document.sections = {std::move(fit), std::move(values)};
     const bool has_posterior = std::ranges::any_of(
         study.models, [](const IdentifiedModel& model) { return model.posterior.has_value(); });
+    if (study.loops) document.files.push_back({"cycles", "loops.csv"});
     if (has_posterior) document.files.push_back({"points of the posterior", "posterior.csv"});
     return document;
 }

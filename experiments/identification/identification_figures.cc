@@ -10,6 +10,7 @@
 #include "contact/base/special_values.h"
 #include "experiments/identification/friction_values.h"
 #include "experiments/identification/identification_report.h"
+#include "experiments/identification/loops/loop_report.h"
 #include "report/format.h"
 #include "statistics/regression.h"
 
@@ -274,10 +275,12 @@ std::vector<report::Figure> fit_figures(const IdentificationStudy& study) {
     std::vector<report::Figure> figures;
     std::size_t row = 0;
     for (std::size_t t = 0; t < study.input.tables.size(); ++t) {
-        figures.push_back(fit_figure(study, t, row));
+        const bool is_loop = !study.input.tables[t].loops.loops.empty();
+        figures.push_back(is_loop ? loop_figure(study, t) : fit_figure(study, t, row));
         figures.push_back(residual_figure(study, t));
         row += study.input.tables[t].observed.size();
     }
+    if (study.loops) figures.push_back(loop_friction_figure(study));
     return figures;
 }
 

@@ -3,6 +3,7 @@
 
 #include "experiments/identification/estimation/told_combination.h"
 #include "experiments/identification/identification_report.h"
+#include "experiments/identification/loops/loop_report.h"
 #include "report/json_number.h"
 
 namespace tricontact::experiments {
@@ -167,6 +168,7 @@ json identification_json(const IdentificationStudy& study) {
         }
         result["models"][model.name] = std::move(values);
     }
+    if (study.loops) result["friction_loops"] = loop_json(*study.loops);
     if (study.laws) result["laws_of_friction"] = law_json(*study.laws);
     if (study.interfaces) result["interfaces"] = interface_json(*study.interfaces);
     result["verdicts"] = report::list_of(identification_verdicts(study),

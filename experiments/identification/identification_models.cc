@@ -10,6 +10,7 @@
 #include "experiments/identification/friction_values.h"
 #include "experiments/identification/identification_tables.h"
 #include "experiments/identification/layer_contact.h"
+#include "experiments/identification/loops/loop_values.h"
 #include "io/case/case_keys.h"
 #include "io/case/measurement_models.h"
 
@@ -157,7 +158,7 @@ std::vector<InputContribution> own_contributions(const std::string& model,
 /// What neighbours of a table are neighbours in. A period of rolling passes each offset twice:
 /// neighbours are those in time. Of several loads one follows the other: places in that order.
 std::vector<double> order_of(const IdentificationInput::Table& table) {
-    if (table.has_free_origin()) return {};
+    if (table.has_free_origin() || !table.loops.loops.empty()) return {};
     if (table.normal_forces.empty()) return table.given;
     std::map<std::pair<double, double>, double> places;
     for (std::size_t row = 0; row < table.given.size(); ++row)
@@ -187,7 +188,23 @@ IdentificationTask task_of(const IdentificationInput& input, const std::string& 
                             .confidence = input.confidence};
     for (const auto& table : input.tables)
         task.tables.push_back({name_of(table), table.observed, table.standard_errors,
-                               table.has_free_origin(), order_of(table)});
+                               table.has_free_origin(), order_of(table),
+                               n_of_loop * table.loops.loops.size()});
+    if (input.find(Measurement::friction_loop))
+        task.inner_slopes = [&input, parameters = task.parameters](const auto& values) {
+            const IdentifiedRig rig = rig_with(input, parameters, values);
+            std::vector<std::vector<double>> columns;
+            std::size_t n_rows = 0, row = 0;
+            for (const auto& table : input.tables) n_rows += table.observed.size();
+            for (const auto& table : input.tables) {
+                for (const auto& slopes : loop_slopes(table, rig)) {
+                    auto& column = columns.emplace_back(n_rows, 0.);
+                    std::ranges::copy(slopes, column.begin() + static_cast<std::ptrdiff_t>(row));
+                }
+                row += table.observed.size();
+            }
+            return columns;
+        };
     return task;
 }
 
@@ -213,7 +230,9 @@ Prediction prediction_of(const std::string& model, const IdentificationInput& in
 IdentifiedRig rig_with(const IdentificationInput& input,
                        const std::vector<FreeParameter>& parameters,
                        const std::vector<double>& values) {
-    IdentifiedRig rig{.as_case = input.rig, .shifts_by_theory = input.shifts_by_theory};
+    IdentifiedRig rig{.as_case = input.rig,
+                      .shifts_by_theory = input.shifts_by_theory,
+                      .rig_compliance = input.rig_compliance};
     rig.zero_depths.assign(input.all(Measurement::force_indentation).size(), 0);
     Case& c = rig.as_case;
     std::vector<double> relative;
@@ -226,6 +245,10 @@ IdentifiedRig rig_with(const IdentificationInput& input,
             set_term(*c.relaxation, p, values[k], relative);
         else if (p.key == pivot_key)
             rig.pivot_height = values[k];
+        else if (p.key == rig_stiffness_key)
+            rig.rig_compliance = 1 / values[k];
+        else if (p.key == drift_key)
+            rig.friction_drift = values[k];
         else if (p.key == zero_depth_key)
             rig.zero_depths.at(p.index) = values[k];
         else

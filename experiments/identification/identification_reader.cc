@@ -11,6 +11,8 @@
 #include "experiments/identification/identification_checks.h"
 #include "experiments/identification/interface_parameters.h"
 #include "experiments/identification/law_parameters.h"
+#include "experiments/identification/loops/loop_parameters.h"
+#include "experiments/identification/loops/loop_values.h"
 #include "experiments/identification/rig_guesses.h"
 #include "io/case/case_reader.h"
 #include "io/case/measurement_models.h"
@@ -103,6 +105,11 @@ contact::Case rig_of(const Input& input, const std::vector<std::string>& find,
                 has_loads = true;
                 normal_force = std::max(normal_force, load);
             }
+        for (const Table* measured : input.all(Measurement::friction_loop))
+            for (const MeasuredLoop& loop : measured->loops.loops) {
+                has_loads = has_loads || loop.normal_force > 0;
+                normal_force = std::max(normal_force, loop.normal_force);
+            }
         if (has_loads) {
             guess("load.normal_force", io::shortest(normal_force) + " N");
         } else if (!document.find("load.normal_force"))
@@ -174,7 +181,7 @@ std::vector<Table> tables_of(const TableKey& one, const io::Document& document) 
     return tables;
 }
 
-std::vector<std::string> unread_keys(const io::Document& document) {
+std::vector<std::string> unread_keys(const io::Document& document, bool has_loops) {
     constexpr std::array<std::string_view, 4> sections{"load", "rolling", "tractive_rolling",
                                                        "rig"};
     constexpr std::array<std::string_view, 3> read{pivot_key, "rig.work_of_adhesion",
@@ -183,7 +190,8 @@ std::vector<std::string> unread_keys(const io::Document& document) {
     for (const io::Entry& entry : document.entries) {
         const std::string top = entry.path.substr(0, entry.path.find('.'));
         if (std::ranges::count(sections, top) && !describes_rig(entry.path) &&
-            !std::ranges::count(read, entry.path) && !std::ranges::count(keys, entry.path))
+            !std::ranges::count(read, entry.path) && !std::ranges::count(keys, entry.path) &&
+            !(has_loops && entry.path == rig_stiffness_key))
             keys.push_back(entry.path);
     }
     return keys;
@@ -239,9 +247,10 @@ Input read_identification(const std::string& path, const std::vector<std::string
         for (Table& table : tables_of(one, document)) input.tables.push_back(std::move(table));
     }
     if (input.tables.empty())
-        io::fail(document.place_of("measurement.find"), "", "nothing was measured",
-                 "name a table: static_shift = \"shift.csv\", force_indentation, contact_radius, "
-                 "force_relaxation, indentation_creep, rolling_shift or sliding_force");
+        io::fail(
+            document.place_of("measurement.find"), "", "nothing was measured",
+            "name a table: static_shift = \"shift.csv\", force_indentation, contact_radius, "
+            "force_relaxation, indentation_creep, rolling_shift, sliding_force or friction_loop");
     read("measurement.models", &input.models);
     if (document.find("measurement.laws")) read("measurement.laws", &input.laws);
     read("measurement.find", &find);
@@ -252,18 +261,22 @@ Input read_identification(const std::string& path, const std::vector<std::string
     if (const io::Entry* title = document.find("title"))
         io::read_field(*io::find_key("title"), *title, &input.title);
     check_find(input, find, document);
+    check_loop_tables(input, find, document);
     check_laws(input, find, document);
     check_interface(input, find, document);
     check_models(input, document);
     // Of several tables each needs a row that is left for its own error.
+    if (document.find(rig_stiffness_key))
+        input.rig_compliance = 1 / quantity_of(document, rig_stiffness_key);
     const std::size_t least_rows = input.tables.size() == 1 ? find.size() + 1 : 2;
     for (Table& table : input.tables)
         io::told_at(document, std::string(key_of(table.measurement)),
                     [&] { read_measured_table(table, least_rows + table.has_free_origin()); });
     check_loads(input, document);
     input.rig = rig_of(input, find, document);
+    input.rig.require_no_bulk_stress("identified values");
     input.rig.title = input.title;
-    input.unread = unread_keys(document);
+    input.unread = unread_keys(document, input.find(Measurement::friction_loop) != nullptr);
     if (std::ranges::count(find, "substrate.young") > 0 && io::states_unrelaxed(document))
         io::refuse(document, "substrate.relaxation.modulus",
                    "measurement.find has substrate.young, which is found as the relaxed modulus",

@@ -8,6 +8,7 @@
 
 #include "contact/case.h"
 #include "experiments/identification/estimation/free_parameter.h"
+#include "experiments/identification/loops/measured_loop.h"
 #include "io/case/case_keys.h"
 #include "statistics/correlations.h"
 
@@ -22,7 +23,8 @@ struct IdentificationInput {
         force_relaxation,
         indentation_creep,
         rolling_shift,
-        sliding_force
+        sliding_force,
+        friction_loop
     };
 
     /// A known input whose standard error shall be carried into the result.
@@ -39,10 +41,11 @@ struct IdentificationInput {
         std::string reading;                  ///< what of it was taken; empty: all its columns
         double held = 0;                      ///< of a history: indentation [m] or force [N]
         bool has_free_zero = false;           ///< depths count from anywhere, see zero_depth_key
-        std::vector<double> given;            ///< [SI] F_T, d, F_N, t, W or F_N of each row
-        std::vector<double> observed;         ///< [SI] U, F_N, a, F_N, d, U or F_lim
+        std::vector<double> given;            ///< [SI] F_T, d, F_N, t, W, F_N or U of each row
+        std::vector<double> observed;         ///< [SI] U, F_N, a, F_N, d, U, F_lim or F_T
         std::vector<double> standard_errors;  ///< [SI] of the observed; empty: not stated
         std::vector<double> normal_forces;    ///< [N] of static_shift; empty: the rig's
+        MeasuredLoops loops = {};             ///< of friction_loop
 
         /// Over the time.
         bool is_history() const {
@@ -51,6 +54,8 @@ struct IdentificationInput {
         }
         /// Shifts while rolling are counted from any place.
         bool has_free_origin() const { return measurement == Measurement::rolling_shift; }
+        /// Numbers that a fit finds for this table alone: the origin, and those of its loops.
+        std::size_t n_own() const { return has_free_origin() + n_of_loop * loops.loops.size(); }
     };
 
     std::string title;
@@ -70,6 +75,8 @@ struct IdentificationInput {
     std::vector<std::string> unread;
     std::vector<RigError> rig_errors;
     statistics::Correlations correlations;  ///< of what is uncertain, by keys
+    /// 1/k_rig [m/N] of the rig in series with the contact of friction_loop, unless it is found.
+    double rig_compliance = 0;
     /// Of the rig, which no model of an identification has [J/m^2], and its distance [m].
     std::optional<double> work_of_adhesion;
     double interatomic_distance = 0.3e-9;

@@ -11,6 +11,7 @@
 #include "experiments/identification/identification_reader.h"
 #include "experiments/identification/interface_comparison.h"
 #include "experiments/identification/law_comparison.h"
+#include "experiments/identification/loops/loop_findings.h"
 #include "report/document.h"
 
 namespace tricontact::experiments {
@@ -68,6 +69,7 @@ struct IdentificationStudy {
     std::optional<LawComparison> laws;
     /// Beside springs of the interface that were to be found: rigid ones.
     std::optional<InterfaceComparison> interfaces;
+    std::optional<LoopFindings> loops;  ///< by the reference model, where loops were measured
     /// Layer's thickness over the width of Hertz' contact for the values of the reference model.
     std::optional<double> thickness_ratio;
     std::vector<std::pair<std::string, std::string>> settings;  ///< name, value with unit

@@ -38,6 +38,7 @@ std::vector<double> equal_steps(double from, double to, int n) {
 
 /// Where the curves of a table are drawn: times at equal ratios.
 std::vector<double> curve_points_of(const IdentificationInput::Table& table) {
+    if (!table.loops.loops.empty()) return table.given;
     if (!table.normal_forces.empty()) return table.given;  // a curve under each load: by the rows
     const auto [least, largest] = std::ranges::minmax(table.given);
     if (table.measurement == Measurement::rolling_shift)
@@ -182,6 +183,7 @@ std::vector<std::string> laws_to_compare(const IdentificationInput& input) {
     if (!input.laws.empty()) return input.laws;
     const bool has_half_space =
         !std::ranges::all_of(input.models, &io::MeasurementModel::is_layer, io::measurement_model);
+    if (input.find(Measurement::friction_loop)) return {};
     if (!has_half_space || !input.is_free(coefficient_key) || !input.rig.friction.is_coulomb())
         return {};
     return {"coulomb", "shear-strength"};
@@ -280,6 +282,13 @@ IdentificationStudy identification_study(const IdentificationInput& said, bool d
     for (const std::string& name : input.models) {
         say(name);
         study.models.push_back(identifier.model_called(name));
+    }
+    if (input.find(Measurement::friction_loop)) {
+        say("loops");
+        const IdentifiedModel& reference = reference_model(study);
+        IdentificationTask task = task_of(input, reference.name);
+        task.model = prediction_of(reference.name, input, runner);
+        study.loops = loop_findings(input, task, reference.found);
     }
     if (input.rig.layer.thickness) {
         const auto& found = reference_model(study).found;

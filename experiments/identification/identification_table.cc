@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "experiments/identification/identification_reader.h"
+#include "experiments/identification/loops/loop_table.h"
 #include "io/keys/input_file.h"
 #include "io/keys/messages.h"
 #include "io/tables/csv_table.h"
@@ -23,7 +24,8 @@ std::span<const TableKey> table_keys() {
         {Measurement::indentation_creep, "indentation-creep", "measurement.indentation_creep",
          "measurement.held_force"},
         {Measurement::rolling_shift, "rolling-shift", "measurement.rolling_shift", ""},
-        {Measurement::sliding_force, "sliding-force", "measurement.sliding_force", ""}};
+        {Measurement::sliding_force, "sliding-force", "measurement.sliding_force", ""},
+        {Measurement::friction_loop, "friction-loop", "measurement.friction_loop", ""}};
     return keys;
 }
 
@@ -64,7 +66,10 @@ const MeasuredColumns& columns_of(Measurement measurement) {
          "offset [mm], shift [um], shift_error [um]"},
         {{"normal_force", "normal force F_N", force},
          {"sliding_force", "sliding force F_lim", force},
-         "normal_force [N], sliding_force [N], sliding_force_error [N]"}};
+         "normal_force [N], sliding_force [N], sliding_force_error [N]"},
+        {{"shift", "shift U", length},
+         {"tangential_force", "tangential force F_T", force},
+         loop_table_header}};
     return columns[static_cast<int>(measurement)];
 }
 
@@ -124,6 +129,8 @@ void read_measured_table(IdentificationInput::Table& measured, std::size_t least
                                  : measured.label;
     const std::string text = io::utf8_text(
         io::read_input_file(measured.data_file, "table of a measurement", most_megabytes), name);
+    if (measured.measurement == Measurement::friction_loop)
+        return read_loop_table(measured, text, name);
     if (io::is_force_curve(text)) return read_force_curve(measured, text, name, least_rows);
     const auto& [given, observed, example] = columns_of(measured.measurement);
     const std::string error_column = std::string(observed.name) + "_error";

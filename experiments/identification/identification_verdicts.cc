@@ -6,6 +6,7 @@
 #include <ranges>
 
 #include "experiments/identification/identification_report.h"
+#include "experiments/identification/loops/loop_report.h"
 #include "io/case/measurement_models.h"
 #include "report/format.h"
 #include "statistics/regression.h"
@@ -228,6 +229,7 @@ std::vector<Verdict> identification_verdicts(const IdentificationStudy& study) {
     std::vector<Verdict> verdicts;
     const IdentifiedModel& reference = reference_model(study);
     verdicts.push_back(values_found(study, reference));
+    std::ranges::move(loop_verdicts(study), std::back_inserter(verdicts));
     std::ranges::move(law_verdicts(study), std::back_inserter(verdicts));
     std::ranges::move(interface_verdicts(study), std::back_inserter(verdicts));
     if (auto verdict = bias(study)) verdicts.push_back(std::move(*verdict));

@@ -7,6 +7,7 @@
 #include "contact/half_space_scales.h"
 #include "experiments/identification/friction_values.h"
 #include "experiments/identification/layer_contact.h"
+#include "experiments/identification/loops/loop_values.h"
 
 namespace tricontact::experiments {
 
@@ -38,6 +39,12 @@ Guess guess_of(const IdentificationInput& input) {
     for (const auto* shifts : input.all(Measurement::static_shift))
         for (const LoadedRows& load : rows_by_load(*shifts, input.rig, shifts->given))
             take(load.normal_force, guessed_margin * std::ranges::max(load.given));
+    for (const auto* measured : input.all(Measurement::friction_loop))
+        for (const MeasuredLoop& loop : measured->loops.loops) {
+            const auto forces = rows_of(*measured, loop).forces;
+            const auto [least, most] = std::ranges::minmax(forces);
+            take(load_of(loop, input.rig), (most - least) / 2);
+        }
     const auto all_sliding = input.all(Measurement::sliding_force);
     if (!all_sliding.empty()) guess = {};  // which shows it
     for (const auto* sliding : all_sliding)

@@ -43,7 +43,7 @@ Likelihood likelihood_of(const IdentificationInput& input, const Identification&
     for (std::size_t t = 0; t < input.tables.size(); ++t) {
         const TableFit& table = found.tables[t];
         const auto rows = static_cast<double>(table.residuals.size());
-        n += rows - input.tables[t].has_free_origin();
+        n += rows - static_cast<double>(input.tables[t].n_own());
         if (!input.tables[t].standard_errors.empty()) {
             result.minus_two_log += table.sum_of_squares;
             continue;

@@ -12,6 +12,7 @@
 #include "experiments/identification/friction_values.h"
 #include "experiments/identification/identification_models.h"
 #include "experiments/identification/layer_contact.h"
+#include "experiments/identification/loops/loop_values.h"
 #include "experiments/records/experiment_evaluation.h"
 #include "io/case/measurement_models.h"
 #include "theory/cattaneo_mindlin.h"
@@ -279,6 +280,7 @@ std::vector<double> measured_values(const std::string& model,
                                     const IdentifiedRig& identified,
                                     const std::vector<double>& given,
                                     const contact::ModelRunner& runner) {
+    if (table.measurement == Measurement::friction_loop) return loop_forces(table, identified);
     const Case& rig = identified.as_case;
     const Case slow = relaxed(rig);
     if (table.measurement == Measurement::rolling_shift)

@@ -18,6 +18,9 @@ struct IdentifiedRig {
     /// Of each table of force_indentation: where the contact begins [m]; empty: at 0.
     std::vector<double> zero_depths = {};
     bool shifts_by_theory = false;  ///< see IdentificationInput
+    double rig_compliance = 0;      ///< 1/k_rig [m/N], 0: rigid
+    /// Of friction from the first cycle of a table to the last, over the mean.
+    double friction_drift = 0;
 };
 
 /// Rigid shifts U [m] of a rig's indenter under its normal force and each of these tangential ones

@@ -8,6 +8,7 @@
 
 #include "experiments/identification/identification_checks.h"
 #include "experiments/identification/law_parameters.h"
+#include "experiments/identification/loops/loop_parameters.h"
 #include "io/keys/messages.h"
 
 namespace tricontact::experiments {
@@ -47,6 +48,8 @@ double guessed_young(const Table& table, double radius, double normal_force) {
             return of_depth(std::ranges::min(table.observed), table.held);
         case Measurement::indentation_creep:
             return of_depth(table.held, y);
+        case Measurement::friction_loop:
+            return guessed_young_of_loops(table, radius, normal_force);
         default:
             break;
     }
@@ -78,6 +81,8 @@ double guessed_friction(const Input& input, double normal_force) {
     for (const Table* sliding : input.all(Measurement::sliding_force))
         for (std::size_t row = 0; row < sliding->given.size(); ++row)
             guess = std::max(guess, sliding->observed[row] / sliding->given[row]);
+    for (const Table* loops : input.all(Measurement::friction_loop))
+        guess = std::max(guess, largest_ratio_of_loops(*loops, normal_force));
     return guess;
 }
 

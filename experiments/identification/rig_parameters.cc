@@ -5,6 +5,8 @@
 #include "experiments/identification/identification_reader.h"
 #include "experiments/identification/interface_parameters.h"
 #include "experiments/identification/law_parameters.h"
+#include "experiments/identification/loops/loop_parameters.h"
+#include "experiments/identification/loops/loop_values.h"
 #include "io/case/measurement_models.h"
 
 namespace tricontact::experiments {
@@ -152,6 +154,8 @@ std::vector<FreeParameter> free_parameters(const IdentificationInput& input,
             parameters.push_back(length(key, "thickness_m", "b", *rig.layer.thickness));
         } else if (is_stiffness(key)) {
             parameters.push_back(stiffness_parameter(input, key));
+        } else if (key == rig_stiffness_key) {
+            parameters.push_back(rig_stiffness_parameter(input));
         } else if (key == pivot_key) {
             parameters.push_back(
                 pivot_height(input.all(Measurement::rolling_shift), rig.indenter.radius));
@@ -163,9 +167,9 @@ std::vector<FreeParameter> free_parameters(const IdentificationInput& input,
             add_terms(*rig.relaxation, key, parameters);
         }
     }
+    std::ranges::move(drift_parameters(input), std::back_inserter(parameters));
     std::size_t n_rows = 0;
-    for (const auto& table : input.tables)
-        n_rows += table.observed.size() - table.has_free_origin();
+    for (const auto& table : input.tables) n_rows += table.observed.size() - table.n_own();
     if (n_rows <= parameters.size())
         throw contact::InputError(std::to_string(n_rows) + " rows do not determine " +
                                   std::to_string(parameters.size()) +

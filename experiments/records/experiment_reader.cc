@@ -36,6 +36,10 @@ Record read_record(const std::string& path) {
     const io::CsvTable table =
         io::read_csv_table(path, {"record", "time [s], shift [um], drive [mm]", 2'000'000,
                                   "leave out every second row", 100});
+    if (table.has("cycle"))
+        io::fail(table.name(), "",
+                 "has a column cycle, as friction loops have, and records are those of rolling",
+                 "name the table in measurement.friction_loop, and take tricontact identify");
     Record record{.name = table.name(),
                   .time = table.values("time", io::Dimension::time),
                   .shift = table.values("shift", io::Dimension::length),

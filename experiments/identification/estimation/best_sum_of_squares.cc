@@ -37,7 +37,7 @@ double largest_of(const ObservedTable& table) {
 }
 
 void check(const IdentificationTask& task) {
-    const std::size_t n = task.n_observations() - task.n_origins(), m = task.parameters.size();
+    const std::size_t n = task.n_observations() - task.n_own(), m = task.parameters.size();
     if (m == 0) throw std::invalid_argument("nothing is to be identified");
     if (n <= m)
         throw std::invalid_argument(
@@ -53,7 +53,7 @@ std::vector<statistics::ErrorGroup> groups_of(const IdentificationTask& task) {
     std::vector<statistics::ErrorGroup> groups;
     for (const ObservedTable& table : task.tables)
         groups.push_back({.n_rows = table.observed.size(),
-                          .n_own = table.has_free_origin ? 1U : 0U,
+                          .n_own = table.n_own(),
                           .is_known = !table.standard_errors.empty()});
     return groups;
 }
@@ -207,6 +207,11 @@ std::vector<std::vector<double>> BestSumOfSquares::all_slopes(const std::vector<
             for (std::size_t i = row; i < end; ++i) origin[i] = 1 / errors_[i];
         }
         row = end;
+    }
+    if (!task_.inner_slopes) return columns;
+    for (auto& slopes : task_.inner_slopes(values_of(task_.parameters, x))) {
+        for (std::size_t i = 0; i < slopes.size(); ++i) slopes[i] /= errors_[i];
+        columns.push_back(std::move(slopes));
     }
     return columns;
 }

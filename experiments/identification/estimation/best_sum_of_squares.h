@@ -37,7 +37,7 @@ class BestSumOfSquares {
     statistics::JointCovariance covariance(const std::vector<double>& x) const;
     /// Slopes of residuals by ln v, a column per parameter.
     std::vector<std::vector<double>> logarithmic_slopes(const std::vector<double>& x) const;
-    /// The same, and a column per free origin of a table.
+    /// The same, and a column per free origin of a table and per inner number.
     std::vector<std::vector<double>> all_slopes(const std::vector<double>& x) const;
 
   private:

@@ -24,6 +24,11 @@ struct ObservedTable {
     /// What the observed values are plotted over: neighbours there may have errors that are alike,
     /// equal ones are repeated readings. Empty: neighbours are those of the rows.
     std::vector<double> given = {};
+    /// Numbers of the table that the model itself sets to their best.
+    std::size_t n_inner = 0;
+
+    /// Numbers that the fit finds for this table alone.
+    std::size_t n_own() const { return n_inner + (has_free_origin ? 1 : 0); }
 };
 
 /// Values [SI] that a model gives instead of the observed ones, those of all tables one after
@@ -37,10 +42,14 @@ struct IdentificationTask {
     std::vector<ObservedTable> tables;
     Prediction model;
     double confidence = 0.95;
+    /// Slopes [SI] of the model's values by the inner numbers of all tables, a column each, at
+    /// these parameters; empty: none has any.
+    std::function<std::vector<std::vector<double>>(const std::vector<double>& values)>
+        inner_slopes = {};
 
     std::size_t n_observations() const;
-    /// Of the tables: one each that has one.
-    std::size_t n_origins() const;
+    /// Numbers that the fit finds for the tables beside the parameters.
+    std::size_t n_own() const;
 };
 
 /// By how much the observed values are best counted from elsewhere [SI], one per table; 0 where the

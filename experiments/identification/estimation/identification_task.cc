@@ -10,8 +10,10 @@ std::size_t IdentificationTask::n_observations() const {
     return n;
 }
 
-std::size_t IdentificationTask::n_origins() const {
-    return std::ranges::count(tables, true, &ObservedTable::has_free_origin);
+std::size_t IdentificationTask::n_own() const {
+    std::size_t n = 0;
+    for (const ObservedTable& table : tables) n += table.n_own();
+    return n;
 }
 
 std::vector<double> origins_of(const IdentificationTask& task, const std::vector<double>& values,

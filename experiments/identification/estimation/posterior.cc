@@ -62,7 +62,7 @@ class Density {
             double sum = 0;
             for (const std::size_t end = row + table.observed.size(); row < end; ++row)
                 sum += residuals[row] * residuals[row];
-            const auto n = static_cast<double>(table.observed.size()) - table.has_free_origin;
+            const auto n = static_cast<double>(table.observed.size() - table.n_own());
             logarithm -= table.standard_errors.empty() ? n / 2 * std::log(sum) : sum / 2;
         }
         return logarithm;

@@ -1,0 +1,168 @@
+#include "experiments/identification/loops/loop_parameters.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "contact/base/error.h"
+#include "experiments/identification/law_parameters.h"
+#include "experiments/identification/loops/loop_values.h"
+#include "experiments/identification/rig_guesses.h"
+#include "io/case/measurement_models.h"
+#include "io/keys/key_checks.h"
+#include "io/keys/messages.h"
+
+namespace tricontact::experiments {
+
+namespace {
+
+using Input = IdentificationInput;
+using Table = Input::Table;
+using Measurement = Input::Measurement;
+
+// Of the way of a branch, over which the loop is as stiff as it gets.
+constexpr double stiff_part = .3;
+// Of the stiffness seen, below which no rig is looked for, and above which it is rigid.
+constexpr double softest_rig = .3, stiffest_rig = 1e5;
+constexpr std::size_t least_cycles = 3;
+
+/// dF/dU [N/m] behind the reversals: of the straight line through these rows of both branches.
+double stiffness_of(const LoopRows& rows) {
+    double sum = 0;
+    int n_branches = 0;
+    for (const bool rises : {true, false}) {
+        double n = 0, u = 0, f = 0, uu = 0, uf = 0;
+        for (std::size_t i = 0; i < rows.shifts.size(); ++i) {
+            const double x = rows.shifts[i] - rows.loop.centre;
+            const double way = (rows.loop.amplitude + (rises ? x : -x)) / rows.loop.amplitude / 2;
+            if (rows.rises[i] != rises || way > stiff_part) continue;
+            n += 1;
+            u += x;
+            f += rows.forces[i];
+            uu += x * x;
+            uf += x * rows.forces[i];
+        }
+        const double spread = n * uu - u * u, slope = (n * uf - u * f) / spread;
+        if (!(n > 2) || !(spread > 0) || !(slope > 0)) continue;
+        sum += slope;
+        ++n_branches;
+    }
+    const auto [least, most] = std::ranges::minmax(rows.forces);
+    return n_branches > 0 ? sum / n_branches : (most - least) / (2 * rows.loop.amplitude);
+}
+
+}  // namespace
+
+void check_loop_tables(const Input& input, const std::vector<std::string>& find,
+                       const io::Document& document) {
+    const bool has_loops = input.find(Measurement::friction_loop) != nullptr;
+    const auto is_free = [&](std::string_view key) { return std::ranges::count(find, key) > 0; };
+    const auto refuse = [&](const char* key, const std::string& rule, const std::string& remedy) {
+        io::refuse(document, key, rule, remedy);
+    };
+    if (!has_loops) {
+        if (is_free(rig_stiffness_key))
+            refuse("measurement.find",
+                   "the rig's stiffness is in series with the contact in friction_loop alone",
+                   "add friction_loop, or leave out rig.tangential_stiffness");
+        return;
+    }
+    for (const Table& table : input.tables)
+        if (table.measurement != Measurement::friction_loop)
+            refuse("measurement.friction_loop",
+                   "loops are evaluated on their own, and there is " +
+                       std::string(key_of(table.measurement)),
+                   "identify that in a file of its own");
+    if (!input.laws.empty())
+        refuse("measurement.laws", "loops find the numbers of one law, that of [friction]",
+               "name its numbers in measurement.find, and try laws in files of their own");
+    for (const std::string& model : input.models)
+        if (io::measurement_model(model).is_layer)
+            refuse("measurement.models",
+                   "loops are evaluated by closed forms of the half-space, not by " + model,
+                   "take models = [\"half-space\"]");
+    if (std::ranges::none_of(find, is_of_law))
+        refuse("measurement.find", "loops find friction beside whatever else",
+               "add friction.coefficient");
+    for (const std::string& key : find)
+        if (key != "substrate.young" && key != rig_stiffness_key && !is_of_law(key))
+            refuse("measurement.find", "friction_loop does not determine " + key,
+                   "find substrate.young, numbers of [friction] and rig.tangential_stiffness");
+    if (document.find_section("substrate.relaxation"))
+        refuse("substrate.relaxation.relative_moduli", "loops are those of elastic bodies",
+               "leave out [substrate.relaxation]");
+}
+
+void check_loop_loads(const Input& input, const io::Document& document) {
+    const auto states = [](const Table* table) {
+        return table->loops.loops.front().normal_force > 0;
+    };
+    const auto tables = input.all(Measurement::friction_loop);
+    if (std::ranges::none_of(tables, states)) return;
+    if (!std::ranges::all_of(tables, states))
+        io::refuse(document, "measurement.friction_loop",
+                   "of several tables all have a column normal_force or none", "add it to each");
+    if (document.find("load.normal_force"))
+        io::refuse(document, "load.normal_force",
+                   "the rows of friction_loop state their own normal forces", "omit it");
+}
+
+double guessed_young_of_loops(const Table& table, double radius, double normal_force) {
+    double stiffest = 0, load = normal_force;
+    for (const MeasuredLoop& loop : table.loops.loops) {
+        const double seen = stiffness_of(rows_of(table, loop));
+        if (seen <= stiffest) continue;
+        stiffest = seen;
+        if (loop.normal_force > 0) load = loop.normal_force;
+    }
+    // Mindlin: dF/dU = 2 G* a, a^3 = 3 F R/(4 E*), G* = 2/3 E* of what is incompressible.
+    constexpr double shear_over_plane = 2. / 3, rig_share = 2;
+    const double modulus = std::pow(
+        rig_share * stiffest / (2 * shear_over_plane * std::cbrt(.75 * load * radius)), 1.5);
+    return guessed_plane_share * modulus;
+}
+
+double largest_ratio_of_loops(const Table& table, double normal_force) {
+    double ratio = 0;
+    for (const MeasuredLoop& loop : table.loops.loops) {
+        const auto [least, most] = std::ranges::minmax(rows_of(table, loop).forces);
+        const double load = loop.normal_force > 0 ? loop.normal_force : normal_force;
+        ratio = std::max(ratio, (most - least) / 2 / load);
+    }
+    return ratio;
+}
+
+FreeParameter rig_stiffness_parameter(const Input& input) {
+    double seen = 0;
+    for (const Table& table : input.tables)
+        for (const MeasuredLoop& loop : table.loops.loops)
+            seen = std::max(seen, stiffness_of(rows_of(table, loop)));
+    return {.key = std::string(rig_stiffness_key),
+            .name = "rig_tangential_stiffness_N_per_m",
+            .symbol = "k_rig",
+            .unit = "N/m",
+            .scale = FreeParameter::Scale::reciprocal,
+            .low = softest_rig * seen,
+            .high = stiffest_rig * seen,
+            .start = 2 * seen,
+            .further_starts = {30 * seen}};
+}
+
+std::vector<FreeParameter> drift_parameters(const Input& input) {
+    const auto shows_drift = [](const Table& table) {
+        std::vector<std::size_t> n_cycles(table.loops.n_series());
+        for (const MeasuredLoop& loop : table.loops.loops) ++n_cycles[loop.series];
+        return std::ranges::any_of(n_cycles, [](std::size_t n) { return n >= least_cycles; });
+    };
+    if (std::ranges::none_of(input.tables, shows_drift)) return {};
+    constexpr double most_drift = 1.9;  // nothing would be left in the first or last cycle
+    return {{.key = std::string(drift_key),
+             .name = "friction_drift",
+             .symbol = "drift",
+             .scale = FreeParameter::Scale::either_sign,
+             .low = -most_drift,
+             .high = most_drift,
+             .start = 0,
+             .size = 1}};
+}
+
+}  // namespace tricontact::experiments
