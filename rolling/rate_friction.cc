@@ -113,13 +113,14 @@ class Search {
   public:
     Search(const contact::Compliance& compliance, const SteadyProblem& problem,
            const ChangingFriction& friction, double tolerance, SteadySolution& solution,
-           std::vector<double>& left)
+           std::vector<double>& left, const SteadySolution* other)
         : compliance_(compliance),
           problem_(problem),
           friction_(friction),
           tolerance_(tolerance),
           solution_(solution),
           left_(left),
+          other_(other),
           range_(std::abs(1 - friction.in_the_end)) {
         double bound = 0, n = 0;
         for (const double one : problem.bound)
@@ -132,7 +133,8 @@ class Search {
         const auto [least, most] = std::minmax({1., friction_.in_the_end});
         contact::OneSidedFixedPoint iteration;
         int n_tries = 0, next_try = 0;
-        double before = 1;  // change
+        // Change. From another state's tractions the first iterate shall not stay where they are.
+        double before = other_ ? .1 : 1;
         for (int k = 0; k < contact::OneSidedFixedPoint::max_iterations; ++k) {
             const double asked = std::max(tolerance_, of_change / steepness_ * before);
             solve(asked, k == 0);
@@ -141,8 +143,9 @@ class Search {
             if (change <= tolerance_ && asked == tolerance_) return change;
             const bool contracts = change < before && change < close_by * range_;
             if (friction_.slopes && contracts && k >= next_try && n_tries < 3) {
-                if (const auto left_over = try_newton(next, change, change / before))
-                    return *left_over;
+                for (const SteadySolution* from : {other_, &std::as_const(solution_)})
+                    if (const auto left_over = try_newton(from, next, change, change / before))
+                        return *left_over;
                 ++n_tries;
                 next_try = k + steps_before_another_try;
             }
@@ -197,12 +200,14 @@ class Search {
         return change;
     }
 
-    /// Newton's method on tractions and mu together, from the last iterate, whose `next` is known,
-    /// by a `change` that is `factor` times the one before. Taken where it arrives no farther away
-    /// than iterates that go on so could lead, and on their side; else null, and nothing changes.
-    std::optional<double> try_newton(const std::vector<double>& next, double change,
-                                     double factor) {
-        SteadySolution found = solution_;
+    /// Newton's method on tractions and mu together, after an iterate whose `next` is known, by a
+    /// `change` that is `factor` times the one before; `from` that one, or a state. Taken where it
+    /// arrives no farther away than iterates that go on so could lead, and on their side; else
+    /// null, and nothing changes.
+    std::optional<double> try_newton(const SteadySolution* from, const std::vector<double>& next,
+                                     double change, double factor) {
+        if (!from) return {};
+        SteadySolution found = *from;
         const FollowingBound following{friction_.left, friction_.slopes};
         SteadyNewton newton(compliance_, problem_, {tolerance_}, found, &following);
         try {
@@ -227,6 +232,7 @@ class Search {
     const double tolerance_;
     SteadySolution& solution_;
     std::vector<double>& left_;
+    const SteadySolution* const other_;
     const double range_;    // of what is left
     double steepness_ = 1;  // change of mu over the residual of the state that it follows [-]
 };
@@ -235,10 +241,11 @@ class Search {
 
 double solve_steady_rated(const contact::Compliance& compliance, const SteadyProblem& problem,
                           const ChangingFriction& friction, SlipStart from, double tolerance,
-                          SteadySolution& solution, std::vector<double>& left) {
+                          SteadySolution& solution, std::vector<double>& left,
+                          const SteadySolution* other) {
     if (left.empty())
         left.assign(problem.bound.size(), from == SlipStart::slow ? 1 : friction.in_the_end);
-    return Search(compliance, problem, friction, tolerance, solution, left).run();
+    return Search(compliance, problem, friction, tolerance, solution, left, other).run();
 }
 
 }  // namespace tricontact::rolling

@@ -43,10 +43,13 @@ ChangingFriction friction_by_temperature(const contact::ContactPoints& grid,
 ///
 /// By the speed of slip mu falls, from slow slip, from one iterate to the next and slip grows, from
 /// fast slip the other way round: what they come to are the states of least and of most slip. By
-/// the temperature both are ends to begin at. Returns the largest change of mu over mu at rest that
-/// was left. Throws as solve_steady; InputError when a force is more than what slips carries.
+/// the temperature both are ends to begin at. `other`: a state that another search found; where
+/// this one comes to it, Newton's method begins there; null: none. Returns the largest change of mu
+/// over mu at rest that was left. Throws as solve_steady; InputError when a force is more than what
+/// slips carries.
 double solve_steady_rated(const contact::Compliance& compliance, const SteadyProblem& problem,
                           const ChangingFriction& friction, SlipStart from, double tolerance,
-                          SteadySolution& solution, std::vector<double>& left);
+                          SteadySolution& solution, std::vector<double>& left,
+                          const SteadySolution* other = nullptr);
 
 }  // namespace tricontact::rolling

@@ -57,6 +57,9 @@ struct RollingProblem {
     /// Of Coulomb's law at rest, in the steady state; rolling from rest does not know it.
     std::optional<contact::FrictionRate> rate{};
     SlipStart slip_start = SlipStart::slow;
+    /// The state that a search from the other start found, to begin with and to be recognised; see
+    /// solve_steady_rated. It outlives the problem; null: none.
+    const contact::Surface* other_state = nullptr;
     /// Of a steady state whose temperatures are asked for, at `speed`.
     std::optional<contact::ContactHeat> heat{};
     /// Of Coulomb's law by the temperatures of `heat`, in the steady state likewise.

@@ -1,5 +1,6 @@
 #include <cmath>
 #include <functional>
+#include <optional>
 
 #include "contact/base/error.h"
 #include "contact/base/special_values.h"
@@ -40,6 +41,12 @@ class StaggeredIteration {
           normal_solver_(std::move(normal_solver)),
           stick_inverse_(compliance) {
         steady_.traction = TangentialField(points_.size());
+        if (const contact::Surface* other = problem_.other_state) {
+            normal_.pressure = other->normal_traction;
+            steady_.traction.x = other->tangential_traction_x;
+            steady_.traction.y = other->tangential_traction_y;
+            other_ = steady_;
+        }
         coupling_.place({});
     }
 
@@ -174,8 +181,9 @@ class StaggeredIteration {
             by_heat ? friction_by_temperature(points_, *problem_.friction_temperature,
                                               *problem_.heat, *mu, problem_.speed, bound_)
                     : friction_by_rate(points_, *problem_.rate, *mu, problem_.speed);
-        rate_residual_ = solve_steady_rated(compliance_, problem, friction, problem_.slip_start,
-                                            problem_.tolerance, steady_, left_);
+        rate_residual_ =
+            solve_steady_rated(compliance_, problem, friction, problem_.slip_start,
+                               problem_.tolerance, steady_, left_, other_ ? &*other_ : nullptr);
         for (std::size_t i = 0; i < bound_.size(); ++i) bound_[i] *= left_[i];
     }
 
@@ -222,7 +230,8 @@ class StaggeredIteration {
     std::vector<double> bound_;
     contact::EdgeChatter chatter_;
     SteadySolution steady_;
-    std::vector<double> left_;  // of friction by its rate, see solve_steady_rated
+    std::optional<SteadySolution> other_;  // tractions alone
+    std::vector<double> left_;             // of friction by its rate, see solve_steady_rated
     double rate_residual_ = 0;
     double gap_residual_ = 0;
     int iterations_ = 0;

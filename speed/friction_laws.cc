@@ -146,6 +146,34 @@ void falling(benchmark::State& state) {
     };
     for (auto _ : state) state.counters["of_coulomb"] = ratio_of(run(rated), run(problem));
 }
+/// At half the creepage of a force that slides: a search from slow slip, and one from fast slip
+/// that knows what the first has found.
+void falling_both_ends(benchmark::State& state) {
+    const contact::Case c = rig(.2, .4);
+    const auto compliance = bem::case_compliance(c, 1, bem::Body::half_space);
+    rolling::RollingProblem problem;
+    problem.indenter = c.make_indenter();
+    problem.friction = c.friction.law();
+    problem.normal.value = *c.load.normal_force;
+    problem.drive.creepage = {.025, 0};
+    problem.tolerance = c.of<bem::Settings>().tolerance;
+    problem.speed = 1;
+    rolling::RollingProblem slow = problem;
+    slow.rate = {.drops = {.1}, .speeds = {.01}};
+    rolling::RollingProblem fast = slow;
+    fast.slip_start = rolling::SlipStart::fast;
+    const auto found = rolling::steady_rolling(*compliance, slow);
+    fast.other_state = &found.surface;
+    const auto run = [&](const rolling::RollingProblem& one) {
+        return [&] { rolling::steady_rolling(*compliance, one); };
+    };
+    for (auto _ : state) {
+        state.counters["of_coulomb"] = ratio_of(run(slow), run(problem));
+        state.counters["other_of_coulomb"] = ratio_of(run(fast), run(problem));
+    }
+}
+BENCHMARK(falling_both_ends)->Unit(benchmark::kSecond)->Iterations(1);
+
 /// A ball drawn over rubber by a shift and back, 120 cells in a, with a layer that flows from 0.08
 /// MPa on and hardens by so many MPa/m.
 void hardening(benchmark::State& state) {

@@ -4,10 +4,14 @@
 #include <benchmark/benchmark.h>
 
 #include <cmath>
+#include <memory>
 
+#include "bem/grid_compliance.h"
 #include "bem/settings.h"
 #include "bem/steady_model.h"
+#include "contact/bodies/indenter.h"
 #include "contact/cells.h"
+#include "contact/friction/friction.h"
 #include "contact/relaxing_case.h"
 #include "rolling/run.h"
 #include "speed/cpu_timer.h"
@@ -79,6 +83,44 @@ BENCHMARK_CAPTURE(steady_point, cylinder, false)
     ->Arg(2000)
     ->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(steady_point, sphere, true)->Arg(9)->Unit(benchmark::kMillisecond);
+
+/// A sphere on 2 n + 7 cells a side at a creepage of 0.7 mu a/R, or spinning by mu/(2 R):
+/// `products` of the compliance, those of normal contact included, and `ms` of CPU without the
+/// kernel.
+void driven_sphere(benchmark::State& state, bool spins) {
+    constexpr double radius = .07, a = 4e-3, friction = .35;
+    const auto n = static_cast<int>(state.range(0));
+    const contact::MaterialPair materials{{}, {3e6, .3}};
+    const double h = a / n, first = -(n + 3) * h, unit = friction * a / radius;
+    const auto compliance = bem::half_space_compliance(
+        materials, contact::ContactPoints::grid(2 * n + 7, 2 * n + 7, {first, first}, {h, h}), 1);
+    rolling::RollingProblem problem;
+    problem.indenter = std::make_shared<contact::Paraboloid>(radius);
+    problem.friction = contact::Friction{friction}.law();
+    problem.normal.value = 4. / 3 * materials.effective_modulus() * std::pow(a, 3) / radius;
+    problem.drive.creepage = {spins ? 0 : .7 * unit, 0};
+    problem.drive.spin = spins ? .5 * unit / a : 0;
+    problem.coupling = false;
+    double products = 0, seconds = 0, runs = 0;
+    for (auto _ : state) {
+        const CpuTimer timer;
+        products += rolling::steady_rolling(*compliance, problem).state.iterations;
+        seconds += timer.seconds();
+        ++runs;
+    }
+    state.counters["products"] = products / runs;
+    state.counters["ms"] = 1e3 * seconds / runs;
+}
+BENCHMARK_CAPTURE(driven_sphere, creeps, false)
+    ->Arg(24)
+    ->Arg(68)
+    ->Arg(146)
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(driven_sphere, spins, true)
+    ->Arg(24)
+    ->Arg(68)
+    ->Arg(146)
+    ->Unit(benchmark::kMillisecond);
 
 /// Rolled on until nothing changes, over the steady state by itself (`over_steady`).
 void rolled_until_steady(benchmark::State& state) {

@@ -116,12 +116,14 @@ RollingRun roll_on_grid(const std::string& model, const Case& c, const RollRuns&
     if (runs.both_ends && rolling::friction_changes(c) && problem.drive.creepage[0]) {
         problem.slip_start = rolling::SlipStart::fast;
         rolling::RollingHistory& history = recorder.run.history;
+        problem.other_state = &history.surface;
         history.why_no_fast_slip = contact::why_it_stopped([&] {
             const auto fast = steady_at();
             contact::require_sound(fast.audit, model);
             history.from_fast_slip = fast.state;
         });
         problem.slip_start = rolling::SlipStart::slow;
+        problem.other_state = nullptr;
     }
     // Who rolls freely has a curve about the creepage that it has by itself.
     const bool free =

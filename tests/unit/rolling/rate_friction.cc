@@ -116,6 +116,27 @@ TEST(RateFriction, BothWaysMeetWhereFrictionFallsSlowly) {
     EXPECT_NEAR(force(problem), slow, 1e-6);
 }
 
+// A search that knows the state of the other one costs less where both meet, and leads to its own
+// end where they do not: Coulomb's law with what friction has left.
+TEST(RateFriction, KnowsTheStateOfTheOtherSearch) {
+    for (const bool meet : {true, false}) {
+        const double drop = meet ? .05 : .1, creepage = meet ? .8 : .6;
+        RollingProblem problem = row(creepage, falling(meet ? 3 : 1e-9, drop));
+        const auto slow = steady(problem);
+        problem.slip_start = SlipStart::fast;
+        const auto alone = steady(problem);
+        problem.other_state = &slow.surface;
+        const auto knowing = steady(problem);
+        EXPECT_NEAR(knowing.state.force[0] / alone.state.force[0], 1, 1e-6);
+        if (meet) {
+            EXPECT_LT(knowing.state.iterations, .7 * alone.state.iterations);
+            EXPECT_NEAR(knowing.state.force[0] / slow.state.force[0], 1, 1e-6);
+        } else {
+            EXPECT_LT(knowing.state.force[0], slow.state.force[0] * (1 - 1e-3));
+        }
+    }
+}
+
 // A long memory keeps mu at rest, a short one none.
 TEST(RateFriction, MemoryLiesBetween) {
     RollingProblem problem = row(.8, falling(1));
