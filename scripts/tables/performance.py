@@ -47,11 +47,14 @@ def performance(program):
                 ", ".join(f"{one[key]:.0f}" for key in ("iterations", "iterations_without_start", "iterations_plain")), "benchmark_rough")
             row("its iterations over their convolutions; memory", f"{one['over_its_convolutions']:.2f}; {one['peak_memory_GB']:.2f} GB", "benchmark_rough")
 
-    steady = of("benchmark_steady_rolling", "steady_point")
+    steady = of("benchmark_steady_rolling", "steady_point|driven_sphere")
     for name, what in (("cylinder/9", "cylinder of 80 cells, v tau = 9 mm"), ("cylinder/2000", "2 m"), ("sphere/9", "sphere, 9 mm")):
         one = steady(f"steady_point/{name}")
         row(f"steady rolling over relaxing rubber, {what}: products; over elastic", f"{one['products']:.0f}; {one['over_elastic']:.1f}",
             "benchmark_steady_rolling")
+    for name, what in (("creeps", "steady rolling of a driven sphere on 55 x 55, 143 x 143 and 299 x 299 cells: products at a creepage"),
+                       ("spins", "the same with spin")):
+        row(what, ", ".join(f"{steady(f'driven_sphere/{name}/{n}')['products']:.0f}" for n in (24, 68, 146)), "benchmark_steady_rolling")
 
     walking = of("benchmark_walking", "avx2/|plain/|one_machine")
     for body in ("two-spot", "prism"):
