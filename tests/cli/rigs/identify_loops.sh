@@ -65,4 +65,5 @@ refused "the rig's stiffness is in series with the contact in friction_loop alon
 cp "$source_dir"/examples/records/synthetic_shakedown.toml record.toml
 sed -i 's/^runs = .*/runs = ["fretting_loops.csv"]/' record.toml
 refused "has a column cycle, as friction loops have" experiment "$work/record.toml"
+refused "tables of [measurement] are evaluated by tricontact identify" experiment "$work/fretting_loops.toml"
 finish

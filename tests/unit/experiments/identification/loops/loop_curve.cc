@@ -32,8 +32,9 @@ double mindlin_deresiewicz(double force) {
            (1 - std::pow(1 - f, 5. / 3) - 5 * f / 6 * (1 + std::cbrt(std::pow(1 - f, 2))));
 }
 
-// The table of w has 64 nodes, whose cubics are 1e-9 of the force off.
-constexpr double tolerance = 1e-8;
+// The table of w has 64 nodes: (1/64)^4/384 of the fourth derivative is some 1e-9 of the force, ten
+// times that beside a soft rig.
+constexpr double tolerance = 1e-7;
 
 TEST(LoopCurve, is_mindlins_with_a_spring_in_series) {
     const LoopCurve curve = mindlin(compliance);
@@ -42,7 +43,7 @@ TEST(LoopCurve, is_mindlins_with_a_spring_in_series) {
         EXPECT_NEAR(curve.at(shift, 1).force, force, tolerance * limit);
         EXPECT_NEAR(curve.at(-shift, 1).force, -force, tolerance * limit);
         // Twice the friction: twice the force at twice the shift.
-        EXPECT_NEAR(curve.at(2 * shift, 2).force, 2 * force, tolerance * limit);
+        EXPECT_NEAR(curve.at(2 * shift, 2).force, 2 * force, 2 * tolerance * limit);
         const double step = 1e-5 * shift;
         EXPECT_NEAR(curve.at(shift, 1).slope,
                     (curve.at(shift + step, 1).force - curve.at(shift - step, 1).force) / 2 / step,
