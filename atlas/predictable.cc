@@ -28,6 +28,7 @@ std::string what_is_not_mapped(const Case& c) {
     const theory::RolledLaw* law = theory::rolled_law(c.friction);
     if (!law) return "laws of friction other than Coulomb's and a shear strength alone";
     if (c.interface.is_elastic()) return "interfaces with springs";
+    if (c.has_bulk_stress()) return "bulk stresses";
     if (!law->is_coulomb())
         return c.is_line_contact() ? "line contacts under a shear strength" : "";
     if (c.friction_coefficient() <= 0) return "contacts without friction";

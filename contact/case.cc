@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "contact/base/error.h"
 #include "contact/bodies/body_shapes.h"
 
@@ -44,6 +46,23 @@ void Case::require_rigid_interface(const std::string& what) const {
                          "[interface]");
 }
 
+double Case::bulk_stress_at(double phase) const {
+    if (!prescribed_path) return load.bulk_stress;
+    const auto& rows = prescribed_path->rows;
+    const double last = static_cast<double>(rows.size() - 1);
+    const auto from = static_cast<std::size_t>(std::clamp(std::floor(phase), 0., last));
+    if (from + 1 == rows.size()) return rows.back().bulk_stress;
+    return PrescribedPath::between(rows[from], rows[from + 1], phase - static_cast<double>(from))
+        .bulk_stress;
+}
+
+void Case::require_no_bulk_stress(const std::string& what) const {
+    if (has_bulk_stress())
+        throw InputError(
+            std::string(load.bulk_stress == 0 ? "path: bulk_stress: " : "load.bulk_stress: ") +
+            what + " presume a substrate that the contact alone loads; omit it");
+}
+
 double Case::Layer::total_thickness() const {
     double sum = *thickness;
     for (const Lower& one : lower) sum += one.thickness;
@@ -56,8 +75,22 @@ bool is_hertz_round(const Case& c) {
     return round && !c.indenter.roughness;
 }
 
+bool Case::has_bulk_stress() const {
+    return load.bulk_stress != 0 || (prescribed_path && prescribed_path->has_bulk_stress());
+}
+
+bool Case::is_pressed_only() const {
+    if (rolling || tractive_rolling) return false;
+    if (!prescribed_path) return !load.is_tangential() && !has_bulk_stress();
+    return std::ranges::none_of(prescribed_path->rows, [](const PrescribedPath::Row& row) {
+        return row.rotation != 0 || row.offset != Vector2{} || row.bulk_stress != 0 ||
+               std::ranges::any_of(row.tangential, [](const auto& t) { return t.value != 0; });
+    });
+}
+
 bool is_coulomb_round(const Case& c) {
-    return is_hertz_round(c) && c.friction.is_coulomb() && !c.interface.is_elastic();
+    return is_hertz_round(c) && c.friction.is_coulomb() && !c.interface.is_elastic() &&
+           !c.has_bulk_stress();
 }
 
 bool has_conical_tip(const Case& c) {

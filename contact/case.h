@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "contact/base/bulk_state.h"
 #include "contact/base/typed_values.h"
 #include "contact/bodies/indenter.h"
 #include "contact/bodies/indenter_data.h"
@@ -56,6 +57,12 @@ struct Case {
 
     using Contact = ContactOptions;
 
+    /// Yield stresses of the bodies [Pa], for findings alone: all models are elastic.
+    struct YieldStresses {
+        std::optional<double> indenter, substrate;
+        bool any() const { return indenter || substrate; }
+    };
+
     struct Load {
         std::optional<double> normal_force;      ///< F_N [N]
         std::optional<double> indentation;       ///< d [m], instead of normal_force
@@ -70,6 +77,8 @@ struct Case {
         double normal_phase = 0;                ///< [rad]
         double tangential_amplitude_ratio = 0;  ///< [-]
         double tangential_phase = 0;            ///< [rad]
+        /// Of the substrate along x, tension positive, which acts and changes with F_T [Pa].
+        double bulk_stress = 0;
         /// How coupled models are pressed before F_T acts: with friction, F_N rising in equal
         /// steps, or in one step without friction.
         Press press = Press::friction;
@@ -84,6 +93,11 @@ struct Case {
         bool is_by_limit() const { return limit_fraction || limit_excess; }
         /// The key that says so; null if there is none.
         const char* limit_key() const;
+        /// A tangential force is asked for, in whatever way.
+        bool is_tangential() const {
+            return tangential_force.value_or(0) != 0 || tangential_ratio.value_or(0) != 0 ||
+                   is_by_limit();
+        }
         /// F_T/(mu F_N) of a load by this limit.
         double ratio_by_limit(double limit) const;
         /// F_T/(mu F_N) in place of whatever says F_T.
@@ -129,6 +143,7 @@ struct Case {
     std::optional<Relaxation> relaxation;  ///< of the substrate; empty: elastic
     std::optional<double> period;          ///< of indenters and tractions along x and y [m]
     Layer layer;
+    YieldStresses yield_stress;
     Friction friction;
     Interface interface;
     Contact contact;
@@ -170,11 +185,24 @@ struct Case {
     /// For what presumes a rigid interface, `what` its name: "maps", "deviations". Throws
     /// InputError if that of the case is elastic.
     void require_rigid_interface(const std::string& what) const;
+    /// For what presumes a substrate that the contact alone loads, `what` its name. Throws
+    /// InputError if load or path has a bulk stress.
+    void require_no_bulk_stress(const std::string& what) const;
     /// For what presumes Coulomb's law, tau = mu p, and is no run of a model: `what` ("a
     /// deviation"), `place` of messages, `instead` what else could be done, if anything. Throws
     /// InputError if friction follows another law.
     void require_coulomb(const std::string& what, const std::string& place = "friction",
                          const std::string& instead = {}) const;
+    /// Of the substrate under this stress along x [Pa].
+    BulkState bulk_state(double stress) const {
+        return contact::bulk_state(substrate, stress, is_line_contact());
+    }
+    /// Whether the load or a row of the path has one.
+    bool has_bulk_stress() const;
+    /// Neither load, path nor rolling asks for anything but the normal load.
+    bool is_pressed_only() const;
+    /// At a phase of a run [Pa].
+    double bulk_stress_at(double phase) const;
     MaterialPair materials() const { return {indenter.material, substrate}; }
     /// With its roughness.
     std::unique_ptr<Indenter> make_indenter() const;
@@ -204,8 +232,8 @@ double expected_friction(const Case& c);
 
 /// A smooth paraboloid or sphere: what formulas with one radius R are about.
 bool is_hertz_round(const Case& c);
-/// The same under Coulomb's law of friction on a rigid interface: what Cattaneo and Mindlin's
-/// formulas, kappa and eta are about.
+/// The same under Coulomb's law of friction on a rigid interface, the substrate loaded by the
+/// contact alone: what Cattaneo and Mindlin's formulas, kappa and eta are about.
 bool is_coulomb_round(const Case& c);
 /// Whether the pressure at the centre is infinite.
 bool has_conical_tip(const Case& c);

@@ -10,6 +10,7 @@
 #include "contact/bodies/ellipsoid.h"
 #include "contact/cells.h"
 #include "contact/friction/radial_bound.h"
+#include "contact/rig_stiffness.h"
 #include "contact/section_scales.h"
 
 namespace tricontact::contact {
@@ -302,10 +303,29 @@ HalfSpaceScales scales_of(const Case& c) {
     }
 }
 
+/// With the depth that a rig's drive leaves for the contact, d + F_N(d)/k_n = d_drive. F_N grows
+/// with d: the root lies between 0 and d_drive.
+Case behind_rig(const Case& c) {
+    const double compliance = c.of<RigStiffness>().normal_compliance();
+    if (!c.load.indentation || compliance == 0) return c;
+    Case left = c;
+    const double drive = *c.load.indentation;
+    double low = 0, high = drive;
+    while (high - low > 1e-12 * high) {
+        const double middle = (low + high) / 2;
+        left.load.indentation = middle;
+        const double held = middle + compliance * scales_of(left).normal_force;
+        (held < drive ? low : high) = middle;
+        if (middle <= 1e-300) break;
+    }
+    left.load.indentation = high;
+    return left;
+}
+
 }  // namespace
 
 HalfSpaceScales half_space_scales(const Case& c) {
-    HalfSpaceScales scales = scales_of(c);
+    HalfSpaceScales scales = scales_of(behind_rig(c));
     scales.friction_limit = friction_of(c) * scales.normal_force;
     if (c.friction.is_coulomb_at_rest()) return scales;
     const MeanFriction mean = mean_friction(c, scales);

@@ -44,6 +44,8 @@ std::vector<LoadStep> pressing_steps(const Case& c, const LoadStep& pressed) {
         step.normal.value *= share;
         for (TangentialControl& control : step.tangential) control.value *= friction ? share : 0;
         step.rotation *= friction ? share : 0;
+        for (double& part : step.bulk.stress) part *= friction ? share : 0;
+        for (double& part : step.bulk.strain) part *= friction ? share : 0;
         step.friction = friction;
         step.duration =
             c.load.press_time ? *c.load.press_time / n : std::numeric_limits<double>::infinity();
@@ -52,9 +54,10 @@ std::vector<LoadStep> pressing_steps(const Case& c, const LoadStep& pressed) {
 }
 
 /// The state at a row of a prescribed path.
-LoadStep step_to(const PrescribedPath::Row& row, const CentreOfRotation& centre, double phase) {
+LoadStep step_to(const Case& c, const PrescribedPath::Row& row, double phase) {
     LoadStep step;
-    step.centre = centre;
+    step.centre = c.prescribed_path->centre;
+    step.bulk = c.bulk_state(row.bulk_stress);
     step.phase = phase;
     step.offset = row.offset;
     step.normal = row.normal;
@@ -74,7 +77,7 @@ void check_carries(const Case& c, const LoadStep& step) {
 LoadPath prescribed(const Case& c) {
     const PrescribedPath& prescribed = *c.prescribed_path;
     LoadPath path;
-    const LoadStep first = step_to(prescribed.rows.front(), prescribed.centre, 0);
+    const LoadStep first = step_to(c, prescribed.rows.front(), 0);
     if (!prescribed.starts_unloaded()) {
         path.pressing = pressing_steps(c, first);
         // What has slid freely is loaded when it has been pressed.
@@ -88,7 +91,7 @@ LoadPath prescribed(const Case& c) {
         const int n = std::max(1, to.steps);
         for (int k = 1; k <= n; ++k) {
             const double share = static_cast<double>(k) / n;
-            LoadStep step = step_to(PrescribedPath::between(from, to, share), prescribed.centre,
+            LoadStep step = step_to(c, PrescribedPath::between(from, to, share),
                                     static_cast<double>(r - 1) + share);
             step.duration = prescribed.is_timed() ? (to.time - from.time) / n
                                                   : std::numeric_limits<double>::infinity();
@@ -207,6 +210,7 @@ LoadPath make_load_path(const Case& c, double normal_force, double contact_radiu
         step.normal.value *= factor(c.load.normal_amplitude_ratio, c.load.normal_phase);
         step.tangential[0].value =
             mean_force * factor(c.load.tangential_amplitude_ratio, c.load.tangential_phase);
+        step.bulk = c.bulk_state(c.load.bulk_stress);
         if (step.normal.kind == NormalControl::Kind::force)
             check_friction_limit(c, step.phase, std::abs(step.tangential[0].value),
                                  step.normal.value);

@@ -17,10 +17,11 @@ constexpr double same_within = 1e-9;
 const Magnitude magnitudes[] = {[](const Row& row) { return row.tangential[0].value; },
                                 [](const Row& row) { return row.tangential[1].value; },
                                 [](const Row& row) { return row.rotation; },
+                                [](const Row& row) { return row.bulk_stress; },
                                 [](const Row& row) { return row.normal.value; },
                                 [](const Row& row) { return row.offset[0]; },
                                 [](const Row& row) { return row.offset[1]; }};
-constexpr std::size_t n_drives = 3;  // of those; the others go along
+constexpr std::size_t n_drives = 4;  // of those; the others go along
 
 double range_of(const std::vector<Row>& rows, const Magnitude& magnitude) {
     const auto [least, most] = std::ranges::minmax(rows, {}, magnitude);

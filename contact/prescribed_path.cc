@@ -21,7 +21,8 @@ Control interpolated(const Control& from, const Control& to, double share) {
 
 bool PrescribedPath::loads_first_row() const {
     const Row& row = rows.front();
-    return row.rotation != 0 || row.tangential[0].value != 0 || row.tangential[1].value != 0;
+    return row.rotation != 0 || row.bulk_stress != 0 || row.tangential[0].value != 0 ||
+           row.tangential[1].value != 0;
 }
 
 NormalControl PrescribedPath::hardest_normal() const {
@@ -51,6 +52,10 @@ bool PrescribedPath::twists() const {
     return std::ranges::any_of(rows, [](const Row& row) { return row.rotation != 0; });
 }
 
+bool PrescribedPath::has_bulk_stress() const {
+    return std::ranges::any_of(rows, [](const Row& row) { return row.bulk_stress != 0; });
+}
+
 bool PrescribedPath::loads_across() const {
     return std::ranges::any_of(rows, [](const Row& row) { return row.tangential[1].value != 0; });
 }
@@ -65,6 +70,7 @@ PrescribedPath::Row PrescribedPath::between(const Row& from, const Row& to, doub
     Row row = to;
     row.time = interpolated(from.time, to.time, share);
     row.rotation = interpolated(from.rotation, to.rotation, share);
+    row.bulk_stress = interpolated(from.bulk_stress, to.bulk_stress, share);
     row.normal = interpolated(from.normal, to.normal, share);
     for (int d = 0; d < 2; ++d) {
         row.offset[d] = interpolated(from.offset[d], to.offset[d], share);

@@ -20,7 +20,8 @@ struct PrescribedPath {
         double rotation = 0;  ///< twist of the indenter about `centre`, from x towards y [rad]
         NormalControl normal;                         ///< positive but for the first row's
         std::array<TangentialControl, 2> tangential;  ///< x, y: forces or shifts
-        int steps = 1;                                ///< from the row before
+        double bulk_stress = 0;  ///< XX in all of the substrate, tension positive [Pa]
+        int steps = 1;           ///< from the row before
     };
     std::vector<Row> rows;  ///< two or more
     CentreOfRotation centre = {};
@@ -37,6 +38,7 @@ struct PrescribedPath {
     /// Direction of the line through 0 on which all offsets lie [rad]; 0 where they lie on none.
     double direction() const;
     bool twists() const;
+    bool has_bulk_stress() const;
     bool loads_across() const;  ///< whether a force or shift acts along y
     bool is_timed() const { return rows.back().time > rows.front().time; }
     int n_steps() const;  ///< after the first row

@@ -11,6 +11,42 @@
 
 namespace tricontact::contact {
 
+namespace {
+
+/// What a step's work of friction is known by, point by point.
+struct StepSlip {
+    const ContactSolution& now;
+    const StepStart& before;
+    const std::vector<double>& bound_before;
+    const std::vector<ContactState>& state;
+    const TangentialField& slip;
+};
+
+/// Frictional work per area [J/m^2] of a step whose loads change in proportion: a point slips under
+/// the mean of its bounds where slip begins and at the end, F_N's change being of the second order
+/// then. What has passed of the step when slip begins is what the surface moves along, over all
+/// that the indenter moves; none where the point was at its bound. Empty without `bound_before`:
+/// the end values are all that is known.
+std::vector<double> work_between(const StepSlip& step, const Blocks& points) {
+    std::vector<double> work(step.bound_before.size());
+    const auto &u = step.now.displacement.in_surface, &old = step.before.displacement.in_surface;
+    points.for_points([&](std::size_t i) {
+        const Vector2 told = told_slip(step.state[i], step.slip.at(i));
+        const double length = norm(told), before = step.bound_before[i], after = step.now.bound[i];
+        if (!(length > 0)) return;
+        work[i] = dot(step.now.tangential.traction.at(i), told);
+        if (!(after > 0)) return;
+        const bool was_there =
+            dot(step.before.traction.in_surface.at(i), told) >= before * length * (1 - 1e-9);
+        const double way = dot(told + u.at(i) - old.at(i), told) / length;
+        const double share = was_there || !(way > length) ? 0 : 1 - length / way;
+        work[i] *= (std::lerp(before, after, share) + after) / (2 * after);
+    });
+    return work;
+}
+
+}  // namespace
+
 SurfaceModel::SurfaceModel(std::string name, const Substrate& substrate,
                            std::shared_ptr<const Indenter> indenter,
                            std::shared_ptr<const FrictionLaw> friction, double tolerance,
@@ -59,6 +95,7 @@ void SurfaceModel::release() {
     for (auto* kept : {&least_pressure_, &least_share_, &slip_path_, &friction_work_, &work_})
         kept->clear();
     energy_ = material_dissipation_ = rotation_ = released_ = 0;
+    bulk_ = {};
     substrate_->forget();
 }
 
@@ -75,15 +112,22 @@ StepRecord SurfaceModel::roll(const LoadStep& step, double rotation) {
 StepRecord SurfaceModel::take(const LoadStep& step, const StepStart& before) {
     if (points().mirrored && (step.tangential[1].value != 0 || step.rotation != 0))
         throw std::logic_error(name_ + ": half of a contact takes no load across its symmetry");
+    const bool between = step.in_proportion && !friction_->remembers();
+    const std::vector<double> bound_before = between ? now().bound : std::vector<double>();
     phase_ = step.recurs ? step.phase : 0;
     rotation_ += before.rotation;
+    bulk_ = step.bulk;
     solver_->solve(step, before);
     if (reaches_edge(points(), now().normal->pressure))
         throw ContactAtEdge(fmt::format(
             "{}: the contact reaches the edge of the meshed contact patch at phase {:.4g}", name_,
             step.phase));
     update_slip(before);
-    if (friction_->remembers()) update_memory(before);
+    if (friction_->remembers())
+        update_memory(before);
+    else
+        work_ = work_between({now(), before, bound_before, contact_state_, slip_},
+                             blocks(bound_before.size()));
     blocks(slip_path_.size()).for_points([&](std::size_t i) {
         slip_path_[i] += norm(slip(i));
         friction_work_[i] += friction_work(i);
@@ -109,7 +153,7 @@ void SurfaceModel::update_slip(const StepStart& before) {
             contact_state_[i] = ContactState::open;
             return;
         }
-        slip_.set(i, moved + solver_->rotated(before, i) - (u.at(i) - old.at(i)) -
+        slip_.set(i, moved + solver_->uneven_shift(before, i) - (u.at(i) - old.at(i)) -
                          solver_->before_touch(i));
         // On the bound without having moved is stick; 10 tolerances: the solver's noise.
         const bool moves = std::hypot(slip_.x[i], slip_.y[i]) > 10 * tolerance_ * unit;
@@ -171,6 +215,7 @@ double SurfaceModel::limit_tangential_ratio() const {
 
 std::unique_ptr<const Interior> SurfaceModel::interior() {
     auto inside = substrate_->interior(solver_->tractions());
+    if (inside && bulk_.stress[0] != 0) inside = with_bulk(*inside, bulk_);
     if (!inside || !inside->base_reaction) return inside;
     double missing = 0, applied = 0;
     for (int d = 0; d < 3; ++d) {

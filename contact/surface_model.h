@@ -40,7 +40,9 @@ class SurfaceModel final : public Model {
     bool is_coupled() const override { return !solver_->coupling().is_decoupled(); }
     StepRecord advance(const LoadStep& step) override {
         return take(step, {solver_->tractions(), now().displacement, now().shift,
-                           step.rotation - rotation_, centre_of(step), false, now().way});
+                           step.rotation - rotation_, centre_of(step), false, now().way,
+                           Vector2{step.bulk.strain[0] - bulk_.strain[0],
+                                   step.bulk.strain[1] - bulk_.strain[1]}});
     }
     /// Rolls on by one cell of the grid along x, in the frame that moves with the indenter: its
     /// offset stays, and all fields are advected by one cell before the step is taken. In it the
@@ -109,6 +111,7 @@ class SurfaceModel final : public Model {
 
     double phase_ = 0;                               // 0 of what does not recur
     double rotation_ = 0;                            // of the indenter since the start [rad]
+    BulkState bulk_;                                 // of the substrate
     TangentialField slip_;                           // of the last step [m]
     std::vector<double> slip_path_, friction_work_;  // since start_period(), see Surface
     std::vector<ContactState> contact_state_;

@@ -154,7 +154,8 @@ void transfer_solution(Archive& archive, Solution& s, Normal& normal) {
 template <class Archive, class Self>
 void SurfaceModel::transfer_rest(Archive& archive, Self& m) {
     archive(m.slip_.x, m.slip_.y, m.least_pressure_, m.least_share_, m.slip_path_, m.friction_work_,
-            m.phase_, m.rotation_, m.limit_start_, m.energy_, m.contact_state_, m.work_);
+            m.phase_, m.rotation_, m.bulk_.stress, m.bulk_.strain, m.limit_start_, m.energy_,
+            m.contact_state_, m.work_);
     m.substrate_->transfer(archive);
 }
 

@@ -88,8 +88,7 @@ Judged judged(const Case& c, double accuracy, bool coupled, double amplitude,
     Judged result;
     result.negligible_shift = std::max(settled_shift, accuracy);
     result.negligible_work = std::max(settled_work, stick_threshold * accuracy);
-    result.has_load =
-        c.load.tangential_force.value_or(0) != 0 || c.load.tangential_ratio.value_or(0) != 0;
+    result.has_load = c.load.is_tangential();
     result.memory = memory_of(c, amplitude);
     result.limit_accuracy = stick_threshold * accuracy;
     if (!coupled && !c.relaxation && c.load.tangential_amplitude_ratio == 0)

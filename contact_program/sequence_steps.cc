@@ -5,6 +5,7 @@
 #include "contact/cells.h"
 #include "contact/half_space_scales.h"
 #include "contact/heat.h"
+#include "contact/rig_stiffness.h"
 #include "contact_program/sequence.h"
 #include "io/case/case_input.h"
 #include "io/keys/messages.h"
@@ -48,11 +49,15 @@ void check_bodies(const Case& c, bool is_coupled) {
 using Kind = TangentialControl::Kind;
 
 std::string path_key(const Case& c) {
+    if (c.kept.find<io::OscillationInput>()) return io::path_words(c);
     return c.of<io::PathInput>().file ? "path.file" : "path.table";
 }
 
 /// Forces are over mu F_N there, and of x and y the force of x comes first.
 void check_path(const Case& c) {
+    if (c.of<contact::RigStiffness>().yields())
+        io::fail("rig", "", "CONTACT has no rig in series with the contact",
+                 "omit its stiffnesses, and give shifts that the contact feels");
     const contact::PrescribedPath& path = *c.prescribed_path;
     const auto is_forced = [&](int axis) {
         return path.rows.front().tangential[axis].kind == Kind::force;

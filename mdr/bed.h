@@ -78,6 +78,13 @@ class Bed : public contact::Model {
     contact::StepRecord record(const contact::LoadStep& step, const ShiftSolution& shift,
                                double depth, double spacing, const Springs& n, bool held) const;
 
+    /// What steps change of these, from or to an archive.
+    template <class Archive, class Self>
+    static void transfer(Archive& archive, Self& bed) {
+        archive(bed.total_bound_, bed.normal_force_, bed.tangential_force_, bed.shift_,
+                bed.shift_increment_, bed.limit_normal_force_, bed.limit_total_bound_);
+    }
+
     /// Of the present F_N and bounds [N].
     double friction_limit() const { return law_->limit({normal_force_, total_bound_}); }
 

@@ -52,6 +52,12 @@ class NormalBed {
     std::span<const double> heights() const {
         return {heights_.data() + contact_.first, static_cast<std::size_t>(contact_.size())};
     }
+    /// What a press leaves, from or to an archive; the profile stays.
+    template <class Archive, class Self>
+    static void transfer(Archive& archive, Self& bed) {
+        archive(bed.n_, bed.first_, bed.position_, bed.depth_, bed.contact_, bed.sampled_,
+                bed.heights_);
+    }
     bool touches_end() const { return contact_.first == 0 || contact_.last == n_; }
 
   private:

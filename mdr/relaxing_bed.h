@@ -2,6 +2,8 @@
 
 #include <memory>
 #include <optional>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "contact/base/special_values.h"
@@ -49,9 +51,14 @@ class RelaxingBed final : public Bed {
         limit_total_bound_ = total_bound_;
     }
 
+    std::string write_state() const override;
+    void read_state(std::string_view bytes) override;
+
     int size() const { return normal_.size(); }
 
   private:
+    template <class Archive, class Self>
+    static void transfer_all(Archive& archive, Self& bed);
     int press(double position, const contact::NormalControl& control);
     int press_to_sum(double sum);
     void sample_heights();

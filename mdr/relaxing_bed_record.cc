@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "contact/base/special_values.h"
+#include "contact/base/state_bytes.h"
 #include "mdr/line_surface.h"
 #include "mdr/relaxing_bed.h"
 
@@ -37,6 +38,29 @@ void RelaxingBed::audit_step(const LoadStep& step, const SlipSums& sums) {
                   rounding);
     stored_in_pressing_ = pressing_.stored;
     stored_in_shearing_ = shearing_.stored;
+}
+
+template <class Archive, class Self>
+void RelaxingBed::transfer_all(Archive& archive, Self& bed) {
+    transfer(archive, bed);
+    SpringMemory::transfer(archive, bed.normal_);
+    SpringMemory::transfer(archive, bed.tangential_);
+    archive(bed.row_, bed.touched_, bed.position_, bed.depth_, bed.heights_, bed.contact_,
+            bed.n_contact_, bed.pressed_, bed.offsets_, bed.bounds_, bed.sheared_, bed.line_bounds_,
+            bed.largest_bound_, bed.carried_, bed.force_, bed.shear_before_, bed.pressing_,
+            bed.shearing_, bed.stored_in_pressing_, bed.stored_in_shearing_, bed.friction_,
+            bed.least_load_);
+}
+
+std::string RelaxingBed::write_state() const {
+    contact::StateWriter out;
+    transfer_all(out, *this);
+    return out.take();
+}
+
+void RelaxingBed::read_state(std::string_view bytes) {
+    contact::StateReader in(bytes);
+    transfer_all(in, *this);
 }
 
 contact::Scales RelaxingBed::scales() const {

@@ -59,6 +59,8 @@ contact::StepRecord SpringBed::advance(const LoadStep& step) {
     total_bound_before_ = total_bound_;
     contact_before_ = normal_.contact();
     const int normal_iterations = press(position, step.normal);
+    if (step.in_proportion) bounds_before_ = bounds_;
+    if (is_fresh_) contact_before_ = {};
     update_bounds();
     carried_.clear();
     if (step.in_proportion) find_carried(is_fresh_ ? position : position_before);
@@ -72,7 +74,7 @@ contact::StepRecord SpringBed::advance(const LoadStep& step) {
     const double n = normal_.size(), n_contact = normal_.contact().size();
     contact::StepRecord result =
         record(step, shift, normal_.depth(), normal_.spacing(), {n, n_contact, sums.n_stick}, true);
-    result.dissipation = dk_x * sums.dissipated;
+    result.dissipation = dk_x * (step.in_proportion ? work_between() : sums.dissipated);
     result.stored_energy = normal_energy_ + dk_x * sums.energy;
     result.normal_iterations = normal_iterations;
     return result;
@@ -220,6 +222,36 @@ void SpringBed::unload(int first, int last, double increment, SlipSums& sums) co
     }
     sums.trapezoidal += trapezoidal.value();
     sums.stored += stored.value();
+}
+
+/// Frictional work over the stiffness [m^2] where depth and shift change linearly: a spring slips
+/// under the mean of its bounds where slip begins and at the end of the step. Of constant bounds
+/// that is the bound; the first touch and F_N that changes are of the second order in the step.
+double SpringBed::work_between() const {
+    const Window& now = normal_.contact();
+    const int left = std::min(contact_before_.last, now.first),
+              right = std::max(contact_before_.first, now.last);
+    return work_between(contact_before_.first, left) + work_between(now.first, now.last) +
+           work_between(right, contact_before_.last);
+}
+
+double SpringBed::work_between(int first, int last) const {
+    const Window& now = normal_.contact();
+    contact::CompensatedSum work;
+    for (int i = first; i < last; ++i) {
+        const bool touches = i >= now.first && i < now.last;
+        const bool touched = i >= contact_before_.first && i < contact_before_.last;
+        const double after = touches ? bounds_[i] : 0, before = touched ? bounds_before_[i] : 0;
+        const double carried = touches && !carried_.empty() ? carried_[i - now.first] : 1;
+        const double slip = carried * shift_increment_ - (deflections_[i] - deflections_before_[i]);
+        if (slip == 0) continue;
+        // Of the step's way, u and bound changing linearly: what has passed when it slips.
+        const double along = slip > 0 ? deflections_before_[i] : -deflections_before_[i];
+        const double to_bound = std::max(0., before - along);
+        const double at_slip = std::lerp(before, after, to_bound / (to_bound + std::abs(slip)));
+        work.add(std::abs(slip) * (at_slip + after) / 2);
+    }
+    return work.value();
 }
 
 void SpringBed::update_limit() {

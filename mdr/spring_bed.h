@@ -1,6 +1,8 @@
 #pragma once
 
 #include <optional>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "mdr/bed.h"
@@ -53,10 +55,15 @@ class SpringBed final : public Bed {
         limit_total_bound_ = total_bound_;
     }
 
+    std::string write_state() const override;
+    void read_state(std::string_view bytes) override;
+
     const NormalBed& normal() const { return normal_; }
     double deflection(int i) const { return deflections_[i]; }  ///< tangential, of spring i [m]
 
   private:
+    template <class Archive, class Self>
+    static void transfer_all(Archive& archive, Self& bed);
     int press(double position, const contact::NormalControl& control);
     void grow();
     void update_bounds();
@@ -68,6 +75,8 @@ class SpringBed final : public Bed {
     ShiftSolution find_shift_increment(const contact::TangentialControl& control) const;
     SlipSums slide(double increment);
     void unload(int first, int last, double increment, SlipSums& sums) const;
+    double work_between() const;
+    double work_between(int first, int last) const;
     void update_limit();
     void audit_step(const contact::LoadStep& step, const SlipSums& sums, double force_before);
     double slip(int spring) const {  // in contact, of the last step [m]
@@ -86,6 +95,7 @@ class SpringBed final : public Bed {
     std::vector<double> deflections_, deflections_before_;  // [m], zero out of contact
     Window contact_before_;
     std::vector<double> bounds_;           // of the springs in contact [m]
+    std::vector<double> bounds_before_;    // where loads change in proportion, else any
     std::optional<LineBound> line_bound_;  // empty: Coulomb's law
     double largest_bound_ = 0, largest_bound_before_ = 0, total_bound_before_ = 0;
     /// Per spring in contact the share of the step's shift that carries it, see

@@ -30,6 +30,16 @@ class SpringMemory {
         for (Branch& branch : branches_) pad(branch.h, n);
     }
 
+    /// What steps leave, from or to an archive.
+    template <class Archive, class Self>
+    static void transfer(Archive& archive, Self& memory) {
+        archive(memory.stiffness_, memory.deflection_, memory.free_, memory.change_, memory.mean_,
+                memory.law_);
+        for (auto& b : memory.branches_)
+            archive(b.decay, b.gain, b.mean_h, b.mean_u, b.dissipated_hh, b.dissipated_hu,
+                    b.dissipated_uu, b.h);
+    }
+
     /// Begins a step of `duration` [s] of the springs in `window`; all others must be at rest.
     void begin(double duration, const Window& window);
     double stiffness() const { return stiffness_; }  ///< of the step, over the relaxed one

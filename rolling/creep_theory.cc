@@ -73,8 +73,7 @@ CreepTheory bed_strength(const Case& c) {
 }
 
 bool rolls_freely(const Case& c) {
-    return c.load.tangential_force.value_or(0) == 0 && c.load.tangential_ratio.value_or(0) == 0 &&
-           !c.tractive_rolling->longitudinal_creepage;
+    return !c.load.is_tangential() && !c.tractive_rolling->longitudinal_creepage;
 }
 
 /// A parabola along x.

@@ -5,6 +5,7 @@
 #include "contact/base/error.h"
 #include "contact/substrates/substrate.h"
 #include "rolling/steady_solver.h"
+#include "rolling/stick_inverse.h"
 
 namespace tricontact::rolling {
 
@@ -25,7 +26,8 @@ LinearCreep linear_creep(const contact::Compliance& compliance,
     std::vector<std::size_t> active;
     for (std::size_t i = 0; i < pressure.size(); ++i)
         if (pressure[i] > 0) active.push_back(i);
-    SteadySystem system(compliance, active, {false, false});
+    const StickInverse stick_inverse(compliance);
+    SteadySystem system(compliance, active, {false, false}, stick_inverse);
     system.set_zones(std::vector<std::uint8_t>(active.size()), std::vector<Vector2>(active.size()),
                      std::vector<double>(active.size()), 0);
     const double ahead = contact::spin_point * points.spacing[0];

@@ -166,7 +166,8 @@ class Search {
         const int before = is_first ? 0 : solution_.iterations;
         try {
             solve_steady(compliance_,
-                         {bound, problem_.displacement, problem_.drive, problem_.centre},
+                         {bound, problem_.displacement, problem_.drive, problem_.centre,
+                          problem_.slip_unit, problem_.stick_inverse},
                          tolerances, solution_);
         } catch (const contact::InputError&) {
             if (is_first) throw;  // at rest, too

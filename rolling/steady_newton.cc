@@ -9,6 +9,7 @@
 #include "contact/base/error.h"
 #include "contact/base/special_values.h"
 #include "contact/solvers/friction_disc.h"
+#include "contact/substrates/substrate.h"
 
 // Bounds b(s) that follow from the slip: a slipping point has |t| = b(s) in place of a given bound.
 // Its traction moves along the direction e of its slip as well, by
@@ -46,7 +47,9 @@ SteadyNewton::SteadyNewton(const contact::Compliance& compliance, const SteadyPr
       solution_(solution),
       active_(points_in_contact(problem.bound)),
       force_controlled_{!problem.drive.creepage[0], !problem.drive.creepage[1]},
-      system_(compliance, active_, force_controlled_),
+      own_inverse_(compliance),
+      system_(compliance, active_, force_controlled_,
+              problem.stick_inverse ? *problem.stick_inverse : own_inverse_),
       alpha_(system_.local()),
       bound_(problem.bound),
       slipping_(active_.size()) {
@@ -190,16 +193,14 @@ SteadySystem::Result SteadyNewton::solve_linear_system(double farthest) {
         tangent[k] = {-t[1] / bound, t[0] / bound};
         curvature[k] = std::max(0.0, contact::dot(s, t) / bound) / bound;
     }
-    // Zones still move while the residual is large: solve no more exactly than that deserves.
-    double forcing =
-        std::clamp(0.01 * std::max(solution_.residual, solution_.force_residual), 1e-10, 1e-2);
-    if (following_) {
-        follow();
-        // Nor than the tolerances ask for.
-        forcing = std::max(forcing, .03 * std::min(tolerances_.residual / solution_.residual,
-                                                   tolerances_.force / solution_.force_residual));
-        forcing = std::min(forcing, 1e-2);
-    }
+    // Zones still move while the residual is large: solve no more exactly than that deserves, nor
+    // than the tolerances ask for.
+    const double asked = std::min(tolerances_.residual / solution_.residual,
+                                  tolerances_.force / solution_.force_residual);
+    const double forcing = std::clamp(
+        std::max(.01 * std::max(solution_.residual, solution_.force_residual), .03 * asked), 1e-10,
+        1e-2);
+    if (following_) follow();
     SteadySystem::Result result;
     for (const double relief : {0., 1.}) {
         system_.set_zones(slipping_, tangent, curvature, relief);

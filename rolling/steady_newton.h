@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "rolling/steady_solver.h"
+#include "rolling/stick_inverse.h"
 
 namespace tricontact::rolling {
 
@@ -66,6 +67,7 @@ class SteadyNewton {
     SteadySolution& solution_;
     const std::vector<std::size_t> active_;
     const std::array<bool, 2> force_controlled_;
+    const StickInverse own_inverse_;
     SteadySystem system_;
     const double alpha_;                  // [1/Pa]
     std::vector<double> bound_;           // per point [Pa]

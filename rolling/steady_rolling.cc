@@ -15,6 +15,7 @@
 #include "rolling/run.h"
 #include "rolling/steady_normal.h"
 #include "rolling/steady_solver.h"
+#include "rolling/stick_inverse.h"
 #include "rolling/temperatures.h"
 
 namespace tricontact::rolling {
@@ -36,7 +37,8 @@ class StaggeredIteration {
           problem_(problem),
           drive_(problem.drive),
           coupling_(compliance, *problem.indenter, {.coupling = problem.coupling}),
-          normal_solver_(std::move(normal_solver)) {
+          normal_solver_(std::move(normal_solver)),
+          stick_inverse_(compliance) {
         steady_.traction = TangentialField(points_.size());
         coupling_.place({});
     }
@@ -147,9 +149,12 @@ class StaggeredIteration {
         if (drive_.force_ratio)
             drive_.force[0] = problem_.friction->limit(total_friction(), *drive_.force_ratio);
         const double half_length = contact::counted_radius(points_, normal_.pressure);
-        const SteadyProblem problem{bound_, coupling_.displacement(), drive_,
+        const SteadyProblem problem{bound_,
+                                    coupling_.displacement(),
+                                    drive_,
                                     problem_.indenter->lowest_point(),
-                                    sliding_creepage(half_length)};
+                                    sliding_creepage(half_length),
+                                    &stick_inverse_};
         if (problem_.rate || problem_.friction_temperature)
             solve_rated(problem);
         else
@@ -212,6 +217,7 @@ class StaggeredIteration {
     Drive drive_;  // its forces are those of the present F_N
     contact::Coupling coupling_;
     SolveNormal normal_solver_;
+    StickInverse stick_inverse_;
     contact::NormalSolution normal_;
     std::vector<double> bound_;
     contact::EdgeChatter chatter_;

@@ -18,8 +18,8 @@ namespace {
 void bracket(const contact::Compliance& compliance, const SteadyProblem& problem,
              const SteadyTolerances& tolerances, double unit, SteadySolution& solution) {
     Drive drive = problem.drive;  // creepage along x in place of the force
-    const SteadyProblem at_creepage{problem.bound, problem.displacement, drive, problem.centre,
-                                    problem.slip_unit};
+    const SteadyProblem at_creepage{problem.bound,  problem.displacement, drive,
+                                    problem.centre, problem.slip_unit,    problem.stick_inverse};
     const auto missing_force = [&](double creepage) {
         drive.creepage[0] = creepage;
         SteadyNewton(compliance, at_creepage, tolerances, solution).run();

@@ -12,6 +12,8 @@
 
 namespace tricontact::rolling {
 
+class StickInverse;
+
 /// What the frame's motion by one cell along x adds to the slip of the `active` points, per rolled
 /// way: (u(x + h) - u(x))/h, 0 elsewhere.
 contact::TangentialField forward_gradient(const contact::ContactPoints& grid,
@@ -34,9 +36,9 @@ class SteadySystem {
         double residual = 0;         ///< over the right-hand side
     };
 
-    /// `active`: indices of the points in contact.
+    /// `active`: indices of the points in contact. `stick_inverse`: of this compliance.
     SteadySystem(const contact::Compliance& compliance, const std::vector<std::size_t>& active,
-                 std::array<bool, 2> force_controlled);
+                 std::array<bool, 2> force_controlled, const StickInverse& stick_inverse);
 
     /// Slip over traction of a cell by itself [1/Pa], the scale of M.
     double local() const { return local_; }
@@ -67,7 +69,6 @@ class SteadySystem {
     Eigen::VectorXd preconditioned(const Eigen::VectorXd& r) const;
     Eigen::VectorXd projected(const Eigen::VectorXd& f) const;
     Eigen::VectorXd without_balance(const Eigen::VectorXd& r) const;
-    Eigen::VectorXd unrolled(const Eigen::VectorXd& r) const;
     Eigen::VectorXd sliding(const Eigen::VectorXd& z) const;
     void add_missing(Eigen::VectorXd& right_hand_side) const;
     Eigen::VectorXd admissible(const Eigen::VectorXd& z) const;
@@ -76,6 +77,7 @@ class SteadySystem {
     Eigen::Vector2d total(const Eigen::VectorXd& z) const;
 
     const contact::Compliance& compliance_;
+    const StickInverse& stick_inverse_;
     const std::vector<std::size_t>& active_;
     std::array<bool, 2> force_controlled_;
     double local_;
@@ -84,7 +86,7 @@ class SteadySystem {
     std::vector<contact::Vector2> tangent_;
     std::vector<double> curvature_;
     Following following_;
-    bool all_stick_ = true;
+    std::vector<std::uint8_t> sticks_;       // per point of the grid
     std::array<Eigen::VectorXd, 2> answer_;  // without balance, to a creepage of 1
     double relief_ = 0;
     Eigen::Matrix2d force_inverse_;
@@ -102,6 +104,8 @@ struct SteadyProblem {
     /// point alone slip by far more, as on a soft interface, tractions are solved as much more
     /// exactly. 0: they are not.
     double slip_unit = 0;
+    /// Of the compliance, which several problems may share; null: made for this one.
+    const StickInverse* stick_inverse = nullptr;
 };
 
 struct SteadySolution {

@@ -3,6 +3,7 @@
 
 #include "rolling/gmres.h"
 #include "rolling/steady_solver.h"
+#include "rolling/stick_inverse.h"
 
 namespace tricontact::rolling {
 
@@ -41,8 +42,9 @@ contact::TangentialField forward_gradient(const contact::ContactPoints& grid,
 
 SteadySystem::SteadySystem(const contact::Compliance& compliance,
                            const std::vector<std::size_t>& active,
-                           std::array<bool, 2> force_controlled)
+                           std::array<bool, 2> force_controlled, const StickInverse& stick_inverse)
     : compliance_(compliance),
+      stick_inverse_(stick_inverse),
       active_(active),
       force_controlled_(force_controlled),
       local_(compliance.local_tangential() / compliance.points().spacing[0]) {
@@ -57,7 +59,8 @@ void SteadySystem::set_zones(std::vector<std::uint8_t> slipping,
     curvature_ = std::move(curvature);
     const Eigen::Index m = active_.size();
     Eigen::Matrix2d force = Eigen::Matrix2d::Identity();
-    all_stick_ = std::ranges::count(slipping_, 0) == m;
+    sticks_.assign(compliance_.points().size(), 0);
+    for (Eigen::Index k = 0; k < m; ++k) sticks_[active_[k]] = !slipping_[k];
     for (int d = 0; d < 2; ++d) {
         VectorXd along = VectorXd::Zero(2 * m);
         along.segment(d * m, m).setOnes();
@@ -152,27 +155,24 @@ VectorXd SteadySystem::product(const VectorXd& z) const {
     return all;
 }
 
-/// The inverse of M by what it is made of: displacements by summing slip up from the leading edge,
-/// as if nothing moved ahead of it, and tractions from those.
-VectorXd SteadySystem::unrolled(const VectorXd& r) const {
-    const Eigen::Index m = active_.size();
-    const contact::ContactPoints& points = compliance_.points();
-    contact::TangentialField u(points.size()), t(points.size());
-    for (Eigen::Index k = m - 1; k >= 0; --k) {
-        const std::size_t i = active_[k];
-        u.set(i, u.at(i + 1) + points.spacing[0] * contact::Vector2{r[k], r[m + k]});
-    }
-    compliance_.precondition_tangential(u, t);
-    return gathered(t, active_);
-}
-
-/// An approximate inverse but for the force balance. Once points slip, cells by themselves need
-/// fewer iterations.
+/// An approximate inverse but for the force balance: of points that stick among themselves, and
+/// of those that slip each by itself.
 VectorXd SteadySystem::without_balance(const VectorXd& r) const {
-    if (all_stick_) return unrolled(r);
     const Eigen::Index m = active_.size();
     VectorXd z(2 * m);
-    for (Eigen::Index k = 0; k < 2 * m; ++k) z[k] = r[k] / (local_ + curvature_[k % m]);
+    contact::TangentialField f(sticks_.size());
+    for (Eigen::Index k = 0; k < m; ++k) {
+        if (!slipping_[k]) f.set(active_[k], {r[k], r[m + k]});
+        const double alone = local_ + curvature_[k];
+        z[k] = r[k] / alone;
+        z[m + k] = r[m + k] / alone;
+    }
+    stick_inverse_.apply(sticks_, f);
+    for (Eigen::Index k = 0; k < m; ++k) {
+        if (slipping_[k]) continue;
+        z[k] = f.x[active_[k]];
+        z[m + k] = f.y[active_[k]];
+    }
     return z;
 }
 

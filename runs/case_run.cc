@@ -168,7 +168,8 @@ contact::History run_model(const std::string& name, const Case& c, const std::st
     contact::require_sound(history.audit, name);
     bar.finish(c.rolling ? contact::name_of(history.verdict.state) : "");
 
-    io::write_file(folder + "/history.csv", io::history_csv(history));
+    io::write_file(folder + "/history.csv",
+                   io::history_csv(history, c.of<contact::RigStiffness>()));
     states.finish();
     if (study) study_loading(c, model, history, say, *study);
     if (journal) journal->finish();

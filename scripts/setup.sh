@@ -2,7 +2,7 @@
 # Sees to the Debian packages of packages.txt: root installs what is missing, anybody else is told
 # the command. Beside an installed ParaView, VTK's development files are unpacked into build/vtk instead,
 # where CMake finds them: libvtk9-dev needs python3-vtk9, which conflicts with python3-paraview.
-# usage: setup.sh [build|no-fem|fuzz|report|docs|codes|paraview|package]...   (build)
+# usage: setup.sh [build|no-fem|fuzz|report|docs|codes|cluster|paraview|package]...   (build)
 #   no-fem: what a build without the finite elements needs
 # Exit codes: 0 all packages are there, 2 some are missing or cannot be fetched, else apt-get's.
 set -euo pipefail

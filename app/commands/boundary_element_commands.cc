@@ -91,6 +91,7 @@ std::optional<std::string> influence_of(const BoundaryElementCase& read,
 void export_to_contact_program(BoundaryElementOptions options) {
     const auto read = read_boundary_elements(options);
     const Case& c = read.c;
+    c.require_no_bulk_stress("inputs of CONTACT");
     const std::string name = std::filesystem::path(options.file).stem().string();
     const std::string influence_name = name + ".influence";
     options.choose_folder("_contact");

@@ -9,6 +9,7 @@
 #include "comparisons/quantities/reference.h"
 #include "comparisons/run/input_reading.h"
 #include "comparisons/run/path_section.h"
+#include "comparisons/strength/body_strength.h"
 #include "io/case/case_keys.h"
 #include "report/derived_value.h"
 #include "rolling/creep_theory.h"
@@ -28,6 +29,28 @@ std::string input_values(const Case& c) {
     for (const std::string& sentence : comparisons::input_sentences(c))
         text += "# " + sentence + '\n';
     return text.empty() ? text : "# What was read\n" + text + '\n';
+}
+
+/// What a yield or bulk stress makes of the bodies; `tangential_force` [N] is not finite of paths.
+void add_strength(const Case& c, double tangential_force, std::vector<report::DerivedValue>& all) {
+    if (c.has_bulk_stress()) {
+        double largest = c.load.bulk_stress;
+        if (c.prescribed_path)
+            for (const auto& row : c.prescribed_path->rows)
+                if (std::abs(row.bulk_stress) > std::abs(largest)) largest = row.bulk_stress;
+        all.push_back({"eps", c.bulk_state(largest).strain[0], "1", "strain by the bulk stress"});
+    }
+    const double normal_force = contact::half_space_scales(c).normal_force;
+    const auto strength = comparisons::strength_of(
+        c,
+        {normal_force, std::isfinite(tangential_force) ? tangential_force : 0, c.load.bulk_stress});
+    if (!strength || !strength->is_known()) return;
+    if (strength->weakest())
+        all.push_back({"Y/sigma_M", strength->weakest()->factor(), "1",
+                       "yield stress over von Mises' largest stress"});
+    if (strength->line && std::isfinite(tangential_force))
+        all.push_back(
+            {"sigma_xx", strength->line->trailing_stress(), "Pa", "stress at the trailing edge"});
 }
 
 std::vector<report::DerivedValue> derived_values(const Case& c) {
@@ -53,6 +76,7 @@ std::vector<report::DerivedValue> derived_values(const Case& c) {
         all.push_back({"f_T", r.tangential_ratio, "1",
                        c.friction.is_coulomb() ? "F_T/(mu F_N)" : "over what friction carries"});
     }
+    add_strength(c, r.tangential_ratio * hertz.friction_limit, all);
     if (!c.rolling) return all;
     all.push_back({"W", r.amplitude_ratio * hertz.contact_radius, "m", "rolling amplitude"});
     all.push_back({"w", r.amplitude_ratio, "1", "W/a"});

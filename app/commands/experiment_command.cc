@@ -47,9 +47,11 @@ void evaluate_records(CommandOptions options) {
     const experiments::ExperimentInput input =
         experiments::read_experiment(options.file, options.overrides);
     if (input.has_laws) options.reads->emplace_back("[measurement]");
-    if (input.case_file && !input.has_laws)
-        io::read_case(*input.case_file, options.overrides)
-            .require_rigid_interface("predictions of records");
+    if (input.case_file && !input.has_laws) {
+        const contact::Case c = io::read_case(*input.case_file, options.overrides);
+        c.require_rigid_interface("predictions of records");
+        c.require_no_bulk_stress("predictions of records");
+    }
     experiments::ExperimentEvaluation evaluation =
         experiments::evaluate_experiment(input.experiment);
     report::Document document;

@@ -9,6 +9,7 @@
 #include "comparisons/quantities/reference.h"
 #include "comparisons/run/input_reading.h"
 #include "comparisons/shakedown/limit_search.h"
+#include "io/case/case_input.h"
 #include "io/case/rolling_on.h"
 
 namespace tricontact::app {
@@ -30,9 +31,9 @@ struct LimitOptions : CommandOptions {
 void check(const LimitOptions& options, const Case& c) {
     io::refuse_rolling_on(c, options.file);
     if (c.prescribed_path)
-        options.refuse(
-            "[path]: a limit of shakedown is that of rolling back and forth; give [load] and "
-            "[rolling] instead, or take tricontact run, which computes the path");
+        options.refuse(io::path_words(c) +
+                       ": a limit of shakedown is that of rolling back and forth; give [load] and "
+                       "[rolling] instead, or take tricontact run, which computes the path");
     if (!c.rolling)
         options.refuse(
             "there is no [rolling], and without it no limit of shakedown; add that section");

@@ -7,6 +7,7 @@
 #include "bem/settings.h"
 #include "comparisons/resolution/fineness.h"
 #include "contact/base/error.h"
+#include "contact/model_on_rig.h"
 #include "fem/settings.h"
 #include "mdr/layer_model.h"
 #include "mdr/model.h"
@@ -31,8 +32,8 @@ bool has_model([[maybe_unused]] std::string_view name) {
     return contact::find_model_kind(name) != nullptr;
 }
 
-std::unique_ptr<contact::Model> make_model(const std::string& name, const Case& c, int n_threads,
-                                           [[maybe_unused]] const Say& say) {
+std::unique_ptr<contact::Model> make_bare_model(const std::string& name, const Case& c,
+                                                int n_threads, [[maybe_unused]] const Say& say) {
     if (name == contact::models::mdr) return mdr::make_model(c);
     if (name == contact::models::mdr_layer) return mdr::make_layer_model(c);
     if (name == contact::models::bem) return bem::make_model(c, n_threads);
@@ -47,6 +48,15 @@ std::unique_ptr<contact::Model> make_model(const std::string& name, const Case& 
             "models: atlas runs nothing: it holds what runs came to; take tricontact predict, or "
             "name another model");
     throw contact::InputError("models: this program was built without the model " + name);
+}
+
+/// Behind the rig that drives it.
+std::unique_ptr<contact::Model> make_model(const std::string& name, const Case& c, int n_threads,
+                                           const Say& say) {
+    auto model = make_bare_model(name, c, n_threads, say);
+    const contact::RigStiffness& rig = c.of<contact::RigStiffness>();
+    return rig.yields() ? std::make_unique<contact::ModelOnRig>(std::move(model), rig)
+                        : std::move(model);
 }
 
 double solver_tolerance(const std::string& name, const Case& c) {

@@ -8,6 +8,7 @@
 
 #include "benchmarks/decks/graded_line.h"
 #include "contact/base/error.h"
+#include "contact/rig_stiffness.h"
 
 namespace tricontact::benchmarks {
 
@@ -31,8 +32,11 @@ void check_case(const contact::Case& c) {
     if (c.rolling || c.tractive_rolling) refuse("no deck has rolling contact", own);
     if (c.relaxation) refuse("no deck has a relaxing substrate", own);
     if (c.law != contact::Case::Law::linear) refuse("no deck has finite strains", own);
+    if (c.of<contact::RigStiffness>().yields())
+        refuse("no deck has a rig in series with the contact", own);
     if (c.interface.is_elastic())
         refuse("no deck has springs between the surfaces, but for its own penalty", own);
+    if (c.has_bulk_stress()) refuse("no deck has a bulk stress", own);
     if (c.indenter.roughness) refuse("no deck has a rough indenter", own);
     if (c.period) refuse("no deck has a periodic contact", own);
     if (!c.layer.lower.empty() || c.layer.ground) refuse("no deck has several layers", own);

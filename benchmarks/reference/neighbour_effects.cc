@@ -42,8 +42,7 @@ std::optional<Case> with_tangential_times(Case c, double factor) {
         value *= factor;
         return c;
     }
-    if (c.load.tangential_force.value_or(0) == 0 && c.load.tangential_ratio.value_or(0) == 0)
-        return {};
+    if (!c.load.is_tangential()) return {};
     if (c.load.tangential_force) *c.load.tangential_force *= factor;
     if (c.load.tangential_ratio) *c.load.tangential_ratio *= factor;
     return c;

@@ -39,7 +39,7 @@ std::vector<std::string> prescribed_by(const Case& c) {
 /// Body and tractions are of revolution at the end of the path.
 bool is_axisymmetric(const Case& c) {
     if (c.is_cylindrical() || c.indenter.shape == Case::Shape::ellipsoid) return false;
-    return is_pressed_only(c);
+    return c.is_pressed_only();
 }
 
 }  // namespace

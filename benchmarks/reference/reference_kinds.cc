@@ -21,23 +21,11 @@ using contact::NormalControl;
     throw contact::InputError("reference: " + assumption + "; " + remedy);
 }
 
-bool is_tangential(const contact::PrescribedPath::Row& row) {
-    return row.rotation != 0 || row.offset != contact::Vector2{} ||
-           std::ranges::any_of(row.tangential, [](const auto& t) { return t.value != 0; });
-}
-
 bool has_friction_law(const Case& c) {
     return c.friction.law()->ratio_at(1) > 0;
 }
 
 }  // namespace
-
-bool is_pressed_only(const Case& c) {
-    if (c.rolling) return false;
-    if (c.prescribed_path) return std::ranges::none_of(c.prescribed_path->rows, is_tangential);
-    return !c.load.is_by_limit() && c.load.tangential_force.value_or(0) == 0 &&
-           c.load.tangential_ratio.value_or(0) == 0;
-}
 
 void check_has_reference(const Case& c) {
     if (c.law != Case::Law::linear)
@@ -55,6 +43,10 @@ void check_has_reference(const Case& c) {
             "a contact that stays in its place or rolls back and forth is assumed, or Carter's "
             "cylinder, but this one rolls on",
             "take tricontact run, whose creep curves stand beside closed forms");
+    if (c.has_bulk_stress())
+        refuse(
+            "a substrate that the contact alone loads is assumed, but this one has a bulk stress",
+            "omit bulk_stress");
     if (c.period) refuse("one indenter is assumed, but the case repeats it", "remove bem.period");
     if (c.of<bem::Settings>().influence)
         refuse(
@@ -92,7 +84,7 @@ bool would_couple(Case c) {
 }
 
 bool is_frictionless(const Case& c) {
-    if (!is_pressed_only(c)) return false;
+    if (!c.is_pressed_only()) return false;
     return is_uncoupled(c) || (!c.prescribed_path && c.load.press == Case::Press::frictionless);
 }
 

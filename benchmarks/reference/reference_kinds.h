@@ -19,8 +19,6 @@ contact::Case pressed_alone(contact::Case c, const contact::NormalControl& contr
 
 /// Friction and motions leave no tangential traction: what presses at the end decides all.
 bool is_frictionless(const contact::Case& c);
-/// The same with friction that the pressing alone calls up.
-bool is_pressed_only(const contact::Case& c);
 /// The normal contact does not depend on friction: no coupling, or no friction.
 bool is_uncoupled(const contact::Case& c);
 /// Friction would change the pressing, did the case not leave coupling out.

@@ -31,7 +31,8 @@ std::vector<double> decades(int from, int to) {
 void check(const Case& c) {
     if (c.prescribed_path)
         throw contact::InputError(
-            "[path]: layer and half-space are compared under constant loads, at rest or rolling "
+            "[path] or an amplitude in [load]: layer and half-space are compared under constant "
+            "loads, at rest or rolling "
             "back and forth; give load.normal_force in place of the path, or run it with the "
             "models bem and bem-layer");
     c.require_coulomb("a deviation");

@@ -14,18 +14,20 @@ using contact::History;
 
 /// f_T of the oscillating force that W0 is about: along a path half of what the force covers in its
 /// last closed cycle, under one normal force; else NaN.
-double oscillating_ratio(const Case& c, const History& history) {
-    if (!c.prescribed_path) return comparisons::tangential_ratio(history);
-    const auto loops = friction_loops(c, history);
-    return !loops.empty() && loops.back().has_constant_force
-               ? loops.back().force_amplitude / history.friction_limit
+double oscillating_ratio(const Subject& s) {
+    if (!s.c.prescribed_path) return comparisons::tangential_ratio(s.history);
+    return !s.loops.empty() && s.loops.back().has_constant_force
+               ? s.loops.back().force_amplitude / s.history.friction_limit
                : NAN;
 }
 
 /// W0 [J] of the model's own scales; empty where there is no closed form of it.
-std::optional<double> unit_dissipation(const Case& c, const History& history) {
-    const double f = oscillating_ratio(c, history);
-    if (!in_unit_range(f) || !c.friction.is_coulomb() || c.interface.is_elastic()) return {};
+std::optional<double> unit_dissipation(const Subject& s) {
+    const auto& [c, history, loops] = s;
+    const double f = oscillating_ratio(s);
+    if (!in_unit_range(f) || !c.friction.is_coulomb() || c.interface.is_elastic() ||
+        c.has_bulk_stress())
+        return {};
     if (c.is_cylindrical()) {
         const double bound = c.friction_coefficient() * history.scales.normal_force;
         return theory::line_cycle_dissipation(f) * bound * bound * 2 /
@@ -42,7 +44,7 @@ std::optional<double> unit_dissipation(const Case& c, const History& history) {
 
 Numbers work_ratios(const Subject& s) {
     Numbers list;
-    const double unit = unit_dissipation(s.c, s.history).value_or(NAN);
+    const double unit = unit_dissipation(s).value_or(NAN);
     for (const double work : s.history.dissipation_per_period)
         list.push_back(number_of(finite(work / unit)));
     return list;
@@ -67,7 +69,8 @@ constinit const Quantity dissipation{
     .meaning = "Work of friction in the last period, of a path in its last closed cycle.",
     .defined = "with rolling, or along a path with a closed cycle",
     .of = [](const Subject& s) { return last_of(s.history.dissipation_per_period); },
-    .is_refined = true};
+    .is_refined = true,
+    .is_plotted = true};
 
 constinit const Quantity dissipation_ratio{
     .key = "dissipation_ratio",

@@ -2,15 +2,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <span>
 
 #include "contact/path_cycles.h"
+#include "contact/rig_stiffness.h"
 
 namespace tricontact::comparisons {
 
 namespace {
 
 using contact::History;
+using contact::RigStiffness;
 using contact::StepRecord;
 
 /// Of the frictional work that would slide the whole contact through the cycle: what rounding of
@@ -51,19 +54,34 @@ std::optional<double> slope_after(const std::vector<StepRecord>& steps, std::siz
     return compliance > 0 ? std::optional(1 / compliance) : std::nullopt;
 }
 
+bool all_slips(const StepRecord& step) {
+    return step.slip_area > 0 && step.stick_area == 0;
+}
+
 SlipRegime regime_of(std::span<const StepRecord> steps, double sliding_work) {
     double work = 0;
-    bool all_slips = false;
-    for (const StepRecord& step : steps) {
-        work += step.dissipation;
-        all_slips = all_slips || (step.slip_area > 0 && step.stick_area == 0);
-    }
-    if (all_slips) return SlipRegime::gross_slip;
+    for (const StepRecord& step : steps) work += step.dissipation;
+    if (std::ranges::any_of(steps, all_slips)) return SlipRegime::gross_slip;
     return work > no_work * sliding_work ? SlipRegime::partial_slip : SlipRegime::stick;
 }
 
-FrictionLoop loop_of(const History& history, const DrivenAxis& axis, std::size_t begin,
-                     std::size_t turn, std::size_t end) {
+/// Of the branch after the reversal at step `at` that goes on to `to`, see FrictionLoop.
+std::optional<double> shift_to_gross_slip(const std::vector<StepRecord>& steps, std::size_t at,
+                                          std::size_t to, const DrivenAxis& axis) {
+    std::size_t k = at + 1;
+    while (k <= to && !all_slips(steps[k])) ++k;
+    if (k > to || k < at + 3) return {};
+    const StepRecord &before = steps[k - 2], &last = steps[k - 1];
+    const double fall = before.stick_area - last.stick_area;
+    const double step = axis.shift(steps[k]) - axis.shift(last);
+    const double share = fall > 0 && step != 0 ? last.stick_area / fall *
+                                                     (axis.shift(last) - axis.shift(before)) / step
+                                               : 1;
+    return std::abs(axis.shift(last) + std::clamp(share, 0., 1.) * step - axis.shift(steps[at]));
+}
+
+FrictionLoop loop_of(const History& history, const RigStiffness& rig, const DrivenAxis& axis,
+                     std::size_t begin, std::size_t turn, std::size_t end) {
     const auto& steps = history.steps;
     FrictionLoop loop{.begin = begin, .turn = turn, .end = end};
     const auto within = std::span(steps).subspan(begin, end - begin + 1);
@@ -83,6 +101,14 @@ FrictionLoop loop_of(const History& history, const DrivenAxis& axis, std::size_t
     loop.mean_normal_force /= static_cast<double>(within.size());
     loop.has_constant_force = half_range([](const StepRecord& s) { return s.normal_force; }) <=
                               1e-9 * loop.mean_normal_force;
+    loop.least_stick_area =
+        std::ranges::min(within.subspan(1), {}, &StepRecord::stick_area).stick_area;
+    const auto one_way = shift_to_gross_slip(steps, begin, turn, axis),
+               other_way = shift_to_gross_slip(steps, turn, end, axis);
+    if (one_way && other_way) loop.gross_slip_shift = (*one_way + *other_way) / 2;
+    if (rig.tangential)
+        loop.drive_shift_amplitude =
+            half_range([&](const StepRecord& s) { return rig.drive_shift(s)[axis.d]; });
     loop.regime = regime_of(within.subspan(1), 4 * history.friction_limit * loop.shift_amplitude);
     return loop;
 }
@@ -95,8 +121,10 @@ const char* name_of(SlipRegime regime) {
             return "stick";
         case SlipRegime::partial_slip:
             return "partial-slip";
-        default:
+        case SlipRegime::gross_slip:
             return "gross-slip";
+        default:
+            return "mixed";
     }
 }
 
@@ -108,6 +136,16 @@ std::optional<double> FrictionLoop::secant_stiffness() const {
 std::optional<double> FrictionLoop::sliding_ratio() const {
     if (!(shift_amplitude > 0)) return {};
     return aperture / (2 * shift_amplitude);
+}
+
+std::optional<double> FrictionLoop::drive_secant_stiffness() const {
+    if (!drive_shift_amplitude || !(*drive_shift_amplitude > 0)) return {};
+    return force_amplitude / *drive_shift_amplitude;
+}
+
+std::optional<double> FrictionLoop::drive_sliding_ratio() const {
+    if (!drive_shift_amplitude || !(*drive_shift_amplitude > 0)) return {};
+    return aperture / (2 * *drive_shift_amplitude);
 }
 
 std::vector<FrictionLoop> friction_loops(const contact::Case& c, const History& history) {
@@ -128,9 +166,21 @@ std::vector<FrictionLoop> friction_loops(const contact::Case& c, const History& 
     // Cycles begin behind the first row, the only one that no step may have ended.
     for (const contact::PathCycle& cycle : contact::closed_cycles(*c.prescribed_path))
         if (cycle.end < at_row.size())
-            loops.push_back(loop_of(history, axis, step_at(cycle.begin), step_at(cycle.turn),
-                                    step_at(cycle.end)));
+            loops.push_back(loop_of(history, c.of<RigStiffness>(), axis, step_at(cycle.begin),
+                                    step_at(cycle.turn), step_at(cycle.end)));
     return loops;
+}
+
+std::optional<SlipRegime> common_regime(const std::vector<FrictionLoop>& loops) {
+    if (loops.empty()) return {};
+    return regime_change(loops) ? SlipRegime::mixed : loops.front().regime;
+}
+
+std::optional<int> regime_change(const std::vector<FrictionLoop>& loops) {
+    const auto found =
+        std::ranges::adjacent_find(loops, std::ranges::not_equal_to(), &FrictionLoop::regime);
+    if (found == loops.end()) return {};
+    return static_cast<int>(found - loops.begin()) + 2;
 }
 
 }  // namespace tricontact::comparisons

@@ -27,7 +27,8 @@ std::string glossary() {
            section("Friction loops of paths", of_loop()) +
            section("Friction that changes with the way of slip", of_jumps()) +
            section("Relaxation", of_relaxation()) + section("Ends of rollers", of_roller()) +
-           section("Inside of the substrate", of_subsurface()) + section("Strains", of_strain()) +
+           section("Inside of the substrate", of_subsurface()) +
+           section("Strength", of_strength()) + section("Strains", of_strain()) +
            section("End of the run", of_end_of_run()) + section("Cost", of_cost()) +
            section("Of comparisons, beside runs",
                    {&tangential_stiffness, &coupled_tangential_stiffness, &shift_of_rolling});

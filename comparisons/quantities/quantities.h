@@ -22,18 +22,22 @@ extern const Quantity kappa, eta;                                               
 extern const Quantity dissipation, dissipation_ratio_per_period, path_work,
     path_force;  // dissipation.cc
 extern const Quantity loop_force, loop_shift, loop_secant_stiffness, loop_tangent_stiffness,
-    loop_aperture, sliding_ratio, slip_regime;                   // loop.cc
-extern const Quantity released_energy, steps_of_other_states;    // jumps.cc
-extern const Quantity frequency, storage_modulus, loss_modulus;  // relaxation.cc
-extern const Quantity largest_stretch, largest_shear;            // strain.cc
+    loop_aperture, sliding_ratio, slip_regime, path_regime, regime_changes_at, loop_stick_radius,
+    gross_slip_shift, drive_shift, drive_secant_stiffness, drive_sliding_ratio;  // loop.cc
+extern const Quantity released_energy, steps_of_other_states;                    // jumps.cc
+extern const Quantity frequency, storage_modulus, loss_modulus;                  // relaxation.cc
+extern const Quantity largest_stretch, largest_shear;                            // strain.cc
 extern const Quantity end_normal_force, end_indentation, contact_area, stick_area, slip_area,
     stored_energy,
-    friction_energy;                     // end_of_run.cc
-extern const Quantity steps, wall_time;  // cost.cc
+    friction_energy;  // end_of_run.cc
+extern const Quantity strength_normal_force, strength_tangential_force, strength_bulk_stress,
+    yield_factor, first_yield_force, trailing_stress;  // strength/
+extern const Quantity steps, wall_time;                // cost.cc
 
 /// The declarations of each file.
 using List = std::vector<const Quantity*>;
 List of_contact(), of_shift(), of_limit(), of_mapping(), of_dissipation(), of_loop(), of_jumps(),
-    of_relaxation(), of_roller(), of_subsurface(), of_strain(), of_end_of_run(), of_cost();
+    of_relaxation(), of_roller(), of_subsurface(), of_strength(), of_strain(), of_end_of_run(),
+    of_cost();
 
 }  // namespace tricontact::comparisons::quantities

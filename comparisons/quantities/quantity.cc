@@ -22,7 +22,7 @@ std::span<const Quantity* const> all_quantities() {
         using namespace quantities;
         for (const auto& part :
              {of_contact(), of_shift(), of_limit(), of_mapping(), of_dissipation(), of_loop(),
-              of_jumps(), of_relaxation(), of_roller(), of_subsurface(), of_strain(),
+              of_jumps(), of_relaxation(), of_roller(), of_subsurface(), of_strength(), of_strain(),
               of_end_of_run(), of_cost()})
             list.insert(list.end(), part.begin(), part.end());
         return list;

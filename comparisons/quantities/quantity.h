@@ -29,6 +29,7 @@ std::optional<double> number_of(const QuantityValue& value);
 struct Subject {
     const contact::Case& c;
     const contact::History& history;
+    std::vector<FrictionLoop> loops = friction_loops(c, history);  ///< once for all that ask
 };
 
 /// The groups of rows in the report's table of results; `nowhere`: in files only.

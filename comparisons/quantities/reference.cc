@@ -93,7 +93,7 @@ Reference reference(const contact::Case& c) {
     if (const theory::RolledLaw* law = mapped_law(c)) r.mdr_mapping = law->mdr_mapping;
     if (contact::pressure_falls(c) && !contact::has_conical_tip(c) && !contact::is_section_alone(c))
         r.peak_pressure = r.hertz.peak_pressure;
-    if (!in_unit_range(r.tangential_ratio) || c.interface.is_elastic() ||
+    if (!in_unit_range(r.tangential_ratio) || c.interface.is_elastic() || c.has_bulk_stress() ||
         contact::is_section_alone(c))
         return r;
     if (c.is_cylindrical())

@@ -31,7 +31,7 @@ QuantityValue value_of(const json& stored) {
          {State::shakedown, State::cyclic_slip, State::ratcheting, State::undecided})
         if (stored == contact::name_of(state)) return state;
     for (const SlipRegime regime :
-         {SlipRegime::stick, SlipRegime::partial_slip, SlipRegime::gross_slip})
+         {SlipRegime::stick, SlipRegime::partial_slip, SlipRegime::gross_slip, SlipRegime::mixed})
         if (stored == name_of(regime)) return regime;
     return {};
 }
@@ -57,7 +57,8 @@ json results_json(const Results& results) {
 
 Results::Results(const contact::Case& c, const contact::History& history)
     : model(history.model), verdict(history.verdict), audit(history.audit.checks()) {
-    for (const Quantity* q : all_quantities()) set(*q, q->of({c, history}));
+    const Subject subject{c, history};
+    for (const Quantity* q : all_quantities()) set(*q, q->of(subject));
 }
 
 const QuantityValue& Results::operator[](const Quantity& q) const {

@@ -10,6 +10,7 @@
 
 #include "comparisons/resolution/refinement.h"
 #include "contact/models/model_kind.h"
+#include "contact/rig_stiffness.h"
 
 namespace tricontact::comparisons {
 
@@ -170,14 +171,19 @@ std::vector<const Quantity*> prescribed_quantities(const Case& c) {
     const bool by_depth =
         by_path ? c.prescribed_path->hardest_normal().kind == NormalControl::Kind::indentation
                 : c.load.indentation.has_value();
-    list.push_back(by_depth ? &quantities::indentation : &quantities::normal_force);
+    const contact::RigStiffness& rig = c.of<contact::RigStiffness>();
+    const auto add_normal = [&](bool is_depth, const Quantity& depth, const Quantity& force) {
+        if (!is_depth || !rig.normal) list.push_back(is_depth ? &depth : &force);
+    };
+    add_normal(by_depth, quantities::indentation, quantities::normal_force);
     const bool ends_by_depth =
         by_path ? c.prescribed_path->rows.back().normal.kind == NormalControl::Kind::indentation
                 : by_depth;
-    list.push_back(ends_by_depth ? &quantities::end_indentation : &quantities::end_normal_force);
+    add_normal(ends_by_depth, quantities::end_indentation, quantities::end_normal_force);
     if (!by_path) return list;
     const TangentialControl::Kind along = c.prescribed_path->rows.back().tangential[0].kind;
-    if (along == TangentialControl::Kind::shift) list.push_back(&quantities::final_shift);
+    if (along == TangentialControl::Kind::shift && !rig.tangential)
+        list.push_back(&quantities::final_shift);
     if (along == TangentialControl::Kind::force) list.push_back(&quantities::path_force);
     return list;
 }

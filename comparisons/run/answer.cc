@@ -12,6 +12,7 @@
 #include "comparisons/quantities/reference.h"
 #include "comparisons/resolution/error_note.h"
 #include "comparisons/run/input_reading.h"
+#include "comparisons/run/path_section.h"
 #include "contact/models/model_kind.h"
 #include "report/format.h"
 
@@ -151,17 +152,6 @@ bool has_loop(const Case& c, const Results& s) {
     return c.prescribed_path && s.number(quantities::dissipation);
 }
 
-const char* words_of(SlipRegime regime) {
-    switch (regime) {
-        case SlipRegime::stick:
-            return "nothing slips";
-        case SlipRegime::partial_slip:
-            return "part of the contact slips";
-        default:
-            return "the whole contact slips";
-    }
-}
-
 bool ends_at_prescribed_shift(const Case& c) {
     return c.prescribed_path && c.prescribed_path->rows.back().tangential[0].kind ==
                                     contact::TangentialControl::Kind::shift;
@@ -216,13 +206,7 @@ Verdict answer_of(const Case& c, const Results& s, const std::optional<Numerical
                              const char* word) {
         return Verdict{standing, words + number + note, word};
     };
-    if (has_loop(c, s)) {
-        const auto* const regime = std::get_if<SlipRegime>(&s[slip_regime]);
-        return verdict(Verdict::Standing::finding,
-                       fmt::format("In the last closed cycle {}; friction works ",
-                                   regime ? words_of(*regime) : "the path returns"),
-                       "path");
-    }
+    if (has_loop(c, s)) return verdict(Verdict::Standing::finding, loop_words(s), "path");
     if (ends_at_prescribed_shift(c))
         return verdict(Verdict::Standing::finding,
                        headline.length == &path_work

@@ -94,9 +94,8 @@ std::string pressing_sentence(const Case& c, const std::vector<LoadingVariant>& 
                                 ? fmt::format("in {} equal steps with friction", c.load.press_steps)
                                 : std::string("in one step without friction");
     return fmt::format(
-               "Coupled contact remembers the way of pressing: here the normal load comes {}, then "
-               "the tangential one.",
-               how) +
+               "Coupled contact remembers the way of pressing: here the normal load comes {}{}.",
+               how, c.is_pressed_only() ? "" : ", then the tangential one") +
            change_text(variants, "load.press") + change_text(variants, "load.press_steps");
 }
 

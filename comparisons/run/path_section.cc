@@ -6,7 +6,9 @@
 #include <cmath>
 #include <functional>
 
+#include "comparisons/quantities/quantities.h"
 #include "contact/path_cycles.h"
+#include "contact/rig_stiffness.h"
 #include "report/format.h"
 
 namespace tricontact::comparisons {
@@ -112,6 +114,48 @@ report::DocumentTable row_table(const contact::Case& c, const Histories& histori
     return table;
 }
 
+/// Regime and what it takes, cycle by cycle; no rows without closed cycles.
+report::DocumentTable cycle_table(const contact::Case& c, const Histories& histories) {
+    report::DocumentTable table{
+        .id = "cycles",
+        .title = "Closed cycles",
+        .note = "F_T, shift U: half of what each covers. W: frictional work of the cycle.",
+        .columns = {{"cycle"}}};
+    std::vector<std::vector<FrictionLoop>> loops;
+    std::size_t n = 0;
+    for (const History& history : histories) {
+        loops.push_back(friction_loops(c, history));
+        n = std::max(n, loops.back().size());
+    }
+    table.folded = n > most_open_rows;
+    const auto shown = report::thinned(n, most_rows);
+    for (const std::size_t k : shown) table.rows.push_back({static_cast<int>(k) + 1});
+    for (std::size_t m = 0; m < histories.size(); ++m) {
+        const auto& work = histories[m].dissipation_per_period;
+        const std::string name = report::display_name(histories[m].model);
+        const auto add = [&](const std::string& symbol, const std::string& base,
+                             const auto& value_of) {
+            double largest = 0;
+            for (std::size_t k = 0; k < loops[m].size(); ++k)
+                largest = std::max(largest, value_of(k));
+            const report::Unit unit = report::fitting_unit(largest, base);
+            table.columns.push_back({fmt::format("{} {} [{}]", name, symbol, unit.symbol)});
+            for (std::size_t i = 0; i < shown.size(); ++i)
+                table.rows[i].push_back(report::number_cell(
+                    shown[i] < loops[m].size() ? std::optional(value_of(shown[i])) : std::nullopt,
+                    unit.factor));
+        };
+        table.columns.push_back({name + " regime"});
+        for (std::size_t i = 0; i < shown.size(); ++i)
+            table.rows[i].push_back(shown[i] < loops[m].size() ? name_of(loops[m][shown[i]].regime)
+                                                               : "");
+        add("F_T", "N", [&](std::size_t k) { return loops[m][k].force_amplitude; });
+        add("U", "m", [&](std::size_t k) { return loops[m][k].shift_amplitude; });
+        add("W", "J", [&](std::size_t k) { return k < work.size() ? work[k] : 0; });
+    }
+    return table;
+}
+
 /// One magnitude over another, or over the rows of the path, of all models.
 report::Figure figure_of(const std::string& id, const std::string& title, const Magnitude& y,
                          const Magnitude* x, const Histories& histories) {
@@ -134,7 +178,34 @@ report::Figure figure_of(const std::string& id, const std::string& title, const 
     return figure;
 }
 
+const char* words_of(SlipRegime regime) {
+    switch (regime) {
+        case SlipRegime::stick:
+            return "nothing slips";
+        case SlipRegime::partial_slip:
+            return "part of the contact slips";
+        default:
+            return "the whole contact slips";
+    }
+}
+
 }  // namespace
+
+std::string loop_words(const Results& s) {
+    using namespace quantities;
+    const auto* const regime = std::get_if<SlipRegime>(&s[slip_regime]);
+    if (!regime) return "In the last closed cycle the path returns; friction works ";
+    const auto told = [&](const Quantity& q) { return report::quantity(*s.number(q), q.unit); };
+    std::string words =
+        fmt::format("In the last closed cycle {}: F_T of {} and a shift of {} to either side",
+                    words_of(*regime), told(loop_force), told(loop_shift));
+    if (s.number(drive_shift)) words += fmt::format(", of the drive {}", told(drive_shift));
+    if (s.number(gross_slip_shift))
+        words += fmt::format(", gross slip from {} behind a reversal on", told(gross_slip_shift));
+    if (const auto change = s.number(regime_changes_at))
+        words += fmt::format("; the regime changes at closed cycle {:.0f}", *change);
+    return words + "; friction works ";
+}
 
 std::string centre_of_rotation_text(const contact::Case& c) {
     const contact::CentreOfRotation& centre = c.prescribed_path->centre;
@@ -157,6 +228,8 @@ report::DocumentSection path_section(const contact::Case& c, const Histories& hi
     const contact::PrescribedPath& path = *c.prescribed_path;
     report::DocumentSection section{
         .id = "path", .heading = "Along the path", .tables = {row_table(c, histories)}};
+    if (auto cycles = cycle_table(c, histories); !cycles.rows.empty())
+        section.tables.push_back(std::move(cycles));
     const auto add = [&](const std::string& id, const std::string& title, const Magnitude& y,
                          const Magnitude* x) {
         // What stays zero has no picture.
@@ -167,6 +240,12 @@ report::DocumentSection path_section(const contact::Case& c, const Histories& hi
         add(magnitude->id, report::capitalised(magnitude->name) + " along the path", *magnitude,
             nullptr);
     add("path_loop", "Force F_x over shift U_x", force_x, &shift_x);
+    const contact::RigStiffness& rig = c.of<contact::RigStiffness>();
+    if (rig.tangential) {
+        const Magnitude drive{"path_x", "shift of the drive U_x", "m",
+                              [&rig](const StepRecord& s) { return rig.drive_shift(s)[0]; }};
+        add("path_loop_drive", "Force F_x over the shift of the drive", force_x, &drive);
+    }
     if (!path.is_along_x()) add("path_loop_y", "Force F_y over shift U_y", force_y, &shift_y);
     if (path.twists()) add("path_twist", "Torque over rotation", torque, &rotation);
     return section;

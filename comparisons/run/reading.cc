@@ -6,6 +6,7 @@
 
 #include "comparisons/quantities/reference.h"
 #include "comparisons/run/input_reading.h"
+#include "comparisons/strength/body_strength.h"
 #include "contact/models/model_kind.h"
 #include "report/format.h"
 
@@ -130,6 +131,18 @@ std::string static_sentence(const contact::Case& c, const Summaries& summaries,
                                   report::given_quantity(c.load.hold, "s"), list, theory));
 }
 
+/// By the loads of the model that leaves out least.
+std::vector<std::string> strength_findings(const contact::Case& c, const Summaries& summaries) {
+    if (summaries.empty()) return {};
+    const Results& s = summaries.back();
+    const auto normal_force = s.number(quantities::strength_normal_force);
+    if (!normal_force) return {};
+    const auto strength =
+        strength_of(c, {*normal_force, s.number(quantities::strength_tangential_force).value_or(0),
+                        s.number(quantities::strength_bulk_stress).value_or(0)});
+    return strength ? strength_sentences(c, *strength) : std::vector<std::string>{};
+}
+
 std::string audit_sentence(const Summaries& summaries) {
     std::size_t checks = 0, failed = 0;
     for (const Results& s : summaries)
@@ -158,6 +171,7 @@ std::vector<std::string> reading(const contact::Case& c, const Summaries& summar
     findings.push_back(by_limit_sentence(summaries));
     findings.push_back(limit_sentence(c, summaries, r));
     findings.push_back(static_sentence(c, summaries, r));
+    for (const std::string& text : strength_findings(c, summaries)) findings.push_back(text);
     for (const std::string& text : map_sentences(c)) findings.push_back(text);
     for (const std::string& text : limitations(c, summaries)) findings.push_back(text);
     const std::string audit = audit_sentence(summaries);

@@ -26,6 +26,10 @@ std::string results_note(const contact::Case& c, bool several_models,
         text +=
             "The theory column is frictionless contact on the half-space without the springs of "
             "the interface (pressed); under friction no closed form has them.";
+    else if (c.has_bulk_stress())
+        text +=
+            "The theory column is frictionless contact on the half-space (pressed); closed forms "
+            "of the shift have no bulk stress.";
     else if (!c.friction.is_coulomb())
         text +=
             "The theory column is frictionless contact on the half-space (pressed) and, where the "

@@ -42,10 +42,11 @@ std::vector<const Quantity*> shown_quantities(const Sweep& sweep) {
     return shown;
 }
 
-/// Empty without rolling.
+/// Of rolling, or the regime of a path's closed cycles; empty without either.
 std::string state_of(const Sweep::Point& point) {
-    const auto state = point.results.state();
-    return state ? contact::name_of(*state) : "";
+    if (const auto state = point.results.state()) return contact::name_of(*state);
+    const auto* regime = std::get_if<SlipRegime>(&point.results[quantities::path_regime]);
+    return regime ? name_of(*regime) : "";
 }
 
 /// All points with their results, or the first of those that failed with their errors.
@@ -159,12 +160,22 @@ report::Document sweep_document(const Sweep& sweep) {
     for (std::size_t i = 0; i < sweep.axes.size(); ++i)
         document.settings.emplace_back(sweep.axes[i].key, range_of(sweep, i, scales[i]));
     document.sections = shift_sections(sweep, scales);
-    document.figure = opening_figure(document.sections);
+    std::vector<report::Figure> maps = regime_maps(sweep, scales);
+    if (maps.empty()) {
+        document.figure = opening_figure(document.sections);
+    } else {
+        document.figure = std::move(maps.front());
+        maps.erase(maps.begin());
+    }
     if (document.figure)  // which stands nowhere twice
         for (report::DocumentSection& section : document.sections)
             std::erase_if(section.figures, [&](const report::Figure& figure) {
                 return figure.id == document.figure->id;
             });
+    if (!maps.empty())
+        document.sections.insert(
+            document.sections.begin(),
+            {.id = "regimes", .heading = "Regimes", .figures = std::move(maps)});
     document.sections.push_back(points_section(sweep, scales));
     if (sweep.points.size() > most_drawn)
         document.sections.back().paragraphs.push_back(

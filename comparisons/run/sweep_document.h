@@ -63,6 +63,10 @@ inline constexpr std::size_t most_drawn = 2000;
 std::vector<report::DocumentSection> shift_sections(const Sweep& sweep,
                                                     const std::vector<SweepScale>& scales);
 
+/// Fretting maps of closed cycles of paths: the regime over the first two axes of numbers that the
+/// sweep varies, one map per model and values of the others, with the boundaries between them.
+std::vector<report::Figure> regime_maps(const Sweep& sweep, const std::vector<SweepScale>& scales);
+
 /// The figure with which the report opens: of the first shift that a key moves, over the key that
 /// moves it most. Empty: nothing moves.
 std::optional<report::Figure> opening_figure(const std::vector<report::DocumentSection>& sections);

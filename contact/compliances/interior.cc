@@ -87,6 +87,17 @@ double mean_pressure(const std::array<double, 6>& s) {
     return -(s[0] + s[1] + s[2]) / 3;
 }
 
+std::unique_ptr<const Interior> with_bulk(const Interior& interior, const BulkState& bulk) {
+    auto both = std::make_unique<Interior>(interior);
+    for (std::size_t i = 0; i < both->size(); ++i) {
+        for (std::size_t d = 0; d < 2; ++d) both->stress[i][d] += bulk.stress[d];
+        if (both->displacement.empty()) continue;
+        const std::array<double, 3> x = both->position(i);
+        for (std::size_t d = 0; d < 3; ++d) both->displacement[i][d] += bulk.strain[d] * x[d];
+    }
+    return both;
+}
+
 Subsurface subsurface_of(const Interior& interior, double phase, const Vector2& offset) {
     Subsurface out;
     out.phase = phase;

@@ -4,9 +4,11 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <vector>
 
+#include "contact/base/bulk_state.h"
 #include "contact/base/vector2.h"
 
 namespace tricontact::contact {
@@ -60,6 +62,9 @@ struct Subsurface {
         return stress[i_z * x.size() + i_x];
     }
 };
+
+/// Together with a uniform stress in all of the body.
+std::unique_ptr<const Interior> with_bulk(const Interior& interior, const BulkState& bulk);
 
 /// Of the fields inside under an indenter at `offset` [m].
 Subsurface subsurface_of(const Interior& interior, double phase, const Vector2& offset);

@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "contact/base/bulk_state.h"
 #include "contact/base/vector2.h"
 #include "contact/solvers/centre_of_rotation.h"
 #include "contact/solvers/control.h"
@@ -18,7 +19,8 @@ struct LoadStep {
     bool friction = true;  ///< false: the surface slides freely under the indenter in this step
     double rotation = 0;   ///< twist of the indenter since the start, from x towards y [rad]
     CentreOfRotation centre = {};
-    bool recurs = true;  ///< a step at this phase of the period comes again and again
+    BulkState bulk = {};  ///< of the substrate; the shift is relative to its point at x = y = 0
+    bool recurs = true;   ///< a step at this phase of the period comes again and again
     /// All loads and motions change in proportion from the step before: what has moved before a
     /// point is met on the way is no slip. Else points are carried along by all of a step, an error
     /// of the first order in the steps.

@@ -74,11 +74,12 @@ void StaggeredSolver::make_solvers() {
     tangential_solver_.emplace(compliance(), tolerance_);
 }
 
-Vector2 StaggeredSolver::rotated(const StepStart& before, std::size_t i) const {
-    if (before.rotation == 0) return {};
+Vector2 StaggeredSolver::uneven_shift(const StepStart& before, std::size_t i) const {
+    const Vector2 strained{-before.strain[0] * points().x[i], -before.strain[1] * points().y[i]};
+    if (before.rotation == 0) return strained;
     const double ahead = before.advected ? spin_point * points().spacing[0] : 0;
-    return {-before.rotation * (points().y[i] - before.centre[1]),
-            before.rotation * (points().x[i] + ahead - before.centre[0])};
+    return strained + before.rotation * Vector2{before.centre[1] - points().y[i],
+                                                points().x[i] + ahead - before.centre[0]};
 }
 
 SurfaceField StaggeredSolver::tractions() const {
@@ -276,7 +277,7 @@ TangentialField StaggeredSolver::displaced_before(const StepStart& before) const
     blocks().for_points([&](std::size_t i) {
         Vector2 u = relative.at(i);
         if (relaxes) u = stiffness * u + substrate_.offset().in_surface.at(i);
-        relative.set(i, u + (stiffness * rotated(before, i) - other.at(i)));
+        relative.set(i, u + (stiffness * uneven_shift(before, i) - other.at(i)));
     });
     return relative;
 }

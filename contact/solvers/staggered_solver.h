@@ -28,6 +28,7 @@ struct StepStart {
     Vector2 centre{};                     ///< [m]
     bool advected = false;                ///< by one cell, see advect()
     std::vector<double> way = {};         ///< see ContactSolution [m]
+    Vector2 strain = {};                  ///< of all of the substrate in the step, XX and YY [-]
 };
 
 /// Normal and tangential contact at the end of a step.
@@ -81,8 +82,9 @@ class StaggeredSolver {
     FrictionLaw::Total total_friction() const { return {now_.normal->force, now_.total_bound}; }
     /// Bound over pressure, in the mean of the present contact [-]: mu of Coulomb's law.
     double friction_ratio() const { return friction_->ratio(total_friction()); }
-    /// Shift of the indenter at a point by its rotation in the step [m].
-    Vector2 rotated(const StepStart& before, std::size_t i) const;
+    /// Shift of the indenter over a point in the step by its rotation, and by the strain of the
+    /// substrate [m].
+    Vector2 uneven_shift(const StepStart& before, std::size_t i) const;
     /// By how much the indenter has moved over a point in the step before they met within it [m],
     /// see LoadStep::in_proportion.
     Vector2 before_touch(std::size_t i) const {

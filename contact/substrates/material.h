@@ -3,6 +3,7 @@
 #include <cmath>
 #include <optional>
 
+#include "contact/base/bulk_state.h"
 #include "contact/base/special_values.h"
 
 namespace tricontact::contact {
@@ -20,6 +21,13 @@ struct Material {
     /// A material of this many times the shear modulus and the same bulk modulus.
     Material with_shear_ratio(double ratio) const;
 };
+
+/// `stress`: XX [Pa].
+inline BulkState bulk_state(const Material& material, double stress, bool plane_strain) {
+    const double nu = material.poisson, along = stress / material.young;
+    if (!plane_strain) return {{stress, 0}, {along, -nu * along, -nu * along}};
+    return {{stress, nu * stress}, {(1 - nu * nu) * along, 0, -nu * (1 + nu) * along}};
+}
 
 /// A body that does not deform.
 inline constexpr Material rigid_material{infinity, 0};

@@ -34,6 +34,13 @@ Assumption no_heating(const Rig& rig);
 Assumption no_wear(const Rig& rig);
 Assumption fitted_constants(const Rig& rig);
 
+// Of rigs on a half-space, experiments/half_space_rig/.
+Assumption large_specimens(const Rig& rig);
+Assumption no_bulk_stress(const Rig& rig);
+Assumption elastic_bodies(const Rig& rig);
+Assumption no_fretting_wear(const Rig& rig);
+Assumption no_fretting_heating(const Rig& rig);
+
 Assumption contact_diameter(const Rig& rig);
 Assumption known_stiffness(const Rig& rig);
 Assumption similar_stiffness(const Rig& rig);
@@ -52,9 +59,30 @@ inline Assumption at_values_of(const Rig& rig, Assumption a) {
     return a;
 }
 
+/// Of a sphere or cylinder on a half-space: a fretting test, or one that rolls.
+inline std::vector<Assumption> half_space_assumptions(const Rig& rig) {
+    std::vector<Assumption> all{large_specimens(rig)};
+    if (rig.kind == Rig::Kind::cylinder) all.push_back(long_cylinder(rig));
+    if (rig.c.rolling) {
+        all.push_back(quasi_static_drive(rig));
+        all.push_back(ideal_rolling(rig));
+    }
+    for (const auto one :
+         {level_surface, no_bulk_stress, elastic_bodies, smooth_surfaces, unsaturated_contact})
+        all.push_back(one(rig));
+    const bool is_ball = rig.kind == Rig::Kind::sphere;
+    if (!rig.c.rolling || is_ball) {
+        all.push_back(rig.c.rolling ? no_heating(rig) : no_fretting_heating(rig));
+        all.push_back(rig.c.rolling ? no_wear(rig) : no_fretting_wear(rig));
+    }
+    return all;
+}
+
 /// All of a rig, in the order in which they are shown.
 inline std::vector<Assumption> assumptions_of(const Rig& rig, const StaticShift& static_shift,
                                               const RolledGrowth& growth) {
+    const bool is_ball_or_line = rig.kind == Rig::Kind::sphere || rig.kind == Rig::Kind::cylinder;
+    if (is_ball_or_line && !rig.b.is_known()) return half_space_assumptions(rig);
     switch (rig.kind) {
         case Rig::Kind::sphere:
             return {quasi_static_drive(rig),

@@ -8,7 +8,7 @@
 namespace tricontact::experiments {
 
 std::optional<ForceCurves> force_curves(const Rig& rig) {
-    if (rig.kind != Rig::Kind::sphere || !roller_is_rigid(rig)) return {};
+    if (rig.kind != Rig::Kind::sphere || !rig.b.is_known() || !roller_is_rigid(rig)) return {};
     constexpr int n_points = 31;
     ForceCurves curves;
     curves.rig_force = rig.F_N;
@@ -70,7 +70,7 @@ PrintedCheck check(const PrintedValue& printed, const Calculation* calculation) 
 
 bool has_soft_indenter(const Rig& rig) {
     const bool is_ball_or_line = rig.kind == Rig::Kind::sphere || rig.kind == Rig::Kind::cylinder;
-    return is_ball_or_line && !roller_is_rigid(rig);
+    return is_ball_or_line && rig.b.is_known() && !roller_is_rigid(rig);
 }
 
 RigReport check_rig(const Rig& rig, const StaticShift& static_shift, const RolledGrowth& growth,

@@ -71,6 +71,10 @@ struct RigData {
     RigNumber h_rms, s_rms;             ///< roughness: heights, slopes
     RigNumber k_th, c_T, k_w;           ///< conductivity, dE/(E dT), wear
     RigNumber theta, theta_axis;        ///< tilt of the surface: along F_T, along the axis
+    RigNumber t;                        ///< thickness of a specimen that is no layer
+    RigNumber U_a, f_c;                 ///< of a fretting test: half the range of the shift; cycles
+    RigNumber sigma;                    ///< bulk stress
+    RigNumber Y_1, Y_2;                 ///< yield stresses
     RigNumber q, delta;                 ///< errors of an estimate and of a fit
 
     // Micro-walking: b and a are half the width and height of the specimen.

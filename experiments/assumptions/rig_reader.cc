@@ -8,6 +8,8 @@
 #include "contact/load_path.h"
 #include "contact/section_scales.h"
 #include "experiments/assumptions/rig_quantities.h"
+#include "io/case/case_checks.h"
+#include "io/case/case_input.h"
 #include "io/case/rig_keys.h"
 #include "io/keys/field_reader.h"
 #include "io/keys/key_checks.h"
@@ -123,12 +125,17 @@ Rig::Kind kind_of(const io::RigFile& file) {
 void check_covered(const io::RigFile& file) {
     const Case& c = file.c;
     const io::Document& document = file.document;
-    if (c.prescribed_path)
-        io::fail(document.place_of("path.table"), "",
-                 "[path]: the formulas of rigs are those of one normal force and of rolling back "
-                 "and forth",
+    if (c.prescribed_path && c.layer.thickness)
+        io::fail(document.place_of(io::path_key(document)), "",
+                 io::path_words(c) +
+                     ": the formulas of rigs on a layer are those of one normal force and of "
+                     "rolling back and forth",
                  "give load.normal_force and [rolling] in place of the path; tricontact run "
                  "computes it");
+    if (c.prescribed_path && contact::norm(c.prescribed_path->reach()) > 0)
+        io::fail(document.place_of(io::path_key(document)), "",
+                 "[path]: rigs that roll are described by [rolling]",
+                 "give load.normal_force and [rolling] in place of the path");
     if (c.tractive_rolling)
         io::fail(document.place_of("tractive_rolling.distance"), "",
                  "[tractive_rolling]: the formulas of rigs are those of rolling back and forth",
@@ -152,9 +159,20 @@ void check_covered(const io::RigFile& file) {
                           fmt::format("take F_lim/F_N = {:.3g} of the half-space in its place",
                                       hertz.friction_limit / hertz.normal_force));
     }
-    if (!c.layer.thickness)
+    if (!c.layer.thickness && kind_of(file) == Rig::Kind::body)
         io::fail(document.place_of("substrate.thickness"), "", "missing key substrate.thickness",
-                 "add thickness = \"8 mm\" or the like: rig needs substrate.thickness");
+                 "add thickness = \"8 mm\" or the like: without it rig knows spheres and "
+                 "cylinders alone");
+    if (!c.layer.thickness && c.relaxation)
+        io::fail(document.place_of("substrate.thickness"), "", "missing key substrate.thickness",
+                 "add thickness = \"8 mm\" or the like: rigs on a half-space are elastic");
+    if (c.layer.thickness) {
+        c.require_no_bulk_stress("assumptions of rigs on a layer");
+        for (const char* key : {"substrate.yield_stress", "indenter.yield_stress"})
+            if (document.find(key))
+                io::refuse(document, key, "strength is judged of rigs on a half-space alone",
+                           "omit it, or omit substrate.thickness");
+    }
     if (c.layer.base != Case::Base::bonded || !c.layer.lower.empty())
         io::fail(document.place_of("substrate.base"), "",
                  "the formulas of rigs are those of one layer bonded to a rigid base",
@@ -162,6 +180,11 @@ void check_covered(const io::RigFile& file) {
     if (!c.load.normal_force)
         io::fail(document.place_of("load.normal_force"), "", "missing key load.normal_force",
                  "give the force, not the indentation: add normal_force = \"21.1 N\"");
+    for (const char* key :
+         {"rig.specimen_thickness", "rig.displacement_amplitude", "rig.cycle_frequency"})
+        if (c.layer.thickness && document.find(key))
+            io::refuse(document, key, "describes rigs on a half-space, and the case has a layer",
+                       "omit it, or omit substrate.thickness");
     if (c.indenter.shape != Case::Shape::cylinder && document.find("rig.axis_tilt"))
         io::refuse(document, "rig.axis_tilt", "has no effect without an axis: a cylinder's",
                    "omit it, or take shape = \"cylinder\"");
@@ -180,6 +203,23 @@ double relative_error_of_key(const io::RigFile& file, std::string_view path) {
     return found->number.value.standard_error / found->number.value.value;
 }
 
+/// What the rows of a path say of a fretting test.
+void complete_half_space(Rig& rig, const Case& c) {
+    if (!rig.F_N.is_known()) rig.F_N = *c.load.normal_force;
+    if (!c.prescribed_path) return;
+    const auto& rows = c.prescribed_path->rows;
+    using Row = contact::PrescribedPath::Row;
+    const auto along = [](const Row& row) { return row.tangential[0].value; };
+    const auto [least, most] = std::ranges::minmax(rows, {}, along);
+    if (rows.front().tangential[0].kind == contact::TangentialControl::Kind::shift) {
+        if (!rig.U_a.is_known()) rig.U_a = (along(most) - along(least)) / 2;
+    } else {
+        rig.F_T = std::max(std::abs(along(least)), std::abs(along(most)));
+    }
+    const auto bulk = [](const Row& row) { return std::abs(row.bulk_stress); };
+    rig.sigma = bulk(*std::ranges::max_element(rows, {}, bulk));
+}
+
 /// What follows from the resolved case where the file has no such key.
 void complete(Rig& rig, const io::RigFile& file) {
     const Case& c = file.c;
@@ -187,7 +227,7 @@ void complete(Rig& rig, const io::RigFile& file) {
         rig.E_1 = rigid_young;
         rig.nu_1 = 0.3;
     }
-    if (!rig.b.is_known())  // by its ratio
+    if (!rig.b.is_known() && c.layer.thickness)  // by its ratio
         rig.b = {*c.layer.thickness,
                  *c.layer.thickness * relative_error_of_key(file, "substrate.thickness_ratio")};
     const double radius = contact::half_space_scales(c).contact_radius;
@@ -204,6 +244,7 @@ void complete(Rig& rig, const io::RigFile& file) {
         if (!rig.h_rms.is_known()) rig.h_rms = contact::rms_height(*roughness);
         if (!rig.s_rms.is_known()) rig.s_rms = roughness->rms_slope;
     }
+    if (!c.layer.thickness) complete_half_space(rig, c);
     if (!rig.n.is_known() && c.rolling) rig.n = static_cast<double>(c.rolling->periods);
     if (c.relaxation && c.relaxation->branches.size() == 1) {
         const auto [ratio, time] = c.relaxation->branches.front();

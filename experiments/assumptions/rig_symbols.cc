@@ -53,6 +53,12 @@ const std::vector<RigQuantity>& rolling_quantities() {
         {"f_0", &Rig::f_0_printed, frequency},
         {"Dh", &Rig::Dh_printed, length},
         {"a", &Rig::a, length, {}, nullptr, half_size},
+        {"t", &Rig::t, length, "rig.specimen_thickness"},
+        {"U_a", &Rig::U_a, length, "rig.displacement_amplitude"},
+        {"f", &Rig::f_c, frequency, "rig.cycle_frequency"},
+        {"sigma", &Rig::sigma, pressure, "load.bulk_stress"},
+        {"Y_1", &Rig::Y_1, pressure, "indenter.yield_stress"},
+        {"Y_2", &Rig::Y_2, pressure, "substrate.yield_stress"},
         {"q", &Rig::q},
         {"delta", &Rig::delta}};
     return rolling;

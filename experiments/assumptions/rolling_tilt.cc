@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "experiments/assumptions/rolling_parts.h"
 
@@ -88,7 +89,8 @@ void add_slope(Assumption& a, const Rig& rig) {
     a.consequence = &load == &slope_beside_friction
                         ? fmt::format("The weight on the slope is {} of mu F_N.", share)
                         : fmt::format("The weight on the slope changes F_T by {}.", share);
-    if (!roller_is_rigid(rig) || rig.W_x <= 1e-9 * rig.W_y) return;  // rounding of 90 deg
+    if (!rig.b.is_known() || !roller_is_rigid(rig) || rig.W_x <= 1e-9 * rig.W_y)
+        return;  // rounding of 90 deg
     a.background.push_back(calculate(rig, height_change));
     a.consequence += fmt::format(
         " Rolling changes the height of the roller by {} of the indentation; the normal force, "
@@ -116,6 +118,29 @@ void add_axis(Assumption& a, const Rig& rig) {
                   share_text(magnitude(a.background.back().result)));
 }
 
+// Line loads p' + q 2 y/L over the length of a half-space: the surface tilts by 2 q/L (2 ln(2 L/a)
+// - 1)/(pi E*) to logarithmic accuracy in L/a, the displacement by a slender strip.
+constexpr Formula end_load_on_half_space(
+    "end_load", "dF'/F'", "pi E* L^2 theta/(2 F_N (2 ln(2 L/a) - 1))",
+    "slender strip of pressure on a half-space, to logarithmic accuracy in L/a", "1",
+    hertz_inputs + Inputs{&Rig::theta_axis}, [](const RigData& r) {
+        return std::numbers::pi * materials_of(r).effective_modulus() * r.L * r.L *
+               std::tan(r.theta_axis) /
+               (2 * r.F_N * (2 * std::log(2 * r.L / line_half_width_of(r)) - 1));
+    });
+
+void add_axis_on_half_space(Assumption& a, const Rig& rig) {
+    if (!decide_magnitude(a, rig, end_load_on_half_space)) return;
+    const Estimate& load = a.criteria.back().calculation.result;
+    if (!a.consequence.empty()) a.consequence += ' ';
+    a.consequence += load.value >= 1
+                         ? "One end of the cylinder is not pressed at all."
+                         : fmt::format(
+                               "The load per length at the ends changes by {} to either "
+                               "side, the peak pressure by half of that.",
+                               share_text(load));
+}
+
 }  // namespace
 
 Assumption level_surface(const Rig& rig) {
@@ -123,7 +148,12 @@ Assumption level_surface(const Rig& rig) {
                  .title = "Level surface",
                  .claim = "The surface of the substrate is level with the plane of rolling"};
     add_slope(a, rig);
-    if (rig.kind == Rig::Kind::cylinder) add_axis(a, rig);
+    if (rig.kind == Rig::Kind::cylinder) {
+        if (rig.b.is_known())
+            add_axis(a, rig);
+        else
+            add_axis_on_half_space(a, rig);
+    }
     return a;
 }
 

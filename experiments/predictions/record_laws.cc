@@ -23,6 +23,7 @@ constexpr double largest_correlation = 1 - 1e-6;
 /// What of a case the tables may tell beside friction.
 void check_found(const IdentificationInput& tables) {
     tables.rig.require_rigid_interface("predictions of records");
+    tables.rig.require_no_bulk_stress("predictions of records");
     constexpr std::array<std::string_view, 3> numbers{"substrate.young", "substrate.poisson",
                                                       "indenter.radius"};
     for (const FreeParameter& p : tables.parameters)

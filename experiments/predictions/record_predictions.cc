@@ -9,6 +9,7 @@
 #include "contact/verdict.h"
 #include "experiments/predictions/uncertain_case.h"
 #include "experiments/records/recorded_path.h"
+#include "io/case/case_input.h"
 #include "io/case/case_reader.h"
 #include "io/case/rolling_on.h"
 #include "report/format.h"
@@ -89,8 +90,8 @@ class RecordPredictions {
         io::refuse_rolling_on(c, *input_.case_file);
         if (c.prescribed_path)
             throw contact::InputError(
-                *input_.case_file +
-                ": [path]: records are compared with models that roll back and forth as the drive "
+                *input_.case_file + ": " + io::path_words(c) +
+                ": records are compared with models that roll back and forth as the drive "
                 "did; give the loads in [load] and omit [path], which tricontact run computes");
         if (!c.relaxation) return;
         const Rest& rest = evaluation_.rest;

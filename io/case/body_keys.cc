@@ -123,6 +123,12 @@ std::vector<CaseKey> indenter_keys() {
         {poisson_key("indenter.poisson", "0.3", "Poisson's ratio; 0.5 is incompressible",
                      {.needs = "indenter.young"}),
          at<&Case::indenter, &Indenter::material, &Material::poisson>},
+        {quantity_key("indenter.yield_stress", Dimension::pressure, above_zero(1e15),
+                      R"("800 MPa")",
+                      "yield stress Y in tension, for findings about its strength alone: models "
+                      "are elastic",
+                      {.needs = "indenter.young"}),
+         at<&Case::yield_stress, &Case::YieldStresses::indenter>},
         {choice_key("indenter.body", form_choices(), R"("hemisphere")",
                     "finite body of an indenter that deforms, which fem, fem-plane and "
                     "fem-axisymmetric mesh; half-space models do not see it",

@@ -87,7 +87,7 @@ void check_oscillation(const Case& c, const Document& document) {
         if (!c.rolling)
             refuse(document, key, "loads oscillate in the phase of the rolling, and there is none",
                    "add a section [rolling] (its amplitude may be 0), or omit the oscillation");
-        if (!has_tangential_load(c) && std::string_view(key) == "load.tangential_amplitude_ratio")
+        if (!c.load.is_tangential() && std::string_view(key) == "load.tangential_amplitude_ratio")
             refuse(
                 document, key, "is a part of F_T, which is 0: nothing would oscillate",
                 "give load.tangential_ratio or load.tangential_force; a [path] prescribes forces "
@@ -199,6 +199,8 @@ void check_case(const Case& c, const Document& document) {
     check_coupling(c, document);
     check_sphere(c, scales, document);
     check_prescribed_path(c, document);
+    check_bulk_stress(c, document);
+    check_yield_stress(c, document);
     check_tractive_rolling(c, document);
     check_oscillation(c, document);
     check_relaxation(c, document);

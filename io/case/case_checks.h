@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <string>
 #include <string_view>
 
@@ -28,14 +29,16 @@ bool all_have(const contact::Case& c, const Property& property) {
     return !c.models.empty() && std::ranges::all_of(c.models, property, contact::model_kind);
 }
 
-/// The key that says where the rows of [path] come from.
+/// Keys of a force or shift that alternates about zero: a path that [load] says.
+inline constexpr std::array oscillation_keys{"load.tangential_amplitude", "load.shift_amplitude"};
+/// The key that says the path: where the rows of [path] come from, or an oscillation.
 std::string path_key(const Document& document);
-
-/// Whether [load] asks for a tangential force.
-inline bool has_tangential_load(const contact::Case& c) {
-    return c.load.tangential_force.value_or(0) != 0 || c.load.tangential_ratio.value_or(0) != 0 ||
-           c.load.is_by_limit();
+/// Whether there is one.
+inline bool says_path(const Document& document) {
+    return document.find_section("path") ||
+           std::ranges::any_of(oscillation_keys, [&](auto* key) { return document.find(key); });
 }
+
 /// The key that says that force.
 inline std::string tangential_key(const contact::Case& c) {
     if (c.load.is_by_limit()) return c.load.limit_key();
@@ -56,9 +59,18 @@ inline constexpr double closest_to_sliding = 1e-6;
 /// Reads the rows of [path], in place of the keys of [load] that they prescribe.
 void resolve_path(contact::Case& c, const Document& document);
 
+/// Makes the path of a force or shift that alternates about zero.
+void resolve_oscillation(contact::Case& c, const Document& document);
+
 /// Prescribed paths: the bodies, models and materials know the motions, and friction carries the
 /// forces.
 void check_prescribed_path(const contact::Case& c, const Document& document);
+
+/// Yield stresses go with what strength is known of: Hertz' contacts on half-spaces.
+void check_yield_stress(const contact::Case& c, const Document& document);
+
+/// A bulk stress goes with a half-space that is elastic, and with a contact that does not roll.
+void check_bulk_stress(const contact::Case& c, const Document& document);
 
 /// Rules that concern several keys at once: friction limit, coupling of the materials, scale of
 /// the contact against the indenter, resolution and cost.

@@ -60,4 +60,20 @@ struct PathInput {
     contact::CentreOfRotation centre = {};
 };
 
+/// The same of a path that [load] says: force or shift along x alternates about zero under one
+/// normal load.
+struct OscillationInput {
+    std::optional<double> force;  ///< amplitude of F_T [N], or
+    std::optional<double> shift;  ///< amplitude of the drive's shift [m]
+    int periods = 2;              ///< after the first quarter
+    int steps_per_quarter = 20;
+};
+
+/// What prescribes the path of a case that has one, for messages: "[path]", or a key of [load].
+inline std::string path_words(const contact::Case& c) {
+    const auto* oscillation = c.kept.find<OscillationInput>();
+    if (!oscillation) return "[path]";
+    return oscillation->force ? "load.tangential_amplitude" : "load.shift_amplitude";
+}
+
 }  // namespace tricontact::io

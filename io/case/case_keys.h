@@ -44,6 +44,7 @@ std::vector<CaseKey> load_keys();
 std::vector<CaseKey> rolling_keys();
 std::vector<CaseKey> tractive_keys();
 std::vector<CaseKey> path_keys();
+std::vector<CaseKey> rig_stiffness_keys();  // of [rig] those that the contact feels
 
 /// The place of a key of a relaxing case, see at().
 template <auto... members>

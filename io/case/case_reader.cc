@@ -48,6 +48,8 @@ void make_optional_parts(Case& c, const Document& document) {
     if (document.find_section("ground")) c.layer.ground = contact::Material{};
     if (document.find_section("tractive_rolling")) c.tractive_rolling = Case::TractiveRolling{};
     if (document.find_section("path")) c.of<PathInput>();
+    for (const char* key : oscillation_keys)
+        if (document.find(key)) c.of<OscillationInput>();
     if (!document.find_section("rolling")) return;
     c.rolling = Case::Rolling{};
     if (document.find("rolling.speed")) c.rolling->speed = 1;
@@ -106,6 +108,7 @@ Case resolve(const Document& document) {
     if (c.has_hole() && !document.find("contact.coupling")) c.contact.coupling = false;
     check_bodies(c, document);
     resolve_path(c, document);
+    resolve_oscillation(c, document);
     resolve_height_map(c, document);
     resolve_lower_layers(c, document);
     resolve_relaxation(c, document);

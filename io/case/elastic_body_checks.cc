@@ -79,4 +79,38 @@ void check_bodies(const Case& c, const Document& document) {
     if (c.has_rigid_substrate) check_rigid_substrate(c, document);
 }
 
+namespace {
+
+/// What the closed forms of the stresses inside do not know; empty: nothing of the case.
+std::string unknown_part(const Case& c) {
+    const bool is_hertz = contact::is_hertz_round(c) || c.indenter.shape == Case::Shape::cylinder;
+    if (!is_hertz || c.indenter.roughness) return "other bodies than smooth spheres and cylinders";
+    if (c.has_hole()) return "holes";
+    if (!c.friction.is_coulomb()) return "other laws of friction than Coulomb's";
+    if (c.interface.is_elastic()) return "springs of the interface";
+    if (c.relaxation) return "a substrate that relaxes";
+    if (c.law != Case::Law::linear) return "finite strains";
+    if (c.has_rigid_substrate) return "a rigid substrate";
+    if (c.indenter.body) return "a finite body of the indenter";
+    if (c.tractive_rolling) return "contacts that roll on";
+    return {};
+}
+
+}  // namespace
+
+void check_yield_stress(const Case& c, const Document& document) {
+    if (!c.yield_stress.any()) return;
+    const std::string key =
+        c.yield_stress.substrate ? "substrate.yield_stress" : "indenter.yield_stress";
+    if (const std::string part = unknown_part(c); !part.empty())
+        refuse(document, key, "strength is judged by closed forms that do not know " + part,
+               "omit it");
+    for (const std::string& model : c.models)
+        if (!contact::model_kind(model).is_half_space())
+            refuse(document, key,
+                   "strength is judged by closed forms of the half-space, and " + model +
+                       " is of a layer",
+                   "omit it, or take bem or mdr");
+}
+
 }  // namespace tricontact::io

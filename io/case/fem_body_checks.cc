@@ -58,7 +58,7 @@ void check_plates(const Case& c, const Document& document) {
         c.prescribed_path && std::ranges::any_of(c.prescribed_path->rows, [](const auto& row) {
             return row.tangential[0].value != 0 || row.tangential[1].value != 0;
         });
-    if (has_tangential_load(c) || moved || pulled)
+    if (c.load.is_tangential() || moved || pulled)
         refuse(document, c.prescribed_path ? path_key(document) : tangential_key(c),
                "a body between two plates rolls or spins under a tangential load: nothing holds it",
                "set the tangential load to 0, or take another support");

@@ -78,13 +78,12 @@ void check_pressed_alone(const Case& c, const Document& document) {
                "leave [rolling] out");
     if (c.tractive_rolling)
         refuse(document, "tractive_rolling.distance", rule, "leave [tractive_rolling] out");
-    if (document.find_section("path"))
-        refuse(document, path_key(document), rule, "leave [path] out");
+    if (says_path(document)) refuse(document, path_key(document), rule, "leave the path out");
     if (document.find_section("record") || document.find_section("measurement") ||
         document.find_section("design"))
         refuse(document, "substrate.shape", "experiments are about flat substrates",
                "omit it, or leave out the sections of experiments");
-    if (has_tangential_load(c))
+    if (c.load.is_tangential())
         refuse(document, tangential_key(c), rule, "set load.tangential_ratio = 0");
 }
 

@@ -1,6 +1,7 @@
 #include <numbers>
 
 #include "contact/heat.h"
+#include "contact/rig_stiffness.h"
 #include "io/case/case_input.h"
 #include "io/case/case_keys.h"
 
@@ -17,6 +18,7 @@ using Steps = Case::Steps;
 using Until = Case::Until;
 using Tractive = Case::TractiveRolling;
 using Path = PathInput;
+using Oscillation = OscillationInput;
 using Centre = contact::CentreOfRotation;
 
 constexpr double full_turn = 2 * std::numbers::pi;
@@ -32,6 +34,17 @@ Field in_steps(Case& c) {
 template <auto... members>
 Field unless_prescribed(Case& c) {
     return c.kept.find<Path>() ? Field() : in(c, members...);
+}
+
+/// Those that a force or shift alternating about zero stands for as well.
+template <auto... members>
+Field unless_alternating(Case& c) {
+    return c.kept.find<Oscillation>() ? Field() : unless_prescribed<members...>(c);
+}
+
+template <auto member>
+Field of_oscillation(Case& c) {
+    return c.kept.find<Oscillation>() ? in(c.of<Oscillation>(), member) : Field();
 }
 
 template <auto... members>
@@ -58,39 +71,61 @@ std::vector<CaseKey> load_keys() {
                     "F_T/(mu F_N), tangential force along x; below 0 with "
                     "[tractive_rolling] alone, where it drives",
                     {.alternative = tangential_load}),
-         unless_prescribed<&Case::load, &Load::tangential_ratio>},
+         unless_alternating<&Case::load, &Load::tangential_ratio>},
         {quantity_key(
              "load.tangential_force", Dimension::force, {-1e15, 1e15}, R"("6.7 N")",
              "tangential force F_T along x; below 0 with [tractive_rolling] alone, where it drives",
              {.alternative = tangential_load}),
-         unless_prescribed<&Case::load, &Load::tangential_force>},
+         unless_alternating<&Case::load, &Load::tangential_force>},
         {number_key("load.limit_fraction", above_zero(1e6), "0.5",
                     "F_T over the load at which each model's own pressures, without friction, "
                     "have their limit of shakedown at this amplitude, f_T,lim mu F_N",
                     {.alternative = tangential_load, .needs = "rolling"}),
-         unless_prescribed<&Case::load, &Load::limit_fraction>},
+         unless_alternating<&Case::load, &Load::limit_fraction>},
         {number_key(
              "load.limit_excess", {0, 1, false, false}, "0.3",
              "share of the way from each model's own limit, as of limit_fraction, to mu F_N: "
              "F_T = mu F_N (f_T,lim + limit_excess (1 - f_T,lim)), which ratchets",
              {.alternative = tangential_load, .needs = "rolling"}),
-         unless_prescribed<&Case::load, &Load::limit_excess>},
+         unless_alternating<&Case::load, &Load::limit_excess>},
+        {quantity_key("load.tangential_amplitude", Dimension::force, above_zero(1e15), R"("6 N")",
+                      "amplitude of F_T that alternates about zero along x, without rolling: a "
+                      "quarter, then load.periods closed cycles",
+                      {.alternative = tangential_load}),
+         of_oscillation<&Oscillation::force>},
+        {length_key("load.shift_amplitude", R"("25 um")",
+                    "the same of a prescribed shift, of the drive where [rig] has a stiffness",
+                    {.alternative = tangential_load, .stands_for = "load.tangential_amplitude"}),
+         of_oscillation<&Oscillation::shift>},
+        {integer_key("load.periods", {1, 100000}, "2", "closed cycles of that oscillation",
+                     {.default_value = "2", .needs = "load.tangential_amplitude"}),
+         of_oscillation<&Oscillation::periods>},
+        {integer_key("load.steps_per_quarter", {1, 100000}, "20",
+                     "equal steps in each quarter of such a cycle",
+                     {.default_value = "20", .needs = "load.tangential_amplitude"}),
+         of_oscillation<&Oscillation::steps_per_quarter>},
         {number_key("load.normal_amplitude_ratio", {0, 1, true, false}, "0.2",
                     "superposed triangular oscillation of the normal load over its mean",
                     {.default_value = "0.0"}),
-         unless_prescribed<&Case::load, &Load::normal_amplitude_ratio>},
+         unless_alternating<&Case::load, &Load::normal_amplitude_ratio>},
         {quantity_key("load.normal_phase", Dimension::angle, {-full_turn, full_turn}, R"("90 deg")",
                       "phase by which the normal oscillation leads the rolling",
                       {.default_value = R"("0 rad")", .needs = "load.normal_amplitude_ratio"}),
-         unless_prescribed<&Case::load, &Load::normal_phase>},
+         unless_alternating<&Case::load, &Load::normal_phase>},
         {number_key("load.tangential_amplitude_ratio", from_zero(1000), "0.2",
                     "superposed triangular oscillation of F_T over its mean",
                     {.default_value = "0.0"}),
-         unless_prescribed<&Case::load, &Load::tangential_amplitude_ratio>},
+         unless_alternating<&Case::load, &Load::tangential_amplitude_ratio>},
         {quantity_key("load.tangential_phase", Dimension::angle, {-full_turn, full_turn},
                       R"("90 deg")", "phase by which the oscillation of F_T leads the rolling",
                       {.default_value = R"("0 rad")", .needs = "load.tangential_amplitude_ratio"}),
-         unless_prescribed<&Case::load, &Load::tangential_phase>},
+         unless_alternating<&Case::load, &Load::tangential_phase>},
+        {quantity_key("load.bulk_stress", Dimension::pressure, {-1e12, 1e12}, R"("100 MPa")",
+                      "stress along x in all of the substrate, tension positive, which acts "
+                      "together with F_T, in proportion to one that alternates; with [path] its "
+                      "column bulk_stress",
+                      {.default_value = R"("0 Pa")"}),
+         unless_prescribed<&Case::load, &Load::bulk_stress>},
         {choice_key(
              "load.press",
              {choice("friction", Press::friction), choice("frictionless", Press::frictionless)},
@@ -115,6 +150,18 @@ std::vector<CaseKey> load_keys() {
                        .default_value = R"("0 s")",
                        .needs = "substrate.relaxation"}),
          if_relaxing<&Case::load, &Load::hold>}};
+}
+
+std::vector<CaseKey> rig_stiffness_keys() {
+    return {{quantity_key(
+                 "rig.tangential_stiffness", Dimension::stiffness, above_zero(1e15), R"("2e7 N/m")",
+                 "stiffness of machine and holder in series with the contact, along x and "
+                 "along y: a path prescribes the drive's shift U + F_T/k; without it rigid"),
+             kept<&contact::RigStiffness::tangential>},
+            {quantity_key(
+                 "rig.normal_stiffness", Dimension::stiffness, above_zero(1e15), R"("5e7 N/m")",
+                 "the same along the normal: a path prescribes the drive's depth d + F_N/k"),
+             kept<&contact::RigStiffness::normal>}};
 }
 
 std::vector<CaseKey> rolling_keys() {

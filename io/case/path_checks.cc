@@ -17,11 +17,15 @@ using contact::PrescribedPath;
 using contact::TangentialControl;
 
 /// What a path says instead.
-constexpr std::array prescribed_keys{
-    "load.normal_force",           "load.indentation",
-    "load.tangential_ratio",       "load.tangential_force",
-    "load.limit_fraction",         "load.limit_excess",
-    "load.normal_amplitude_ratio", "load.tangential_amplitude_ratio"};
+constexpr std::array prescribed_keys{"load.normal_force",
+                                     "load.indentation",
+                                     "load.tangential_ratio",
+                                     "load.tangential_force",
+                                     "load.limit_fraction",
+                                     "load.limit_excess",
+                                     "load.normal_amplitude_ratio",
+                                     "load.tangential_amplitude_ratio",
+                                     "load.bulk_stress"};
 
 void check_alone(const Case& c, const Document& document) {
     for (const char* key : prescribed_keys)
@@ -35,6 +39,51 @@ void check_alone(const Case& c, const Document& document) {
         if (const auto* found = document.find_section(section))
             fail(found->place, fmt::format("[{}]", section),
                  "contradicts [path], whose rows give the rolling", "give one of the two");
+}
+
+/// What an oscillation about zero says instead, or has no place for.
+void check_alternates_alone(const Case& c, const Document& document, const std::string& key) {
+    for (const char* section : {"path", "rolling", "tractive_rolling"})
+        if (const auto* found = document.find_section(section))
+            fail(found->place, fmt::format("[{}]", section),
+                 "contradicts " + key + ", which says the whole path", "give one of the two");
+    for (const char* other : {"load.normal_amplitude_ratio", "load.tangential_amplitude_ratio"})
+        if (document.find(other))
+            refuse(document, other, "contradicts " + key + ", which oscillates about zero alone",
+                   "omit it, or prescribe both loads by [path]");
+    if (c.relaxation)
+        refuse(document, key, "a relaxing substrate needs times, and this path has none",
+               "give [path] with a column time [s]");
+}
+
+NormalControl normal_control(const Case::Load& load) {
+    if (load.normal_force) return {NormalControl::Kind::force, *load.normal_force};
+    return {NormalControl::Kind::indentation, load.indentation.value()};
+}
+
+/// 0, a quarter up to the amplitude, then there and back again in each period, the bulk stress [Pa]
+/// in proportion.
+PrescribedPath alternating(const OscillationInput& input, const NormalControl& normal,
+                           double bulk_stress) {
+    const auto kind = input.force ? TangentialControl::Kind::force : TangentialControl::Kind::shift;
+    const double amplitude = input.force ? *input.force : input.shift.value();
+    PrescribedPath path;
+    const auto add = [&](double value, int quarters) {
+        PrescribedPath::Row row;
+        row.normal = normal;
+        row.tangential[0] = {kind, value};
+        row.bulk_stress = value / amplitude * bulk_stress;
+        row.tangential[1] = {TangentialControl::Kind::force, 0};
+        row.steps = quarters * input.steps_per_quarter;
+        path.rows.push_back(row);
+    };
+    add(0, 1);
+    add(amplitude, 1);
+    for (int n = 0; n < input.periods; ++n) {
+        add(-amplitude, 2);
+        add(amplitude, 2);
+    }
+    return path;
 }
 
 bool lies_on_a_line(const PrescribedPath& path) {
@@ -112,10 +161,61 @@ void check_carried(const Case& c, const Document& document) {
     }
 }
 
+/// Whether the strain of a bulk stress is a shift of the surface beside those of the tractions, as
+/// solvers over a half-space's surface take it.
+bool strains_freely(const contact::ModelKind& kind) {
+    return kind.is_on_cells_of(contact::ModelKind::Body::half_space);
+}
+
+/// A rig that yields is felt where displacements are prescribed, and told where forces are.
+void check_rig(const Case& c, const Document& document) {
+    for (const char* key : {"rig.tangential_stiffness", "rig.normal_stiffness"})
+        if (document.find(key) && !c.prescribed_path)
+            refuse(document, key, "has no effect without a path, whose drive it holds",
+                   "give [path], load.tangential_amplitude or load.shift_amplitude, or omit it");
+}
+
 }  // namespace
 
+void check_bulk_stress(const Case& c, const Document& document) {
+    if (!c.has_bulk_stress()) return;
+    const bool by_path = c.load.bulk_stress == 0;
+    const std::string key = by_path ? path_key(document) : "load.bulk_stress";
+    const std::string what = by_path ? "bulk_stress: " : "";
+    for (const std::string& model : c.models)
+        if (!strains_freely(contact::model_kind(model)))
+            refuse(document, key,
+                   what +
+                       "models on the surface of a half-space alone, bem, know a substrate that "
+                       "is strained as a whole",
+                   "leave out " + model + ", or omit it");
+    if (c.rolling || c.tractive_rolling)
+        refuse(document, key, "a bulk stress acts on a contact that stays in its place",
+               "omit it, or give a [path] without offsets in place of the rolling");
+    if (c.prescribed_path && contact::norm(c.prescribed_path->reach()) > 0)
+        refuse(document, key, "a bulk stress acts on a contact that stays in its place",
+               "omit the column bulk_stress, or those of the offsets");
+    if (c.relaxation || c.has_rigid_substrate || c.period)
+        refuse(
+            document, key,
+            what + (c.relaxation ? "the strain of a substrate that relaxes lags behind its stress"
+                    : c.period   ? "the strain of a periodic surface is not periodic"
+                                 : "a rigid substrate is not strained"),
+            "omit it");
+}
+
 std::string path_key(const Document& document) {
+    for (const char* key : oscillation_keys)
+        if (document.find(key)) return key;
     return used(document, "path.table", "path.file");
+}
+
+void resolve_oscillation(Case& c, const Document& document) {
+    const auto* const input = c.kept.find<OscillationInput>();
+    if (!input) return;
+    check_alternates_alone(c, document, path_key(document));
+    c.prescribed_path = alternating(*input, normal_control(c.load), c.load.bulk_stress);
+    c.load.tangential_force = 0;
 }
 
 void resolve_path(Case& c, const Document& document) {
@@ -134,6 +234,7 @@ void resolve_path(Case& c, const Document& document) {
 }
 
 void check_prescribed_path(const Case& c, const Document& document) {
+    check_rig(c, document);
     if (!c.prescribed_path) return;
     check_motions(c, document);
     check_carried(c, document);

@@ -37,15 +37,15 @@ void check_punch_motion(const Case& c, const Document& document) {
                "leave [rolling] out");
     if (c.tractive_rolling)
         refuse(document, "tractive_rolling.distance", rule, "leave [tractive_rolling] out");
-    if (document.find_section("path"))
+    if (says_path(document))
         refuse(document, path_key(document), "flat punches are pressed and pulled, without a path",
-               "leave [path] out");
+               "leave the path out");
 }
 
 /// What holds a loose body is the contact, by its pressures alone.
 void check_loose_body(const Case& c, const Document& document) {
     const ElasticBody& body = *c.indenter.body;
-    if (has_tangential_load(c))
+    if (c.load.is_tangential())
         refuse(document, tangential_key(c),
                "nothing holds a body that " + std::string(contact::word_of(body.support)) +
                    " presses against a load along the surface",

@@ -145,8 +145,18 @@ namespace {
 
 std::vector<std::string> parts_of(const Document& document) {
     std::vector<std::string> parts;
-    for (const char* section : {"rig", "record", "measurement", "design", "printed"})
-        if (document.find_section(section)) parts.push_back("[" + std::string(section) + "]");
+    for (const char* section : {"rig", "record", "measurement", "design", "printed"}) {
+        if (!document.find_section(section)) continue;
+        const auto is_of_case = [&](const Entry& entry) {
+            return section_of(entry.path) == section && find_key(entry.path);
+        };
+        const auto is_other = [&](const Entry& entry) {
+            return section_of(entry.path) == section && !find_key(entry.path);
+        };
+        const auto& entries = document.entries;
+        if (std::ranges::any_of(entries, is_other) || std::ranges::none_of(entries, is_of_case))
+            parts.push_back("[" + std::string(section) + "]");
+    }
     const auto of_case = [](const UncertainKey& one) { return find_key(one.key->path); };
     if (std::ranges::any_of(uncertain_keys(document, case_file_keys()), of_case))
         parts.emplace_back(uncertainty_mark);

@@ -203,7 +203,15 @@ const std::vector<Key>& rolling_rig_keys() {
             quantity_key("rig.wear_rate", wear_rate, above_zero(1), R"x("1e-5 mm3/(N m)")x",
                          "volume worn off over normal force and slipped way, k_w"),
             number_key("rig.periods", above_zero(1e9), "1000",
-                       "rolling periods of a test, in which it wears; without it rolling.periods"),
+                       "rolling periods or cycles of a test, in which it wears; without it "
+                       "rolling.periods"),
+            length_key("rig.specimen_thickness", R"("10 mm")",
+                       "thickness t of a substrate that is no layer, of a rig on a half-space"),
+            length_key("rig.displacement_amplitude", R"("25 um")",
+                       "half the range of the shift in a cycle of a fretting test; without it that "
+                       "of [path]"),
+            quantity_key("rig.cycle_frequency", frequency, above_zero(1e6), R"("20 Hz")",
+                         "cycles of a fretting test per time"),
             quantity_key("rig.tilt", angle, steepest, R"("0.1 ± 0.05 deg")",
                          "slope theta of the substrate's surface along the tangential force, to "
                          "the plane in which the drive rolls"),

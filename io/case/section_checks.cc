@@ -78,8 +78,7 @@ void check_rolling_section(const Case& c, const Document& document, const Refusa
         refuse_key("tractive_rolling.distance", rule + "[tractive_rolling]",
                    "leave that section out, or take bem");
     if (c.prescribed_path)
-        refuse_key(path_key(document), rule + "[path]",
-                   "leave that section out, or take bem or fem");
+        refuse_key(path_key(document), rule + "path", "leave it out, or take bem or fem");
 }
 
 void check_plane_strain(const ModelKind& kind, const Case& c, const Document& document,
@@ -98,7 +97,7 @@ void check_plane_strain(const ModelKind& kind, const Case& c, const Document& do
         check_rolling_on_hub(kind.name, c, document);
     else
         check_rolling_section(c, document, refuse_key);
-    if (has_tangential_load(c) && c.indenter.body->support == ElasticBody::Support::plates)
+    if (c.load.is_tangential() && c.indenter.body->support == ElasticBody::Support::plates)
         refuse_key(tangential_key(c), "has no force along plates that press from both sides",
                    "set it to 0, or take indenter.support = \"hub\"");
 }
@@ -112,7 +111,7 @@ void check_of_revolution(const Case& c, const Document& document, const Refusal&
     if (c.friction.map)
         refuse_key("friction.map", "has the same friction all around its axis", "leave it out");
     check_rolling_section(c, document, refuse_key);
-    if (has_tangential_load(c))
+    if (c.load.is_tangential())
         refuse_key(tangential_key(c), "presses along the axis alone", "set it to 0, or take fem");
 }
 

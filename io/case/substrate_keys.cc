@@ -56,6 +56,12 @@ std::vector<CaseKey> substrate_keys() {
         {poisson_key("substrate.poisson", "0.5", "Poisson's ratio; 0.5 is incompressible",
                      {.required = true}),
          of_elastic_substrate<&Material::poisson>},
+        {quantity_key("substrate.yield_stress", Dimension::pressure, above_zero(1e15),
+                      R"("800 MPa")",
+                      "yield stress Y in tension, for findings about its strength alone: models "
+                      "are elastic",
+                      {.needs = "substrate.young"}),
+         at<&Case::yield_stress, &Case::YieldStresses::substrate>},
         {choice_key(
              "substrate.material",
              {choice("linear", Case::Law::linear), choice("neo-hookean", Case::Law::neo_hookean),

@@ -42,21 +42,41 @@ constexpr std::array<HistoryColumn, 28> columns{{
     {"force_residual", [](const StepRecord& s) { return Place(&s.force_residual); }},
 }};
 
+using contact::RigStiffness;
+
+constexpr std::array<DriveColumn, 3> of_drive{{
+    {"drive_shift_x_m",
+     [](const RigStiffness& rig, const StepRecord& s) { return rig.drive_shift(s)[0]; }},
+    {"drive_shift_y_m",
+     [](const RigStiffness& rig, const StepRecord& s) { return rig.drive_shift(s)[1]; }},
+    {"drive_indentation_m",
+     [](const RigStiffness& rig, const StepRecord& s) { return rig.drive_depth(s); }},
+}};
+
 }  // namespace
+
+std::span<const DriveColumn> drive_columns() {
+    return of_drive;
+}
 
 std::span<const HistoryColumn> history_columns() {
     return columns;
 }
 
-std::string history_csv(const contact::History& history) {
+std::string history_csv(const contact::History& history, const contact::RigStiffness& rig) {
     const auto number = [](const auto* place) { return shortest(*place); };
     std::string out = "step";
     for (const HistoryColumn& column : history_columns()) out.append(",").append(column.name);
+    if (rig.yields())
+        for (const DriveColumn& column : drive_columns()) out.append(",").append(column.name);
     out += '\n';
     for (std::size_t i = 0; i < history.steps.size(); ++i) {
         out += std::to_string(i);
         for (const HistoryColumn& column : history_columns())
             out.append(",").append(std::visit(number, column.place(history.steps[i])));
+        if (rig.yields())
+            for (const DriveColumn& column : drive_columns())
+                out.append(",").append(shortest(column.value(rig, history.steps[i])));
         out += '\n';
     }
     return out;

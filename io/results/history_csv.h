@@ -6,6 +6,7 @@
 #include <variant>
 
 #include "contact/history.h"
+#include "contact/rig_stiffness.h"
 
 namespace tricontact::io {
 
@@ -18,8 +19,18 @@ struct HistoryColumn {
 /// In the order of the file.
 std::span<const HistoryColumn> history_columns();
 
+/// What the drive of a rig that yields does in a step [m].
+struct DriveColumn {
+    std::string_view name;
+    double (*value)(const contact::RigStiffness& rig, const contact::StepRecord& step);
+};
+
+/// Behind the others where the rig yields.
+std::span<const DriveColumn> drive_columns();
+
 /// Every step as a line of comma-separated values; units stand in the column names, numbers have
 /// the shortest digits that read back the same.
-std::string history_csv(const contact::History& history);
+/// `rig`: of its case, with the columns of the drive where it yields.
+std::string history_csv(const contact::History& history, const contact::RigStiffness& rig = {});
 
 }  // namespace tricontact::io

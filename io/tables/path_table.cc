@@ -78,13 +78,18 @@ void set_motion(const CsvTable& table, PrescribedPath& path) {
     const Column time = column(table, "time", Dimension::time),
                  x = column(table, "offset_x", Dimension::length),
                  y = column(table, "offset_y", Dimension::length),
-                 rotation = column(table, "rotation", Dimension::angle);
+                 rotation = column(table, "rotation", Dimension::angle),
+                 bulk_stress = column(table, "bulk_stress", Dimension::pressure);
     if (table.has("time"))
         table.check_increasing("time", "times must increase from row to row", "sort the table");
     for (std::size_t i = 0; i < path.rows.size(); ++i) {
         if (i == 0 && rotation[i] != 0 && path.starts_unloaded())
             table.refuse_value(i, "rotation", "nothing is pressed in the first row",
                                "let it begin with 0, or press in that row");
+        if (i == 0 && bulk_stress[i] != 0 && path.starts_unloaded())
+            table.refuse_value(i, "bulk_stress", "nothing is pressed in the first row",
+                               "let it begin with 0, or press in that row");
+        path.rows[i].bulk_stress = bulk_stress[i];
         path.rows[i].time = time[i];
         path.rows[i].offset = {x[i], y[i]};
         path.rows[i].rotation = rotation[i];
@@ -94,9 +99,9 @@ void set_motion(const CsvTable& table, PrescribedPath& path) {
 }  // namespace
 
 PrescribedPath read_path(const CsvTable& table, int steps) {
-    table.check_names({"time", "offset_x", "offset_y", "rotation", "steps", "normal_force",
-                       "indentation", "tangential_force_x", "tangential_force_y", "shift_x",
-                       "shift_y"});
+    table.check_names({"time", "offset_x", "offset_y", "rotation", "bulk_stress", "steps",
+                       "normal_force", "indentation", "tangential_force_x", "tangential_force_y",
+                       "shift_x", "shift_y"});
     if (table.n_rows() < 2) table.refuse_header("fewer than two rows are no path");
     PrescribedPath path{std::vector<PrescribedPath::Row>(table.n_rows())};
     set_normal(table, path);

@@ -72,7 +72,8 @@ class Answer:
             self.told = "" if self.code else self.sentences(command["telling"] if has_page else None)
 
     def call(self, arguments):
-        environment = {**os.environ, "OPENBLAS_NUM_THREADS": "1"}
+        # Without gnuplot in its path a command leaves out its plots, which take longer than most answers.
+        environment = {**os.environ, "OPENBLAS_NUM_THREADS": "1", "PATH": str(self.folder)}
         done = subprocess.run(arguments, cwd=self.folder, capture_output=True, text=True, timeout=600,
                               env=environment, check=False)
         self.code = done.returncode

@@ -100,7 +100,14 @@ loose_block = {**flat_punch, **elastic, "indenter.body": '"block"', "indenter.su
 mapped = {**body, "indenter.shape": '"height-map"', "indenter.file": '"map.txt"', "indenter.spacing": '"0.2 mm"',
           "bem.cells_per_radius": None, "bem.spacing": '"0.4 mm"', "load.normal_force": '"1 N"',
           "rolling.amplitude_ratio": None, "rolling.amplitude": '"0.4 mm"'}
+to_and_fro = {"load.tangential_ratio": None, "rolling.*": None, "tractive_rolling.*": None, "load.periods": "1", "load.steps_per_quarter": "2"}
 features = [
+    feature("load that alternates about zero", "load.tangential_amplitude load.shift_amplitude load.periods load.steps_per_quarter",
+            "load.tangential_amplitude|prescribed path|[tractive_rolling]|path", {**to_and_fro, "load.tangential_amplitude": '"4 N"'},
+            {**to_and_fro, "load.tangential_amplitude": '"5 N"'}),
+    feature("rig in series with the contact", "rig.tangential_stiffness rig.normal_stiffness",
+            "rig.tangential_stiffness|load.shift_amplitude|prescribed path|[tractive_rolling]|path", {**to_and_fro, "load.shift_amplitude": '"20 um"'},
+            {**to_and_fro, "load.shift_amplitude": '"20 um"', "rig.tangential_stiffness": '"1e5 N/m"'}),
     feature("path", "path.*", "[path]|prescribed path|[tractive_rolling]", {**no_load, "path.table": path(force="2")},
             {**no_load, "path.table": path(force="1")}),
     feature("path with a force along y", "", "path|along y|[tractive_rolling]",
@@ -151,6 +158,9 @@ features = [
             {"friction.strength_limit": '"0.1 MPa"'}, over_for=under_laws),
     feature("friction over the substrate", "friction.map", "friction|Coulomb", {"friction.map": '"friction.csv"'},
             {"friction.map": '"friction_2.csv"'}),
+    feature("bulk stress", "load.bulk_stress", "bulk_stress|bulk stress|[rolling]|rolling|no layer", {"rolling.*": None}, {"rolling.*": None, "load.bulk_stress": '"20 kPa"'},
+            other_for={"run rolling on": {"tractive_rolling.distance": "1.0"}}),
+    feature("yield stresses", "substrate.yield_stress indenter.yield_stress", "yield_stress|strength", {}, {"substrate.yield_stress": '"1 MPa"'}),
     feature("springs of the interface", "interface.normal_stiffness interface.tangential_stiffness", "interface", {},
             {"interface.normal_stiffness": '"20 MPa/mm"', "interface.tangential_stiffness": '"10 MPa/mm"'}),
     feature("friction falling with the slip", "friction.rate.*", "friction.rate|friction|Coulomb", {}, falling,

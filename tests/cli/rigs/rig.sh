@@ -93,11 +93,11 @@ tells slides.txt '^    not given: measurement\.sliding_force over a wider range 
 printf 'normal_force [N], sliding_force [N]\n1, 0.5\n1, 0.6\n2, 1\n' >sliding.csv
 refused 'sliding.csv:1: a slope and its error need three different loads at least' rig "$PWD/slides.toml"
 
-# A plain case lacks the layer that a rig is held against.
-refused "missing key substrate.thickness" rig "$source_dir/examples/cases/rig_sphere_parallel.toml"
+# Without a layer a rig is one on a half-space, of spheres and cylinders alone.
+refused "missing key substrate.thickness" rig "$source_dir/examples/cases/body_cone.toml"
 refused "this is a study, not a contact case; tricontact sweep computes it" rig \
     "$source_dir/examples/studies/rig_layer.toml"
-refused "[path]: the formulas of rigs are those of one normal force and of rolling back and forth; give" rig \
+refused "[path]: the formulas of rigs on a layer are those of one normal force and of rolling back and forth; give" rig \
     "$source_dir/examples/cases/path_twist.toml"
 refused "the file cannot be read" rig missing.toml
 sed 's/"8 ± 0.1 mm"/"8 N"/' "$source_dir/examples/rigs/sphere_parallel.toml" >bad.toml

@@ -15,7 +15,7 @@ from pathlib import Path
 
 # What no formula in closed form gives: another theory solved, a run, a map, or a fit whose coefficients are not shown.
 NOT_CLOSED = re.compile(r"layer_(?!modulus)|layer_modulus|fitted_modulus_error|.*_difference|coupling_effect|edge_exponent|end_load$|"
-                        r"strain_|side_")
+                        r"strain_|side_|von_mises_ratio|shakedown_ratio")
 GRAVITY = 9.81
 FUNCTIONS = {"sqrt": math.sqrt, "tan": math.tan, "ln": math.log, "erf": math.erf, "exp": math.exp}
 TOKEN = re.compile(r"\s*([0-9.]+(?:e-?[0-9]+)?|[A-Za-z][A-Za-z_0-9]*(?:\*|')*|[-+/^()|\[\]])")

@@ -113,6 +113,32 @@ TEST(FrictionLoop, SlidingAddsForceTimesWay) {
     EXPECT_NEAR(results.number(quantities::dissipation).value() / exact, 1, tolerance);
     EXPECT_EQ(h.dissipation_per_period.size(), 2u);
     EXPECT_NEAR(h.dissipation_per_period[0] / h.dissipation_per_period[1], 1, 1e-10);
+    // On a branch the stick area falls linearly, to 0 at 2 U_max; counted in springs, 1e-4 of a.
+    EXPECT_NEAR(*loops.back().gross_slip_shift / unit, 2, 2e-3);
+    EXPECT_EQ(loops.back().least_stick_area, 0);
+}
+
+TEST(FrictionLoop, StickEndsWhereCattaneoAndMindlinSay) {
+    const double f = .6, force = f * mu * normal_force;
+    const auto c = case_of(TangentialControl::Kind::force, {0, force, -force, force}, 4);
+    const auto h = run(c);
+    const comparisons::Results results(c, h);
+    EXPECT_NEAR(results.number(quantities::loop_stick_radius).value() / h.scales.contact_radius,
+                theory::stick_radius_ratio(f), 1e-3);  // springs on either side
+    EXPECT_FALSE(results.number(quantities::gross_slip_shift));
+}
+
+// Amplitudes that rise: the third cycle slides, and the regime of the path is mixed.
+TEST(FrictionLoop, OfCyclesThatAreNotAlikeTheRegimeIsMixed) {
+    const double unit = unit_shift(), little = .5 * unit, far = 1.5 * unit;
+    const auto c = case_of(TangentialControl::Kind::shift,
+                           {0, little, -little, little, -little, little, -far, far, -far, far}, 8);
+    const auto loops = comparisons::friction_loops(c, run(c));
+    ASSERT_EQ(loops.size(), 3u);
+    EXPECT_EQ(comparisons::common_regime(loops), SlipRegime::mixed);
+    EXPECT_EQ(comparisons::regime_change(loops), 3);
+    EXPECT_EQ(comparisons::common_regime({loops[0], loops[1]}), SlipRegime::partial_slip);
+    EXPECT_FALSE(comparisons::regime_change({loops[0], loops[1]}));
 }
 
 // A spring of 1e5 N/m instead of a contact: nothing slips.

@@ -87,6 +87,17 @@ TEST(TreatmentSentences, CarryTheNumbersOfTheStudy) {
          "of shakedown."});
 }
 
+// A contact that is pressed alone has no tangential load to come then.
+TEST(TreatmentSentences, ThenTheTangentialOneWhereThereIsOne) {
+    Case c = rig();
+    EXPECT_NE(joined(treatment_sentences(c, c.models, variants())).find("then the tangential one"),
+              std::string::npos);
+    c.rolling.reset();
+    c.load.set_tangential_ratio(0);
+    EXPECT_EQ(joined(treatment_sentences(c, c.models, variants())).find("tangential one"),
+              std::string::npos);
+}
+
 // A run that stops as variants are rolled says by what; nothing is claimed of rolling.
 TEST(TreatmentSentences, SayWhyNothingWasRolled) {
     const Case c = rig();

@@ -57,6 +57,7 @@ std::string case_of(std::string_view path) {
         {"substrate.shape", "pin_in_hole"},
         {"substrate.hole_radius", "pin_in_hole"},
         {"substrate.outer_radius", "pin_in_hole"},
+        {"load.bulk_stress", "fretting_cylinder"},
         {"path", "path_twist"},
         {"friction.rate", "rolling_falling_friction"},
         {"friction.weakening", "path_weakening"},

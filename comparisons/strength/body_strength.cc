@@ -1,0 +1,111 @@
+#include "comparisons/strength/body_strength.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <tuple>
+
+#include "contact/half_space_scales.h"
+
+namespace tricontact::comparisons {
+
+namespace {
+
+using contact::Case;
+using contact::StepRecord;
+
+/// Nothing but sliding is that close to the friction limit.
+constexpr double slides_from = 1 - 1e-9;
+
+void add_body(const Case& c, const char* name, const contact::Material& material,
+              std::optional<double> yield_stress, bool is_substrate, Strength& s) {
+    if (!yield_stress) return;
+    BodyStrength body{name, *yield_stress, {}};
+    if (s.line) {
+        theory::BulkStressLine line = *s.line;
+        if (!is_substrate) {
+            line.bulk_stress = 0;
+            line.force_ratio *= -1;
+        }
+        body.peak = theory::line_stress_peak(line, material);
+    } else {
+        const double limit = c.friction_coefficient() * s.loads.normal_force;
+        const double ratio = limit > 0 ? s.loads.tangential_force / limit : 0;
+        body.peak = theory::sphere_stress_peak(material, s.contact_radius, s.peak_pressure,
+                                               c.friction_coefficient(),
+                                               std::clamp(is_substrate ? ratio : -ratio, -1., 1.));
+    }
+    s.bodies.push_back(body);
+}
+
+Strength computed_strength(const Case& c, const ContactLoads& loads) {
+    Case pressed = c;
+    pressed.load.normal_force = loads.normal_force;
+    pressed.load.indentation.reset();
+    const contact::HalfSpaceScales hertz = contact::half_space_scales(pressed);
+    Strength s{.loads = loads,
+               .contact_radius = hertz.contact_radius,
+               .peak_pressure = hertz.peak_pressure};
+    if (c.is_line_contact()) {
+        const double limit = c.friction_coefficient() * loads.normal_force;
+        double ratio = limit > 0 ? std::clamp(loads.tangential_force / limit, -1., 1.) : 0;
+        if (std::abs(ratio) > slides_from) ratio = ratio < 0 ? -1 : 1;
+        s.line = theory::bulk_stress_line(c.materials().effective_modulus(), c.substrate,
+                                          c.indenter.radius, loads.normal_force / c.indenter.length,
+                                          c.friction_coefficient(), ratio, loads.bulk_stress);
+    }
+    if (!s.is_known()) return s;
+    add_body(c, "substrate", c.substrate, c.yield_stress.substrate, true, s);
+    if (c.indenter.material)
+        add_body(c, "indenter", *c.indenter.material, c.yield_stress.indenter, false, s);
+    if (s.line && !s.bodies.empty())
+        s.shakedown_pressure = theory::line_shakedown_pressure(c.friction_coefficient());
+    return s;
+}
+
+}  // namespace
+
+ContactLoads largest_loads(const Case& c, const contact::History& history) {
+    ContactLoads loads;
+    const auto is_larger = [&](double force, double bulk) {
+        return std::tuple(std::abs(force), std::abs(bulk)) >
+               std::tuple(std::abs(loads.tangential_force), std::abs(loads.bulk_stress));
+    };
+    for (const StepRecord& step : history.steps) {
+        loads.normal_force = std::max(loads.normal_force, step.normal_force);
+        const double bulk = c.bulk_stress_at(step.phase), force = step.tangential_force[0];
+        if (!is_larger(force, bulk)) continue;
+        loads.tangential_force = force;
+        loads.bulk_stress = bulk;
+    }
+    return loads;
+}
+
+const BodyStrength* Strength::weakest() const {
+    const auto first = std::ranges::min_element(bodies, {}, &BodyStrength::factor);
+    return first == bodies.end() ? nullptr : &*first;
+}
+
+std::optional<double> Strength::first_yield_force() const {
+    const BodyStrength* body = weakest();
+    if (!body || loads.bulk_stress != 0) return {};
+    // p0 ~ F_N^(1/2) of a line contact, F_N^(1/3) of a sphere.
+    return loads.normal_force * std::pow(body->factor(), line ? 2 : 3);
+}
+
+std::optional<double> Strength::pressure_over_k() const {
+    if (bodies.empty()) return {};
+    return peak_pressure * std::numbers::sqrt3 /
+           std::ranges::min(bodies, {}, &BodyStrength::yield_stress).yield_stress;
+}
+
+std::optional<Strength> strength_of(const Case& c, const ContactLoads& loads) {
+    const bool asked = c.yield_stress.any() || (c.has_bulk_stress() && c.is_line_contact());
+    const bool is_hertz = contact::is_hertz_round(c) || c.indenter.shape == Case::Shape::cylinder;
+    if (!asked || !is_hertz || !c.friction.is_coulomb() || c.has_hole() ||
+        !(loads.normal_force > 0))
+        return {};
+    return computed_strength(c, loads);
+}
+
+}  // namespace tricontact::comparisons
