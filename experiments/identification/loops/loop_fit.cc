@@ -143,30 +143,33 @@ FittedLoop loop_of_state(const LoopRows& rows, const LoopCurve& curve, const Loo
 }
 
 FittedLoop fit_loop(const LoopRows& rows, const LoopCurve& curve, double friction,
-                    bool frees_friction) {
+                    bool frees_friction, const LoopState* start) {
     const MeasuredLoop& loop = rows.loop;
     const double margin = amplitude_margin * loop.amplitude;
     const auto [least, most] = std::ranges::minmax(rows.forces);
     const Box box{{least, loop.centre - margin, loop.amplitude - margin, least_friction * friction},
                   {most, loop.centre + margin, loop.amplitude + margin, most_friction * friction}};
     const std::array free{true, true, true, frees_friction};
-    FittedLoop fit =
-        loop_of_state(rows, curve, {(least + most) / 2, loop.centre, loop.amplitude, friction});
-    const LoopState seen = fit.state;
+    LoopState seen{(least + most) / 2, loop.centre, loop.amplitude, friction};
+    FittedLoop fit = loop_of_state(rows, curve, seen);
     const Normal first = normal_of(rows, fit);
+    if (start) {
+        FittedLoop nearby = loop_of_state(
+            rows, curve, {start->force_offset, start->centre, start->amplitude, friction});
+        if (nearby.sum_of_squares < fit.sum_of_squares) fit = std::move(nearby);
+    }
     Numbers weights{};
     for (const std::size_t k : {1, 2}) weights[k] = weight_of_extremes * first.information[k][k];
     const auto penalty = [&](LoopState state) {
         double sum = 0;
-        for (std::size_t k = 0; k < n_all; ++k)
-            sum += weights[k] * std::pow(state[k] - LoopState(seen)[k], 2);
+        for (std::size_t k = 0; k < n_all; ++k) sum += weights[k] * std::pow(state[k] - seen[k], 2);
         return sum;
     };
     for (int i = 0; i < most_steps; ++i) {
         Normal normal = normal_of(rows, fit);
         for (std::size_t k = 0; k < n_all; ++k) {
             normal.information[k][k] += weights[k];
-            normal.gradient[k] -= weights[k] * (fit.state[k] - LoopState(seen)[k]);
+            normal.gradient[k] -= weights[k] * (fit.state[k] - seen[k]);
         }
         const Numbers step = step_within(normal, fit.state, box, free);
         double largest = 0, gain = 0;
