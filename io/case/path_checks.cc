@@ -167,10 +167,13 @@ bool strains_freely(const contact::ModelKind& kind) {
     return kind.is_on_cells_of(contact::ModelKind::Body::half_space);
 }
 
-/// A rig that yields is felt where displacements are prescribed, and told where forces are.
+/// A rig that yields is felt where displacements are prescribed, and told where forces are; along
+/// the surface it is in measured loops as well.
 void check_rig(const Case& c, const Document& document) {
+    const std::string_view of_loops =
+        document.find("measurement.friction_loop") ? "rig.tangential_stiffness" : "";
     for (const char* key : {"rig.tangential_stiffness", "rig.normal_stiffness"})
-        if (document.find(key) && !c.prescribed_path)
+        if (document.find(key) && !c.prescribed_path && key != of_loops)
             refuse(document, key, "has no effect without a path, whose drive it holds",
                    "give [path], load.tangential_amplitude or load.shift_amplitude, or omit it");
 }
