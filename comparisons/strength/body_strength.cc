@@ -1,9 +1,12 @@
 #include "comparisons/strength/body_strength.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
+#include <string_view>
 #include <tuple>
+#include <utility>
 
 #include "contact/half_space_scales.h"
 
@@ -59,8 +62,31 @@ Strength computed_strength(const Case& c, const ContactLoads& loads) {
     if (c.indenter.material)
         add_body(c, "indenter", *c.indenter.material, c.yield_stress.indenter, false, s);
     if (s.line && !s.bodies.empty())
-        s.shakedown_pressure = theory::line_shakedown_pressure(c.friction_coefficient());
+        s.shakedown_pressure = theory::line_shakedown_pressure(
+            c.friction_coefficient(), s.softest().body == std::string_view("indenter")
+                                          ? c.indenter.material->poisson
+                                          : c.substrate.poisson);
     return s;
+}
+
+/// All that computed_strength() depends on.
+using Key = std::array<double, 14>;
+Key key_of(const Case& c, const ContactLoads& loads) {
+    const contact::Material indenter = c.indenter.material.value_or(contact::rigid_material);
+    return {loads.normal_force,
+            loads.tangential_force,
+            loads.bulk_stress,
+            c.indenter.radius,
+            c.indenter.length,
+            static_cast<double>(c.indenter.shape),
+            indenter.young,
+            indenter.poisson,
+            c.substrate.young,
+            c.substrate.poisson,
+            c.friction_coefficient(),
+            c.yield_stress.indenter.value_or(0),
+            c.yield_stress.substrate.value_or(0),
+            c.layer.thickness.value_or(0)};
 }
 
 }  // namespace
@@ -93,10 +119,13 @@ std::optional<double> Strength::first_yield_force() const {
     return loads.normal_force * std::pow(body->factor(), line ? 2 : 3);
 }
 
+const BodyStrength& Strength::softest() const {
+    return *std::ranges::min_element(bodies, {}, &BodyStrength::yield_stress);
+}
+
 std::optional<double> Strength::pressure_over_k() const {
     if (bodies.empty()) return {};
-    return peak_pressure * std::numbers::sqrt3 /
-           std::ranges::min(bodies, {}, &BodyStrength::yield_stress).yield_stress;
+    return peak_pressure * std::numbers::sqrt3 / softest().yield_stress;
 }
 
 std::optional<Strength> strength_of(const Case& c, const ContactLoads& loads) {
@@ -105,7 +134,11 @@ std::optional<Strength> strength_of(const Case& c, const ContactLoads& loads) {
     if (!asked || !is_hertz || !c.friction.is_coulomb() || c.has_hole() ||
         !(loads.normal_force > 0))
         return {};
-    return computed_strength(c, loads);
+    // Each quantity of a run asks for the same one.
+    static thread_local std::pair<Key, std::optional<Strength>> last;
+    const Key key = key_of(c, loads);
+    if (!last.second || last.first != key) last = {key, computed_strength(c, loads)};
+    return last.second;
 }
 
 }  // namespace tricontact::comparisons

@@ -47,6 +47,8 @@ struct Strength {
     const BodyStrength* weakest() const;
     /// F_N at which that one begins to yield [N], F_T in proportion; empty under a bulk stress.
     std::optional<double> first_yield_force() const;
+    /// The body of the least yield stress, of one or two.
+    const BodyStrength& softest() const;
     /// Largest p0/k of the bodies, k = Y/sqrt(3) [-]; empty if none has a yield stress.
     std::optional<double> pressure_over_k() const;
 };
