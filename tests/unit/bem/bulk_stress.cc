@@ -1,14 +1,13 @@
 // Bulk stress beside a tangential force: Nowell and Hills (1987) on loading and reversal, and what
 // sticks as a whole on a ball.
 
-#include "contact/base/bulk_state.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
 
 #include "bem/model.h"
+#include "contact/base/bulk_state.h"
 #include "contact/cells.h"
 #include "contact/half_space_scales.h"
 #include "contact/load_path.h"
@@ -21,15 +20,15 @@ namespace {
 using contact::Case;
 constexpr double pi = std::numbers::pi, mu = .6;
 
-/// Steel on steel, 1 mm of length.
+/// Steel on steel, so long that its ends are not felt.
 Case cylinder() {
     Case c;
     c.indenter.shape = Case::Shape::cylinder;
     c.indenter.radius = 10e-3;
-    c.indenter.length = 1e-3;
+    c.indenter.length = 1;
     c.indenter.material = c.substrate = contact::Material{206e9, .3};
     c.friction.coefficient = mu;
-    c.load.normal_force = 200;
+    c.load.normal_force = 2e5;
     c.of<contact::Cells>().per_radius = 40;
     return c;
 }
@@ -77,19 +76,17 @@ TEST(BulkStress, MovesTheStickZoneAsNowellAndHillsHaveIt) {
         Loaded loaded(c);
         loaded.load(ratio, bulk);
         const contact::Surface s = loaded.surface();
-        double low = 1, high = -1, worst = 0;
+        double low = 1, high = -1, squares = 0;
         for (int i = 0; i < s.n_x; ++i) {
             if (s.contact_state[i] == contact::ContactState::stick) {
                 low = std::min(low, s.x(i));
                 high = std::max(high, s.x(i));
             }
-            if (std::abs(s.x(i)) < .9 * line.half_width)
-                worst =
-                    std::max(worst, std::abs(s.tangential_traction_x[i] - line.traction(s.x(i))));
+            squares += std::pow(s.tangential_traction_x[i] - line.traction(s.x(i)), 2);
         }
         EXPECT_NEAR((low + high) / 2, line.stick_centre, s.spacing[0]);
         EXPECT_NEAR((high - low) / 2, line.stick_half_width, s.spacing[0]);
-        EXPECT_LT(worst, .03 * mu * line.peak_pressure);
+        EXPECT_LT(std::sqrt(squares / s.n_x), .02 * mu * line.peak_pressure);
         const double a = line.half_width, sign = ratio < 0 ? -1 : 1;
         EXPECT_NEAR(loaded.moment() / (-sign * pi / 2 * std::pow(line.stick_half_width / a, 2) *
                                        line.stick_centre / a),
@@ -127,6 +124,7 @@ TEST(BulkStress, Reversed) {
 TEST(BulkStress, StretchesABallThatSticks) {
     Case c = cylinder();
     c.indenter.shape = Case::Shape::paraboloid;
+    c.load.normal_force = 200;
     c.indenter.material = c.substrate = contact::Material{100e9, 0};
     c.friction.coefficient = 100;
     c.load.tangential_force = 0;
