@@ -61,7 +61,9 @@ StressPeak line_stress_peak(const BulkStressLine& line, const contact::Material&
 }
 
 StressPeak sphere_stress_peak(const contact::Material& material, double contact_radius,
-                              double peak_pressure, double friction, double force_ratio) {
+                              double peak_pressure, double friction, double force_ratio,
+                              double bulk_stress, double stick_centre) {
+    const double bulk = bulk_stress / peak_pressure, moved = stick_centre / contact_radius;
     const double stick = std::cbrt(std::max(0., 1 - std::abs(force_ratio)));
     const double shear = (force_ratio < 0 ? -1 : 1) * friction;
     // q(t) of Hertz' pressure of peak 1 on the radius a: pi (a^2 - t^2)/(2 a).
@@ -77,15 +79,16 @@ StressPeak sphere_stress_peak(const contact::Material& material, double contact_
     const auto stress = [&](double x, double z) {
         const InteriorResponse whole = response(1, x, z);
         const InteriorResponse stuck =
-            sheared && stick > 0 ? response(stick, x, z) : InteriorResponse{};
+            sheared && stick > 0 ? response(stick, x - moved, z) : InteriorResponse{};
         Stress sum{};
         for (std::size_t k = 0; k < sum.size(); ++k) {
             sum[k] = whole.stress[k][2];
             if (sheared) sum[k] += shear * (whole.stress[k][0] - stick * stuck.stress[k][0]);
         }
+        sum[0] += bulk;
         return sum;
     };
-    StressPeak peak = peak_of(stress, sphere_surface, sheared ? 30 : 2, 16);
+    StressPeak peak = peak_of(stress, sphere_surface, sheared || bulk != 0 ? 30 : 2, 16);
     // At the edge, x = -+1: Hamilton (1983), eqs. of the surface; what sticks is smooth there.
     const double nu = material.poisson, radial = (1 - 2 * nu) / 3;
     for (const double x : {-1., 1.}) {
@@ -93,13 +96,14 @@ StressPeak sphere_stress_peak(const contact::Material& material, double contact_
         Stress edge{radial + (4 + nu) * pulled, -radial + 3 * nu * pulled, 0, 0, 0, 0};
         if (!sheared) edge = {radial, -radial, 0, 0, 0, 0};
         if (sheared && stick > 0 && stick < 1) {
-            const InteriorResponse stuck = response(stick, x, sphere_surface);
+            const InteriorResponse stuck = response(stick, x - moved, sphere_surface);
             for (std::size_t k = 0; k < 3; ++k) edge[k] -= shear * stick * stuck.stress[k][0];
         }
+        edge[0] += bulk;
         if (contact::von_mises(edge) > peak.von_mises)
             peak = {contact::von_mises(edge), x, sphere_surface};
     }
-    peak.von_mises *= peak_pressure;
+    peak.von_mises = std::max(peak.von_mises * peak_pressure, std::abs(bulk_stress));
     peak.x *= contact_radius;
     peak.depth = peak.depth > sphere_surface ? peak.depth * contact_radius : 0;
     return peak;

@@ -146,6 +146,31 @@ TEST(BulkStress, StretchesABallThatSticks) {
     EXPECT_TRUE(model->audit().passed());
 }
 
+// Of a ball the circle that sticks moves by the strain over the gradient of the displacement under
+// full sliding, pi mu p0 (4 - 3 nu)/(8 G a) of two equal bodies: exact at nu = 0, else nearly so.
+TEST(BulkStress, MovesTheCircleThatSticksUnderABall) {
+    for (const double nu : {0., .3}) {
+        Case c = cylinder();
+        c.indenter.shape = Case::Shape::paraboloid;
+        c.indenter.material = c.substrate = contact::Material{206e9, nu};
+        c.load.normal_force = 200;
+        c.of<contact::Cells>().per_radius = 20;
+        const auto hertz = contact::half_space_scales(c);
+        const double gradient =
+            pi * mu * hertz.peak_pressure * (4 - 3 * nu) / (8 * c.substrate.shear_modulus());
+        Loaded loaded(c);
+        loaded.load(.5, .1 * 206e9 * gradient);
+        const contact::Surface s = loaded.surface();
+        double n = 0, sum = 0;
+        for (std::size_t i = 0; i < s.size(); ++i)
+            if (s.contact_state[i] == contact::ContactState::stick) {
+                ++n;
+                sum += s.x(static_cast<int>(i) % s.n_x);
+            }
+        EXPECT_NEAR(sum / n / hertz.contact_radius, .1, nu == 0 ? .002 : .004);
+    }
+}
+
 TEST(BulkState, IsUniaxialOrInPlaneStrain) {
     const contact::Material steel{200e9, .3};
     const auto along = contact::bulk_state(steel, 1e8, false), plane = bulk_state(steel, 1e8, true);
