@@ -51,6 +51,7 @@ class Loaded {
         model_->advance(step);
     }
     contact::Surface surface() const { return model_->surface(); }
+    std::unique_ptr<const contact::Interior> interior() { return model_->interior(); }
     /// First moment of the traction over mu p0 a^2 [-].
     double moment() const {
         const contact::Surface s = surface();
@@ -169,6 +170,31 @@ TEST(BulkStress, MovesTheCircleThatSticksUnderABall) {
             }
         EXPECT_NEAR(sum / n / hertz.contact_radius, .1, nu == 0 ? .002 : .004);
     }
+}
+
+// Inside, at all points deeper than half a half width: closed forms to the cells' size, a/40, and
+// far away the bulk stress alone.
+TEST(BulkStress, IsInTheStressInside) {
+    const Case c = cylinder();
+    const double bulk = .1 * 4 * mu * exact(c, .6, 0).peak_pressure;
+    const auto line = exact(c, .6, bulk);
+    Loaded loaded(c);
+    loaded.load(.6, bulk);
+    const auto inside = loaded.interior();
+    ASSERT_TRUE(inside);
+    int n = 0;
+    for (std::size_t i = 0; i < inside->size(); ++i) {
+        const auto [x, y, z] = inside->position(i);
+        if (std::abs(y) > .1 * c.indenter.length) continue;
+        if (-z < .5 * line.half_width || -z > 2 * line.half_width) continue;
+        const auto expected = line.stress(c.substrate, x, -z);
+        for (const int k : {0, 1, 2})
+            EXPECT_NEAR(inside->stress[i][k], expected[k], .01 * line.peak_pressure);
+        // z out of the substrate.
+        EXPECT_NEAR(inside->stress[i][5], -expected[5], .01 * line.peak_pressure);
+        ++n;
+    }
+    EXPECT_GT(n, 20);
 }
 
 TEST(BulkState, IsUniaxialOrInPlaneStrain) {
