@@ -107,8 +107,8 @@ Case resolve(const Document& document) {
     // Along the radii of a hole there is no coupling, see check_hole().
     if (c.has_hole() && !document.find("contact.coupling")) c.contact.coupling = false;
     check_bodies(c, document);
-    resolve_path(c, document);
     resolve_oscillation(c, document);
+    resolve_path(c, document);
     resolve_height_map(c, document);
     resolve_lower_layers(c, document);
     resolve_relaxation(c, document);

@@ -106,7 +106,7 @@ features = [
             "load.tangential_amplitude|prescribed path|[tractive_rolling]|path", {**to_and_fro, "load.tangential_amplitude": '"4 N"'},
             {**to_and_fro, "load.tangential_amplitude": '"5 N"'}),
     feature("rig in series with the contact", "rig.tangential_stiffness rig.normal_stiffness",
-            "rig.tangential_stiffness|load.shift_amplitude|prescribed path|[tractive_rolling]|path", {**to_and_fro, "load.shift_amplitude": '"20 um"'},
+            "rig|load.shift_amplitude|prescribed path|[tractive_rolling]|path", {**to_and_fro, "load.shift_amplitude": '"20 um"'},
             {**to_and_fro, "load.shift_amplitude": '"20 um"', "rig.tangential_stiffness": '"1e5 N/m"'}),
     feature("path", "path.*", "[path]|prescribed path|[tractive_rolling]", {**no_load, "path.table": path(force="2")},
             {**no_load, "path.table": path(force="1")}),
