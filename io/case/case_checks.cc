@@ -199,6 +199,7 @@ void check_case(const Case& c, const Document& document) {
     check_coupling(c, document);
     check_sphere(c, scales, document);
     check_prescribed_path(c, document);
+    check_wear(c, document);
     check_tractive_rolling(c, document);
     check_oscillation(c, document);
     check_relaxation(c, document);

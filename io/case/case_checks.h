@@ -60,6 +60,10 @@ void resolve_path(contact::Case& c, const Document& document);
 /// forces.
 void check_prescribed_path(const contact::Case& c, const Document& document);
 
+/// [wear]: a path with a closed cycle that does not roll, friction and substrate that forget, and
+/// models that have a place for a worn profile.
+void check_wear(const contact::Case& c, const Document& document);
+
 /// Rules that concern several keys at once: friction limit, coupling of the materials, scale of
 /// the contact against the indenter, resolution and cost.
 void check_case(const contact::Case& c, const Document& document);

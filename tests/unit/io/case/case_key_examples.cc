@@ -58,6 +58,7 @@ std::string case_of(std::string_view path) {
         {"substrate.hole_radius", "pin_in_hole"},
         {"substrate.outer_radius", "pin_in_hole"},
         {"path", "path_twist"},
+        {"wear", "fretting_wear"},
         {"friction.rate", "rolling_falling_friction"},
         {"friction.weakening", "path_weakening"},
         {"interface.hardening", "path_forces"},

@@ -1,0 +1,178 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "bem/model.h"
+#include "contact/base/error.h"
+#include "io/case/case_reader.h"
+#include "mdr/model.h"
+#include "theory/worn_paraboloid.h"
+#include "wear/wear_report.h"
+
+namespace tricontact::wear {
+
+namespace {
+
+namespace wear_tests {
+
+/// A steel ball of 10 mm, 5 um deep, moved by `shift` [um] to either side.
+std::string steel_ball(double shift, const std::string& wear, const std::string& more = "") {
+    const std::string u = std::to_string(shift);
+    return R"(
+models = ["bem"]
+[indenter]
+radius = "10 mm"
+young = "210 GPa"
+poisson = 0.3
+[substrate]
+young = "210 GPa"
+poisson = 0.3
+[friction]
+coefficient = 0.6
+[path]
+steps = 1
+table = """
+indentation [um], shift_x [um]
+5, 0
+5, )" + u + "\n5, -" +
+           u + "\n5, " + u + "\n\"\"\"\n[wear]\n" + wear + '\n' + more;
+}
+
+contact::Case ball(double shift, const std::string& wear, const std::string& more = "") {
+    return io::parse_case(steel_ball(shift, wear, more), "ball.toml", {});
+}
+
+constexpr double shift = 2, depth = 5e-6, radius = 10e-3;
+
+theory::WornParaboloid limit_of(const contact::Case& c) {
+    const auto bodies = c.materials();
+    return theory::WornParaboloid::of_cycle(
+        radius, depth, shift * 1e-6,
+        .6 * bodies.effective_modulus() / bodies.effective_shear_modulus());
+}
+
+/// Of the worn depth, from the exact limit: the largest, and the mean over the area within twice
+/// the contact radius, over d.
+struct OffLimit {
+    double largest = 0, mean = 0;
+};
+OffLimit off_limit(const contact::Case& c, contact::Model& model) {
+    OffLimit off;
+    const theory::WornParaboloid exact = limit_of(c);
+    const auto compare = [&](const contact::WearingContact& contact, const WearHistory& history) {
+        for (const std::size_t i : contact.line()) {
+            const double r = std::abs(contact.x(i));
+            const double error =
+                std::abs(history.states.back().worn[i] - exact.worn(r)) / exact.depth;
+            off.largest = std::max(off.largest, error);
+            off.mean += error / static_cast<double>(contact.line().size());
+        }
+    };
+    run_wear(c, model, {.at_end = compare});
+    return off;
+}
+
+}  // namespace wear_tests
+
+}  // namespace
+
+using namespace wear_tests;
+
+// The product rules are of second order: 400 rings leave below 1e-6 of d.
+TEST(Wear, MdrReachesTheExactLimitProfile) {
+    const auto c =
+        ball(shift, "coefficient = \"1e-6 mm3/(N m)\"\ncycles = 1000000", "[mdr]\nsprings = 20000");
+    EXPECT_LT(off_limit(c, *mdr::make_model(c)).largest, 1e-6);
+}
+
+// The edges of stick zone and worn ring are cut by square cells: O(h).
+TEST(Wear, BemReachesItToTheOrderOfItsGrid) {
+    double before = 0;
+    for (const int cells : {8, 16}) {
+        const auto c = ball(shift, "coefficient = \"1e-6 mm3/(N m)\"\ncycles = 1000000",
+                            "[bem]\ncells_per_radius = " + std::to_string(cells));
+        const double mean = off_limit(c, *bem::make_model(c, 1, bem::Body::half_space)).mean;
+        EXPECT_LT(mean, .1 / cells);
+        if (before > 0) EXPECT_LT(mean, .7 * before);
+        before = mean;
+    }
+}
+
+// Archard: where all slips, dV = k_w/mu dW, whatever slips how far.
+TEST(Wear, VolumeIsWorkOverFrictionInGrossSlip) {
+    const auto c =
+        ball(20, "coefficient = \"1e-8 mm3/(N m)\"\ncycles = 1000", "[bem]\ncells_per_radius = 10");
+    const auto model = bem::make_model(c, 1, bem::Body::half_space);
+    const WearHistory history = run_wear(c, *model);
+    for (const WornState& s : history.states) {
+        EXPECT_EQ(s.regime(), WearRegime::gross_slip);
+        EXPECT_NEAR(s.cycle.volume, 1e-17 / .6 * s.cycle.work, 1e-10 * s.cycle.volume);
+    }
+    const WornState& last = history.states.back();
+    EXPECT_NEAR(last.volume, 1e-17 / .6 * last.work, last.volume_error + 1e-6 * last.volume);
+}
+
+// By the work instead: the same wear, k_E = k_w/mu.
+TEST(Wear, EnergyLawIsArchardsUnderCoulombFriction) {
+    const std::string grid = "[bem]\ncells_per_radius = 8";
+    const auto archard = ball(shift, "coefficient = \"6e-8 mm3/(N m)\"\ncycles = 100", grid);
+    const auto energy = ball(shift, "energy_coefficient = \"1e-7 mm3/J\"\ncycles = 100", grid);
+    const auto volume = [](const contact::Case& c) {
+        return run_wear(c, *bem::make_model(c, 1, bem::Body::half_space)).states.back().volume;
+    };
+    const double by_pressure = volume(archard);
+    EXPECT_NEAR(volume(energy), by_pressure, 1e-8 * by_pressure);
+}
+
+TEST(Wear, JumpsKeepTheirBoundOverAThousandCycles) {
+    const auto c = ball(shift, "coefficient = \"1e-6 mm3/(N m)\"\ncycles = 1000",
+                        "[bem]\ncells_per_radius = 7\n[mdr]\nsprings = 2000");
+    const std::function<std::unique_ptr<contact::Model>()> models[] = {
+        [&] { return bem::make_model(c, 1, bem::Body::half_space); },
+        [&] { return mdr::make_model(c); }};
+    for (const auto& make : models) {
+        const WearHistory jumps = run_wear(c, *make());
+        const WearHistory each = run_wear(c, *make(), {.cycle_by_cycle = true});
+        EXPECT_LT(jumps.cycles_computed, 300);
+        EXPECT_EQ(each.states.size(), 1001u);
+        const WornState &a = jumps.states.back(), &b = each.states.back();
+        EXPECT_LE(std::abs(a.volume - b.volume), a.volume_error);
+        EXPECT_LT(a.volume_error, .02 * a.volume);
+        double worst = 0;
+        for (std::size_t i = 0; i < a.worn.size(); ++i)
+            worst = std::max(worst, std::abs(a.worn[i] - b.worn[i]));
+        EXPECT_LE(worst, a.depth_error);
+    }
+}
+
+namespace wear_tests {
+
+struct KeptInMemory final : KeptStates {
+    std::vector<std::string> states;
+    std::vector<std::string> found() const override { return states; }
+    void append(std::string_view bytes) override { states.emplace_back(bytes); }
+    void clear() override { states.clear(); }
+};
+
+}  // namespace wear_tests
+
+TEST(Wear, GoesOnWhereItEndedToTheSameBytes) {
+    const auto c = ball(shift, "coefficient = \"1e-7 mm3/(N m)\"\ncycles = 3000",
+                        "[bem]\ncells_per_radius = 7");
+    const auto make = [&] { return bem::make_model(c, 1, bem::Body::half_space); };
+    const std::string whole = wear_csv(run_wear(c, *make()));
+    KeptInMemory kept;
+    int left = 9;
+    const auto stop = [&](const WornState&) {
+        if (--left == 0) throw std::runtime_error("killed");
+    };
+    EXPECT_THROW(run_wear(c, *make(), {.kept = &kept, .show = stop}), std::runtime_error);
+    EXPECT_GT(kept.states.size(), 3u);
+    EXPECT_EQ(wear_csv(run_wear(c, *make(), {.kept = &kept})), whole);
+}
+
+}  // namespace tricontact::wear
