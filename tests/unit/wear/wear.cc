@@ -46,6 +46,10 @@ contact::Case ball(double shift, const std::string& wear, const std::string& mor
     return io::parse_case(steel_ball(shift, wear, more), "ball.toml", {});
 }
 
+// Until nothing is left to wear; where that ends does not depend on how it is reached.
+const std::string worn_out =
+    "coefficient = \"1e-5 mm3/(N m)\"\ncycles = 10000000\ntolerance = 0.03";
+
 constexpr double shift = 2, depth = 5e-6, radius = 10e-3;
 
 theory::WornParaboloid limit_of(const contact::Case& c) {
@@ -82,23 +86,21 @@ OffLimit off_limit(const contact::Case& c, contact::Model& model) {
 
 using namespace wear_tests;
 
-// The product rules are of second order: 400 rings leave below 1e-6 of d.
+// At the nodes the limit of a paraboloid is exact; what is left is what has not worn yet.
 TEST(Wear, MdrReachesTheExactLimitProfile) {
     const auto c =
         ball(shift, "coefficient = \"1e-6 mm3/(N m)\"\ncycles = 1000000", "[mdr]\nsprings = 20000");
     EXPECT_LT(off_limit(c, *mdr::make_model(c)).largest, 1e-6);
 }
 
-// The edges of stick zone and worn ring are cut by square cells: O(h).
+// The edges of stick zone and worn ring are cut by square cells: O(h). With nu = 0 all slip is
+// along x, as the limit takes it.
 TEST(Wear, BemReachesItToTheOrderOfItsGrid) {
-    double before = 0;
     for (const int cells : {8, 16}) {
-        const auto c = ball(shift, "coefficient = \"1e-6 mm3/(N m)\"\ncycles = 1000000",
-                            "[bem]\ncells_per_radius = " + std::to_string(cells));
-        const double mean = off_limit(c, *bem::make_model(c, 1, bem::Body::half_space)).mean;
-        EXPECT_LT(mean, .1 / cells);
-        if (before > 0) EXPECT_LT(mean, .7 * before);
-        before = mean;
+        const auto c = io::parse_case(
+            steel_ball(shift, worn_out, "[bem]\ncells_per_radius = " + std::to_string(cells)),
+            "ball.toml", {"indenter.poisson=0.0", "substrate.poisson=0.0"});
+        EXPECT_LT(off_limit(c, *bem::make_model(c, 1, bem::Body::half_space)).mean, .05 / cells);
     }
 }
 
