@@ -3,9 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <optional>
 
+#include "contact/half_space_scales.h"
+#include "contact/models/model_kind.h"
 #include "report/format.h"
 #include "report/json_table.h"
+#include "theory/worn_paraboloid.h"
 #include "wear/wear_report.h"
 
 namespace tricontact::wear {
@@ -18,6 +22,27 @@ constexpr std::size_t most_shown = 8;
 
 std::string cycles_text(double cycles) {
     return fmt::format("{:.6g} cycles", cycles);
+}
+
+/// What partial slip wears in the end, where it is known: a paraboloid on the half-space under a
+/// depth and a shift that are prescribed.
+std::optional<theory::WornParaboloid> limit_of(const contact::Case& c, const WearResult& r) {
+    const contact::PrescribedPath& path = *c.prescribed_path;
+    const auto& row = path.rows.back();
+    if (!contact::model_kind(r.history.model).is_half_space() ||
+        c.indenter.shape != contact::Case::Shape::paraboloid || !contact::is_coulomb_round(c) ||
+        row.normal.kind != contact::NormalControl::Kind::indentation ||
+        row.tangential[0].kind != contact::TangentialControl::Kind::shift || path.loads_across() ||
+        path.twists())
+        return {};
+    for (const auto& other : path.rows)
+        if (other.normal != row.normal) return {};
+    const auto bodies = c.materials();
+    const auto limit = theory::WornParaboloid::of_cycle(
+        c.indenter.radius, row.normal.value, r.last().cycle.shift_amplitude,
+        c.friction_coefficient() * bodies.effective_modulus() / bodies.effective_shear_modulus());
+    if (!(limit.stick_radius > 0)) return {};
+    return limit;
 }
 
 /// Over x, a curve for each shown state.
@@ -96,15 +121,22 @@ report::DocumentSection history_section(const WearReport& report) {
                                [](const WornState& s) { return 1e3 * s.cycle.work; })}};
 }
 
-report::DocumentSection profile_section(const WearResult& r) {
-    return {.id = "profiles-" + report::id_of_model(r.history.model),
-            .heading = "Profiles, " + report::display_name(r.history.model),
-            .figures = {
-                profile_figure(r, "depth", "Worn depth", "worn depth [µm]",
-                               [](const WornState& s, std::size_t i) { return 1e6 * s.worn[i]; }),
-                profile_figure(
-                    r, "pressure", "Pressure", "p [MPa]",
-                    [](const WornState& s, std::size_t i) { return 1e-6 * s.cycle.pressure[i]; })}};
+report::DocumentSection profile_section(const contact::Case& c, const WearResult& r) {
+    report::DocumentSection section{
+        .id = "profiles-" + report::id_of_model(r.history.model),
+        .heading = "Profiles, " + report::display_name(r.history.model),
+        .figures = {
+            profile_figure(r, "depth", "Worn depth", "worn depth [µm]",
+                           [](const WornState& s, std::size_t i) { return 1e6 * s.worn[i]; }),
+            profile_figure(
+                r, "pressure", "Pressure", "p [MPa]",
+                [](const WornState& s, std::size_t i) { return 1e-6 * s.cycle.pressure[i]; })}};
+    if (const auto limit = limit_of(c, r)) {
+        report::Curve curve{.name = "limit, Popov (2014)", .theory = true};
+        for (const double x : r.x) curve.add(1e3 * x, 1e6 * limit->worn(std::abs(x)));
+        section.figures.front().curves.push_back(std::move(curve));
+    }
+    return section;
 }
 
 std::string sentence_of(const WearResult& r) {
@@ -172,7 +204,7 @@ report::Document wear_document(const WearReport& report) {
         document.verdicts.push_back({.sentence = sentence_of(r)});
         if (const auto steps = steps_sentence(r); !steps.empty())
             document.verdicts.push_back({.sentence = steps});
-        document.sections.push_back(profile_section(r));
+        document.sections.push_back(profile_section(report.c, r));
     }
     return document;
 }

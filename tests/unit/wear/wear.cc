@@ -13,11 +13,9 @@
 #include "theory/worn_paraboloid.h"
 #include "wear/wear_report.h"
 
-namespace tricontact::wear {
+namespace tricontact::wear::wear_test {
 
 namespace {
-
-namespace wear_tests {
 
 /// A steel ball of 10 mm, 5 um deep, moved by `shift` [um] to either side.
 std::string steel_ball(double shift, const std::string& wear, const std::string& more = "") {
@@ -80,17 +78,19 @@ OffLimit off_limit(const contact::Case& c, contact::Model& model) {
     return off;
 }
 
-}  // namespace wear_tests
+struct KeptInMemory final : KeptStates {
+    std::vector<std::string> states;
+    std::vector<std::string> found() const override { return states; }
+    void append(std::string_view bytes) override { states.emplace_back(bytes); }
+    void clear() override { states.clear(); }
+};
 
 }  // namespace
 
-using namespace wear_tests;
-
 // At the nodes the limit of a paraboloid is exact; what is left is what has not worn yet.
 TEST(Wear, MdrReachesTheExactLimitProfile) {
-    const auto c =
-        ball(shift, "coefficient = \"1e-6 mm3/(N m)\"\ncycles = 1000000", "[mdr]\nsprings = 20000");
-    EXPECT_LT(off_limit(c, *mdr::make_model(c)).largest, 1e-6);
+    const auto c = ball(shift, worn_out, "[mdr]\nsprings = 3000");
+    EXPECT_LT(off_limit(c, *mdr::make_model(c)).largest, 1e-9);
 }
 
 // The edges of stick zone and worn ring are cut by square cells: O(h). With nu = 0 all slip is
@@ -130,9 +130,10 @@ TEST(Wear, EnergyLawIsArchardsUnderCoulombFriction) {
     EXPECT_NEAR(volume(energy), by_pressure, 1e-8 * by_pressure);
 }
 
+// A thousand cycles that wear off most of what wears.
 TEST(Wear, JumpsKeepTheirBoundOverAThousandCycles) {
-    const auto c = ball(shift, "coefficient = \"1e-6 mm3/(N m)\"\ncycles = 1000",
-                        "[bem]\ncells_per_radius = 7\n[mdr]\nsprings = 2000");
+    const auto c = ball(shift, "coefficient = \"1e-3 mm3/(N m)\"\ncycles = 1000\ntolerance = 0.01",
+                        "[bem]\ncells_per_radius = 6\n[mdr]\nsprings = 2000");
     const std::function<std::unique_ptr<contact::Model>()> models[] = {
         [&] { return bem::make_model(c, 1, bem::Body::half_space); },
         [&] { return mdr::make_model(c); }};
@@ -143,7 +144,7 @@ TEST(Wear, JumpsKeepTheirBoundOverAThousandCycles) {
         EXPECT_EQ(each.states.size(), 1001u);
         const WornState &a = jumps.states.back(), &b = each.states.back();
         EXPECT_LE(std::abs(a.volume - b.volume), a.volume_error);
-        EXPECT_LT(a.volume_error, .02 * a.volume);
+        EXPECT_LT(a.volume_error, .05 * a.volume);
         double worst = 0;
         for (std::size_t i = 0; i < a.worn.size(); ++i)
             worst = std::max(worst, std::abs(a.worn[i] - b.worn[i]));
@@ -151,30 +152,19 @@ TEST(Wear, JumpsKeepTheirBoundOverAThousandCycles) {
     }
 }
 
-namespace wear_tests {
-
-struct KeptInMemory final : KeptStates {
-    std::vector<std::string> states;
-    std::vector<std::string> found() const override { return states; }
-    void append(std::string_view bytes) override { states.emplace_back(bytes); }
-    void clear() override { states.clear(); }
-};
-
-}  // namespace wear_tests
-
 TEST(Wear, GoesOnWhereItEndedToTheSameBytes) {
     const auto c = ball(shift, "coefficient = \"1e-7 mm3/(N m)\"\ncycles = 3000",
                         "[bem]\ncells_per_radius = 7");
     const auto make = [&] { return bem::make_model(c, 1, bem::Body::half_space); };
     const std::string whole = wear_csv(run_wear(c, *make()));
     KeptInMemory kept;
-    int left = 9;
+    int left = 4;
     const auto stop = [&](const WornState&) {
         if (--left == 0) throw std::runtime_error("killed");
     };
     EXPECT_THROW(run_wear(c, *make(), {.kept = &kept, .show = stop}), std::runtime_error);
-    EXPECT_GT(kept.states.size(), 3u);
+    EXPECT_EQ(kept.states.size(), 4u);
     EXPECT_EQ(wear_csv(run_wear(c, *make(), {.kept = &kept})), whole);
 }
 
-}  // namespace tricontact::wear
+}  // namespace tricontact::wear::wear_test
