@@ -8,8 +8,11 @@
 
 #include "bem/model.h"
 #include "contact/base/error.h"
+#include "contact/base/root.h"
+#include "contact/bodies/indenter.h"
 #include "io/case/case_reader.h"
 #include "mdr/model.h"
+#include "theory/layer/elastic_layer.h"
 #include "theory/worn_paraboloid.h"
 #include "wear/wear_report.h"
 
@@ -102,6 +105,43 @@ TEST(Wear, BemReachesItToTheOrderOfItsGrid) {
             "ball.toml", {"indenter.poisson=0.0", "substrate.poisson=0.0"});
         EXPECT_LT(off_limit(c, *bem::make_model(c, 1, bem::Body::half_space)).mean, .05 / cells);
     }
+}
+
+// On a layer, too, what is left is the contact of the disc c under the depth d: that of the
+// paraboloid that has the radius c by itself, and a flat punch of that radius for the rest of d.
+// c by counted cells: 3 % of the force.
+TEST(Wear, OnALayerTheLimitIsTheContactOfWhatSticks) {
+    const auto c = io::parse_case(R"x(
+models = ["bem-layer"]
+indenter.radius = "40 mm"
+substrate = {young = "5.2 MPa", poisson = 0.5, thickness = "8 mm"}
+friction.coefficient = 0.6
+contact.coupling = false
+path.steps = 1
+path.table = """
+indentation [mm], shift_x [mm]
+0.5, 0
+0.5, 0.4
+0.5, -0.4
+0.5, 0.4
+"""
+wear = {coefficient = "1 mm3/(N m)", cycles = 10000000, tolerance = 0.03}
+bem.cells_per_radius = 8
+)x",
+                                  "layer.toml", {});
+    const auto model = bem::make_model(c, 1, bem::Body::layer);
+    const WornState last = run_wear(c, *model).states.back();
+    ASSERT_EQ(last.regime(), WearRegime::partial_slip);
+    const theory::ElasticLayer layer{c.substrate, 8e-3};
+    const auto at = [&](double depth) {
+        return theory::solve_layer_contact(layer, contact::Paraboloid(40e-3),
+                                           {contact::NormalControl::Kind::indentation, depth});
+    };
+    const double own = contact::bracketed_root(
+        [&](double depth) { return at(depth).contact_radius - last.stick_radius(); }, 1e-5, 1e-3);
+    const double force =
+        at(own).normal_force + at(own).normal_stiffness * (last.cycle.indentation - own);
+    EXPECT_NEAR(last.cycle.normal_force, force, .04 * force);
 }
 
 // Archard: where all slips, dV = k_w/mu dW, whatever slips how far.
