@@ -42,6 +42,7 @@ using contact::TangentialControl;
 
 SpringBed::SpringBed(BedData data)
     : Bed(data),
+      wearing_body_(data.wearing_body),
       normal_(std::move(data.profile), data.n_springs, data.half_length),
       deflections_(data.n_springs),
       deflections_before_(data.n_springs),

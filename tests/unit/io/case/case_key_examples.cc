@@ -64,6 +64,7 @@ std::string case_of(std::string_view path) {
         {"load.periods", "fretting_steel"},
         {"load.steps_per_quarter", "fretting_steel"},
         {"rig", "path_twist"},
+        {"wear", "fretting_wear"},
         {"friction.rate", "rolling_falling_friction"},
         {"friction.weakening", "path_weakening"},
         {"interface.hardening", "path_forces"},
