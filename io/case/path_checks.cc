@@ -282,6 +282,11 @@ void check_wear(const Case& c, const Document& document) {
         refuse(document, path_key(document),
                "an indenter that rolls is not worn: [wear] takes points that keep their place",
                "omit offset_x and offset_y, or " + omit_wear);
+    const auto* const rig = c.kept.find<contact::RigStiffness>();
+    if (rig && rig->yields())
+        refuse(document, rig->tangential ? "rig.tangential_stiffness" : "rig.normal_stiffness",
+               "wear behind a rig that yields is not computed",
+               "prescribe what the contact feels, or " + omit_wear);
     if (c.relaxation)
         refuse(document, key, "cycles of a relaxing substrate do not repeat themselves",
                "leave out [substrate.relaxation] or [wear]");
