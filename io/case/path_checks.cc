@@ -4,6 +4,7 @@
 
 #include "contact/load_path.h"
 #include "contact/path_cycles.h"
+#include "contact/rig_stiffness.h"
 #include "contact/wearing_contact.h"
 #include "io/case/case_checks.h"
 #include "io/case/case_input.h"
