@@ -86,6 +86,9 @@ TableModel table_model(const std::string& model, const IdentificationInput& inpu
             [&table, on_layer = io::measurement_model(model).is_layer](const IdentifiedRig& rig) {
                 return sliding_forces(on_layer, rig.as_case, table.given);
             };
+    if (table.measurement == Measurement::friction_loop)
+        return [&table, starts = std::make_shared<std::vector<LoopState>>()](
+                   const IdentifiedRig& rig) { return loop_forces(table, rig, *starts); };
     const bool is_direct = is_sheared ? is_mapped || is_beyond_coulomb(input.rig)
                                       : !presses_of || input.rig.interface.normal_stiffness;
     if (!io::measurement_model(model).is_layer || is_direct)

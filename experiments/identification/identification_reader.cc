@@ -266,8 +266,7 @@ Input read_identification(const std::string& path, const std::vector<std::string
     check_interface(input, find, document);
     check_models(input, document);
     // Of several tables each needs a row that is left for its own error.
-    if (document.find(rig_stiffness_key))
-        input.rig_compliance = 1 / quantity_of(document, rig_stiffness_key);
+    input.rig_compliance = compliance_of_rig(input, document);
     const std::size_t least_rows = input.tables.size() == 1 ? find.size() + 1 : 2;
     for (Table& table : input.tables)
         io::told_at(document, std::string(key_of(table.measurement)),

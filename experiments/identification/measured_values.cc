@@ -280,7 +280,10 @@ std::vector<double> measured_values(const std::string& model,
                                     const IdentifiedRig& identified,
                                     const std::vector<double>& given,
                                     const contact::ModelRunner& runner) {
-    if (table.measurement == Measurement::friction_loop) return loop_forces(table, identified);
+    if (table.measurement == Measurement::friction_loop) {
+        std::vector<LoopState> starts;
+        return loop_forces(table, identified, starts);
+    }
     const Case& rig = identified.as_case;
     const Case slow = relaxed(rig);
     if (table.measurement == Measurement::rolling_shift)

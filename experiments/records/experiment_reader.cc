@@ -112,7 +112,12 @@ ExperimentInput read_experiment(const std::string& path,
                                 const std::vector<std::string>& overrides) {
     const io::Document document =
         io::read_rig_document(path, overrides, "record", "nothing was recorded",
-                              "add one with kind = \"shakedown\" and runs = [\"run_1.csv\"]");
+                              "add one with kind = \"shakedown\" and runs = [\"run_1.csv\"]; "
+                              "tables of [measurement] are evaluated by tricontact identify");
+    if (document.find("measurement.friction_loop"))
+        io::refuse(document, "measurement.friction_loop",
+                   "experiment evaluates records of rolling, and loops are none",
+                   "leave it out, or take tricontact identify");
     ExperimentInput input;
     Experiment& e = input.experiment;
     read_keys(e, document);

@@ -26,8 +26,8 @@ std::string bytes_of(const LoadStep& step) {
         const auto& [kind, value] = control;
         write(kind, value);
     };
-    const auto& [phase, offset, normal, tangential, duration, friction, rotation, centre, recurs,
-                 in_proportion, bulk] = step;
+    const auto& [phase, offset, normal, tangential, duration, friction, rotation, centre, bulk,
+                 recurs, in_proportion] = step;
     write(phase, offset);
     write_control(normal);
     for (const auto& control : tangential) write_control(control);

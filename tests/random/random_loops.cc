@@ -28,6 +28,7 @@ using experiments::IdentificationInput;
 
 constexpr double stated_level = .95, level_margin = .02, rightly_named = .97;
 constexpr int n_cycles = 3, n_rows = 40;
+constexpr double cycles_between = 500;  // recorded ones
 
 double log_between(Random& random, double low, double high) {
     return std::exp(between(random, {std::log(low), std::log(high)}));
@@ -52,7 +53,7 @@ struct Driven {
 };
 
 Driven driven(LoopRig& rig, double amplitude, double mu) {
-    constexpr int n_fine = 12;
+    constexpr int n_fine = 6;
     Driven loop{.truth = {.friction = mu}};
     rig.has_slid();
     double force = 0, shift = amplitude, largest_force = 0, largest_shift = 0;
@@ -124,16 +125,18 @@ DrawnLoops drawn_loops(Random& random, int number) {
         rig.start();
         for (int i = 1; i <= 20; ++i) rig.move(amplitude * i / 20, rig.friction);
         std::vector<TrueLoop> loops;
-        for (int cycle = 0; cycle <= n_cycles; ++cycle) {
-            const double mu = rig.friction * (1 + drift * (std::max(1, cycle) - 2.) / 2);
+        for (int recorded = 0; recorded < n_cycles; ++recorded) {
+            const double mu = rig.friction * (1 + drift * (recorded - 1.) / 2);
+            const double cycle = 1 + cycles_between * recorded;
+            // Between two of them so many cycles pass that each is a steady one.
+            driven(rig, amplitude, mu);
             Driven loop = driven(rig, amplitude, mu);
-            if (cycle == 0) continue;  // a quarter from rest behind it
             loops.push_back(loop.truth);
             for (int i = 0; i < n_rows; ++i) {
                 columns.cycles.push_back(cycle);
                 columns.amplitudes.push_back(amplitude);
                 columns.normal_forces.push_back(rig.normal_force);
-                columns.shifts.push_back(offset + shift_drift * cycle + loop.shifts[i] +
+                columns.shifts.push_back(offset + shift_drift * recorded + loop.shifts[i] +
                                          shift_noise * amplitude * gauss(random));
                 columns.forces.push_back(force_offset + loop.forces[i] + error * gauss(random));
                 force_errors.push_back(error);

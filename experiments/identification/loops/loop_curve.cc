@@ -12,7 +12,7 @@ constexpr int most_newton_steps = 40;
 constexpr double place_tolerance = 1e-9;  // of t: the step behind it is below 1e-15
 constexpr int n_table = 64;               // of w: 1e-9 of the force
 constexpr double least_rest = 1e-12;      // of the way to sliding
-constexpr int n_energy_intervals = 32;    // Simpson's rule: 1e-8 of the work
+constexpr int n_energy_intervals = 128;   // Simpson's rule: 2e-9 of the work
 
 double square(double x) {
     return x * x;

@@ -63,23 +63,29 @@ statistics::Estimate energy_of(const TableErrors& at, const LoopRows& rows, cons
     return statistics::with_interval(sum + beyond, at.widening * std::sqrt(variance), at.quantile);
 }
 
-/// By how much one standard error of E and k_rig, with their correlation, moves the friction that
-/// a loop is fitted with: a variance.
+bool is_of_friction(const FreeParameter& p) {
+    return is_of_law(p.key) || p.key == drift_key;
+}
+
+/// Variance of a value of the rig by the errors of the parameters that count, with their
+/// correlations; infinite if one of friction that counts is not told.
 double shared_variance(const IdentificationInput& input, const Identification& found,
-                       const std::function<double(const IdentifiedRig&)>& friction) {
+                       const std::function<bool(const FreeParameter&)>& counts,
+                       const std::function<double(const IdentifiedRig&)>& value) {
     const auto best = found.best();
     std::vector<double> slopes(found.free.size(), 0.);
     for (std::size_t k = 0; k < found.free.size(); ++k) {
         const FreeParameter& p = found.free[k];
-        if (is_of_law(p.key) || p.key == drift_key) continue;
+        if (!counts(p)) continue;
         const double error = found.logarithmic.standard_errors[k];
+        if (!std::isfinite(error) && is_of_law(p.key)) return contact::infinity;
         if (!std::isfinite(error) || !(error > 0)) continue;
         const double change = std::min(largest_change, error);
         auto above = best, below = best;
         above[k] = std::min(p.high, p.changed(best[k], change));
         below[k] = std::max(p.low, p.changed(best[k], -change));
-        slopes[k] = (friction(rig_with(input, found.free, above)) -
-                     friction(rig_with(input, found.free, below))) /
+        slopes[k] = (value(rig_with(input, found.free, above)) -
+                     value(rig_with(input, found.free, below))) /
                     p.change(below[k], above[k]);
     }
     double variance = 0;
@@ -100,12 +106,40 @@ void find_friction(const IdentificationInput& input, const Identification& found
             std::sqrt(fit.covariance[n_of_loop][n_of_loop]) * curve.limit() / finding.normal_force);
     };
     const auto [friction, error] = fitted(rig_with(input, found.free, found.best()));
-    finding.shared_error = std::sqrt(
-        shared_variance(input, found, [&](const IdentifiedRig& rig) { return fitted(rig).first; }));
+    finding.shared_error = std::sqrt(shared_variance(
+        input, found, [](const FreeParameter& p) { return !is_of_friction(p); },
+        [&](const IdentifiedRig& rig) { return fitted(rig).first; }));
     // At a bound nothing of it is told.
     const double own = error > 0 ? at.widening * error : contact::infinity;
     finding.friction =
         statistics::with_interval(friction, std::hypot(own, finding.shared_error), at.quantile);
+}
+
+/// The part of 4 F U of the contact that a cycle dissipates: by its rows, and by the fitted loop as
+/// far as all loops tell it, each by its variance. Probability that it is below that of closed
+/// loops.
+double chance_of_closed(const IdentificationInput& input, const Identification& found,
+                        const TableErrors& at, const MeasuredLoop& loop,
+                        const LoopFinding& finding) {
+    const LoopRows rows = at.rows(loop);
+    const auto fitted = [&](const IdentifiedRig& rig) {
+        const LoopCurve curve = loop_curve(rig, finding.normal_force);
+        const auto state = fit_loop(rows, curve, friction_in(at.table, loop, rig)).state;
+        const double force = curve.at(state.amplitude, state.friction).force;
+        return curve.energy(state.amplitude, state.friction) /
+               (4 * force * (state.amplitude - force * curve.rig_compliance()));
+    };
+    const double around = 4 * finding.force * finding.contact_shift;
+    const double by_rows = std::pow(finding.energy.standard_error / around, -2);
+    const double by_fit =
+        1 /
+        (std::pow(at.widening, 2) *
+         std::max(1e-300, shared_variance(
+                              input, found, [](const FreeParameter&) { return true; }, fitted)));
+    const double ratio = (by_rows * finding.energy_ratio +
+                          by_fit * fitted(rig_with(input, found.free, found.best()))) /
+                         (by_rows + by_fit);
+    return gsl_cdf_ugaussian_P((closed_loop_ratio - ratio) * std::sqrt(by_rows + by_fit));
 }
 
 std::optional<statistics::Estimate> drift_of(const std::vector<double>& cycles,
@@ -196,9 +230,7 @@ LoopFindings loop_findings(const IdentificationInput& input, const Identificatio
             finding.energy_ratio = finding.energy.value / around;
             finding.slides = chance.at(finding.state.amplitude / finding.sliding_shift);
             finding.sticks =
-                (1 - finding.slides) *
-                gsl_cdf_ugaussian_P((closed_loop_ratio * around - finding.energy.value) /
-                                    finding.energy.standard_error);
+                (1 - finding.slides) * chance_of_closed(input, found, at, loop, finding);
             find_friction(input, found, at, loop, finding);
             findings.loops.push_back(finding);
         }

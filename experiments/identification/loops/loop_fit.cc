@@ -16,10 +16,14 @@ constexpr double least_friction = .05, most_friction = 20;  // over the curve's
 constexpr int most_steps = 30, most_halvings = 6;
 constexpr double step_tolerance = 1e-8;  // of the box
 constexpr double rounding = 1e-12;
-// Of the sum of squares: 1e-8 of the residuals, which differences of the outer fit resolve.
-constexpr double least_gain = 1e-16;
+// Of the sum of squares: 1e-7 of the residuals, which differences of the outer fit resolve.
+constexpr double least_gain = 1e-14;
 // Of the largest in its row and column: two numbers that do the same share what they do.
 constexpr double ridge = 1e-10;
+
+// Of what the rows say of centre and amplitude: so much weight have the extreme shifts, which
+// decide where the rows say nothing, as of loops that are nearly closed.
+constexpr double weight_of_extremes = 1e-3;
 
 struct Box {
     Numbers low, high;
@@ -95,6 +99,19 @@ Numbers step_within(const Normal& normal, LoopState state, const Box& box,
     return held;
 }
 
+void add_covariance(const LoopRows& rows, const Box& box, const std::array<bool, n_all>& free,
+                    FittedLoop& fit) {
+    std::array<bool, n_all> inside = free;
+    for (std::size_t k = 0; k < n_all; ++k)
+        inside[k] = free[k] && fit.state[k] > box.low[k] && fit.state[k] < box.high[k];
+    const Normal normal = normal_of(rows, fit);
+    for (std::size_t k = 0; k < n_all; ++k) {
+        Numbers unit{};
+        unit[k] = 1;
+        if (inside[k]) fit.covariance[k] = solved(normal.information, unit, inside);
+    }
+}
+
 }  // namespace
 
 FittedLoop loop_of_state(const LoopRows& rows, const LoopCurve& curve, const LoopState& state) {
@@ -126,45 +143,56 @@ FittedLoop loop_of_state(const LoopRows& rows, const LoopCurve& curve, const Loo
 }
 
 FittedLoop fit_loop(const LoopRows& rows, const LoopCurve& curve, double friction,
-                    bool frees_friction) {
+                    bool frees_friction, const LoopState* start) {
     const MeasuredLoop& loop = rows.loop;
     const double margin = amplitude_margin * loop.amplitude;
     const auto [least, most] = std::ranges::minmax(rows.forces);
     const Box box{{least, loop.centre - margin, loop.amplitude - margin, least_friction * friction},
                   {most, loop.centre + margin, loop.amplitude + margin, most_friction * friction}};
     const std::array free{true, true, true, frees_friction};
-    FittedLoop fit =
-        loop_of_state(rows, curve, {(least + most) / 2, loop.centre, loop.amplitude, friction});
+    LoopState seen{(least + most) / 2, loop.centre, loop.amplitude, friction};
+    FittedLoop fit = loop_of_state(rows, curve, seen);
+    const Normal first = normal_of(rows, fit);
+    if (start) {
+        FittedLoop nearby = loop_of_state(
+            rows, curve, {start->force_offset, start->centre, start->amplitude, friction});
+        if (nearby.sum_of_squares < fit.sum_of_squares) fit = std::move(nearby);
+    }
+    Numbers weights{};
+    for (const std::size_t k : {1, 2}) weights[k] = weight_of_extremes * first.information[k][k];
+    const auto penalty = [&](LoopState state) {
+        double sum = 0;
+        for (std::size_t k = 0; k < n_all; ++k) sum += weights[k] * std::pow(state[k] - seen[k], 2);
+        return sum;
+    };
     for (int i = 0; i < most_steps; ++i) {
-        const Normal normal = normal_of(rows, fit);
+        Normal normal = normal_of(rows, fit);
+        for (std::size_t k = 0; k < n_all; ++k) {
+            normal.information[k][k] += weights[k];
+            normal.gradient[k] -= weights[k] * (fit.state[k] - seen[k]);
+        }
         const Numbers step = step_within(normal, fit.state, box, free);
         double largest = 0, gain = 0;
-        for (std::size_t k = 0; k < n_all; ++k)
+        for (std::size_t k = 0; k < n_all; ++k) {
             largest = std::max(largest, std::abs(step[k]) / (box.high[k] - box.low[k]));
-        for (std::size_t k = 0; k < n_all; ++k) gain += normal.gradient[k] * step[k];
-        if (largest < step_tolerance || gain < least_gain * fit.sum_of_squares) break;
+            gain += normal.gradient[k] * step[k];
+        }
+        const double sum = fit.sum_of_squares + penalty(fit.state);
+        if (largest < step_tolerance || gain < least_gain * sum) break;
         double share = 1;
         bool is_better = false;
         for (int halving = 0; halving < most_halvings; ++halving, share /= 2) {
             LoopState next = fit.state;
             for (std::size_t k = 0; k < n_all; ++k) next[k] += share * step[k];
             FittedLoop there = loop_of_state(rows, curve, next);
-            if (there.sum_of_squares > (1 + rounding) * fit.sum_of_squares) continue;
+            if (there.sum_of_squares + penalty(next) > (1 + rounding) * sum) continue;
             fit = std::move(there);
             is_better = true;
             break;
         }
         if (!is_better) break;
     }
-    std::array<bool, n_all> inside = free;
-    for (std::size_t k = 0; k < n_all; ++k)
-        inside[k] = free[k] && fit.state[k] > box.low[k] && fit.state[k] < box.high[k];
-    const Normal normal = normal_of(rows, fit);
-    for (std::size_t k = 0; k < n_all; ++k) {
-        Numbers unit{};
-        unit[k] = 1;
-        if (inside[k]) fit.covariance[k] = solved(normal.information, unit, inside);
-    }
+    add_covariance(rows, box, free, fit);
     return fit;
 }
 

@@ -46,8 +46,8 @@ struct FittedLoop {
 /// The steady cycle of a state at the shifts of the rows.
 FittedLoop loop_of_state(const LoopRows& rows, const LoopCurve& curve, const LoopState& state);
 
-/// Least squares, its friction as given or free as well.
+/// Least squares, its friction as given or free as well. `start`: a state nearby, for speed.
 FittedLoop fit_loop(const LoopRows& rows, const LoopCurve& curve, double friction,
-                    bool frees_friction = false);
+                    bool frees_friction = false, const LoopState* start = nullptr);
 
 }  // namespace tricontact::experiments

@@ -7,7 +7,9 @@
 #include "experiments/identification/law_parameters.h"
 #include "experiments/identification/loops/loop_values.h"
 #include "experiments/identification/rig_guesses.h"
+#include "io/case/case_keys.h"
 #include "io/case/measurement_models.h"
+#include "io/case/rig_file.h"
 #include "io/keys/key_checks.h"
 #include "io/keys/messages.h"
 
@@ -104,6 +106,17 @@ void check_loop_loads(const Input& input, const io::Document& document) {
     if (document.find("load.normal_force"))
         io::refuse(document, "load.normal_force",
                    "the rows of friction_loop state their own normal forces", "omit it");
+}
+
+double compliance_of_rig(const Input& input, const io::Document& document) {
+    const io::Entry* entry = document.find(rig_stiffness_key);
+    if (!entry || !input.find(Measurement::friction_loop)) return 0;
+    const auto number = io::read_uncertain_number(*io::find_key(rig_stiffness_key), *entry);
+    if (number.value.standard_error > 0)
+        io::refuse(document, std::string(rig_stiffness_key),
+                   "its error is not carried into loops, which tell it themselves",
+                   "name it in measurement.find, or state it without ±");
+    return 1 / number.value.value;
 }
 
 double guessed_young_of_loops(const Table& table, double radius, double normal_force) {

@@ -16,6 +16,9 @@ void check_loop_tables(const IdentificationInput& input, const std::vector<std::
 /// Loads stand in the rows of all tables of loops, or in load.normal_force.
 void check_loop_loads(const IdentificationInput& input, const io::Document& document);
 
+/// 1/k_rig [m/N] of [rig], in series with the contact of loops; 0: rigid, or there are none.
+double compliance_of_rig(const IdentificationInput& input, const io::Document& document);
+
 /// E [Pa] of the substrate whose contact is twice as stiff as the loops at their reversals.
 double guessed_young_of_loops(const IdentificationInput::Table& table, double radius,
                               double normal_force);

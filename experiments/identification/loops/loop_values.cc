@@ -65,26 +65,32 @@ std::vector<LoopCurve> loop_curves(const Table& table, const IdentifiedRig& rig)
     return curves;
 }
 
-std::vector<FittedLoop> fitted_loops(const Table& table, const IdentifiedRig& rig) {
+std::vector<FittedLoop> fitted_loops(const Table& table, const IdentifiedRig& rig,
+                                     std::vector<LoopState>& starts) {
     const auto curves = loop_curves(table, rig);
     std::vector<FittedLoop> fits;
     for (std::size_t i = 0; i < curves.size(); ++i) {
         const MeasuredLoop& loop = table.loops.loops[i];
-        fits.push_back(fit_loop(rows_of(table, loop), curves[i], friction_in(table, loop, rig)));
+        fits.push_back(fit_loop(rows_of(table, loop), curves[i], friction_in(table, loop, rig),
+                                false, starts.empty() ? nullptr : &starts[i]));
     }
+    starts.clear();
+    for (const FittedLoop& fit : fits) starts.push_back(fit.state);
     return fits;
 }
 
-std::vector<double> loop_forces(const Table& table, const IdentifiedRig& rig) {
+std::vector<double> loop_forces(const Table& table, const IdentifiedRig& rig,
+                                std::vector<LoopState>& starts) {
     std::vector<double> forces;
-    for (const FittedLoop& fit : fitted_loops(table, rig))
+    for (const FittedLoop& fit : fitted_loops(table, rig, starts))
         forces.insert(forces.end(), fit.forces.begin(), fit.forces.end());
     return forces;
 }
 
 std::vector<std::vector<double>> loop_slopes(const Table& table, const IdentifiedRig& rig) {
     std::vector<std::vector<double>> columns;
-    const auto fits = fitted_loops(table, rig);
+    std::vector<LoopState> starts;
+    const auto fits = fitted_loops(table, rig, starts);
     for (std::size_t i = 0; i < fits.size(); ++i)
         for (std::size_t k = 0; k < n_of_loop; ++k) {
             auto& column = columns.emplace_back(table.observed.size(), 0.);

@@ -30,12 +30,14 @@ LoopCurve loop_curve(const IdentifiedRig& rig, double normal_force);
 std::vector<LoopCurve> loop_curves(const IdentificationInput::Table& table,
                                    const IdentifiedRig& rig);
 
-/// All loops of a table, each with its own LoopState at its best.
+/// All loops of a table, each with its own LoopState at its best. `starts`: states nearby, or
+/// empty; they become those found.
 std::vector<FittedLoop> fitted_loops(const IdentificationInput::Table& table,
-                                     const IdentifiedRig& rig);
+                                     const IdentifiedRig& rig, std::vector<LoopState>& starts);
 
 /// Forces [N] of the table's rows by these.
-std::vector<double> loop_forces(const IdentificationInput::Table& table, const IdentifiedRig& rig);
+std::vector<double> loop_forces(const IdentificationInput::Table& table, const IdentifiedRig& rig,
+                                std::vector<LoopState>& starts);
 
 /// Slopes of these forces by the numbers of LoopState of each loop, columns over all rows.
 std::vector<std::vector<double>> loop_slopes(const IdentificationInput::Table& table,

@@ -1,0 +1,69 @@
+#!/usr/bin/env bash
+# tricontact identify reads friction loops: E, mu, k_rig and the drift of made ones are in their intervals, regimes and energies are
+# named; tables that hold no loops, and what loops cannot have beside them, are refused with one line.
+# usage: identify_loops.sh PROGRAM SOURCE_DIR
+source "$(dirname -- "${BASH_SOURCE[0]}")/../prepare.bash"
+
+number() { "$python" -c "import json; print(json.load(open('out/identify.json'))$1)"; }
+holds() { awk "BEGIN { exit !($1) }" || complain "$1: $2"; }
+
+# Half of the example: the cycles 1, 100 and 200. Its truth stands in make_loop_data.py.
+awk '/^#/ || /^cycle/ || /^1,/ || /^100,/ || /^200,/' "$source_dir/examples/measurements/fretting_loops.csv" >fretting_loops.csv
+cp "$source_dir/examples/measurements/fretting_loops.toml" .
+"$program" identify fretting_loops.toml --output out --quiet >text || complain "identify"
+for known in young_Pa:200e9 friction_coefficient:0.6 rig_tangential_stiffness_N_per_m:30e6 friction_drift:0.12; do
+    low=$(number "['models']['half-space']['${known%:*}']['interval'][0]")
+    high=$(number "['models']['half-space']['${known%:*}']['interval'][1]")
+    # In each of twenty such statements one is outside: 1.5 half widths around the middle.
+    holds "($low - ${known#*:}) < ($high - $low) / 4 && (${known#*:} - $high) < ($high - $low) / 4" "${known%:*}: $low to $high"
+done
+[ "$(number "['friction_loops']['series'][0]['regime']")" = partial-slip ] || complain "partial slip: $(cat text)"
+[ "$(number "['friction_loops']['series'][1]['regime']")" = gross-slip ] || complain "gross slip: $(cat text)"
+# What slides dissipates 4 mu F_N (U_a - U_slide) and more: between 80 and 100 % of 4 mu F_N U_a less the rig's share.
+holds "$(number "['friction_loops']['series'][1]['energy_J']['value']") > 0.8 * 4 * 180 * (40e-6 - 180 / 30e6)" energy
+holds "$(number "['friction_loops']['series'][1]['energy_J']['value']") < 4 * 180 * (40e-6 - 180 / 30e6)" energy
+grep -q "^Regime (cycles 1 to 200, F_N = 300 N, amplitude 10.* partial slip, confidence 100 %" text || complain "regime: $(cat text)"
+grep -q "^Friction rises over cycles 1 to 200: +1[0-4] %" text || complain "drift: $(cat text)"
+[ "$(wc -l <out/loops.csv)" -eq 13 ] || complain "loops.csv"
+grep -q "loop_series" out/report.html || complain "no table of series in the report"
+
+# Loops that are none.
+table() { cp fretting_loops.csv kept.csv && sed "$1" kept.csv >fretting_loops.csv; }
+bad() {
+    mv fretting_loops.csv whole.csv
+    { printf '%s\n' "$2"; grep -v '^#\|^cycle' whole.csv | sed "$3"; } >fretting_loops.csv
+    refused "$1" identify "$work/fretting_loops.toml"
+    mv whole.csv fretting_loops.csv
+}
+header="cycle, shift [um], tangential_force [N], normal_force [N], amplitude [um]"
+bad "the loop does not close: a cycle ends where it began" "$header" '20,48d'
+bad "forces of a loop have both signs, and these have one" "$header" 's/, -\([0-9.]*, [36]00\)/, \1/'
+bad "cycle numbers go back under the same load and amplitude" "$header" '49,96s/^100/0/'
+bad "cycles have whole numbers from 0 on" "$header" 's/^100,/99.5,/'
+bad "the cycle has fewer than 12 rows" "$header" '9,48d'
+bad "the normal force changes by more than 10 % within a cycle" "$header" '10s/300/400/'
+bad "tangential_force" "cycle, shift [um], tangential_force [um], normal_force [N], amplitude [um]" ''
+bad "shift" "cycle, shift, tangential_force [N], normal_force [N], amplitude [um]" ''
+bad "small deformations are assumed; check the units" "cycle, shift [mm], tangential_force [N], normal_force [N], amplitude [um]" ''
+bad 'did you mean "cycle"' "cycles, shift [um], tangential_force [N], normal_force [N], amplitude [um]" ''
+
+# What loops cannot have beside them.
+beside() {
+    sed "$2" fretting_loops.toml >beside.toml
+    refused "$1" identify "$work/beside.toml"
+}
+beside "loops find friction beside whatever else; add friction.coefficient" 's/"friction.coefficient", //'
+beside "friction_loop does not determine substrate.poisson" 's/"friction.coefficient"/&, "substrate.poisson"/'
+beside "loops are evaluated on their own, and there is measurement.static_shift" 's/^friction_loop/static_shift = "shift.csv"\n&/'
+beside "the rows of friction_loop state their own normal forces; omit it" 's/^\[measurement\]/[load]\nnormal_force = "300 N"\n&/'
+beside "loops find the numbers of one law" 's/^models/laws = ["coulomb", "shear-strength"]\n&/; s/"friction.coefficient", //'
+beside "loops are evaluated by closed forms of the half-space, not by layer" 's/"half-space"/"layer"/; s/^poisson = 0.3$/&\nthickness = "8 mm"/'
+sed 's/^friction_loop/static_shift/' fretting_loops.toml >beside.toml
+refused "the rig's stiffness is in series with the contact in friction_loop alone" identify "$work/beside.toml"
+
+# experiment names the command that reads loops.
+cp "$source_dir"/examples/records/synthetic_shakedown.toml record.toml
+sed -i 's/^runs = .*/runs = ["fretting_loops.csv"]/' record.toml
+refused "has a column cycle, as friction loops have" experiment "$work/record.toml"
+refused "tables of [measurement] are evaluated by tricontact identify" experiment "$work/fretting_loops.toml"
+finish
