@@ -59,6 +59,8 @@ struct ModelOnRig::Search {
         double scale = 0;
         for (const std::size_t i : unknowns) {
             misfit[i] = tried[i] + rig.compliance_[i] * force[i] - drive[i];
+            // Solvers know tangential forces to a share of friction's, also where they are 0.
+            scale = std::max(scale, rig.compliance_[i] * record.normal_force);
             scale = std::max(scale, std::abs(tried[i]) + std::abs(rig.compliance_[i] * force[i]));
         }
         allowed = std::max(least_accuracy, rig.model_->step_accuracy()) * scale;

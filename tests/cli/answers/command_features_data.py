@@ -104,7 +104,7 @@ mapped = {**body, "indenter.shape": '"height-map"', "indenter.file": '"map.txt"'
 to_and_fro = {"load.tangential_ratio": None, "rolling.*": None, "tractive_rolling.*": None, "load.periods": "1", "load.steps_per_quarter": "2"}
 features = [
     feature("load that alternates about zero", "load.tangential_amplitude load.shift_amplitude load.periods load.steps_per_quarter",
-            "load.tangential_amplitude|prescribed path|[tractive_rolling]|path", {**to_and_fro, "load.tangential_amplitude": '"4 N"'},
+            "load.tangential_amplitude|prescribed path|[tractive_rolling]|path|[rolling]", {**to_and_fro, "load.tangential_amplitude": '"4 N"'},
             {**to_and_fro, "load.tangential_amplitude": '"5 N"'}),
     feature("rig in series with the contact", "rig.tangential_stiffness rig.normal_stiffness",
             "rig|load.shift_amplitude|prescribed path|[tractive_rolling]|path", {**to_and_fro, "load.shift_amplitude": '"20 um"'},

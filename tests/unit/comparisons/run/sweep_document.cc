@@ -140,6 +140,31 @@ TEST(SweepDocument, ManyPointsStayInTheTableBeside) {
     EXPECT_EQ(document.sections[0].paragraphs.size(), 2u);
 }
 
+// Gross slip from an amplitude of 3 um at 10 N and of 7 um at 20 N on, say: boundaries lie halfway.
+TEST(SweepDocument, FrettingMapHasRegimesAndTheirBoundaries) {
+    Sweep map{.title = "Map", .axes = {{"load.shift_amplitude", "m"}, {"load.normal_force", "N"}}};
+    for (const double force : {10., 20.})
+        for (const double amplitude : {2e-6, 4e-6, 6e-6, 8e-6}) {
+            Sweep::Point& point = map.points.emplace_back();
+            point.values = {amplitude, force};
+            point.model = "mdr";
+            point.results.set(quantities::path_regime, amplitude > (force > 15 ? 7e-6 : 3e-6)
+                                                           ? SlipRegime::gross_slip
+                                                           : SlipRegime::partial_slip);
+        }
+    const report::Document document = sweep_document(map);
+    ASSERT_TRUE(document.figure);
+    EXPECT_EQ(document.figure->id, "regimes_1");
+    const auto& curves = document.figure->curves;
+    ASSERT_EQ(curves.size(), 3u);
+    EXPECT_EQ(curves[0].name, "partial-slip");
+    EXPECT_EQ(curves[0].x.size(), 4u);
+    EXPECT_EQ(curves[1].name, "gross-slip");
+    EXPECT_EQ(curves[2].y, (std::vector<double>{10, 20}));
+    EXPECT_NEAR(curves[2].x[0], 3, 1e-12);  // in um
+    EXPECT_NEAR(curves[2].x[1], 7, 1e-12);
+}
+
 TEST(SweepDocument, NoPointsNoNumbers) {
     const report::Document document =
         sweep_document({.title = "Empty", .settings = {}, .axes = {{"a", "m"}}, .points = {}});
