@@ -17,6 +17,7 @@
 #include "contact/own_limit.h"
 #include "contact/path_cycles.h"
 #include "contact/verdict.h"
+#include "contact/wearing_contact.h"
 
 namespace tricontact::contact {
 
@@ -326,6 +327,7 @@ class Run {
 
 History run(const Case& c, Model& model, const Observer& observer,
             std::optional<double> negligible) {
+    if (c.kept.find<Wear>()) refuse_wear(c);
     return on_large_enough_grid(model, [&] { return Run(c, model, observer, negligible).go(); });
 }
 

@@ -9,6 +9,7 @@
 #include "contact/friction/friction_law.h"
 #include "contact/model.h"
 #include "contact/solvers/staggered_solver.h"
+#include "contact/wearing_contact.h"
 
 namespace tricontact::contact {
 
@@ -16,7 +17,7 @@ namespace tricontact::contact {
 /// surface points keep their displacement when the indenter rolls away from them.
 ///
 /// How a step is solved: StaggeredSolver.
-class SurfaceModel final : public Model {
+class SurfaceModel final : public Model, public Wearable {
   public:
     /// `tolerance` [-]: see StaggeredSolver.
     SurfaceModel(std::string name, const Substrate& substrate,
@@ -66,11 +67,13 @@ class SurfaceModel final : public Model {
     }
     std::unique_ptr<const Interior> interior() override;
     std::unique_ptr<Model> sibling(const Case::Contact& options) const override;
+    std::unique_ptr<WearingContact> wearing(const WearProblem& problem) override;
     std::string write_state() const override;
     void read_state(std::string_view bytes) override;
     const Audit& audit() const override { return audit_; }
 
   private:
+    friend class SurfaceWearing;
     /// Of a step [J]: work on the surface less what became of it; the magnitudes of all terms.
     struct EnergyBalance {
         double missing, magnitude;

@@ -6,6 +6,7 @@
 #include "contact/half_space_scales.h"
 #include "contact/heat.h"
 #include "contact/rig_stiffness.h"
+#include "contact/wearing_contact.h"
 #include "contact_program/sequence.h"
 #include "io/case/case_input.h"
 #include "io/keys/messages.h"
@@ -92,6 +93,7 @@ void check_rolling_on(const Case& c) {
 
 /// F_T is over mu F_N there; what F_N will be under a prescribed depth only a run knows.
 void check_loads(const Case& c) {
+    if (c.kept.find<contact::Wear>()) contact::refuse_wear(c);
     if (c.prescribed_path) return check_path(c);
     if (c.tractive_rolling) return check_rolling_on(c);
     if (c.rolling && c.rolling->amplitude_reference == Case::AmplitudeReference::model)

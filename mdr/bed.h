@@ -26,7 +26,8 @@ struct BedData {
     int n_springs = 0;         ///< over the whole bed
     double half_length = 0;    ///< of the bed about the starting position [m]
     double rolling_angle = 0;  ///< of the line on which it rolls [rad]
-    std::optional<contact::Relaxation> relaxation{};  ///< empty: elastic
+    std::optional<contact::Relaxation> relaxation{};                      ///< empty: elastic
+    std::shared_ptr<const contact::AxisymmetricIndenter> wearing_body{};  ///< null: does not wear
 };
 
 /// Path length [m] of the step's rolling offset on the line through the origin along the unit

@@ -8,6 +8,7 @@
 #include "contact/load_path.h"
 #include "contact/models/model_kind.h"
 #include "contact/relaxing_case.h"
+#include "contact/wearing_contact.h"
 #include "mdr/layer_model.h"
 #include "mdr/relaxing_bed.h"
 #include "mdr/settings.h"
@@ -46,6 +47,7 @@ std::unique_ptr<contact::Model> make_model(const contact::Case& c) {
     const double table = 2 * peak_factor * contact::half_space_scales(c).contact_radius;
     BedData data;
     data.profile = make_plane_profile(*c.make_axisymmetric_indenter(), table);
+    if (c.kept.find<contact::Wear>()) data.wearing_body = c.make_axisymmetric_indenter();
     data.effective_modulus = c.materials().effective_modulus();
     data.effective_shear_modulus = c.materials().effective_shear_modulus();
     data.friction = c.friction.law();

@@ -42,6 +42,7 @@ using contact::TangentialControl;
 
 SpringBed::SpringBed(BedData data)
     : Bed(data),
+      wearing_body_(data.wearing_body),
       normal_(std::move(data.profile), data.n_springs, data.half_length),
       deflections_(data.n_springs),
       deflections_before_(data.n_springs),
@@ -243,7 +244,8 @@ double SpringBed::work_between(int first, int last) const {
         const bool touched = i >= contact_before_.first && i < contact_before_.last;
         const double after = touches ? bounds_[i] : 0, before = touched ? bounds_before_[i] : 0;
         const double carried = touches && !carried_.empty() ? carried_[i - now.first] : 1;
-        const double slip = carried * shift_increment_ - (deflections_[i] - deflections_before_[i]);
+        // As the step was taken: exactly 0 where the spring sticks.
+        const double slip = deflections_before_[i] + carried * shift_increment_ - deflections_[i];
         if (slip == 0) continue;
         // Of the step's way, u and bound changing linearly: what has passed when it slips.
         const double along = slip > 0 ? deflections_before_[i] : -deflections_before_[i];

@@ -1,10 +1,12 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "contact/wearing_contact.h"
 #include "mdr/bed.h"
 #include "mdr/line_bound.h"
 #include "mdr/normal_bed.h"
@@ -23,7 +25,7 @@ namespace tricontact::mdr {
 ///
 /// Areas are those of discs as long as the springs in question together: pi/4 L^2.
 /// If the contact reaches the end of the bed, springs are added there.
-class SpringBed final : public Bed {
+class SpringBed final : public Bed, public contact::Wearable {
   public:
     /// Throws contact::InputError for values out of range.
     explicit SpringBed(BedData data);
@@ -48,6 +50,7 @@ class SpringBed final : public Bed {
         return states;
     }
     double limit_tangential_ratio() const override;
+    std::unique_ptr<contact::WearingContact> wearing(const contact::WearProblem& problem) override;
     void start_limit() override {
         least_contact_ = normal_.contact();
         least_bounds_ = bounds_;
@@ -90,6 +93,7 @@ class SpringBed final : public Bed {
     }
     void set_spring_fields(int spring, int point, contact::Surface& surface) const;
 
+    std::shared_ptr<const contact::AxisymmetricIndenter> wearing_body_;
     NormalBed normal_;
 
     std::vector<double> deflections_, deflections_before_;  // [m], zero out of contact

@@ -16,7 +16,7 @@ namespace {
 
 /// Sources of what is neither a quantity nor a model: of numbers by their keys, of reports by their
 /// kinds, of theories by the names of their curves.
-constexpr std::array<std::pair<const char*, const char*>, 18> further_sources{{
+constexpr std::array<std::pair<const char*, const char*>, 19> further_sources{{
     {"numerical_error", "Roache (1998)"},
     {"refinement", "Roache (1998)"},
     {"posterior", "Goodman and Weare (2010), Foreman-Mackey et al. (2013)"},
@@ -28,6 +28,9 @@ constexpr std::array<std::pair<const char*, const char*>, 18> further_sources{{
      "Hertz (1882), Johnson (1985), Sneddon (1951), Lebedev and Ufliand "
      "(1958), Mindlin (1949), Dimitriadis et al. (2002)"},
     {"Finite strains", "Ogden (1984)"},
+    {"Wear",
+     "Archard (1953), Fouvry, Kapsa and Vincent (1996), Popov (2014), Dimaki, Dmitriev, Chai and "
+     "Popov (2014)"},
     {"relaxation", "Lee and Radok (1960), Tschoegl (1989)"},
     {"Carter", "Carter (1926)"},
     {"Vermeulen and Johnson", "Vermeulen and Johnson (1964)"},

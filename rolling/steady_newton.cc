@@ -198,8 +198,8 @@ SteadySystem::Result SteadyNewton::solve_linear_system(double farthest) {
     const double asked = std::min(tolerances_.residual / solution_.residual,
                                   tolerances_.force / solution_.force_residual);
     const double forcing = std::clamp(
-        std::max(.01 * std::max(solution_.residual, solution_.force_residual), .03 * asked), 1e-10,
-        1e-2);
+        std::max(.1 * std::max(solution_.residual, solution_.force_residual), .1 * asked), 1e-10,
+        .1);
     if (following_) follow();
     SteadySystem::Result result;
     for (const double relief : {0., 1.}) {

@@ -84,7 +84,8 @@ std::optional<Stiffness> sticking_stiffness(const contact::Case& c, contact::Mod
     if (!(unit > 0)) return {};
     step.friction = true;
     step.tangential[0] = {contact::TangentialControl::Kind::shift, small_shift * unit};
-    const double stiffness = fresh.advance(step).tangential_force[0] / (small_shift * unit);
+    const contact::StepRecord moved = fresh.advance(step);  // by what a rig leaves of it
+    const double stiffness = moved.tangential_force[0] / moved.shift[0];
     return Stiffness{stiffness, of_edge * small_shift * stiffness};
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 #include "contact/compliances/interior.h"
@@ -60,7 +61,9 @@ StressPeak line_stress_peak(const BulkStressLine& line, const contact::Material&
 }
 
 StressPeak sphere_stress_peak(const contact::Material& material, double contact_radius,
-                              double peak_pressure, double friction, double force_ratio) {
+                              double peak_pressure, double friction, double force_ratio,
+                              double bulk_stress, double stick_centre) {
+    const double bulk = bulk_stress / peak_pressure, moved = stick_centre / contact_radius;
     const double stick = std::cbrt(std::max(0., 1 - std::abs(force_ratio)));
     const double shear = (force_ratio < 0 ? -1 : 1) * friction;
     // q(t) of Hertz' pressure of peak 1 on the radius a: pi (a^2 - t^2)/(2 a).
@@ -76,15 +79,16 @@ StressPeak sphere_stress_peak(const contact::Material& material, double contact_
     const auto stress = [&](double x, double z) {
         const InteriorResponse whole = response(1, x, z);
         const InteriorResponse stuck =
-            sheared && stick > 0 ? response(stick, x, z) : InteriorResponse{};
+            sheared && stick > 0 ? response(stick, x - moved, z) : InteriorResponse{};
         Stress sum{};
         for (std::size_t k = 0; k < sum.size(); ++k) {
             sum[k] = whole.stress[k][2];
             if (sheared) sum[k] += shear * (whole.stress[k][0] - stick * stuck.stress[k][0]);
         }
+        sum[0] += bulk;
         return sum;
     };
-    StressPeak peak = peak_of(stress, sphere_surface, sheared ? 30 : 2, 16);
+    StressPeak peak = peak_of(stress, sphere_surface, sheared || bulk != 0 ? 30 : 2, 16);
     // At the edge, x = -+1: Hamilton (1983), eqs. of the surface; what sticks is smooth there.
     const double nu = material.poisson, radial = (1 - 2 * nu) / 3;
     for (const double x : {-1., 1.}) {
@@ -92,13 +96,14 @@ StressPeak sphere_stress_peak(const contact::Material& material, double contact_
         Stress edge{radial + (4 + nu) * pulled, -radial + 3 * nu * pulled, 0, 0, 0, 0};
         if (!sheared) edge = {radial, -radial, 0, 0, 0, 0};
         if (sheared && stick > 0 && stick < 1) {
-            const InteriorResponse stuck = response(stick, x, sphere_surface);
+            const InteriorResponse stuck = response(stick, x - moved, sphere_surface);
             for (std::size_t k = 0; k < 3; ++k) edge[k] -= shear * stick * stuck.stress[k][0];
         }
+        edge[0] += bulk;
         if (contact::von_mises(edge) > peak.von_mises)
             peak = {contact::von_mises(edge), x, sphere_surface};
     }
-    peak.von_mises *= peak_pressure;
+    peak.von_mises = std::max(peak.von_mises * peak_pressure, std::abs(bulk_stress));
     peak.x *= contact_radius;
     peak.depth = peak.depth > sphere_surface ? peak.depth * contact_radius : 0;
     return peak;
@@ -106,56 +111,67 @@ StressPeak sphere_stress_peak(const contact::Material& material, double contact_
 
 namespace {
 
-/// At one depth: the least over the residual stress r of the largest J2 of a pass, as k/p0. In
-/// plane strain the residual stress across may take any value too: then J2 is
-/// (XX + r - ZZ)^2/4 + XZ^2, convex in r.
-double shakedown_strength(const BulkStressLine& line, double z) {
-    constexpr int n_x = 400;
-    constexpr double reach = 4;
-    constexpr contact::Material any{1, .3};
-    std::vector<std::array<double, 2>> passed;  // half the difference of XX and ZZ, XZ
-    for (int i = 0; i <= n_x; ++i) {
-        // Denser towards the middle.
-        const double s = 2. * i / n_x - 1;
-        const Stress at = line.stress(any, reach * s * std::abs(s), z);
-        passed.push_back({(at[0] - at[2]) / 2, at[5]});
-    }
-    const auto largest = [&](double r) {
-        double most = 0;
-        for (const auto& [half, shear] : passed) most = std::max(most, std::hypot(half + r, shear));
-        return most;
-    };
-    double low = -2, high = 2;
-    constexpr double golden = 1 / std::numbers::phi;
+/// Least value of a convex function between two arguments.
+template <class Function>
+double least(const Function& f, double low, double high) {
+    constexpr double golden = 1 / std::numbers::phi, accuracy = 1e-6;
     double left = high - golden * (high - low), right = low + golden * (high - low);
-    double at_left = largest(left), at_right = largest(right);
-    while (high - low > 1e-7) {
+    double at_left = f(left), at_right = f(right);
+    while (high - low > accuracy) {
         if (at_left < at_right) {
-            high = right;
-            right = left;
+            high = std::exchange(right, left);
             at_right = at_left;
             left = high - golden * (high - low);
-            at_left = largest(left);
+            at_left = f(left);
         } else {
-            low = left;
-            left = right;
+            low = std::exchange(left, right);
             at_left = at_right;
             right = low + golden * (high - low);
-            at_right = largest(right);
+            at_right = f(right);
         }
     }
     return std::min(at_left, at_right);
 }
 
+/// At one depth: the least over the residual stresses along and across of the largest J2 of a pass,
+/// as k/p0; J2 is a sum of squares of what is linear in these, and convex.
+double shakedown_strength(const BulkStressLine& line, double poisson, double z) {
+    constexpr int n_x = 240;
+    constexpr double reach = 4;
+    struct Passed {
+        double half, shear, across;  // (XX - ZZ)/2, XZ, 2 YY - XX - ZZ
+    };
+    std::vector<Passed> passed;
+    for (int i = 0; i <= n_x; ++i) {
+        // Denser towards the middle.
+        const double s = 2. * i / n_x - 1;
+        const Stress at = line.stress({1, poisson}, reach * s * std::abs(s), z);
+        passed.push_back({(at[0] - at[2]) / 2, at[5], 2 * at[1] - at[0] - at[2]});
+    }
+    const auto largest = [&](double along, double across) {
+        double most = 0;
+        for (const Passed& one : passed) {
+            const double half = one.half + along, rest = one.across + across;
+            most = std::max(most, half * half + one.shear * one.shear + rest * rest / 12);
+        }
+        return most;
+    };
+    return std::sqrt(least(
+        [&](double along) {
+            return least([&](double across) { return largest(along, across); }, -4, 4);
+        },
+        -1 - line.friction, 1 + line.friction));
+}
+
 }  // namespace
 
-double line_shakedown_pressure(double friction) {
+double line_shakedown_pressure(double friction, double poisson) {
     const BulkStressLine sliding{
         .half_width = 1, .peak_pressure = 1, .friction = friction, .force_ratio = 1};
-    constexpr int n_z = 60;
+    constexpr int n_z = 30;
     double needed = 0, place = 0, step = 1.2 / n_z;
     const auto look_at = [&](double z) {
-        const double here = shakedown_strength(sliding, z);
+        const double here = shakedown_strength(sliding, poisson, z);
         if (here <= needed) return false;
         needed = here;
         place = z;

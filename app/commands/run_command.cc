@@ -11,6 +11,7 @@
 #include "comparisons/quantities/results.h"
 #include "comparisons/run/input_reading.h"
 #include "contact/verdict.h"
+#include "contact/wearing_contact.h"
 #include "io/results/output.h"
 #include "io/results/vtk_files.h"
 #include "report/format.h"
@@ -154,6 +155,7 @@ void run_case(const RunCommandOptions& options) {
         return run_rolling_on(c, options);
     }
     refuse_options(options, "a case without [tractive_rolling]", {"--points"});
+    if (c.kept.find<contact::Wear>()) return run_wear(c, options);
     run_contact(c, options);
 }
 

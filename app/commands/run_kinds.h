@@ -12,6 +12,9 @@ struct RunCommandOptions : runs::RunOptions {
 /// From rest to steady rolling.
 void run_rolling_on(const Case& c, RunCommandOptions options);
 
+/// A contact that wears.
+void run_wear(const Case& c, RunCommandOptions options);
+
 /// The micro-walking machine.
 void run_walking(RunCommandOptions options);
 

@@ -9,6 +9,7 @@
 #include "benchmarks/decks/graded_line.h"
 #include "contact/base/error.h"
 #include "contact/rig_stiffness.h"
+#include "contact/wearing_contact.h"
 
 namespace tricontact::benchmarks {
 
@@ -29,6 +30,7 @@ constexpr double contact_reach = 1.5, half_model_reach = 5. / 3, indenter_reach 
 
 void check_case(const contact::Case& c) {
     const std::string own = "compare results of an input of your own instead, or run tricontact";
+    if (c.kept.find<contact::Wear>()) contact::refuse_wear(c);
     if (c.rolling || c.tractive_rolling) refuse("no deck has rolling contact", own);
     if (c.relaxation) refuse("no deck has a relaxing substrate", own);
     if (c.law != contact::Case::Law::linear) refuse("no deck has finite strains", own);

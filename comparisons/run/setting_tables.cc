@@ -139,6 +139,8 @@ void add_bodies(const Case& c, Settings& settings) {
         settings.add("indenter material", "rigid");
     }
     add_elastic_body(c, settings);
+    settings.add("indenter yield stress Y_1", c.yield_stress.indenter, "Pa");
+    settings.add("substrate yield stress Y_2", c.yield_stress.substrate, "Pa");
     if (c.has_hole()) {
         settings.add("radius of the hole", c.hole.radius, "m");
         settings.add_unless_zero("radius of the plate", c.hole.outer_radius, "m");
@@ -208,6 +210,7 @@ void add_load(const Case& c, Settings& settings) {
     settings.add(std::string("share of the way from each model's limit of shakedown to ") +
                      c.friction.limit_symbol(),
                  load.limit_excess);
+    settings.add_unless_zero("bulk stress of the substrate", load.bulk_stress, "Pa");
     add_oscillation("normal load's", load.normal_amplitude_ratio, load.normal_phase, settings);
     add_oscillation("tangential load's", load.tangential_amplitude_ratio, load.tangential_phase,
                     settings);

@@ -34,7 +34,9 @@ struct BodyStrength {
 /// Mindlin, and of Nowell and Hills under a bulk stress.
 struct Strength {
     ContactLoads loads;
-    double contact_radius = 0, peak_pressure = 0;     ///< Hertz' [m], [Pa]
+    double contact_radius = 0, peak_pressure = 0;  ///< Hertz' [m], [Pa]
+    double stick_centre = 0;  ///< e under a bulk stress, of a sphere to a few per cent [m]
+    bool edges_hold = true;   ///< no edge slips backward under it
     std::optional<theory::BulkStressLine> line = {};  ///< of a cylinder, on the substrate
     std::vector<BodyStrength> bodies = {};            ///< that have a yield stress
     /// Of a cylinder with a yield stress: the limit of shakedown p0/k under the friction mu [-].
@@ -42,16 +44,18 @@ struct Strength {
 
     /// An edge of the contact slips backward under a large bulk stress: no closed form, and no
     /// bodies here.
-    bool is_known() const { return !line || line->holds(); }
+    bool is_known() const { return edges_hold; }
     /// The body that yields first; null if none has a yield stress.
     const BodyStrength* weakest() const;
     /// F_N at which that one begins to yield [N], F_T in proportion; empty under a bulk stress.
     std::optional<double> first_yield_force() const;
+    /// The body of the least yield stress, of one or two.
+    const BodyStrength& softest() const;
     /// Largest p0/k of the bodies, k = Y/sqrt(3) [-]; empty if none has a yield stress.
     std::optional<double> pressure_over_k() const;
 };
 
-/// Empty unless the case has a yield stress or, in line contact, a bulk stress, and the models'
+/// Empty unless the case has a yield or bulk stress, and the models'
 /// contact is Hertz'..
 std::optional<Strength> strength_of(const contact::Case& c, const ContactLoads& loads);
 

@@ -22,8 +22,7 @@ using Value = std::optional<double>;
 constexpr const char* with_yield_stress =
     "where a body has a yield stress and no edge of the contact slips backward under a bulk stress";
 constexpr const char* with_yield_or_bulk_stress =
-    "of smooth spheres and cylinders on a half-space with a yield stress, of cylinders also with a "
-    "bulk stress";
+    "of smooth spheres and cylinders on a half-space with a yield or bulk stress";
 constexpr const char* of_cylinders =
     "of cylinders with a yield or bulk stress, where no edge of the contact slips backward";
 
@@ -81,12 +80,13 @@ constinit const Quantity stick_centre{
     .symbol = "e",
     .unit = "m",
     .name = "centre of the stick zone under a bulk stress",
-    .meaning = "By closed form, from the contact's centre, along the tangential force.",
-    .defined = of_cylinders,
+    .meaning =
+        "By closed form, from the contact's centre, along x; of a sphere exact at nu = 0, within 3 "
+        "% "
+        "at 0.3.",
+    .defined = with_yield_or_bulk_stress,
     .source = "Nowell and Hills (1987)",
-    .of = of_strengths<[](const Strength& s) {
-        return s.line ? Value(s.line->stick_centre) : std::nullopt;
-    }>,
+    .of = of_strengths<[](const Strength& s) { return Value(s.stick_centre); }>,
     .place = "/strength/stick_centre_m",
     .is_place = true};
 

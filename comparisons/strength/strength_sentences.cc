@@ -75,7 +75,7 @@ std::vector<std::string> strength_sentences(const Case& c, const Strength& s) {
         return {fmt::format(
             "Strength is not judged: under {} the closed form would move the stick zone by {} a, "
             "so far that an edge of the contact slips backward.",
-            loads_text(s), report::significant(s.line->stick_centre / s.contact_radius, 2))};
+            loads_text(s), report::significant(s.stick_centre / s.contact_radius, 2))};
     std::vector<std::string> list;
     if (s.weakest()) list.push_back(first_yield_sentence(s));
     list.push_back(shakedown_sentence(c, s));

@@ -15,6 +15,7 @@ Coupling::Coupling(const Compliance& compliance, const Indenter& indenter,
 
 void Coupling::place(const Vector2& offset) {
     set_heights(compliance_->points(), *indenter_, offset, compliance_->n_threads(), bare_height_);
+    for (std::size_t i = 0; i < worn_.size(); ++i) bare_height_[i] += worn_[i];
 }
 
 void Coupling::update_lowering(const TangentialField& t) {

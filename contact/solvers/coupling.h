@@ -1,5 +1,6 @@
 #pragma once
 
+#include <utility>
 #include <vector>
 
 #include "contact/bodies/indenter.h"
@@ -19,6 +20,9 @@ class Coupling {
     /// Takes the heights of the indenter at this offset [m] of the rolling.
     void place(const Vector2& offset);
 
+    /// The indenter is worn by this depth over the points from now on [m].
+    void wear(std::vector<double> depth) { worn_ = std::move(depth); }
+
     /// Height of the indenter over the points [m].
     const std::vector<double>& bare_height() const { return bare_height_; }
     /// What friction moves the points down [m]; none where nothing is coupled.
@@ -33,6 +37,7 @@ class Coupling {
     const Indenter* indenter_;
     bool is_coupled_;
     std::vector<double> bare_height_, lowering_;
+    std::vector<double> worn_;  // empty: nowhere [m]
     TangentialField displacement_;
 };
 

@@ -69,6 +69,12 @@ class StaggeredSolver {
 
     /// Forgets all steps; normal solutions of positions stay.
     void release();
+    /// The indenter is worn by this depth over the points from now on [m]; forgets all steps.
+    void wear(std::vector<double> depth) {
+        coupling_.wear(std::move(depth));
+        normal_cache_.clear();
+        release();
+    }
     /// Begins the step of the substrate and solves. Throws NotConverged.
     void solve(const LoadStep& step, const StepStart& before);
     /// Keeps the solution as the start of the same phase in the next period.

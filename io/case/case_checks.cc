@@ -201,6 +201,7 @@ void check_case(const Case& c, const Document& document) {
     check_prescribed_path(c, document);
     check_bulk_stress(c, document);
     check_yield_stress(c, document);
+    check_wear(c, document);
     check_tractive_rolling(c, document);
     check_oscillation(c, document);
     check_relaxation(c, document);

@@ -71,6 +71,9 @@ void check_yield_stress(const contact::Case& c, const Document& document);
 
 /// A bulk stress goes with a half-space that is elastic, and with a contact that does not roll.
 void check_bulk_stress(const contact::Case& c, const Document& document);
+/// [wear]: a path with a closed cycle that does not roll, friction and substrate that forget, and
+/// models that have a place for a worn profile.
+void check_wear(const contact::Case& c, const Document& document);
 
 /// Rules that concern several keys at once: friction limit, coupling of the materials, scale of
 /// the contact against the indenter, resolution and cost.

@@ -31,7 +31,8 @@ enum KeyGroup {
     cell_size,
     element_size,
     relaxation,
-    path_rows
+    path_rows,
+    wear_law
 };
 
 // Declarations by sections.
@@ -45,6 +46,7 @@ std::vector<CaseKey> rolling_keys();
 std::vector<CaseKey> tractive_keys();
 std::vector<CaseKey> path_keys();
 std::vector<CaseKey> rig_stiffness_keys();  // of [rig] those that the contact feels
+std::vector<CaseKey> wear_keys();
 
 /// The place of a key of a relaxing case, see at().
 template <auto... members>

@@ -6,6 +6,7 @@
 
 #include "bem/settings.h"
 #include "contact/heat.h"
+#include "contact/wearing_contact.h"
 #include "fem/settings.h"
 #include "io/case/case_checks.h"
 #include "io/case/case_input.h"
@@ -50,6 +51,7 @@ void make_optional_parts(Case& c, const Document& document) {
     if (document.find_section("path")) c.of<PathInput>();
     for (const char* key : oscillation_keys)
         if (document.find(key)) c.of<OscillationInput>();
+    if (document.find_section("wear")) c.of<contact::Wear>();
     if (!document.find_section("rolling")) return;
     c.rolling = Case::Rolling{};
     if (document.find("rolling.speed")) c.rolling->speed = 1;
@@ -107,8 +109,8 @@ Case resolve(const Document& document) {
     // Along the radii of a hole there is no coupling, see check_hole().
     if (c.has_hole() && !document.find("contact.coupling")) c.contact.coupling = false;
     check_bodies(c, document);
-    resolve_path(c, document);
     resolve_oscillation(c, document);
+    resolve_path(c, document);
     resolve_height_map(c, document);
     resolve_lower_layers(c, document);
     resolve_relaxation(c, document);

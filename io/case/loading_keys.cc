@@ -2,6 +2,7 @@
 
 #include "contact/heat.h"
 #include "contact/rig_stiffness.h"
+#include "contact/wearing_contact.h"
 #include "io/case/case_input.h"
 #include "io/case/case_keys.h"
 
@@ -19,6 +20,7 @@ using Until = Case::Until;
 using Tractive = Case::TractiveRolling;
 using Path = PathInput;
 using Oscillation = OscillationInput;
+using contact::Wear;
 using Centre = contact::CentreOfRotation;
 
 constexpr double full_turn = 2 * std::numbers::pi;
@@ -55,6 +57,11 @@ Field of_path(Case& c) {
 template <std::size_t axis>
 Field centre_coordinate(Case& c) {
     return c.kept.find<Path>() ? Field(&c.of<Path>().centre.place[axis]) : Field();
+}
+
+template <auto member>
+Field of_wear(Case& c) {
+    return c.kept.find<Wear>() ? Field(&(c.of<Wear>().*member)) : Field();
 }
 
 }  // namespace
@@ -285,6 +292,27 @@ std::vector<CaseKey> path_keys() {
         {quantity_key("path.centre_y", Dimension::length, {-1e6, 1e6}, R"("0.4 mm")",
                       "place of the centre of rotation along y", {.default_value = R"("0 m")"}),
          centre_coordinate<1>}};
+}
+
+std::vector<CaseKey> wear_keys() {
+    constexpr double most_cycles = 1e7;
+    return {
+        {quantity_key("wear.coefficient", Dimension::wear_rate, above_zero(1), "\"1e-8 mm3/(N m)\"",
+                      "k_w of Archard's law, by which a closed cycle of [path] wears the "
+                      "surfaces: worn depth over pressure times slip",
+                      {.alternative = wear_law}),
+         of_wear<&Wear::coefficient>},
+        {quantity_key("wear.energy_coefficient", Dimension::wear_rate, above_zero(1),
+                      R"("1e-8 mm3/J")", "instead, worn depth over frictional work per area",
+                      {.alternative = wear_law}),
+         of_wear<&Wear::energy_coefficient>},
+        {integer_key("wear.cycles", {1, most_cycles}, "100000",
+                     "how often the last closed cycle of [path] is repeated", {.required = true}),
+         of_wear<&Wear::cycles>},
+        {number_key("wear.tolerance", {1e-6, 0.1}, "1e-3",
+                    "error of a jump over cycles in volume, over what it wears",
+                    {.default_value = "0.001"}),
+         of_wear<&Wear::tolerance>}};
 }
 
 }  // namespace tricontact::io

@@ -49,8 +49,9 @@ std::vector<const Key*> KeyList::alternatives(const Key& key) const {
         return one.stands_for == another.path;
     };
     for (const Key* other : keys_) {
-        if (key.alternative > 0 && other->alternative == key.alternative) found.push_back(other);
-        if (substitutes(key, *other) || substitutes(*other, key)) found.push_back(other);
+        const bool are_one_group = key.alternative > 0 && other->alternative == key.alternative;
+        if (are_one_group || substitutes(key, *other) || substitutes(*other, key))
+            found.push_back(other);
     }
     return found;
 }

@@ -26,12 +26,13 @@ std::string bytes_of(const LoadStep& step) {
         const auto& [kind, value] = control;
         write(kind, value);
     };
-    const auto& [phase, offset, normal, tangential, duration, friction, rotation, centre, recurs,
-                 in_proportion] = step;
+    const auto& [phase, offset, normal, tangential, duration, friction, rotation, centre, bulk,
+                 recurs, in_proportion] = step;
     write(phase, offset);
     write_control(normal);
     for (const auto& control : tangential) write_control(control);
-    write(duration, friction, rotation, centre.frame, centre.place, recurs, in_proportion);
+    write(duration, friction, rotation, centre.frame, centre.place, recurs, in_proportion,
+          bulk.stress, bulk.strain);
     return std::string(advance_call) + write.take();
 }
 

@@ -97,7 +97,7 @@ unaffected = [
      "pressing",
      "normal and tangential contact are uncoupled: there is one way of pressing"),
     ("predict|predict on a layer|limit", "rolling steps", "the answer is that of rolling without steps"),
-    ("mesh|cache condense", "path|path with a shift|centre of rotation|path with rolling|static load|rolling amplitude|"
+    ("mesh|cache condense", "wear|load that alternates about zero|rig in series with the contact|path|path with a shift|centre of rotation|path with rolling|static load|rolling amplitude|"
      "rolling steps|oscillating tangential force|load by its limit|pressing|coupled contact|relaxation|hold|"
      "shear strength|friction by a power of the pressure|friction up to a limit|springs of the interface|"
      "friction over the substrate|friction falling with the way of slip|layer of the interface that yields|"
@@ -105,7 +105,7 @@ unaffected = [
      "the layer alone, cut to the contact: of the loads what changes its patch by an element; friction does not enter"),
     ("mesh", "oscillating normal force|prescribed depth|sides that are held|cone",
      "as above; how the block is held is no part of its mesh"),
-    ("influence", "path|path with a force along y|path with a shift|path with a twist|centre of rotation|static load|"
+    ("influence", "wear|load that alternates about zero|rig in series with the contact|path|path with a force along y|path with a shift|path with a twist|centre of rotation|static load|"
      "rolling steps|rolling on|oscillating tangential force|load by its limit|pressing|coupled contact|relaxation|hold|"
      "shear strength|friction by a power of the pressure|friction up to a limit|"
      "map turned over|height map|sides that are held|sphere|springs of the interface|friction over the substrate|"

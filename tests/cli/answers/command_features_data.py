@@ -70,6 +70,7 @@ def feature(name, keys, words, one, other, base=None, over_for=None, other_for=N
             "base": base or {}, "over_for": over_for or {}, "other_for": other_for or {}}
 
 
+loop = '"normal_force [N], shift_x [um]\\n21, 0\\n21, 5\\n21, -5\\n21, 5"'
 no_load = {"load.*": None, "rolling.*": None, "tractive_rolling.*": None, "path.steps": "2"}
 relaxing = {"substrate.relaxation.relative_moduli": "[0.4]", "substrate.relaxation.times": '["0.5 s"]',
             "load.press_time": '"0.5 s"'}
@@ -106,7 +107,7 @@ features = [
             "load.tangential_amplitude|prescribed path|[tractive_rolling]|path", {**to_and_fro, "load.tangential_amplitude": '"4 N"'},
             {**to_and_fro, "load.tangential_amplitude": '"5 N"'}),
     feature("rig in series with the contact", "rig.tangential_stiffness rig.normal_stiffness",
-            "rig.tangential_stiffness|load.shift_amplitude|prescribed path|[tractive_rolling]|path", {**to_and_fro, "load.shift_amplitude": '"20 um"'},
+            "rig|load.shift_amplitude|prescribed path|[tractive_rolling]|path", {**to_and_fro, "load.shift_amplitude": '"20 um"'},
             {**to_and_fro, "load.shift_amplitude": '"20 um"', "rig.tangential_stiffness": '"1e5 N/m"'}),
     feature("path", "path.*", "[path]|prescribed path|[tractive_rolling]", {**no_load, "path.table": path(force="2")},
             {**no_load, "path.table": path(force="1")}),
@@ -125,6 +126,8 @@ features = [
     feature("path with rolling", "", "path|offset|[tractive_rolling]",
             {**no_load, "path.table": path("offset_x [mm]", offset_x=["0", "0", "0"])},
             {**no_load, "path.table": path("offset_x [mm]", offset_x=["0", "0", "0.5"])}),
+    feature("wear", "wear.*", "[wear]|wear|path|[tractive_rolling]", {**no_load, "path.table": loop, "wear.coefficient": '"1e-6 mm3/(N m)"', "wear.cycles": "20"},
+            {**no_load, "path.table": loop, "wear.coefficient": '"1e-6 mm3/(N m)"', "wear.cycles": "40"}),
     feature("static load", "", "[rolling]|rolling|load.tangential_ratio", {"load.tangential_ratio": "0.4", "rolling.*": None},
             {"load.tangential_ratio": "0.5", "rolling.*": None}),
     feature("rolling angle", "rolling.angle", "rolling.angle|angle|rolling direction|[rolling]", {},

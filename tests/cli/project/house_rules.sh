@@ -13,7 +13,7 @@ complain() {
 }
 
 rooms=(app bem benchmarks comparisons contact contact_program experiments fem files io mdr meshes papers python report rolling runs statistics studies
-    theory verification walking atlas)
+    theory verification walking atlas wear)
 
 # may_include FOLDER OTHERS...: files of a folder and its subfolders include their own and these, and these $headers.
 headers=none
@@ -45,6 +45,7 @@ may_include runs contact io report comparisons files
 may_include atlas contact theory statistics io report comparisons files
 may_include rolling contact theory statistics io report comparisons files
 may_include walking contact theory statistics io report comparisons files
+may_include wear contact theory statistics io report comparisons files
 may_include experiments contact theory statistics io report comparisons files atlas
 may_include contact_program contact io files
 may_include benchmarks contact theory statistics io report comparisons files
@@ -101,7 +102,7 @@ if [ -e "$sources" ]; then
     while read -r file; do
         [ -e "$file" ] || complain "$file, in the digest of the numerics, is no file"
     done <"$sources"
-    for room in app atlas comparisons fem/finite_strain runs studies walking; do
+    for room in app atlas comparisons fem/finite_strain runs studies walking wear; do
         grep -q "^$room/" "$sources" || complain "nothing of $room is in the digest of the numerics"
     done
     while read -r header; do

@@ -96,6 +96,24 @@ TEST(FrictionLoop, ItsWorkIsMindlinAndDeresiewiczs) {
     for (const int steps : {1, 10}) EXPECT_NEAR(work_error(steps), 0, tolerance) << steps;
 }
 
+// F_N and the shift change in turn, a quarter of a cycle apart: half the steps leave a quarter of
+// the error.
+TEST(FrictionLoop, ItsWorkIsOfTheSecondOrderWhereTheNormalForceChanges) {
+    const double unit = unit_shift();
+    const auto work = [&](int steps) {
+        auto c = case_of(TangentialControl::Kind::shift,
+                         {0, .4 * unit, .8 * unit, .4 * unit, 0, .4 * unit, .8 * unit}, steps);
+        constexpr double forces[] = {20, 28, 20, 12, 20, 28, 20};
+        for (std::size_t r = 0; r < std::size(forces); ++r)
+            c.prescribed_path->rows[r].normal.value = forces[r];
+        c.load.normal_force = 28;
+        return run(c).dissipation_per_period.back();
+    };
+    const double coarse = work(5), middle = work(10), fine = work(20);
+    EXPECT_NEAR((coarse - middle) / (middle - fine), 4, 1);
+    EXPECT_NEAR(middle / fine, 1, 2e-3);
+}
+
 TEST(FrictionLoop, SlidingAddsForceTimesWay) {
     const double unit = unit_shift(), shift = 1.5 * unit;
     const auto c =

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "contact/rig_stiffness.h"
 #include "io/case/case_reader.h"
 #include "tests/unit/io/sphere_case.h"
 
@@ -26,7 +27,8 @@ TEST(Oscillation, OfAForceIsAQuarterAndClosedCycles) {
         EXPECT_EQ(rows[r].tangential[0].kind, TangentialControl::Kind::force);
         EXPECT_EQ(rows[r].tangential[0].value, expected[r]);
         EXPECT_EQ(rows[r].normal.value, 21.1);
-        if (r > 0) EXPECT_EQ(rows[r].steps, r == 1 ? 5 : 10);
+        if (r == 0) continue;
+        EXPECT_EQ(rows[r].steps, r == 1 ? 5 : 10);
     }
 }
 
