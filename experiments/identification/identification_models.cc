@@ -10,7 +10,7 @@
 #include "experiments/identification/friction_values.h"
 #include "experiments/identification/identification_tables.h"
 #include "experiments/identification/layer_contact.h"
-#include "experiments/identification/loops/loop_values.h"
+#include "experiments/identification/loop_values.h"
 #include "io/case/case_keys.h"
 #include "io/case/measurement_models.h"
 

@@ -12,7 +12,7 @@
 #include "experiments/identification/identification_models.h"
 #include "experiments/identification/interface_parameters.h"
 #include "experiments/identification/law_parameters.h"
-#include "experiments/identification/loops/loop_weights.h"
+#include "experiments/identification/loop_weights.h"
 #include "io/case/measurement_models.h"
 #include "report/format.h"
 

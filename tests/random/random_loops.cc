@@ -14,8 +14,8 @@
 
 #include "contact/model_makers.h"
 #include "experiments/identification/identification_models.h"
-#include "experiments/identification/loops/loop_findings.h"
-#include "experiments/identification/loops/loop_weights.h"
+#include "experiments/identification/loop_findings.h"
+#include "experiments/identification/loop_weights.h"
 #include "experiments/identification/loops/measured_loop.h"
 #include "tests/random/loop_rig.h"
 #include "tests/random/random_rig.h"

@@ -1,11 +1,11 @@
-#include "experiments/identification/loops/loop_weights.h"
+#include "experiments/identification/loop_weights.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "experiments/identification/estimation/best_sum_of_squares.h"
 #include "experiments/identification/identification_models.h"
-#include "experiments/identification/loops/loop_values.h"
+#include "experiments/identification/loop_values.h"
 
 namespace tricontact::experiments {
 

@@ -1,4 +1,4 @@
-#include "experiments/identification/loops/loop_table.h"
+#include "experiments/identification/loop_table.h"
 
 #include <algorithm>
 #include <cmath>

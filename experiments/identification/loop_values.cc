@@ -1,4 +1,4 @@
-#include "experiments/identification/loops/loop_values.h"
+#include "experiments/identification/loop_values.h"
 
 #include <algorithm>
 #include <map>
