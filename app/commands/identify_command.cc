@@ -7,7 +7,7 @@
 #include "experiments/identification/identification_checks.h"
 #include "experiments/identification/identification_models.h"
 #include "experiments/identification/identification_study.h"
-#include "experiments/identification/loops/loop_report.h"
+#include "experiments/identification/report/loop_report.h"
 #include "io/case/rig_file.h"
 #include "report/format.h"
 

@@ -5,7 +5,7 @@
 #include "experiments/identification/friction_values.h"
 #include "experiments/identification/identification_checks.h"
 #include "experiments/identification/law_parameters.h"
-#include "experiments/identification/loops/loop_parameters.h"
+#include "experiments/identification/loop_parameters.h"
 #include "io/case/measurement_laws.h"
 #include "io/case/measurement_models.h"
 #include "io/keys/key_checks.h"

@@ -10,7 +10,7 @@
 #include "experiments/identification/friction_values.h"
 #include "experiments/identification/identification_tables.h"
 #include "experiments/identification/layer_contact.h"
-#include "experiments/identification/loops/loop_values.h"
+#include "experiments/identification/loop_values.h"
 #include "io/case/case_keys.h"
 #include "io/case/measurement_models.h"
 
@@ -192,7 +192,7 @@ IdentificationTask task_of(const IdentificationInput& input, const std::string& 
     for (const auto& table : input.tables)
         task.tables.push_back({name_of(table), table.observed, table.standard_errors,
                                table.has_free_origin(), order_of(table),
-                               n_of_loop * table.loops.loops.size()});
+                               table.loops.relative_errors, n_of_loop * table.loops.loops.size()});
     if (input.find(Measurement::friction_loop))
         task.inner_slopes = [&input, parameters = task.parameters](const auto& values) {
             const IdentifiedRig rig = rig_with(input, parameters, values);

@@ -11,7 +11,7 @@
 #include "experiments/identification/identification_reader.h"
 #include "experiments/identification/interface_comparison.h"
 #include "experiments/identification/law_comparison.h"
-#include "experiments/identification/loops/loop_findings.h"
+#include "experiments/identification/loop_findings.h"
 #include "report/document.h"
 
 namespace tricontact::experiments {

@@ -12,6 +12,7 @@
 #include "experiments/identification/identification_models.h"
 #include "experiments/identification/interface_parameters.h"
 #include "experiments/identification/law_parameters.h"
+#include "experiments/identification/loop_weights.h"
 #include "io/case/measurement_models.h"
 #include "report/format.h"
 
@@ -265,6 +266,7 @@ IdentificationStudy identification_study(const IdentificationInput& said, bool d
     study.input = said;
     study.laws = compared_laws(said, runner, say);
     if (!said.laws.empty()) study.input = study.laws->laws[study.laws->best].input;
+    weigh_loop_rows(study.input, runner);
     const IdentificationInput& input = study.input;
     if (std::ranges::any_of(input.parameters,
                             [](const FreeParameter& p) { return is_stiffness(p.key); })) {

@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "experiments/identification/identification_reader.h"
-#include "experiments/identification/loops/loop_table.h"
+#include "experiments/identification/loop_table.h"
 #include "io/keys/input_file.h"
 #include "io/keys/messages.h"
 #include "io/tables/csv_table.h"

@@ -7,7 +7,7 @@
 #include "contact/half_space_scales.h"
 #include "experiments/identification/friction_values.h"
 #include "experiments/identification/layer_contact.h"
-#include "experiments/identification/loops/loop_values.h"
+#include "experiments/identification/loop_values.h"
 
 namespace tricontact::experiments {
 

@@ -12,7 +12,7 @@
 #include "experiments/identification/friction_values.h"
 #include "experiments/identification/identification_models.h"
 #include "experiments/identification/layer_contact.h"
-#include "experiments/identification/loops/loop_values.h"
+#include "experiments/identification/loop_values.h"
 #include "experiments/records/experiment_evaluation.h"
 #include "io/case/measurement_models.h"
 #include "theory/cattaneo_mindlin.h"

@@ -8,7 +8,7 @@
 
 #include "experiments/identification/identification_checks.h"
 #include "experiments/identification/law_parameters.h"
-#include "experiments/identification/loops/loop_parameters.h"
+#include "experiments/identification/loop_parameters.h"
 #include "io/keys/messages.h"
 
 namespace tricontact::experiments {

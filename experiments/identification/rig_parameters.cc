@@ -5,8 +5,8 @@
 #include "experiments/identification/identification_reader.h"
 #include "experiments/identification/interface_parameters.h"
 #include "experiments/identification/law_parameters.h"
-#include "experiments/identification/loops/loop_parameters.h"
-#include "experiments/identification/loops/loop_values.h"
+#include "experiments/identification/loop_parameters.h"
+#include "experiments/identification/loop_values.h"
 #include "io/case/measurement_models.h"
 
 namespace tricontact::experiments {

@@ -14,8 +14,8 @@
 
 #include "contact/model_makers.h"
 #include "experiments/identification/identification_models.h"
-#include "experiments/identification/loops/loop_findings.h"
-#include "experiments/identification/loops/loop_table.h"
+#include "experiments/identification/loop_findings.h"
+#include "experiments/identification/loop_weights.h"
 #include "experiments/identification/loops/measured_loop.h"
 #include "tests/random/loop_rig.h"
 #include "tests/random/random_rig.h"
@@ -150,8 +150,8 @@ DrawnLoops drawn_loops(Random& random, int number) {
                                      .given = columns.shifts,
                                      .observed = columns.forces,
                                      .loops = experiments::measured_loops(columns)};
-    if (number % 2)
-        table.standard_errors = experiments::errors_with_shifts(table, force_errors, shift_errors);
+    if (number % 2) table.standard_errors = table.loops.force_errors = force_errors;
+    if (number % 2) table.loops.shift_errors = shift_errors;
     contact::Case& c = drawn.input.rig;
     c.indenter.radius = rig.radius;
     c.substrate = {rig.young * between(random, {.4, 2}), rig.poisson};
@@ -174,10 +174,11 @@ struct Held {
     double part() const { return static_cast<double>(held) / all; }
 };
 
-void count(const DrawnLoops& drawn, const std::string& errors, std::map<std::string, Held>& held,
+void count(DrawnLoops drawn, const std::string& errors, std::map<std::string, Held>& held,
            Held& named, std::map<std::string, int>& confused) {
-    auto task = experiments::task_of(drawn.input, "half-space");
     const contact::ModelMakers makers;
+    experiments::weigh_loop_rows(drawn.input, {makers, 1});
+    auto task = experiments::task_of(drawn.input, "half-space");
     task.model = experiments::prediction_of("half-space", drawn.input, {makers, 1});
     const auto found = experiments::identify(task);
     for (std::size_t k = 0; k < found.free.size(); ++k) {

@@ -36,6 +36,10 @@ double largest_of(const ObservedTable& table) {
     return largest;
 }
 
+double relative(const ObservedTable& table, std::size_t row) {
+    return table.relative_errors.empty() ? 1 : table.relative_errors[row];
+}
+
 void check(const IdentificationTask& task) {
     const std::size_t n = task.n_observations() - task.n_own(), m = task.parameters.size();
     if (m == 0) throw std::invalid_argument("nothing is to be identified");
@@ -98,7 +102,9 @@ BestSumOfSquares::BestSumOfSquares(const IdentificationTask& task) : task_(task)
         observed_.insert(observed_.end(), table.observed.begin(), table.observed.end());
         const auto& stated = table.standard_errors;
         errors_.insert(errors_.end(), stated.begin(), stated.end());
-        errors_.resize(observed_.size(), first_relative_error * largest_of(table));
+        if (stated.empty())
+            for (std::size_t i = 0; i < table.observed.size(); ++i)
+                errors_.push_back(first_relative_error * largest_of(table) * relative(table, i));
     }
     for (const FreeParameter& p : task.parameters) {
         bounds_.low.push_back(p.least());
@@ -234,11 +240,12 @@ double BestSumOfSquares::estimate_errors(const std::vector<double>& x,
                     "identification: the table " + table.name +
                     " determines parameters but not its own errors; state them in its last column");
             double sum = 0;
-            for (std::size_t i = row; i < end; ++i) sum += std::pow(residual[i] * errors_[i], 2);
+            for (std::size_t i = row; i < end; ++i)
+                sum += std::pow(residual[i] * errors_[i] / relative(table, i - row), 2);
             const double error =
                 std::max(std::sqrt(sum / left[t]), least_relative_error * largest_of(table));
-            change = std::max(change, std::abs(error / errors_[row] - 1));
-            std::fill(errors_.begin() + row, errors_.begin() + end, error);
+            change = std::max(change, std::abs(error * relative(table, 0) / errors_[row] - 1));
+            for (std::size_t i = row; i < end; ++i) errors_[i] = error * relative(table, i - row);
         }
         row = end;
     }

@@ -24,6 +24,8 @@ struct ObservedTable {
     /// What the observed values are plotted over: neighbours there may have errors that are alike,
     /// equal ones are repeated readings. Empty: neighbours are those of the rows.
     std::vector<double> given = {};
+    /// Of each row over that of one of them, where they are told by the residuals; empty: equal.
+    std::vector<double> relative_errors = {};
     /// Numbers of the table that the model itself sets to their best.
     std::size_t n_inner = 0;
 

@@ -6,7 +6,7 @@
 
 #include "comparisons/quantities/friction_loop.h"
 #include "experiments/identification/estimation/identification.h"
-#include "experiments/identification/loops/loop_values.h"
+#include "experiments/identification/loop_values.h"
 
 namespace tricontact::experiments {
 

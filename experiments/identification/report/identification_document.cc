@@ -7,7 +7,7 @@
 
 #include "contact/base/special_values.h"
 #include "experiments/identification/identification_report.h"
-#include "experiments/identification/loops/loop_report.h"
+#include "experiments/identification/report/loop_report.h"
 #include "report/format.h"
 
 namespace tricontact::experiments {

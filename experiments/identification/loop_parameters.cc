@@ -1,11 +1,11 @@
-#include "experiments/identification/loops/loop_parameters.h"
+#include "experiments/identification/loop_parameters.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "contact/base/error.h"
 #include "experiments/identification/law_parameters.h"
-#include "experiments/identification/loops/loop_values.h"
+#include "experiments/identification/loop_values.h"
 #include "experiments/identification/rig_guesses.h"
 #include "io/case/case_keys.h"
 #include "io/case/measurement_models.h"

@@ -1,4 +1,4 @@
-#include "experiments/identification/loops/loop_table.h"
+#include "experiments/identification/loop_table.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,35 +11,8 @@ namespace {
 
 constexpr std::size_t most_loop_rows = 10'000;
 constexpr std::size_t most_loop_megabytes = 16;
-// Rows beside one on its branch, over which the loop's slope is taken.
-constexpr std::size_t n_beside = 3;
 
 }  // namespace
-
-std::vector<double> errors_with_shifts(const IdentificationInput::Table& table,
-                                       const std::vector<double>& force_errors,
-                                       const std::vector<double>& shift_errors) {
-    std::vector<double> errors;
-    for (const MeasuredLoop& loop : table.loops.loops)
-        for (std::size_t i = 0; i < loop.n; ++i) {
-            const std::size_t row = loop.first + i;
-            double n = 0, u = 0, f = 0, uu = 0, uf = 0;
-            for (std::size_t k = loop.n + i - n_beside; k <= loop.n + i + n_beside; ++k) {
-                const std::size_t other = loop.first + k % loop.n;
-                if (table.loops.rises[other] != table.loops.rises[row]) continue;
-                const double x = table.given[other] - loop.centre;
-                n += 1;
-                u += x;
-                f += table.observed[other];
-                uu += x * x;
-                uf += x * table.observed[other];
-            }
-            const double spread = n * uu - u * u;
-            const double slope = spread > 0 ? (n * uf - u * f) / spread : 0;
-            errors.push_back(std::hypot(force_errors[row], slope * shift_errors[row]));
-        }
-    return errors;
-}
 
 void read_loop_table(IdentificationInput::Table& measured, const std::string& text,
                      const std::string& name) {
@@ -80,7 +53,8 @@ void read_loop_table(IdentificationInput::Table& measured, const std::string& te
     if (!table.has("shift_error")) return;
     const auto shift_errors = table.values("shift_error", length);
     table.check_positive("shift_error");
-    measured.standard_errors = errors_with_shifts(measured, measured.standard_errors, shift_errors);
+    measured.loops.force_errors = measured.standard_errors;
+    measured.loops.shift_errors = shift_errors;
 }
 
 }  // namespace tricontact::experiments

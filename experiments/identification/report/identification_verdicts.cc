@@ -6,7 +6,7 @@
 #include <ranges>
 
 #include "experiments/identification/identification_report.h"
-#include "experiments/identification/loops/loop_report.h"
+#include "experiments/identification/report/loop_report.h"
 #include "io/case/measurement_models.h"
 #include "report/format.h"
 #include "statistics/regression.h"

@@ -8,7 +8,7 @@
 #include "experiments/identification/estimation/told_combination.h"
 #include "experiments/identification/identification_report.h"
 #include "experiments/identification/interface_parameters.h"
-#include "experiments/identification/loops/loop_values.h"
+#include "experiments/identification/loop_values.h"
 
 namespace tricontact::experiments {
 

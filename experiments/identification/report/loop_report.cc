@@ -1,4 +1,4 @@
-#include "experiments/identification/loops/loop_report.h"
+#include "experiments/identification/report/loop_report.h"
 
 #include <fmt/format.h>
 
@@ -6,6 +6,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "comparisons/quantities/quantities.h"
 #include "report/format.h"
 #include "report/json_number.h"
 
@@ -244,7 +245,7 @@ json loop_json(const LoopFindings& findings) {
                               {"loops", block.n},
                               {"friction", estimate_of(block.friction)}});
         json one{{"table", s.table + 1},
-                 {"normal_force_N", s.normal_force},
+                 {comparisons::quantities::normal_force.key, s.normal_force},
                  {"shift_amplitude_m", s.shift},
                  {"loops", s.n_loops},
                  {"first_cycle", s.first_cycle},
@@ -262,7 +263,7 @@ json loop_json(const LoopFindings& findings) {
         result["loops"].push_back({{"table", loop.table + 1},
                                    {"series", loop.series + 1},
                                    {"cycle", loop.cycle},
-                                   {"normal_force_N", loop.normal_force},
+                                   {comparisons::quantities::normal_force.key, loop.normal_force},
                                    {"shift_amplitude_m", loop.state.amplitude},
                                    {"contact_shift_amplitude_m", loop.contact_shift},
                                    {"sliding_shift_m", loop.sliding_shift},

@@ -1,4 +1,4 @@
-#include "experiments/identification/loops/loop_findings.h"
+#include "experiments/identification/loop_findings.h"
 
 #include <gsl/gsl_cdf.h>
 
@@ -7,7 +7,7 @@
 
 #include "experiments/identification/identification_models.h"
 #include "experiments/identification/law_parameters.h"
-#include "experiments/identification/loops/loop_regime.h"
+#include "experiments/identification/loop_regime.h"
 #include "statistics/regression.h"
 
 namespace tricontact::experiments {

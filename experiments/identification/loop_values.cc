@@ -1,4 +1,4 @@
-#include "experiments/identification/loops/loop_values.h"
+#include "experiments/identification/loop_values.h"
 
 #include <algorithm>
 #include <map>
@@ -25,11 +25,12 @@ LoopRows rows_of(const Table& table, const MeasuredLoop& loop) {
                               : std::span(values).subspan(loop.first, loop.n);
     };
     const auto begin = table.loops.rises.begin() + static_cast<std::ptrdiff_t>(loop.first);
-    return {loop,
-            part(table.given),
-            part(table.observed),
-            part(table.standard_errors),
-            {begin, begin + static_cast<std::ptrdiff_t>(loop.n)}};
+    return {
+        loop,
+        part(table.given),
+        part(table.observed),
+        part(table.standard_errors.empty() ? table.loops.relative_errors : table.standard_errors),
+        {begin, begin + static_cast<std::ptrdiff_t>(loop.n)}};
 }
 
 double load_of(const MeasuredLoop& loop, const contact::Case& rig) {

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "experiments/identification/estimation/best_sum_of_squares.h"
-#include "experiments/identification/loops/loop_findings.h"
+#include "experiments/identification/loop_findings.h"
 
 namespace tricontact::experiments {
 

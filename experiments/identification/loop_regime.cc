@@ -1,4 +1,4 @@
-#include "experiments/identification/loops/loop_regime.h"
+#include "experiments/identification/loop_regime.h"
 
 #include <gsl/gsl_cdf.h>
 

@@ -3,7 +3,7 @@
 
 #include "experiments/identification/estimation/told_combination.h"
 #include "experiments/identification/identification_report.h"
-#include "experiments/identification/loops/loop_report.h"
+#include "experiments/identification/report/loop_report.h"
 #include "report/json_number.h"
 
 namespace tricontact::experiments {
