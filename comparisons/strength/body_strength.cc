@@ -19,6 +19,7 @@ using contact::StepRecord;
 
 /// Nothing but sliding is that close to the friction limit.
 constexpr double slides_from = 1 - 1e-9;
+constexpr double no_force = 1e-9;  // over F_N
 
 /// F_T/(mu F_N), 1 of what slides.
 double force_ratio(const Case& c, const ContactLoads& loads) {
@@ -129,6 +130,9 @@ ContactLoads largest_loads(const Case& c, const contact::History& history) {
         loads.tangential_force = force;
         loads.bulk_stress = bulk;
     }
+    // What the balance of forces leaves is none.
+    if (std::abs(loads.tangential_force) < no_force * loads.normal_force)
+        loads.tangential_force = 0;
     return loads;
 }
 

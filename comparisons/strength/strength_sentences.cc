@@ -44,8 +44,9 @@ std::string shakedown_sentence(const Case& c, const Strength& s) {
     if (!s.shakedown_pressure) return {};
     const double ratio = *s.pressure_over_k(), limit = *s.shakedown_pressure;
     const std::string numbers = fmt::format(
-        "p_0/k = {}, limit of elastic shakedown {} at μ = {}", report::significant(ratio, 3),
-        report::significant(limit, 3), report::significant(c.friction_coefficient(), 3));
+        "p_0/k = {}, limit of elastic shakedown {} at μ = {}{}", report::significant(ratio, 3),
+        report::significant(limit, 3), report::significant(c.friction_coefficient(), 3),
+        s.loads.bulk_stress != 0 ? ", without the bulk stress" : "");
     if (ratio > limit)
         return fmt::format(
             "A contact that slides over the same track again and again would deform this material "

@@ -17,9 +17,8 @@ double half_size_of(const RigData& r) {
 }
 
 /// x^2/(2 R) falls behind a circle by (x/R)^2/4: 1 % at .2.
-constexpr Formula slope("contact_slope", "a/R", "a of Hertz' contact",
-                        "Johnson (1985), section 4.1", "1", hertz_inputs,
-                        [](const RigData& r) { return half_size_of(r) / r.R; });
+constexpr Formula slope("contact_slope", "a/R", "a/R", "Johnson (1985), section 4.1", "1",
+                        hertz_inputs, [](const RigData& r) { return half_size_of(r) / r.R; });
 
 /// What a half-space gives way deeper than t, below a ball.
 constexpr Formula lost_depth(

@@ -96,6 +96,7 @@ const RolledLaw* rolled_law(const contact::Friction& friction) {
 const RolledLaw& require_rolled_law(const contact::Case& c, const std::string& what,
                                     const std::string& place) {
     c.require_rigid_interface(what);
+    c.require_no_bulk_stress(what);
     const RolledLaw* law = rolled_law(c.friction);
     if (!law)
         throw contact::InputError(

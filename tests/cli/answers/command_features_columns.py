@@ -112,6 +112,8 @@ unaffected = [
      "friction falling with the way of slip|layer of the interface that yields",
      "coefficients of the relaxed layer for cells of one size, whatever presses on how many of them"),
     ("limit", "load by its limit", "the limit is what is looked for"),
+    ("contact export bem|limit|fit|predict|predict on a layer|experiment|refine bem|atlas|identify", "yield stresses",
+     "strength is judged beside elastic results, which it does not change"),
     ("fit|atlas", "load by its limit", "the study varies the load"),
     ("atlas", "static load|elastic indenter|rigid substrate|cone",
      "the study varies the load; maps are of ratios, which modulus and angle do not change"),
