@@ -86,6 +86,9 @@ report::Figure history_figure(const WearReport& report, const std::string& id,
 }
 
 report::DocumentSection numbers_section(const WearReport& report) {
+    nlohmann::ordered_json rows = nlohmann::ordered_json::array();
+    const nlohmann::ordered_json all = wear_json(report);
+    for (const auto& one : all["models"].items()) rows.push_back(one.value());
     return {.id = "wear",
             .heading = "Wear",
             .tables = {report::table_of(
@@ -94,7 +97,7 @@ report::DocumentSection numbers_section(const WearReport& report) {
                  .note = "Bars add up what jumps over cycles leave (a bound) and the difference "
                          "to a run on cells twice as large, where there is one. Radii are those of "
                          "discs as large as what never slips and as what touches."},
-                wear_json(report)["models"],
+                rows,
                 {{"model", "model"},
                  {"cycles", "cycles"},
                  {"regime", "regime"},

@@ -90,7 +90,10 @@ std::string profiles_csv(const WearResult& result) {
 }
 
 nlohmann::ordered_json wear_json(const WearReport& report) {
-    return {{"models", report::list_of(report.results, result_json)}};
+    Json models = Json::object();
+    for (const WearResult& result : report.results)
+        models[result.history.model] = result_json(result);
+    return {{"models", models}};
 }
 
 std::string wear_text(const WearReport& report) {

@@ -50,7 +50,7 @@ WearResult told_result(const contact::Case& c, contact::Model& model, const Wear
 std::string wear_csv(const WearHistory& history);
 /// A row per shown state and point along x: worn depth, pressure, slip and wear of a cycle.
 std::string profiles_csv(const WearResult& result);
-/// "models" of summary.json.
+/// "models" of summary.json, each by its name.
 nlohmann::ordered_json wear_json(const WearReport& report);
 /// A line per model for the terminal.
 std::string wear_text(const WearReport& report);

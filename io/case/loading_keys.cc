@@ -297,13 +297,13 @@ std::vector<CaseKey> path_keys() {
 std::vector<CaseKey> wear_keys() {
     constexpr double most_cycles = 1e7;
     return {
-        {quantity_key("wear.coefficient", Dimension::wear_rate, above_zero(1), "\"1e-8 mm3/(N m)\"",
+        {quantity_key("wear.coefficient", Dimension::wear_rate, above_zero(1), "\"1e-5 mm3/(N m)\"",
                       "k_w of Archard's law, by which a closed cycle of [path] wears the "
                       "surfaces: worn depth over pressure times slip",
                       {.alternative = wear_law}),
          of_wear<&Wear::coefficient>},
         {quantity_key("wear.energy_coefficient", Dimension::wear_rate, above_zero(1),
-                      R"("1e-8 mm3/J")", "instead, worn depth over frictional work per area",
+                      R"("1e-5 mm3/J")", "instead, worn depth over frictional work per area",
                       {.alternative = wear_law}),
          of_wear<&Wear::energy_coefficient>},
         {integer_key("wear.cycles", {1, most_cycles}, "100000",

@@ -84,6 +84,17 @@ void refuse_models(const Document& document) {
                  "omit the key");
 }
 
+/// Points of a study run a path once.
+void refuse_wear_of(const Document& document, const Document& base) {
+    constexpr const char* rule = "wear is not computed in studies";
+    constexpr const char* remedy = "leave it out, or take tricontact run";
+    if (const Document::Section* found = base.find_section("wear"))
+        fail(found->place, "[wear]", rule, remedy);
+    for (const Entry& entry : document.entries)
+        if (entry.path.starts_with("set.wear.") || entry.path.starts_with("vary.wear."))
+            fail(entry.place, entry.subject(), rule, remedy);
+}
+
 Study::LatinHypercube read_latin_hypercube(const Document& document) {
     const KeyList& keys = own_key_list();
     int points = 0, seed = 0;
@@ -142,6 +153,7 @@ Study parse_study(std::string_view text, const std::string& name, const KeyList&
     read_given(own_keys(), study, document);
     study.base = read_base(document);
     study.walks = is_walk_case(study.base);
+    refuse_wear_of(document, study.base);
     const KeyList& keys = study.walks ? machine_keys : case_key_list();
     study.settings = read_settings(document, keys);
     study.axes = read_axes(document, keys);
