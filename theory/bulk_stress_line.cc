@@ -42,7 +42,8 @@ double sign_of(double value) {
 }  // namespace
 
 bool BulkStressLine::holds() const {
-    return stick_half_width == 0 || std::abs(stick_centre) + stick_half_width < half_width;
+    return stick_half_width == 0 || stick_centre == 0 ||
+           std::abs(stick_centre) + stick_half_width < half_width;
 }
 
 double BulkStressLine::traction(double x) const {

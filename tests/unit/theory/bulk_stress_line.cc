@@ -99,6 +99,7 @@ TEST(BulkStressLine, TensionAtTheTrailingEdge) {
     EXPECT_NEAR(loaded(1, 0).trailing_stress() / sliding, 1, 1e-12);
     EXPECT_NEAR(loaded(.36, 0).trailing_stress() / sliding, .6, 1e-12);
     EXPECT_FALSE(loaded(.1, 3e8).holds());
+    EXPECT_TRUE(loaded(0, 0).holds());
 }
 
 }  // namespace
