@@ -16,7 +16,7 @@ using contact::NormalControl;
 using report::LazyTable;
 using theory::AbelLayer;
 
-constexpr double log_step = .2;
+constexpr double logarithmic_step = .2;
 // Of E*/(k_n b): softer ones are refused by no table, stiffer ones are rigid to 1e-6.
 constexpr int stiffest_row = -70, softest_row = 60;
 constexpr double rigid_compliance = 1e-6;
@@ -41,7 +41,7 @@ class LayerPresses {
         const int kind = control.kind == NormalControl::Kind::force ? 0 : 1;
         const auto logs =
             compliance > rigid_compliance
-                ? sprung_[kind].at(std::log(control.value), std::log(compliance) / log_step)
+                ? sprung_[kind].at(std::log(control.value), std::log(compliance) / logarithmic_step)
                 : rigid_[kind].at(std::log(control.value), 0);
         return {std::exp(logs[0]), std::exp(logs[1]), std::exp(logs[2])};
     }
@@ -49,14 +49,14 @@ class LayerPresses {
   private:
     LazyTable table(NormalControl::Kind kind, bool has_springs) {
         return {[this, kind, has_springs](double x, double row) {
-                    const theory::SprungPress press =
-                        theory::press_on_layer(1, 1, has_springs ? std::exp(log_step * row) : 0.,
-                                               {kind, std::exp(x)}, 1, *layer_);
+                    const theory::SprungPress press = theory::press_on_layer(
+                        1, 1, has_springs ? std::exp(logarithmic_step * row) : 0.,
+                        {kind, std::exp(x)}, 1, *layer_);
                     return std::vector<double>{std::log(press.normal_force),
                                                std::log(press.contact_radius),
                                                std::log(press.indentation)};
                 },
-                log_step, 1,
+                logarithmic_step, 1,
                 has_springs ? LazyTable::Rows{stiffest_row, softest_row} : LazyTable::Rows{0, 0}};
     }
 

@@ -28,7 +28,6 @@ grep -q "^Friction rises over cycles 1 to 200: +1[0-4] %" text || complain "drif
 grep -q "loop_series" out/report.html || complain "no table of series in the report"
 
 # Loops that are none.
-table() { cp fretting_loops.csv kept.csv && sed "$1" kept.csv >fretting_loops.csv; }
 bad() {
     mv fretting_loops.csv whole.csv
     { printf '%s\n' "$2"; grep -v '^#\|^cycle' whole.csv | sed "$3"; } >fretting_loops.csv
@@ -45,7 +44,7 @@ bad "the normal force changes by more than 10 % within a cycle" "$header" '10s/3
 bad "tangential_force" "cycle, shift [um], tangential_force [um], normal_force [N], amplitude [um]" ''
 bad "shift" "cycle, shift, tangential_force [N], normal_force [N], amplitude [um]" ''
 bad "small deformations are assumed; check the units" "cycle, shift [mm], tangential_force [N], normal_force [N], amplitude [um]" ''
-bad 'did you mean "cycle"' "cycles, shift [um], tangential_force [N], normal_force [N], amplitude [um]" ''
+bad 'unknown column "cycles"' "cycles, shift [um], tangential_force [N], normal_force [N], amplitude [um]" ''
 
 # What loops cannot have beside them.
 beside() {
@@ -57,7 +56,7 @@ beside "friction_loop does not determine substrate.poisson" 's/"friction.coeffic
 beside "loops are evaluated on their own, and there is measurement.static_shift" 's/^friction_loop/static_shift = "shift.csv"\n&/'
 beside "the rows of friction_loop state their own normal forces; omit it" 's/^\[measurement\]/[load]\nnormal_force = "300 N"\n&/'
 beside "loops find the numbers of one law" 's/^models/laws = ["coulomb", "shear-strength"]\n&/; s/"friction.coefficient", //'
-beside "loops are evaluated by closed forms of the half-space, not by layer" 's/"half-space"/"layer"/; s/^poisson = 0.3$/&\nthickness = "8 mm"/'
+beside "loops are evaluated by closed forms of the half-space, not by layer" 's/"half-space"/"layer"/; s/^\[substrate\].*/&\nthickness = "8 mm"/'
 sed 's/^friction_loop/static_shift/' fretting_loops.toml >beside.toml
 refused "the rig's stiffness is in series with the contact in friction_loop alone" identify "$work/beside.toml"
 
