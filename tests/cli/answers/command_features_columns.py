@@ -113,6 +113,7 @@ unaffected = [
      "coefficients of the relaxed layer for cells of one size, whatever presses on how many of them"),
     ("limit", "load by its limit", "the limit is what is looked for"),
     ("fit|atlas", "load by its limit", "the study varies the load"),
+    ("atlas", "load that alternates about zero", "as above"),
     ("atlas", "static load|elastic indenter|rigid substrate|cone",
      "the study varies the load; maps are of ratios, which modulus and angle do not change"),
     ("rig|design", "rolling steps", "assumptions are about the pressed contact and the drive"),
