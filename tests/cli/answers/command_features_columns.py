@@ -115,6 +115,7 @@ unaffected = [
     ("contact export bem|limit|fit|predict|predict on a layer|experiment|refine bem|atlas|identify", "yield stresses",
      "strength is judged beside elastic results, which it does not change"),
     ("fit|atlas", "load by its limit", "the study varies the load"),
+    ("atlas", "load that alternates about zero", "as above"),
     ("atlas", "static load|elastic indenter|rigid substrate|cone",
      "the study varies the load; maps are of ratios, which modulus and angle do not change"),
     ("rig|design", "rolling steps", "assumptions are about the pressed contact and the drive"),

@@ -8,13 +8,17 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
+#include "bem/model.h"
 #include "comparisons/quantities/quantities.h"
 #include "comparisons/quantities/results.h"
+#include "contact/cells.h"
 #include "contact/run.h"
 #include "mdr/model.h"
 #include "mdr/settings.h"
 #include "theory/cattaneo_mindlin.h"
+#include "theory/oscillating_cylinder.h"
 
 namespace tricontact::friction_loop_test {
 namespace {
@@ -134,6 +138,27 @@ TEST(FrictionLoop, SlidingAddsForceTimesWay) {
     // On a branch the stick area falls linearly, to 0 at 2 U_max; counted in springs, 1e-4 of a.
     EXPECT_NEAR(*loops.back().gross_slip_shift / unit, 2, 2e-3);
     EXPECT_EQ(loops.back().least_stick_area, 0);
+}
+
+// A cylinder along y by boundary elements: the edge of the slip zones is cut by 100 cells to either
+// side.
+TEST(FrictionLoop, OfACylinderIsThatOfMindlinAndDeresiewicz) {
+    constexpr double f = .6, force = f * mu * normal_force;
+    auto c = case_of(TangentialControl::Kind::force, {0, force, -force, force}, 5);
+    c.models = {"bem"};
+    c.indenter.shape = contact::Case::Shape::cylinder;
+    c.indenter.length = 1;
+    c.of<contact::Cells>().per_radius = 100;
+    const auto h = contact::run(c, *bem::make_model(c, 1));
+    const comparisons::Results results(c, h);
+    const double unit =
+        std::pow(mu * normal_force, 2) * 2 / (std::numbers::pi * c.materials().effective_modulus());
+    EXPECT_NEAR(results.number(quantities::dissipation).value() /
+                    (unit * theory::line_cycle_dissipation(f)),
+                1, 1e-3);
+    EXPECT_NEAR(results.number(quantities::loop_stick_radius).value() / h.scales.contact_radius,
+                std::sqrt(1 - f), .01);
+    EXPECT_EQ(std::get<SlipRegime>(results[quantities::path_regime]), SlipRegime::partial_slip);
 }
 
 TEST(FrictionLoop, StickEndsWhereCattaneoAndMindlinSay) {
