@@ -106,6 +106,10 @@ std::string wear_text(const WearReport& report) {
             r.history.model, name_of(s.regime()), s.cycles,
             report::with_error(1e9 * s.volume, 1e9 * r.volume_bar()),
             report::with_error(1e6 * s.depth, 1e6 * r.depth_bar()), r.history.cycles_computed);
+        if (s.regime() == WearRegime::stick)
+            text +=
+                "  nothing slips at its points; a ring of slip narrower than their distance is "
+                "not seen\n";
     }
     return text;
 }
