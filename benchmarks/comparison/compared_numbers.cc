@@ -60,7 +60,8 @@ const std::array decisive_targets{keys::stick_ratio,
                                   keys::c23,
                                   keys::c33,
                                   keys::von_mises_ratio,
-                                  keys::von_mises_depth_ratio};
+                                  keys::von_mises_depth_ratio,
+                                  keys::edge_exponent};
 
 std::string percent(double share) {
     return 100 * share < 100 ? fmt::format("{:.2g} %", 100 * share)

@@ -15,7 +15,8 @@ struct ClosedDeck {
 constexpr ClosedDeck closed_decks[]{
     {"patch_test", patch_test_deck},         {"wedge", wedge_deck},
     {"complete_punch", complete_punch_deck}, {"rounded_punch_plane", rounded_punch_plane_deck},
-    {"pin_in_hole", pin_in_hole_deck},       {"receding_layer", receding_layer_deck}};
+    {"pin_in_hole", pin_in_hole_deck},       {"receding_layer", receding_layer_deck},
+    {"nafems_roller", nafems_roller_deck},   {"nafems_punch", nafems_punch_deck}};
 
 const ClosedDeck* find_deck(std::string_view problem) {
     for (const ClosedDeck& deck : closed_decks)
@@ -31,11 +32,13 @@ bool has_closed_deck(std::string_view problem) {
 
 std::vector<DeckFile> write_closed_deck(const DeckWishes& wishes) {
     const ClosedDeck* deck = find_deck(wishes.problem);
-    if (!deck)
+    if (!deck) {
+        std::string names;
+        for (const ClosedDeck& one : closed_decks)
+            names += (names.empty() ? "" : ", ") + std::string(one.name);
         throw contact::InputError("deck: " + wishes.problem +
-                                  " has no deck of its own; choose of patch_test, wedge, "
-                                  "complete_punch, rounded_punch_plane, "
-                                  "pin_in_hole, receding_layer");
+                                  " has no deck of its own; choose of " + names);
+    }
     return deck->write(wishes);
 }
 

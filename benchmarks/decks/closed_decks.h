@@ -8,9 +8,7 @@
 
 namespace tricontact::benchmarks {
 
-/// Whether a problem of the catalogue has a deck of its own: "patch_test", "wedge",
-/// "complete_punch", "rounded_punch_plane",
-/// "pin_in_hole", "receding_layer".
+/// Whether a problem of the catalogue has a deck of its own, such as "patch_test".
 bool has_closed_deck(std::string_view problem);
 
 /// Inputs of a problem whose closed form its README.txt states; there is no submission.

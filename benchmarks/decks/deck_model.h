@@ -55,7 +55,8 @@ struct DeckModel {
     /// Both bodies, in place of block and indenter, with their sets and surfaces: of so many
     /// elements in a on the coarsest level, the given level of refinement.
     std::function<DeckMesh(int n, int level, bool is_quadratic)> own_mesh;
-    std::string own_words;        ///< what those bodies are, for the README
+    std::string own_words;   ///< what those bodies are, for the README
+    double loaded_area = 0;  ///< of the face SLOAD, which a force presses evenly [mm^2]; 0: none
     bool has_sharp_edge = false;  ///< infinite pressure at the edge of the contact
     double width = 0;             ///< radius or half width of the block [mm]
     double thickness = 0;         ///< of the block [mm]

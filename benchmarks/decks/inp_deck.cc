@@ -75,7 +75,7 @@ void write_supports(Out out, const DeckModel& model) {
 // node NDEPTH that they follow, or forces on those.
 void write_control(Out out, const DeckModel& model, const DeckStep& step, bool is_first) {
     const int up = model.shape == DeckModel::Shape::half ? 3 : 2;
-    std::string loads;
+    std::string loads, pressures;
     fmt::format_to(out, "*BOUNDARY\n");
     if (up == 3) fmt::format_to(out, "NIND, 2, 2\n");
     const char* shifted = model.has_tangential_force() ? "NDEPTH" : "NIND";
@@ -83,12 +83,16 @@ void write_control(Out out, const DeckModel& model, const DeckStep& step, bool i
         loads += fmt::format("NDEPTH, 1, {:.9g}\n", model.share() * step.shift);
     else
         fmt::format_to(out, "{}, 1, 1, {:.9g}\n", shifted, step.shift);
-    if (step.is_force)
+    if (step.is_force && model.loaded_area > 0)
+        pressures = fmt::format("SLOAD, P, {:.9g}\n", step.normal / model.loaded_area);
+    else if (step.is_force)
         loads += fmt::format("NDEPTH, {}, {:.9g}\n", up, -model.share() * step.normal);
     else
         fmt::format_to(out, "{}, {}, {}, {:.9g}\n", model.has_force() ? "NDEPTH" : "NIND", up, up,
                        -step.normal);
-    if (!loads.empty()) fmt::format_to(out, "*CLOAD{}\n{}", is_first ? "" : ", OP=NEW", loads);
+    const char* instead = is_first ? "" : ", OP=NEW";
+    if (!loads.empty()) fmt::format_to(out, "*CLOAD{}\n{}", instead, loads);
+    if (!pressures.empty()) fmt::format_to(out, "*DSLOAD{}\n{}", instead, pressures);
 }
 
 void write_steps(std::string& text, const DeckModel& model, bool is_abaqus) {

@@ -30,7 +30,8 @@ const std::array ratio_keys{keys::stick_ratio,
                             keys::force_ratio,
                             keys::displacement,
                             keys::pressure_at_axis,
-                            keys::pressure_at_0_9};
+                            keys::pressure_at_0_9,
+                            keys::edge_exponent};
 
 bool is_target_key(const std::string& key) {
     return std::ranges::find(ratio_keys, key) != ratio_keys.end();

@@ -36,7 +36,7 @@ struct QuantityRow {
 };
 
 /// In the order in which they are shown.
-const std::array<QuantityRow, 34> quantities{
+const std::array<QuantityRow, 35> quantities{
     {{quantity_keys::normal_force, "normal force F_N", "N", "N/m"},
      {quantity_keys::indentation, "indentation d", "m", "m"},
      {quantity_keys::tangential_force, "tangential force F_T", "N", "N/m"},
@@ -70,7 +70,8 @@ const std::array<QuantityRow, 34> quantities{
      {quantity_keys::force_ratio, "horizontal force over weight", "", ""},
      {quantity_keys::displacement, "displacement of the interface", "m", "m"},
      {quantity_keys::pressure_at_axis, "pressure on the axis", "Pa", "Pa"},
-     {quantity_keys::pressure_at_0_9, "pressure at r = 0.9 a", "Pa", "Pa"}}};
+     {quantity_keys::pressure_at_0_9, "pressure at r = 0.9 a", "Pa", "Pa"},
+     {quantity_keys::edge_exponent, "exponent s of p ~ r^(s - 1) at the edge", "", ""}}};
 
 const QuantityRow* find_quantity(std::string_view key) {
     const auto found = std::ranges::find(quantities, key, &QuantityRow::key);

@@ -70,7 +70,8 @@ Reference reference(const Case& c, const contact::ModelRunner& runner, const con
         say("reference: boundary elements on three grids");
         refer_computed(result, runner);
     }
-    add_sides_of_case(result);
+    // Sections have their sides.
+    if (!has_finite_body(c)) add_sides_of_case(result);
     if (!c.contact.coupling && would_couple(c))
         result.remarks.emplace_back(
             "the case leaves the coupling of normal and tangential contact out: a code that has it "

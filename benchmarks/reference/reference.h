@@ -105,6 +105,7 @@ inline constexpr const char* force_ratio = "force_ratio";    ///< horizontal for
 inline constexpr const char* displacement = "displacement";  ///< of an interface [m]
 inline constexpr const char* pressure_at_axis = "pressure_at_axis";  ///< [Pa]
 inline constexpr const char* pressure_at_0_9 = "pressure_at_0_9";    ///< at r = 0.9 a [Pa]
+inline constexpr const char* edge_exponent = "edge_exponent";        ///< s of p ~ r^(s - 1)
 }  // namespace quantity_keys
 
 /// A ratio that follows from another number: that number over `denominator` (SI).

@@ -41,8 +41,8 @@ void refer_radial(Reference& reference, const contact::ModelRunner& runner);
 void refer_line(Reference& reference, const contact::ModelRunner& runner);
 /// An indenter of a finite size, or a hole: no half-space stands for it.
 bool has_finite_body(const contact::Case& c);
-/// Fills a reference of bodies of a finite size, pressed without friction: finite elements of their
-/// section on three meshes. Throws contact::InputError under friction.
+/// Fills a reference of bodies of a finite size, pressed or, in plane strain with friction, pulled:
+/// finite elements of their section on three meshes. Throws contact::InputError where they roll.
 void refer_section(Reference& reference, const contact::ModelRunner& runner);
 /// Of all else, by boundary elements on three grids.
 void refer_computed(Reference& reference, const contact::ModelRunner& runner);

@@ -2,6 +2,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <span>
 
 #include "benchmarks/reference/exact_parts.h"
 #include "benchmarks/reference/model_levels.h"
@@ -23,6 +24,7 @@ using std::numbers::pi;
 namespace keys = quantity_keys;
 
 constexpr std::array elements_of_levels{12., 24., 48.};
+constexpr std::array elements_with_friction{8., 16., 32.};  // a path takes many steps on each
 constexpr double elements_of_neighbours = 32;
 constexpr double neighbour_step = .06;  // of depth or force, in effects
 
@@ -106,6 +108,21 @@ void set_area(Reference& reference) {
     area.grid = (is_plane ? 2 : 2 * pi * a.value) * a.grid;
 }
 
+/// The whole face of a punch with sharp edges.
+bool is_pressed_in_full(const Reference& reference) {
+    const contact::Case& c = reference.c;
+    return c.indenter.shape == Case::Shape::flat_punch &&
+           reference.contact_radius > (1 - 1e-6) * c.indenter.flat_radius;
+}
+
+void set_singular_edge(Reference& reference) {
+    reference.has_singular_edge = true;
+    reference.values.erase(keys::peak_pressure);
+    reference.remarks.emplace_back(
+        "the pressure is infinite at the edge: the largest pressure does not exist, and the fields "
+        "of the reference are too low in its last element there");
+}
+
 /// What a penalty changes, and the stiffness, from states beside the end.
 void add_neighbours(Reference& reference, const Case& pressed, const std::string& model,
                     const contact::ModelRunner& runner) {
@@ -141,6 +158,39 @@ void add_neighbours(Reference& reference, const Case& pressed, const std::string
     reference.values[keys::normal_stiffness] = stiffness;
 }
 
+/// The levels of the case, of so many elements in this radius.
+std::vector<EndState> section_levels(const Case& c, double radius, const std::string& model,
+                                     const contact::ModelRunner& runner,
+                                     std::span<const double> counts) {
+    std::vector<EndState> levels;
+    for (const double count : counts) {
+        levels.push_back(end_state(runner, model, on_elements(c, radius, count)));
+        levels.back().size = radius / count;
+    }
+    return levels;
+}
+
+bool rolls_or_follows_a_path(const Case& c) {
+    return c.rolling || c.prescribed_path;
+}
+
+/// Friction leaves tractions, which hang on the path: the whole path on each mesh.
+void refer_section_with_friction(Reference& reference, double radius, const std::string& model,
+                                 const contact::ModelRunner& runner) {
+    const Case& c = reference.c;
+    std::vector<EndState> levels = section_levels(c, radius, model, runner, elements_with_friction);
+    // The last record is that of the tangential load, of 0, under which all that touches sticks.
+    if (is_pressed_only(c))
+        for (EndState& level : levels) level.history.steps.pop_back();
+    reference.models = {model};
+    reference.values = values_of_levels(c, levels, model);
+    reference.contact_radius = reference.values.at(keys::contact_radius).value;
+    set_area(reference);
+    reference.fields = section_fields(reference, levels.back());
+    reference.remarks.emplace_back(
+        "tractions along the surface are not compared; stick area, force and shift are");
+}
+
 }  // namespace
 
 bool has_finite_body(const Case& c) {
@@ -149,29 +199,30 @@ bool has_finite_body(const Case& c) {
 
 void refer_section(Reference& reference, const contact::ModelRunner& runner) {
     const Case& c = reference.c;
-    if (!is_frictionless(c))
-        throw contact::InputError(
-            "reference: bodies of a finite size are assumed to be pressed without friction; set "
-            "contact.coupling = false and no tangential load, or take a run of fem as the "
-            "reference");
     if (c.has_hole())
         throw contact::InputError(
             "reference: bodies of a finite size are assumed to lie on a flat substrate; compare "
             "with the problem pin_in_hole, or take a run of fem-plane as the reference");
+    const bool is_plane = c.is_line_contact();
+    if (!is_frictionless(c) && (rolls_or_follows_a_path(c) || !(is_plane || is_pressed_only(c))))
+        throw contact::InputError(
+            "reference: bodies of a finite size are assumed to be pressed, and with friction to be "
+            "pulled once in plane strain; remove path and rolling, or take a run of fem-plane as "
+            "the "
+            "reference");
     const std::string model =
-        c.is_line_contact() ? contact::models::fem_plane : contact::models::fem_axisymmetric;
+        is_plane ? contact::models::fem_plane : contact::models::fem_axisymmetric;
     const Case pressed = pressed_alone(c, final_normal(c));
     const double radius = end_state(runner, model, pressed).scales.contact_radius;
-    std::vector<EndState> levels;
-    for (const double count : elements_of_levels) {
-        levels.push_back(end_state(runner, model, on_elements(pressed, radius, count)));
-        levels.back().size = radius / count;
-    }
+    if (!is_frictionless(c)) return refer_section_with_friction(reference, radius, model, runner);
+    const std::vector<EndState> levels =
+        section_levels(pressed, radius, model, runner, elements_of_levels);
     reference.models = {model};
     reference.values = values_of_levels(pressed, levels, model);
     reference.contact_radius = reference.values.at(keys::contact_radius).value;
     set_area(reference);
     reference.fields = section_fields(reference, levels.back());
+    if (is_pressed_in_full(reference)) set_singular_edge(reference);
     if (c.indenter.body->is_loose())
         // The place of a load on a face goes down without bound as elements shrink.
         for (const char* key : {keys::indentation, keys::stored_energy})

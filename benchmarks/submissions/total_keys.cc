@@ -63,6 +63,7 @@ std::span<const TotalKey> total_keys() {
         {q::displacement, {length}, "-50 mm", "of the interface, along its normal", {}},
         {q::pressure_at_axis, {pressure}, "0.127 MPa", "at r = 0", {}},
         {q::pressure_at_0_9, {pressure}, "0.292 MPa", "at r = 0.9 a", {}},
+        {q::edge_exponent, {none}, "0.774", "s of p ~ r^(s - 1) at a sharp edge", {}},
         {"size", {length}, "1 mm", "of elements in the contact", {"h", "element_size"}},
         {"cpu_time", {time}, "12 s", "of the computation", {"cpu"}}};
     return keys;

@@ -56,6 +56,32 @@ TEST(SectionReference, RecedingLayerOfKeerDundursAndTsai) {
     EXPECT_FALSE(r.find(keys::indentation));
 }
 
+TEST(SectionReference, NafemsPunchEndsBeyondItsFlat) {
+    const Reference punch = reference_of_problem("nafems_punch");
+    EXPECT_EQ(punch.find(keys::normal_force)->bar(), 0);
+    EXPECT_NEAR(punch.find(keys::contact_radius)->value, .0404, .0004);  // half an element of 48
+}
+
+// Cattaneo (1938): c/a = (1 - f)^(1/2), within two nodes, which are a/64 apart, at either end.
+TEST(SectionReference, CattaneosStickZoneBetweenFiniteBodies) {
+    const Reference r = reference_of_problem("cattaneo_two_cylinders");
+    EXPECT_NEAR(r.find(keys::stick_area)->value / r.find(keys::contact_area)->value, std::sqrt(.5),
+                2. / 96);
+    EXPECT_TRUE(r.is_prescribed(keys::tangential_force));
+    EXPECT_LT(r.find(keys::shift)->bar(), 1e-3 * r.find(keys::shift)->value);
+}
+
+// Spence (1975) at beta = 1/6. A finite hemisphere sticks within a little more.
+TEST(SectionReference, SpencesStickZoneBetweenTwoBodies) {
+    const Reference r = reference_of_problem("spence_two_bodies");
+    EXPECT_NEAR(std::sqrt(r.find(keys::stick_area)->value / r.find(keys::contact_area)->value), .7,
+                .03);
+}
+
+TEST(SectionReference, RefusesRolling) {
+    EXPECT_THROW(reference_of_problem("carter_two_cylinders"), contact::InputError);
+}
+
 // A hole is no flat substrate, and a pin in it no half-space on one.
 TEST(SectionReference, RefusesHoles) {
     contact::Case c = required_problem("cylinder_between_plates").make_case();

@@ -295,9 +295,9 @@ TEST(Deck, GetfemPressesWithFriction) {
     EXPECT_NE(refusal(reference, {.code = "freefem"}).find("frictionless"), std::string::npos);
 }
 
-TEST(ClosedDeck, SixProblems) {
+TEST(ClosedDeck, AllProblems) {
     for (const char* name : {"patch_test", "wedge", "complete_punch", "rounded_punch_plane",
-                             "pin_in_hole", "receding_layer"}) {
+                             "pin_in_hole", "receding_layer", "nafems_roller", "nafems_punch"}) {
         EXPECT_TRUE(has_closed_deck(name));
         const auto files = write_closed_deck({.code = "calculix", .problem = name});
         EXPECT_EQ(text_of(files, "submission.toml"), "");
@@ -318,6 +318,17 @@ TEST(ClosedDeck, PatchesDoNotMatch) {
         if (p[1] == 500) (input.node_sets.at("UBASE").contains(node) ? upper : lower).insert(p[0]);
     EXPECT_EQ(lower.size(), 5u);
     EXPECT_EQ(upper.size(), 4u);
+}
+
+// 100 MPa on the whole upper face: 785.398 kN. CalculiX has no contact on faces at the axis.
+TEST(ClosedDeck, PunchIsPressedByAPressureAndStandsBesideTheAxis) {
+    const auto files =
+        write_closed_deck({.code = "calculix", .levels = 1, .problem = "nafems_punch"});
+    EXPECT_NE(files.front().text.find("*DSLOAD\nSLOAD, P, 100\n"), std::string::npos);
+    EXPECT_EQ(files.front().text.find("*CLOAD"), std::string::npos);
+    for (const auto& [node, p] : read_input(files.front().text).nodes) EXPECT_GT(p[0], 0) << node;
+    EXPECT_THROW(write_closed_deck({.code = "freefem", .problem = "nafems_punch"}),
+                 contact::InputError);
 }
 
 }  // namespace

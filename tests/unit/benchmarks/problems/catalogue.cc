@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <set>
@@ -75,7 +76,14 @@ TEST(BenchmarkCatalogue, HasTheProblemsOfTheField) {
                              "ball_between_plates",
                              "cylinder_between_plates",
                              "pin_in_hole",
-                             "receding_layer"})
+                             "receding_layer",
+                             "two_hemispheres",
+                             "nafems_roller",
+                             "nafems_punch",
+                             "cattaneo_two_cylinders",
+                             "spence_two_bodies",
+                             "carter_two_cylinders",
+                             "complete_punch_two_bodies"})
         EXPECT_NE(benchmarks::find_problem(name), nullptr) << name;
     EXPECT_EQ(benchmarks::find_problem("layer-pressed"), benchmarks::find_problem("layer_pressed"));
     EXPECT_EQ(benchmarks::find_problem("no_problem"), nullptr);
@@ -232,6 +240,32 @@ TEST(BenchmarkCatalogue, HasTheNumbersOfFiniteBodies) {
     expect_target("cylinder_between_plates", "peak_pressure", 2 * load / (std::numbers::pi * half));
     EXPECT_NEAR(*problem("cylinder_between_plates").make_case().load.indentation,
                 load / (std::numbers::pi * modulus) * (2 * std::log(4 * r / half) - 1), 1e-9);
+}
+
+/// Hertz' half width and peak pressure of a cylinder on a block [m, Pa].
+std::array<double, 2> line_of_hertz(const contact::Case& c) {
+    const double load = *c.load.normal_force / c.indenter.length;
+    const double half = std::sqrt(4 * load * c.indenter.radius /
+                                  (std::numbers::pi * c.materials().effective_modulus()));
+    return {half, 2 * load / (std::numbers::pi * half)};
+}
+
+TEST(BenchmarkCatalogue, HasTheNumbersOfTwoBodies) {
+    for (const char* name : {"nafems_roller", "cattaneo_two_cylinders"}) {
+        const auto [half, peak] = line_of_hertz(problem(name).make_case());
+        expect_target(name, "contact_radius", half);
+        expect_target(name, "peak_pressure", peak);
+    }
+    expect_target("cattaneo_two_cylinders", "stick_ratio", std::sqrt(1 - .5));
+    expect_target("carter_two_cylinders", "creepage_ratio", 1 - std::sqrt(1 - .5));
+    // Spence's numbers are those of a rigid punch on nu = .4: beta = (1 - 2 nu)/(2 (1 - nu)).
+    EXPECT_NEAR(std::abs(problem("spence_two_bodies").make_case().materials().dundurs_beta()),
+                .2 / 1.2, 1e-12);
+    const contact::Case two = problem("two_hemispheres").make_case(),
+                        one = problem("hemisphere").make_case();
+    EXPECT_NEAR(two.indenter.material->young, 2 * 2e6 * 6e6 / (2e6 + 6e6), 1e-6);
+    EXPECT_EQ(*two.load.indentation, *one.load.indentation);
+    expect_target("two_hemispheres", "normal_force", .31530 * 1.5);
 }
 
 }  // namespace

@@ -63,6 +63,21 @@ TEST(FemPlanarPair, TwoEqualHemispheresPressAsOneOnARigidPlane) {
     EXPECT_NEAR(two.peak / one.peak, 1, 1e-6);
 }
 
+// Of one nu both deform in proportion to 1/E, and so as one of 2 E1 E2/(E1 + E2) on a rigid plane.
+TEST(FemPlanarPair, TwoUnlikeHemispheresPressAsOneOfTheirHarmonicMean) {
+    const Mesh mesh = half_disc_section(coarse, 10);
+    const auto upper = body_of(mesh, Solid::of_revolution, {2, .3});
+    const auto lower = body_of(upside_down(mesh), Solid::of_revolution, {6, .3});
+    const Pressed one = press({body_of(mesh, Solid::of_revolution, {3, .3})}, sphere, .1);
+    const ContactGrid grid = grid_between({upper, lower});
+    std::vector<double> height;
+    for (const double r : grid.along) height.push_back(2 * sphere.height(r, 0));
+    const Pressed two = press({upper, lower}, grid, {}, height, {Kind::indentation, .2});
+    EXPECT_NEAR(two.force / one.force, 1, 1e-6);
+    EXPECT_NEAR(two.radius / one.radius, 1, 1e-6);
+    EXPECT_NEAR(two.peak / one.peak, 1, 1e-6);
+}
+
 // Equal bodies do not couple: pressures move points of both alike along the surface.
 TEST(FemPlanarPair, EqualBodiesDoNotCoupleAndUnequalOnesDo) {
     const Mesh mesh = half_disc_section(coarse, 10);

@@ -101,8 +101,9 @@ TEST(FemPlanarNafemsBenchmarks, PunchWithRoundedEdge) {
 }
 
 // A roller of radius 50 on a block of 200 x 200 that is held at its base, under 35 kN/mm. Hertz:
-// half width 6.21, peak 3585.4. Depth of the middle 1.3069 and 1.3080, at large rotations; here,
-// where p0/E = .05 counts as small, 2 % less.
+// half width 6.21, peak 3585.4. Depth of the middle 1.3069 and 1.3080 at large strains, which
+// CalculiX with NLGEOM has too; 1.2806 by FreeFem++ of the block alone under Hertz' pressure, with
+// small ones. The circle's contact is .5 % narrower than the parabola's: .12 %.
 TEST(FemPlanarNafemsBenchmarks, RollerOnABlock) {
     const Sizes sizes{48, 8. / 48, 1.15, 8};
     const std::vector<CondensedSection> bodies{
@@ -117,7 +118,7 @@ TEST(FemPlanarNafemsBenchmarks, RollerOnABlock) {
         press(bodies, grid, options, height, {contact::NormalControl::Kind::force, 35000});
     const double depth = depth_in_the_middle(bodies[1], grid.transfer[1], pressed.pressure,
                                              std::vector<double>(grid.size(), 0));
-    EXPECT_NEAR(depth / 1.3080, 1, .03);
+    EXPECT_NEAR(depth / (1.2806 * 1.0012), 1, 1.5e-3);
     EXPECT_NEAR(pressed.radius / 6.21, 1, 6e-3);
     EXPECT_NEAR(pressed.peak / 3585.37, 1, 6e-3);
 }
