@@ -153,8 +153,7 @@ void set_round_body(DeckModel& model, const contact::Case& c) {
     if (!is_round || body.support == Body::Support::hub)
         refuse("bodies of decks are hemispheres, balls and cylinders between plates",
                "take one of these, or compare results of an input of your own");
-    const bool has_friction = model.mu > 0 && c.has_rigid_substrate;
-    if (model.shape == DeckModel::Shape::half || has_friction)
+    if (model.shape == DeckModel::Shape::half || model.mu > 0)
         refuse("bodies of finite size are pressed without friction, along their axis",
                "remove the tangential load, and set contact.coupling = false");
     const double radius = c.indenter.radius * to_mm, young = c.indenter.material->young * to_mpa,
