@@ -180,7 +180,7 @@ void refer_section_with_friction(Reference& reference, double radius, const std:
     const Case& c = reference.c;
     std::vector<EndState> levels = section_levels(c, radius, model, runner, elements_with_friction);
     // The last record is that of the tangential load, of 0, under which all that touches sticks.
-    if (is_pressed_only(c))
+    if (c.is_pressed_only())
         for (EndState& level : levels) level.history.steps.pop_back();
     reference.models = {model};
     reference.values = values_of_levels(c, levels, model);
@@ -204,7 +204,7 @@ void refer_section(Reference& reference, const contact::ModelRunner& runner) {
             "reference: bodies of a finite size are assumed to lie on a flat substrate; compare "
             "with the problem pin_in_hole, or take a run of fem-plane as the reference");
     const bool is_plane = c.is_line_contact();
-    if (!is_frictionless(c) && (rolls_or_follows_a_path(c) || !(is_plane || is_pressed_only(c))))
+    if (!is_frictionless(c) && (rolls_or_follows_a_path(c) || !(is_plane || c.is_pressed_only())))
         throw contact::InputError(
             "reference: bodies of a finite size are assumed to be pressed, and with friction to be "
             "pulled once in plane strain; remove path and rolling, or take a run of fem-plane as "
