@@ -24,12 +24,12 @@ for name, value in {"stick_centre_m": e, "trailing_stress_Pa": edge, "pressure_o
 if not 0 < found["yield_factor"] < 5:
     sys.exit(f"yield_factor: {found['yield_factor']}")
 PYTHON
-grep -q 'Strength at F_N = 2.000 kN' out/report.html || complain "no finding on strength"
+grep -q 'Strength at <i>F</i><sub>N</sub> = 2.000 kN' out/report.html || complain "no finding on strength"
 grep -q 'at the trailing edge' out/report.html || complain "no finding on the edge"
 
 # A sphere without friction force: p0 = 1.613 Y (Johnson 1985, section 3.4: 1.60), F_N ~ p0^3.
 "$program" run "$source_dir/examples/cases/rig_sphere_parallel.toml" --models mdr --quiet --no-studies --no-report \
-    --output ball --set substrate.poisson=0.3 --set load.tangential_ratio=0 --set 'substrate.yield_stress="1 MPa"' \
+    --output ball --set contact.coupling=false --set substrate.poisson=0.3 --set load.tangential_ratio=0 --set 'substrate.yield_stress="1 MPa"' \
     >ball.txt 2>&1 || complain "$(cat ball.txt)"
 "$python" - ball/summary.json <<'PYTHON' || complain "$(cat ball/summary.json)"
 import json, sys

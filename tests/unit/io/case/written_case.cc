@@ -58,6 +58,7 @@ normal_amplitude_ratio = 0.0
 normal_phase = "0 rad"
 tangential_amplitude_ratio = 0.0
 tangential_phase = "0 rad"
+bulk_stress = "0 Pa"
 press = "friction"
 press_steps = 20
 
