@@ -150,6 +150,11 @@ void check_covered(const io::RigFile& file) {
         io::refuse(document, c.has_hole() ? "substrate.shape" : "indenter.shape",
                    "the formulas of rigs are those of round indenters on flat substrates",
                    "take one; tricontact run computes holes and punches");
+    if (!c.layer.thickness && c.has_rigid_substrate)
+        io::refuse(document, "substrate.rigid",
+                   "the formulas of rigs are those of an elastic substrate",
+                   "let the indenter be rigid instead: omit indenter.young, and give its modulus "
+                   "to the substrate");
     if (!c.friction.is_coulomb()) {
         const contact::HalfSpaceScales hertz = contact::half_space_scales(c);
         c.require_coulomb("the check of rigs",

@@ -112,7 +112,7 @@ unaffected = [
      "friction falling with the way of slip|layer of the interface that yields",
      "coefficients of the relaxed layer for cells of one size, whatever presses on how many of them"),
     ("limit", "load by its limit", "the limit is what is looked for"),
-    ("contact export bem|limit|fit|predict|predict on a layer|experiment|refine bem|atlas|identify", "yield stresses",
+    ("contact export bem|limit|fit|experiment|refine bem|atlas", "yield stresses",
      "strength is judged beside elastic results, which it does not change"),
     ("fit|atlas", "load by its limit", "the study varies the load"),
     ("atlas", "load that alternates about zero", "as above"),
