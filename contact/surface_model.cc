@@ -22,6 +22,13 @@ struct StepSlip {
     const TangentialField& slip;
 };
 
+/// Pressed without friction: what its points carry is not what they could, had they to.
+bool slid_freely(const ContactSolution& s) {
+    const auto is_positive = [](double x) { return x > 0; };
+    return s.normal && std::ranges::any_of(s.normal->pressure, is_positive) &&
+           std::ranges::none_of(s.bound, is_positive);
+}
+
 /// Frictional work per area [J/m^2] of a step whose loads change in proportion: a point slips under
 /// the mean of its bounds where slip begins and at the end, F_N's change being of the second order
 /// then. What has passed of the step when slip begins is what the surface moves along, over all
@@ -112,7 +119,7 @@ StepRecord SurfaceModel::roll(const LoadStep& step, double rotation) {
 StepRecord SurfaceModel::take(const LoadStep& step, const StepStart& before) {
     if (points().mirrored && (step.tangential[1].value != 0 || step.rotation != 0))
         throw std::logic_error(name_ + ": half of a contact takes no load across its symmetry");
-    const bool between = step.in_proportion && !friction_->remembers();
+    const bool between = step.in_proportion && !friction_->remembers() && !slid_freely(now());
     const std::vector<double> bound_before = between ? now().bound : std::vector<double>();
     phase_ = step.recurs ? step.phase : 0;
     rotation_ += before.rotation;
