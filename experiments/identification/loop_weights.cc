@@ -19,9 +19,27 @@ constexpr double largest_leverage = .9;
 // Of the variance of all rows: what the sensor of force has at least.
 constexpr double least_share = 1e-3;
 
-/// Squares of residuals, as independent errors would have them without a fit, and of slopes.
+/// Squares of residuals, as independent errors would have them without a fit, and of slopes; the
+/// rows' series.
 struct RowSquares {
     std::vector<double> residuals, slopes;
+    std::vector<std::size_t> series;
+
+    /// Of one series.
+    RowSquares of(std::size_t which) const {
+        RowSquares part;
+        for (std::size_t i = 0; i < series.size(); ++i) {
+            if (series[i] != which) continue;
+            part.residuals.push_back(residuals[i]);
+            part.slopes.push_back(slopes[i]);
+        }
+        return part;
+    }
+};
+
+/// Variances of errors of the force [N^2] and of the shift [m^2].
+struct Variances {
+    double force = 0, shift = 0;
 };
 
 RowSquares squares_of(const Table& table, const IdentifiedRig& rig) {
@@ -41,14 +59,14 @@ RowSquares squares_of(const Table& table, const IdentifiedRig& rig) {
             all.residuals.push_back(residual * residual /
                                     (1 - std::clamp(leverage, 0., largest_leverage)));
             all.slopes.push_back(fit.slopes[1][i] * fit.slopes[1][i]);
+            all.series.push_back(table.loops.loops[loop].series);
         }
     }
     return all;
 }
 
-/// Errors of the rows over that of the force: variances a + b (dF/dU)^2 by weighted least squares
-/// of the squares, whose scatter goes with themselves.
-std::vector<double> relative_errors(const RowSquares& squares) {
+/// By weighted least squares of the squares as a + b (dF/dU)^2, whose scatter goes with themselves.
+Variances variances_of(const RowSquares& squares) {
     const std::size_t n = squares.residuals.size();
     double mean = 0;
     for (const double square : squares.residuals) mean += square / static_cast<double>(n);
@@ -67,8 +85,20 @@ std::vector<double> relative_errors(const RowSquares& squares) {
         b = determinant > 0 ? std::max(0., (w * sr - s * r) / determinant) : 0;
         a = b > 0 ? std::max(least_share * mean, (r - b * s) / w) : r / w;
     }
+    return {a, b};
+}
+
+/// Errors of the rows over that of the first series' force. Each series has variances of its own:
+/// sensors are set to what they measure.
+std::vector<double> relative_errors(const RowSquares& squares, std::size_t n_series) {
+    std::vector<Variances> of_series;
+    for (std::size_t s = 0; s < n_series; ++s) of_series.push_back(variances_of(squares.of(s)));
     std::vector<double> errors;
-    for (const double slope : squares.slopes) errors.push_back(std::sqrt(1 + b / a * slope));
+    for (std::size_t i = 0; i < squares.slopes.size(); ++i) {
+        const Variances& own = of_series[squares.series[i]];
+        errors.push_back(
+            std::sqrt((own.force + own.shift * squares.slopes[i]) / of_series[0].force));
+    }
     return errors;
 }
 
@@ -85,7 +115,7 @@ void weigh_loop_rows(IdentificationInput& input, const contact::ModelRunner& run
         for (Table& table : input.tables) {
             const RowSquares squares = squares_of(table, rig);
             if (table.standard_errors.empty())
-                table.loops.relative_errors = relative_errors(squares);
+                table.loops.relative_errors = relative_errors(squares, table.loops.n_series());
             else if (!table.loops.shift_errors.empty())
                 for (std::size_t i = 0; i < table.standard_errors.size(); ++i)
                     table.standard_errors[i] =
