@@ -57,7 +57,7 @@ refused "the exact theory covers one layer" deviation "$source_dir/examples/case
 refused "substrate.relaxation: deviations are those of an elastic layer" deviation \
     "$source_dir/examples/cases/rig_sphere_layer_relaxing.toml"
 refused "w = W/a is at least 1" deviation "$rig" --set rolling.amplitude_ratio=1.5
-refused "path_twist.toml: [path]: layer and half-space are compared under constant loads" deviation \
+refused "path_twist.toml: [path] or an amplitude in [load]: layer and half-space are compared under constant loads" deviation \
     "$source_dir/examples/cases/path_twist.toml"
 refused "the file cannot be read" deviation missing.toml
 
