@@ -57,34 +57,24 @@ std::optional<Verdict> not_identifiable(const IdentifiedModel& model, std::size_
                                p.shown(is_open_below ? high : low), remedy_for(p))};
 }
 
-/// A spring in series of any stiffness above a bound is as likely.
-std::optional<Verdict> rigid_rig_as_likely(const IdentifiedModel& model, std::size_t k) {
+/// Springs of any stiffness above a bound are as likely, up to what is rigid.
+std::optional<Verdict> rigid_as_likely(const IdentifiedModel& model, std::size_t k,
+                                       const char* rigid, const char* remedy) {
     const FreeParameter& p = model.found.free[k];
     const Interval interval = model.found.parameters[k].likelihood;
     if (std::isfinite(interval.high)) return {};
     return Verdict{
         not_resolved,
         fmt::format(
-            "{}: {} is not identifiable: {} and a rigid rig are as likely. It is in series "
-            "with the contact: measure at several loads and in gross slip, or state E.",
-            model.name, p.symbol,
-            interval.low <= p.low ? "all values" : "all values above " + p.shown(interval.low))};
+            "{}: {} is not identifiable: {} and {} are as likely. {}", model.name, p.symbol,
+            interval.low <= p.low ? "all values" : "all values above " + p.shown(interval.low),
+            rigid, remedy)};
 }
 
-/// Springs of any stiffness above a bound are as likely.
-std::optional<Verdict> rigid_as_likely(const IdentifiedModel& model, std::size_t k) {
-    const FreeParameter& p = model.found.free[k];
-    const Interval interval = model.found.parameters[k].likelihood;
-    if (std::isfinite(interval.high)) return {};
-    return Verdict{
-        not_resolved,
-        fmt::format(
-            "{}: {} is not identifiable: {} and a rigid interface are as "
-            "likely. Measure at smaller loads, where springs matter most, or "
-            "with smaller errors.",
-            model.name, p.symbol,
-            interval.low <= p.low ? "all values" : "all values above " + p.shown(interval.low))};
-}
+constexpr const char* remedy_for_rig =
+    "It is in series with the contact: measure at several loads and in gross slip, or state E.";
+constexpr const char* remedy_for_interface =
+    "Measure at smaller loads, where springs matter most, or with smaller errors.";
 
 }  // namespace
 
@@ -103,12 +93,13 @@ std::vector<Verdict> identifiability_verdicts(const IdentifiedModel& model) {
                                        ": mu is not identifiable: all larger values are as likely. "
                                        "Measure at larger forces, closer to sliding."});
         } else if (model.found.free[k].key == rig_stiffness_key) {
-            if (auto verdict = rigid_rig_as_likely(model, k))
+            if (auto verdict = rigid_as_likely(model, k, "a rigid rig", remedy_for_rig))
                 verdicts.push_back(std::move(*verdict));
         } else if (model.found.free[k].key == drift_key) {
             continue;  // loops' verdicts say what is known of it
         } else if (is_stiffness(model.found.free[k].key)) {
-            if (auto verdict = rigid_as_likely(model, k)) verdicts.push_back(std::move(*verdict));
+            if (auto verdict = rigid_as_likely(model, k, "a rigid interface", remedy_for_interface))
+                verdicts.push_back(std::move(*verdict));
         } else if (!is_named[k]) {
             if (auto verdict = not_identifiable(model, k)) verdicts.push_back(std::move(*verdict));
         }
