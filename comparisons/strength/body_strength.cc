@@ -131,8 +131,7 @@ Key key_of(const Case& c, const ContactLoads& loads) {
 ContactLoads largest_loads(const Case& c, const contact::History& history) {
     ContactLoads loads;
     for (const StepRecord& step : history.steps)
-        enlarge(loads,
-                {step.normal_force, step.tangential_force[0], c.bulk_stress_at(step.phase)});
+        enlarge(loads, {step.normal_force, step.tangential_force[0], c.bulk_stress_at(step.phase)});
     // What the balance of forces leaves is none.
     if (std::abs(loads.tangential_force) < no_force * loads.normal_force)
         loads.tangential_force = 0;
@@ -154,8 +153,7 @@ std::optional<ContactLoads> prescribed_loads(const Case& c, double tangential_ra
             if (along.kind != contact::TangentialControl::Kind::force) return {};
             const bool by_force = step.normal.kind == contact::NormalControl::Kind::force;
             if (!by_force) depth = std::max(depth, step.normal.value);
-            enlarge(loads,
-                    {by_force ? step.normal.value : 0, along.value, step.bulk.stress[0]});
+            enlarge(loads, {by_force ? step.normal.value : 0, along.value, step.bulk.stress[0]});
         }
     if (depth > 0) {
         known.load.normal_force.reset();
