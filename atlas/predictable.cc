@@ -29,6 +29,7 @@ std::string what_is_not_mapped(const Case& c) {
     if (!law) return "laws of friction other than Coulomb's and a shear strength alone";
     if (c.interface.is_elastic()) return "interfaces with springs";
     if (c.has_bulk_stress()) return "bulk stresses";
+    if (c.adhesion) return "surfaces that attract each other";
     if (!law->is_coulomb())
         return c.is_line_contact() ? "line contacts under a shear strength" : "";
     if (c.friction_coefficient() <= 0) return "contacts without friction";
