@@ -6,6 +6,7 @@
 
 #include "contact/case.h"
 #include "contact/model.h"
+#include "contact/models/model_kind.h"
 #include "mdr/disc_springs.h"
 #include "mdr/line_surface.h"
 #include "theory/adhesive/adhesive_curve.h"
