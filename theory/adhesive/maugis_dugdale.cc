@@ -55,13 +55,26 @@ MaugisContact maugis_pull_off(double lambda) {
                           boost::math::tools::brent_find_minima(force, least, most, 30).first);
 }
 
-MaugisContact maugis_contact_under(double lambda, double force) {
+namespace {
+
+/// A >= that of pull-off at which one of the controls, which grow with A there, is `value`.
+MaugisContact beyond_pull_off(double lambda, double MaugisContact::*control, double value) {
     const MaugisContact pulled = maugis_pull_off(lambda);
-    if (force < pulled.force) throw std::domain_error("maugis_contact_under: pulled off");
-    const auto excess = [&](double a) { return maugis_contact(lambda, a).force - force; };
+    if (value < pulled.*control) throw std::domain_error("maugis_contact: pulled off");
+    const auto excess = [&](double a) { return maugis_contact(lambda, a).*control - value; };
     double high = 2 * pulled.radius + 1;
     while (excess(high) < 0) high *= 2;
     return maugis_contact(lambda, contact::bracketed_root(excess, pulled.radius, high));
+}
+
+}  // namespace
+
+MaugisContact maugis_contact_under(double lambda, double force) {
+    return beyond_pull_off(lambda, &MaugisContact::force, force);
+}
+
+MaugisContact maugis_contact_at(double lambda, double indentation) {
+    return beyond_pull_off(lambda, &MaugisContact::indentation, indentation);
 }
 
 }  // namespace tricontact::theory

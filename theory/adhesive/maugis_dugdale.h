@@ -26,5 +26,7 @@ MaugisContact maugis_pull_off(double lambda);
 /// On the branch that is stable under force, A >= that of pull-off, under P. Throws
 /// std::domain_error where it pulls off.
 MaugisContact maugis_contact_under(double lambda, double force);
+/// On the same branch at D >= that of pull-off; likewise.
+MaugisContact maugis_contact_at(double lambda, double indentation);
 
 }  // namespace tricontact::theory
