@@ -99,4 +99,23 @@ std::vector<report::Figure> force_curve_figures(const Case& c,
     return {std::move(curve), std::move(radii)};
 }
 
+report::DocumentTable jump_table(const std::vector<History>& histories) {
+    report::DocumentTable table{
+        .id = "jumps",
+        .title = "Jumps",
+        .note =
+            "At the end of the step with the jump. E: energy that is lost in it; what the "
+            "force works along a path that returns is the sum of all.",
+        .columns = {
+            {"model"}, {"row of the path"}, {"d [µm]"}, {"F_N [mN]"}, {"a [µm]"}, {"E [nJ]"}}};
+    for (const History& history : histories)
+        for (const StepRecord& step : history.steps) {
+            if (!(step.released_energy > 0)) continue;
+            table.rows.push_back({report::display_name(history.model), step.phase,
+                                  step.indentation / 1e-6, step.normal_force / 1e-3,
+                                  radius_of(step) / 1e-6, step.released_energy / 1e-9});
+        }
+    return table;
+}
+
 }  // namespace tricontact::comparisons

@@ -4,6 +4,7 @@
 
 #include "contact/case.h"
 #include "contact/history.h"
+#include "report/document.h"
 #include "report/figure.h"
 
 namespace tricontact::comparisons {
@@ -13,5 +14,8 @@ namespace tricontact::comparisons {
 /// holds. None of other cases.
 std::vector<report::Figure> force_curve_figures(const contact::Case& c,
                                                 const std::vector<contact::History>& histories);
+
+/// The steps in which contact jumped, and what each lost.
+report::DocumentTable jump_table(const std::vector<contact::History>& histories);
 
 }  // namespace tricontact::comparisons

@@ -58,8 +58,8 @@ Figures make_figures(const contact::Case& c, const Histories& histories,
             figures.push_back(std::move(figure));
     add(dissipation_figures, histories);
     const Histories on_grid = on_grids(histories);
-    add(traction_figures, on_grid);
-    if (c.is_line_contact()) {  // nothing varies along y
+    if (!c.adhesion) add(traction_figures, on_grid);  // over mu p, which tension has not
+    if (c.is_line_contact()) {                        // nothing varies along y
         add(line_contact_figures, on_grid);
     } else {
         add(zone_figures, on_grid);
