@@ -6,6 +6,7 @@
 
 #include "comparisons/adhesion/adhesion_forms.h"
 #include "report/format.h"
+#include "report/plot_style.h"
 #include "theory/adhesive/adhesive_curve.h"
 
 namespace tricontact::comparisons {
