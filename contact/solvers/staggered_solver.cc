@@ -31,7 +31,7 @@
 //
 // The parts of the class: staggered_starts.cc (starts of a period), staggered_focus.cc (points that
 // may touch), staggered_growth.cc (points that meet within a step), staggered_memory.cc (friction
-// that remembers how far points have slipped).
+// that remembers how far points have slipped), staggered_adhesion.cc (surfaces that attract).
 
 namespace tricontact::contact {
 
@@ -95,7 +95,9 @@ void StaggeredSolver::solve(const LoadStep& step, const StepStart& before) {
     now_.may_differ = false;
     coupling_.place(step.offset);
     if (substrate_.begin(step.duration, before.traction, before.displacement)) make_solvers();
-    if (coupling_.is_decoupled())
+    if (adhesive_)
+        solve_adhesive(step);
+    else if (coupling_.is_decoupled())
         solve_uncoupled(step, before);
     else
         solve_coupled(step, before);

@@ -62,7 +62,7 @@ void StaggeredSolver::recall_start(double phase) {
 }
 
 void StaggeredSolver::keep_start(double phase) {
-    if (coupling_.is_decoupled() && !substrate_.relaxes()) return;
+    if (adhesive_ || (coupling_.is_decoupled() && !substrate_.relaxes())) return;
     const std::size_t bytes = 4 * sizeof(double) * points().size();
     const long key = key_of_phase(phase);
     if (coupling_.is_decoupled()) keep_pressure_change(key);
@@ -74,7 +74,7 @@ void StaggeredSolver::keep_start(double phase) {
 void StaggeredSolver::resume(ContactSolution solution, double phase) {
     now_ = std::move(solution);
     // What a run that was not interrupted would know, so that it goes on by the same numbers.
-    if (coupling_.is_decoupled()) keep_normal();
+    if (coupling_.is_decoupled() && !adhesive_) keep_normal();
     coupling_.place(now_.offset);
     find_highest();
     keep_start(phase);
