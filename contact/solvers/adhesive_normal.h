@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "contact/solvers/attraction.h"
+#include "contact/attraction/attraction.h"
 #include "contact/solvers/contact_share.h"
 #include "contact/solvers/normal_solver.h"
 

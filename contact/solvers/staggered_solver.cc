@@ -31,7 +31,7 @@
 //
 // The parts of the class: staggered_starts.cc (starts of a period), staggered_focus.cc (points that
 // may touch), staggered_growth.cc (points that meet within a step), staggered_memory.cc (friction
-// that remembers how far points have slipped), staggered_adhesion.cc (surfaces that attract).
+// that remembers how far points have slipped).
 
 namespace tricontact::contact {
 

@@ -7,10 +7,10 @@
 #include <string>
 #include <tuple>
 
-#include "contact/solvers/adhesive_normal.h"
 #include "contact/compliances/blocks.h"
 #include "contact/compliances/focused_compliance.h"
 #include "contact/friction/friction_law.h"
+#include "contact/solvers/adhesive_normal.h"
 #include "contact/solvers/contact_share.h"
 #include "contact/solvers/coupling.h"
 #include "contact/solvers/edge_chatter.h"

@@ -1,4 +1,5 @@
-// What a staggered solver keeps of its solutions, and where it starts from.
+// What a staggered solver keeps of its solutions, and where it starts from; surfaces that attract
+// each other, which always start from their last state.
 
 #include <algorithm>
 #include <cmath>
@@ -78,6 +79,18 @@ void StaggeredSolver::resume(ContactSolution solution, double phase) {
     coupling_.place(now_.offset);
     find_highest();
     keep_start(phase);
+}
+
+void StaggeredSolver::attract(const Attraction& attraction) {
+    adhesive_.emplace(name_, compliance(), attraction, tolerance_);
+    release();
+}
+
+/// From the last state on: another way to the same load may lead to another state.
+void StaggeredSolver::solve_adhesive(const LoadStep& step) {
+    now_.normal = std::make_shared<const NormalSolution>(
+        adhesive_->follow(update_height(), step.normal, *now_.normal));
+    now_.normal_iterations = now_.normal->iterations;
 }
 
 }  // namespace tricontact::contact

@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "contact/solvers/attraction.h"
+#include "contact/attraction/attraction.h"
 
 namespace tricontact::contact {
 

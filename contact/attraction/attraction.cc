@@ -1,4 +1,4 @@
-#include "contact/solvers/attraction.h"
+#include "contact/attraction/attraction.h"
 
 #include <fmt/format.h>
 
