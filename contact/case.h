@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "contact/adhesion.h"
+#include "contact/attraction/adhesion.h"
 #include "contact/base/bulk_state.h"
 #include "contact/base/typed_values.h"
 #include "contact/bodies/indenter.h"

@@ -2,6 +2,8 @@
 
 #include <optional>
 
+#include "contact/attraction/attraction.h"
+
 namespace tricontact::contact {
 
 /// Surfaces that attract each other: a tension sigma(g) over the gap g, whose integral is the work
@@ -18,6 +20,7 @@ struct Adhesion {
 
     /// The length in the law [m]; 0: short-ranged.
     double distance() const { return peak_stress ? work / *peak_stress : range.value_or(0); }
+    AttractionLaw attraction() const { return {work, distance(), law == Law::exponential}; }
     bool is_short_ranged() const { return distance() == 0; }
     /// sigma_0 [Pa] of a range above 0.
     double strength() const { return peak_stress ? *peak_stress : work / *range; }
