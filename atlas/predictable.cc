@@ -1,6 +1,7 @@
 #include "atlas/predictable.h"
 
 #include "atlas/prediction.h"
+#include "comparisons/adhesion/adhesion_forms.h"
 #include "comparisons/quantities/reference.h"
 #include "contact/base/error.h"
 #include "contact/models/model_kind.h"
@@ -29,6 +30,7 @@ std::string what_is_not_mapped(const Case& c) {
     if (!law) return "laws of friction other than Coulomb's and a shear strength alone";
     if (c.interface.is_elastic()) return "interfaces with springs";
     if (c.has_bulk_stress()) return "bulk stresses";
+    if (c.adhesion) return "surfaces that attract each other";
     if (!law->is_coulomb())
         return c.is_line_contact() ? "line contacts under a shear strength" : "";
     if (c.friction_coefficient() <= 0) return "contacts without friction";
@@ -51,9 +53,15 @@ std::string what_layer_is_not_mapped(const Case& c) {
     return "";
 }
 
+/// Surfaces that attract each other are no atlas' matter, but theory's.
+bool is_predicted_adhesion(const Case& c) {
+    return comparisons::adhesive_forms(c).has_value();
+}
+
 }  // namespace
 
 std::string what_is_not_mapped(const Case& c, const std::string& model) {
+    if (contact::model_kind(model).is_independent() && is_predicted_adhesion(c)) return "";
     if (const std::string what = what_is_not_mapped(c); !what.empty()) return what;
     const contact::ModelKind& kind = contact::model_kind(model);
     if (!kind.has_maps()) return "what " + model + " computes";
@@ -66,6 +74,7 @@ std::string what_is_not_mapped(const Case& c, const std::string& model) {
 }
 
 std::vector<std::string> predictable_models(const Case& c) {
+    if (is_predicted_adhesion(c)) return {contact::models::mdr};
     std::vector<std::string> models;
     // A half-space instead of a layer has to be asked for.
     std::string what = c.layer.thickness ? what_is_not_mapped(c, contact::models::bem_layer) : "";

@@ -13,6 +13,7 @@
 #include "contact/base/memory.h"
 #include "contact/load_path.h"
 #include "contact/models/model_kind.h"
+#include "contact/solvers/adhesive_normal.h"
 #include "contact/solvers/contact_region.h"
 #include "contact/solvers/normal_solver.h"
 #include "contact/surface_model.h"
@@ -95,6 +96,17 @@ bool holds_with_friction(const contact::Compliance& compliance, const contact::C
     return true;
 }
 
+/// Under the hardest press, from which on the zone of tension shrinks.
+bool holds_tension(const contact::Compliance& compliance, const contact::Case& c,
+                   const std::vector<double>& height, const contact::NormalControl& hardest) {
+    const contact::ContactPoints& points = compliance.points();
+    const auto attraction =
+        attraction_on(points, c.adhesion->attraction(), c.materials().effective_modulus());
+    const contact::AdhesiveNormal solver(contact::models::bem, compliance, attraction,
+                                         probe_tolerance);
+    return !reaches_edge(points, solver.settle(height, hardest, {}).tension);
+}
+
 constexpr double number_bytes = sizeof(double);
 
 // Numbers of all that a GridCompliance makes, at the making of its last symbol: rows and spectra of
@@ -127,6 +139,7 @@ bool covers(const contact::Compliance& compliance, const contact::Case& c,
     if (c.indenter.roughness && !is_clear_of_edge(compliance.points(), height, probe.indentation))
         return false;
     if (reaches_edge(compliance.points(), probe.pressure)) return false;
+    if (c.adhesion && !holds_tension(compliance, c, height, hardest)) return false;
     return !with_friction || !friction_moves_it(compliance, c) ||
            holds_with_friction(compliance, c, indenter, extent, hardest, probe.force);
 }

@@ -290,6 +290,7 @@ std::unique_ptr<contact::Model> make_model(const contact::Case& c, int n_threads
         body == Body::layer ? contact::models::bem_layer : contact::models::bem,
         *make_substrate(c, n_threads, body, 0, is_mirrored(c)), c.make_indenter(), c.friction.law(),
         c.of<Settings>().tolerance, c.contact);
+    if (c.adhesion) model->attract(c.adhesion->attraction(), c.materials().effective_modulus());
     model->set_larger_grid([=, aside = 0.](const contact::ContactAtEdge& reached) mutable {
         aside = more_room(aside, reached);
         return make_substrate(c, n_threads, body, aside, is_mirrored(c));

@@ -63,6 +63,12 @@ void Case::require_no_bulk_stress(const std::string& what) const {
             what + " presume a substrate that the contact alone loads; omit it");
 }
 
+void Case::require_no_adhesion(const std::string& what) const {
+    if (adhesion)
+        throw InputError("adhesion.work: " + what +
+                         " presume surfaces that do not attract each other; leave out [adhesion]");
+}
+
 double Case::Layer::total_thickness() const {
     double sum = *thickness;
     for (const Lower& one : lower) sum += one.thickness;
@@ -90,7 +96,7 @@ bool Case::is_pressed_only() const {
 
 bool is_coulomb_round(const Case& c) {
     return is_hertz_round(c) && c.friction.is_coulomb() && !c.interface.is_elastic() &&
-           !c.has_bulk_stress();
+           !c.has_bulk_stress() && !c.adhesion;
 }
 
 bool has_conical_tip(const Case& c) {

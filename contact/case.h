@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "contact/attraction/adhesion.h"
 #include "contact/base/bulk_state.h"
 #include "contact/base/typed_values.h"
 #include "contact/bodies/indenter.h"
@@ -146,6 +147,7 @@ struct Case {
     YieldStresses yield_stress;
     Friction friction;
     Interface interface;
+    std::optional<Adhesion> adhesion;  ///< empty: surfaces that do not attract each other
     Contact contact;
     Load load;
     std::optional<Rolling> rolling;                   ///< empty: static loading only
@@ -188,6 +190,9 @@ struct Case {
     /// For what presumes a substrate that the contact alone loads, `what` its name. Throws
     /// InputError if load or path has a bulk stress.
     void require_no_bulk_stress(const std::string& what) const;
+    /// For what presumes surfaces that do not attract each other, `what` its name. Throws
+    /// InputError if those of the case do.
+    void require_no_adhesion(const std::string& what) const;
     /// For what presumes Coulomb's law, tau = mu p, and is no run of a model: `what` ("a
     /// deviation"), `place` of messages, `instead` what else could be done, if anything. Throws
     /// InputError if friction follows another law.

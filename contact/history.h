@@ -64,7 +64,8 @@ struct StepRecord {
     double material_dissipation = 0;  ///< by the relaxing substrate, in this step [J]
     double stored_energy = 0;         ///< elastic, at the end of the step [J]
     /// Where friction remembers the way of slip: what tractions worked along it beyond what
-    /// friction took, set free in a jump [J]; and whether another state has the same loads.
+    /// friction took, set free in a jump [J]; and whether another state has the same loads. Of
+    /// surfaces that attract each other what is lost as contact jumps in or lets go, likewise.
     double released_energy = 0;
     int may_differ = 0;  ///< 1: it has, or none is known not to
     double contact_area = 0, stick_area = 0, slip_area = 0, open_area = 0;  ///< [m^2]
@@ -83,6 +84,15 @@ struct Scales {
     double peak_pressure = 0;   ///< p0 [Pa]
     double unit_shift = 0;  ///< U_max [m]: u_x at the contact centre under sliding friction along x
     double sliding_force = 0;  ///< what friction carries in all [N]
+};
+
+/// Of surfaces that attract each other, without friction: where a contact that is pulled slowly
+/// lets go.
+struct PullOff {
+    double force = 0;             ///< the largest tension that it holds [N]
+    double radius = 0;            ///< a under that force [m]
+    double indentation = 0;       ///< d likewise [m], negative: below the height of first touch
+    double last_indentation = 0;  ///< d at which it lets go where the depth is prescribed [m]
 };
 
 /// What becomes of a contact that rolls back and forth for ever. Shakedown: everything sticks in
@@ -127,6 +137,7 @@ struct History {
     Verdict verdict;
     double limit_tangential_ratio = 0;  ///< (1/F_N) ∫ min over the path of p dA, F_N the mean
     std::vector<Snapshot> snapshots;
+    std::optional<PullOff> pull_off;       ///< where the model found it
     std::optional<Subsurface> subsurface;  ///< of the last inside that was written
     Audit audit;
     double cpu_s = 0, wall_s = 0;

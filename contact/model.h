@@ -34,6 +34,8 @@ class Model {
     virtual void start_period() {}
     /// Scales of the present normal state.
     virtual Scales scales() const = 0;
+    /// Of surfaces that attract each other; empty: not known.
+    virtual std::optional<PullOff> pull_off() const { return {}; }
     /// Fields of the present state.
     virtual Surface surface() const = 0;
     /// What every point did in the last step, also where `surface` is thinned out.

@@ -12,13 +12,13 @@ namespace tricontact::contact {
 /// Loads and motions of the indenter, row by row; from one row to the next all change linearly, in
 /// equal steps. The kinds of control are the same in all rows. The contact starts unloaded: the
 /// first row is reached from no load at its own offset, all else in proportion, or is itself
-/// without load.
+/// without load: a force or depth of 0, or a depth before the bodies touch.
 struct PrescribedPath {
     struct Row {
         double time = 0;      ///< [s]; 0 throughout where no time is prescribed
         Vector2 offset{};     ///< of the indenter's lowest point over the substrate, by rolling [m]
         double rotation = 0;  ///< twist of the indenter about `centre`, from x towards y [rad]
-        NormalControl normal;                         ///< positive but for the first row's
+        NormalControl normal;  ///< positive but for the first row's, and under adhesion
         std::array<TangentialControl, 2> tangential;  ///< x, y: forces or shifts
         double bulk_stress = 0;  ///< XX in all of the substrate, tension positive [Pa]
         int steps = 1;           ///< from the row before
@@ -26,7 +26,7 @@ struct PrescribedPath {
     std::vector<Row> rows;  ///< two or more
     CentreOfRotation centre = {};
 
-    bool starts_unloaded() const { return rows.front().normal.value == 0; }
+    bool starts_unloaded() const { return rows.front().normal.value <= 0; }
     /// Whether anything but pressing happens on the way to the first row.
     bool loads_first_row() const;
     /// The hardest normal control of all rows: what grids and scales are made for.

@@ -303,6 +303,7 @@ class Run {
 
     void finish() {
         history_.limit_tangential_ratio = limit_force_ratio_ * model_.limit_tangential_ratio();
+        history_.pull_off = model_.pull_off();
         history_.snapshots = snapshots_.take();
         history_.audit = model_.audit();
     }

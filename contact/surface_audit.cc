@@ -142,7 +142,7 @@ StepRecord SurfaceModel::record(const LoadStep& step) const {
     r.slip_area = areas[2];
     r.material_dissipation = material_dissipation_;
     r.stored_energy = energy_;
-    r.released_energy = released_;
+    r.released_energy = released_ + now().normal->released;
     r.may_differ = now().may_differ;
     r.contact_area = r.stick_area + r.slip_area;
     r.normal_iterations = now().normal_iterations;
@@ -151,14 +151,44 @@ StepRecord SurfaceModel::record(const LoadStep& step) const {
     r.tangential_residual = now().tangential.residual;
     r.force_residual = now().tangential.force_residual;
     if (step.normal.kind == NormalControl::Kind::force)
-        r.force_residual = std::max(
-            r.force_residual, std::abs(r.normal_force - step.normal.value) / step.normal.value);
+        r.force_residual = std::max(r.force_residual, std::abs(r.normal_force - step.normal.value) /
+                                                          (step.normal.value + twice_the_pull()));
     return r;
+}
+
+/// What errors of the force are compared with beside it, twice what the tension pulls [N]: forces
+/// may vanish and still be those of a contact.
+double SurfaceModel::twice_the_pull() const {
+    const auto &s = now().normal->tension, &area = points().area;
+    double pull = 0;
+    for (std::size_t i = 0; i < s.size(); ++i) pull += 2 * area[i] * s[i];
+    return pull;
+}
+
+/// Tension by the law of the gap (or touch), no more of it than sigma_0, the force.
+void SurfaceModel::audit_attracted(const LoadStep& step) {
+    const NormalSolution& s = *now().normal;
+    const auto& area = points().area;
+    double most = 0, force = 0;
+    for (std::size_t i = 0; i < s.pressure.size(); ++i) {
+        most = larger(most, -s.pressure[i]);
+        force += area[i] * s.pressure[i];
+    }
+    audit_.record("traction_follows_separation", s.residual, std::max(tolerance_, s.rounding));
+    audit_.record("tension_at_most_sigma_0",
+                  std::max(0., most / solver_->adhesive()->attraction().strength - 1),
+                  rounding_allowed);
+    if (step.normal.kind == NormalControl::Kind::force)
+        audit_.record(
+            "normal_force",
+            std::abs(force - step.normal.value) / (std::abs(step.normal.value) + twice_the_pull()),
+            exact_force);
 }
 
 void SurfaceModel::audit_step(const LoadStep& step, bool advected) {
     const ContactPoints& points = this->points();
     const EnergyBalance energy = update_energy();
+    if (attracted_) return audit_attracted(step);
     if (now().normal->force == 0) return;  // withdrawn: nothing to compare errors with
     audit_normal(*now().normal, step.normal, points.area,
                  std::max(tolerance_, now().normal->rounding), audit_,

@@ -77,12 +77,20 @@ SurfaceModel::SurfaceModel(std::string name, std::shared_ptr<const Compliance> c
 
 void SurfaceModel::make_solver() {
     solver_.emplace(name_, *substrate_, *indenter_, friction_, tolerance_, options_);
+    if (attracted_) solver_->attract(attraction_on(points(), attracted_->law, attracted_->modulus));
+}
+
+void SurfaceModel::attract(const AttractionLaw& law, double modulus) {
+    attracted_ = {law, modulus};
+    make_solver();
+    release();
 }
 
 std::unique_ptr<Model> SurfaceModel::sibling(const Case::Contact& options) const {
     auto other = std::make_unique<SurfaceModel>(name_, *substrate_, indenter_, friction_,
                                                 tolerance_, options);
     other->set_larger_grid(larger_grid_);
+    if (attracted_) other->attract(attracted_->law, attracted_->modulus);
     return other;
 }
 
@@ -125,10 +133,12 @@ StepRecord SurfaceModel::take(const LoadStep& step, const StepStart& before) {
     rotation_ += before.rotation;
     bulk_ = step.bulk;
     solver_->solve(step, before);
-    if (reaches_edge(points(), now().normal->pressure))
+    const NormalSolution& normal = *now().normal;
+    if (reaches_edge(points(), normal.attracts() ? normal.tension : normal.pressure))
         throw ContactAtEdge(fmt::format(
             "{}: the contact reaches the edge of the meshed contact patch at phase {:.4g}", name_,
             step.phase));
+    if (attracted_ && !(hardest_ && step.normal.value <= hardest_->value)) hardest_ = step.normal;
     update_slip(before);
     if (friction_->remembers())
         update_memory(before);
@@ -155,7 +165,7 @@ void SurfaceModel::update_slip(const StepStart& before) {
     const Vector2 moved = s.shift - before.shift;
     const TangentialField &u = s.displacement.in_surface, &old = before.displacement.in_surface;
     blocks(s.bound.size()).for_points([&](std::size_t i) {
-        if (!(s.normal->pressure[i] > 0) && !(s.bound[i] > 0)) {
+        if (!s.normal->touches(i) && !(s.bound[i] > 0)) {
             slip_.set(i, {0, 0});
             contact_state_[i] = ContactState::open;
             return;

@@ -36,6 +36,10 @@ class SurfaceModel final : public Model, public Wearable {
     /// Where `enlarge` finds it. Siblings have it too.
     void set_larger_grid(LargerGrid larger) { larger_grid_ = std::move(larger); }
 
+    /// The surfaces attract each other from now on, at rest; they are pressed alone, uncoupled.
+    /// `modulus`: E* of the pair [Pa]. Throws InputError as attraction_on().
+    void attract(const AttractionLaw& law, double modulus);
+
     std::string name() const override { return name_; }
     double step_accuracy() const override { return tolerance_; }
     bool is_coupled() const override { return !solver_->coupling().is_decoupled(); }
@@ -57,6 +61,7 @@ class SurfaceModel final : public Model, public Wearable {
         friction_work_ = slip_path_;
     }
     Scales scales() const override;
+    std::optional<PullOff> pull_off() const override;
     Surface surface() const override;
     std::vector<ContactState> contact_states() const override;
     double limit_tangential_ratio() const override;
@@ -94,6 +99,8 @@ class SurfaceModel final : public Model, public Wearable {
                              : work_[i];
     }
     StepRecord record(const LoadStep& step) const;
+    double twice_the_pull() const;
+    void audit_attracted(const LoadStep& step);
     void audit_step(const LoadStep& step, bool advected);
     EnergyBalance update_energy();
     template <class Archive, class Self>
@@ -110,6 +117,12 @@ class SurfaceModel final : public Model, public Wearable {
     double tolerance_;
     Case::Contact options_;
     LargerGrid larger_grid_;
+    struct Attracted {
+        AttractionLaw law;
+        double modulus;  // [Pa]
+    };
+    std::optional<Attracted> attracted_;
+    std::optional<NormalControl> hardest_;  // of surfaces that attract each other
     std::optional<StaggeredSolver> solver_;
 
     double phase_ = 0;                               // 0 of what does not recur

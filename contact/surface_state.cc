@@ -7,6 +7,7 @@
 #include "contact/base/state_bytes.h"
 #include "contact/mirrored_surface.h"
 #include "contact/solvers/contact_region.h"
+#include "contact/solvers/pull_off.h"
 #include "contact/surface.h"
 #include "contact/surface_model.h"
 
@@ -32,14 +33,21 @@ Scales SurfaceModel::scales() const {
     TangentialField sliding(now().bound.size(), n_threads);
     TangentialField displacement(now().bound.size(), n_threads);
     const Blocks all = blocks(now().bound.size());
+    // A tension carries nothing along the surface.
+    std::vector<double> pressed;
+    if (attracted_) {
+        pressed = now().normal->pressure;
+        for (double& p : pressed) p = std::max(p, 0.);
+    }
+    const std::vector<double>& pressure = attracted_ ? pressed : now().normal->pressure;
     const double sliding_force =
         all.sum<double>([&](std::size_t, std::size_t begin, std::size_t end) {
             const std::size_t n = end - begin;
             const std::span<const double> share = now().normal->share;
             bounds_on_shares(
                 *friction_,
-                {std::span(now().normal->pressure).subspan(begin, n),
-                 std::span(points.x).subspan(begin, n), std::span(points.y).subspan(begin, n)},
+                {std::span(pressure).subspan(begin, n), std::span(points.x).subspan(begin, n),
+                 std::span(points.y).subspan(begin, n)},
                 share.empty() ? share : share.subspan(begin, n),
                 std::span(sliding.x).subspan(begin, n));
             double sum = 0;
@@ -55,7 +63,8 @@ Scales SurfaceModel::scales() const {
             .point;
     return {.normal_force = now().normal->force,
             .contact_radius =
-                indenter_->presses_like_a_ball() && !points.on_springs && !points.is_whole_face
+                now().normal->attracts() ? shared_radius(points, now().normal->share)
+                : indenter_->presses_like_a_ball() && !points.on_springs && !points.is_whole_face
                     ? contact_radius(points, now().normal->pressure, now().offset)
                     : counted_radius(points, now().normal->pressure),
             .indentation = now().normal->indentation,
@@ -63,6 +72,16 @@ Scales SurfaceModel::scales() const {
                 *std::max_element(now().normal->pressure.begin(), now().normal->pressure.end()),
             .unit_shift = displacement.x[centre],
             .sliding_force = friction_->limit({now().normal->force, sliding_force})};
+}
+
+/// Pulls the contact off, from the hardest load on. Not of nominally flat bodies on a period, whose
+/// many spots let go one after the other.
+std::optional<PullOff> SurfaceModel::pull_off() const {
+    if (!attracted_ || !hardest_ || points().periodic) return {};
+    const auto found = contact::pull_off(*solver_->adhesive(), points(),
+                                         solver_->coupling().bare_height(), *hardest_);
+    if (!found) return {};
+    return PullOff{found->force, found->radius, found->indentation, found->last_indentation};
 }
 
 Surface SurfaceModel::surface() const {
@@ -139,7 +158,8 @@ namespace {
 template <class Archive, class Solution, class Normal>
 void transfer_solution(Archive& archive, Solution& s, Normal& normal) {
     archive(s.offset, s.control.kind, s.control.value, s.shift, s.tangential.shift_increment,
-            normal.pressure, normal.displacement, normal.share, s.bound, s.way);
+            normal.pressure, normal.displacement, normal.share, normal.tension, normal.energy,
+            normal.released, s.bound, s.way);
     for (auto* field :
          {&s.tangential.traction, &s.tangential.displacement, &s.displacement.in_surface})
         archive(field->x, field->y);

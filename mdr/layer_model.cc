@@ -17,6 +17,7 @@
 #include "contact/models/model_kind.h"
 #include "contact/relaxing_case.h"
 #include "contact/solvers/normal_solver.h"
+#include "mdr/adhesive_model.h"
 #include "mdr/bed.h"
 #include "mdr/line_surface.h"
 #include "mdr/load_bound.h"
@@ -297,6 +298,11 @@ std::unique_ptr<contact::Model> make_line_model(const std::string& model, const 
 
 std::unique_ptr<contact::Model> make_layer_model(const contact::Case& c, int elements_per_radius) {
     held_layers_of(c);  // throws before anything else does
+    if (c.adhesion) {
+        contact::Case with = c;
+        with.of<Settings>().elements_per_radius = elements_per_radius;
+        return make_adhesive_model(contact::models::mdr_layer, with);
+    }
     return make_line_model(contact::models::mdr_layer, c, elements_per_radius,
                            LayerSprings::longest_element * *c.layer.thickness);
 }

@@ -9,6 +9,7 @@
 #include "contact/models/model_kind.h"
 #include "contact/relaxing_case.h"
 #include "contact/wearing_contact.h"
+#include "mdr/adhesive_model.h"
 #include "mdr/layer_model.h"
 #include "mdr/relaxing_bed.h"
 #include "mdr/settings.h"
@@ -39,6 +40,7 @@ void check_memory(const contact::Case& c) {
 }  // namespace
 
 std::unique_ptr<contact::Model> make_model(const contact::Case& c) {
+    if (c.adhesion) return make_adhesive_model(contact::models::mdr, c);
     if (c.interface.is_elastic()) return make_model_on_interface(c);
     check_memory(c);
     // A table of the profile over twice the half-space's radius, which grows at most with the load

@@ -47,6 +47,10 @@ contact::LoadStep hardest_press(const contact::Case& c) {
 }  // namespace
 
 Stiffness frictionless_stiffness(const contact::Case& c, contact::Model& model) {
+    if (c.adhesion)
+        throw contact::InputError(
+            "adhesion.work: under attraction force and depth follow no power law, whose slope the "
+            "stiffness is");
     // Nodes join the contact one by one: wider steps average over that.
     constexpr std::array shares{0.6, 0.8, 1.0};
     auto sibling = model.sibling(without_coupling);

@@ -92,6 +92,7 @@ void export_to_contact_program(BoundaryElementOptions options) {
     const auto read = read_boundary_elements(options);
     const Case& c = read.c;
     c.require_no_bulk_stress("inputs of CONTACT");
+    c.require_no_adhesion("inputs of CONTACT");
     const std::string name = std::filesystem::path(options.file).stem().string();
     const std::string influence_name = name + ".influence";
     options.choose_folder("_contact");

@@ -1,9 +1,11 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <iterator>
 #include <nlohmann/json.hpp>
 
 #include "app/commands/command.h"
+#include "comparisons/adhesion/adhesion_forms.h"
 #include "comparisons/quantities/left_out.h"
 #include "comparisons/quantities/quantity.h"
 #include "comparisons/quantities/reference.h"
@@ -68,6 +70,7 @@ std::vector<report::DerivedValue> derived_values(const Case& c) {
         {"E*", materials.effective_modulus(), "Pa", "effective modulus"},
         {"G*", materials.effective_shear_modulus(), "Pa", "effective shear modulus"},
         {"beta", materials.dundurs_beta(), "1", "Dundurs' constant"}};
+    std::ranges::move(comparisons::adhesive_values(c), std::back_inserter(all));
     if (c.tractive_rolling)
         all.push_back({"xi_unit", rolling::creepage_unit(c), "1", "unit of creepage, mu a/R"});
     if (c.tractive_rolling && c.tractive_rolling->longitudinal_creepage) return all;
@@ -126,12 +129,15 @@ struct Resolved {
                            report::derived_lines(values);
         if (!twist.empty()) text += "# " + twist + '\n';
         for (const std::string& line : left_out) text += "# " + line + '\n';
+        const std::vector<std::string> adhesion = comparisons::adhesion_sentences(c);
+        for (const std::string& line : adhesion) text += "# " + line + '\n';
         return Answer(
             [=] {
                 Json json = checked(kind, c.title, resolved, values);
                 json["input"] = comparisons::input_sentences(c);
                 if (!twist.empty()) json["input"].push_back(twist);
                 json["left_out"] = left_out;
+                for (const std::string& line : adhesion) json["input"].push_back(line);
                 return json.dump(2);
             },
             text);

@@ -18,6 +18,7 @@ void design_rig(DesignOptions options) {
     const auto input = experiments::read_design(io::read_rig_file(options.file, options.overrides));
     input.rig.c.require_rigid_interface("designs");
     input.rig.c.require_no_bulk_stress("designs");
+    input.rig.c.require_no_adhesion("designs");
     options.choose_folder("_design");
     experiments::DesignStudy study;
     const std::string name = std::filesystem::path(options.file).filename().string();

@@ -51,6 +51,7 @@ void evaluate_records(CommandOptions options) {
         const contact::Case c = io::read_case(*input.case_file, options.overrides);
         c.require_rigid_interface("predictions of records");
         c.require_no_bulk_stress("predictions of records");
+        c.require_no_adhesion("predictions of records");
     }
     experiments::ExperimentEvaluation evaluation =
         experiments::evaluate_experiment(input.experiment);

@@ -115,7 +115,7 @@ std::string json_text(const Case& c, const std::vector<Prediction>& predictions,
 
 /// The page is about spheres and Coulomb's law.
 bool has_page(const Case& c) {
-    return !c.is_line_contact() && c.friction.is_coulomb();
+    return !c.is_line_contact() && c.friction.is_coulomb() && !c.adhesion;
 }
 
 void write_files(const PredictOptions& options, const Case& c, const std::string& json) {

@@ -77,6 +77,7 @@ experiments::Rig read_rig(const CommandOptions& options) {
     if (!io::is_walk_case(document)) {
         const io::RigFile file = io::parse_rig_file(text, options.file, options.overrides);
         file.c.require_rigid_interface("assumptions of rigs");
+        file.c.require_no_adhesion("assumptions of rigs");
         for (const std::string& sentence : comparisons::input_sentences(file.c))
             options.say(sentence);
         experiments::Rig rig = experiments::rig_with_body(file, options.runner());

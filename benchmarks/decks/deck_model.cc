@@ -39,6 +39,7 @@ void check_case(const contact::Case& c) {
     if (c.interface.is_elastic())
         refuse("no deck has springs between the surfaces, but for its own penalty", own);
     if (c.has_bulk_stress()) refuse("no deck has a bulk stress", own);
+    if (c.adhesion) refuse("no deck has surfaces that attract each other", own);
     if (c.indenter.roughness) refuse("no deck has a rough indenter", own);
     if (c.period) refuse("no deck has a periodic contact", own);
     if (!c.layer.lower.empty() || c.layer.ground) refuse("no deck has several layers", own);

@@ -89,6 +89,7 @@ void require_comparable(const Case& c) {
             "[path]: sizes are compared under one load; give load.normal_force in place of the "
             "path");
     c.require_rigid_interface("deviations from Hertz' contact");
+    c.require_no_adhesion("deviations from Hertz' contact");
     if (!contact::is_hertz_round(c) && !c.is_line_contact())
         refuse(
             "indenter.shape: deviations are those from Hertz' contact; take a paraboloid, sphere "

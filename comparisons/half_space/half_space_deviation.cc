@@ -37,6 +37,7 @@ void check(const Case& c) {
             "models bem and bem-layer");
     c.require_coulomb("a deviation");
     c.require_rigid_interface("deviations from Hertz' contact");
+    c.require_no_adhesion("deviations from Hertz' contact");
     if (!contact::is_hertz_round(c))
         throw contact::InputError(
             "indenter.shape: deviations are those from Hertz' contact; take a paraboloid or a "

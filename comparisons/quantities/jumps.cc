@@ -7,7 +7,17 @@ namespace tricontact::comparisons::quantities {
 namespace {
 
 constexpr const char* where_it_remembers =
-    "of friction that changes with the way of slip ([friction.weakening], interface.hardening)";
+    "of friction that changes with the way of slip ([friction.weakening], interface.hardening), "
+    "and of [adhesion]";
+constexpr const char* where_it_attracts = "of surfaces that attract each other, [adhesion]";
+
+bool may_jump(const Subject& s) {
+    return s.c.friction.remembers() || s.c.adhesion;
+}
+
+QuantityValue of_pull_off(const Subject& s, double contact::PullOff::*value) {
+    return s.history.pull_off ? finite((*s.history.pull_off).*value) : QuantityValue();
+}
 
 }  // namespace
 
@@ -18,10 +28,11 @@ constinit const Quantity released_energy{
     .name = "energy set free in the step of most",
     .meaning =
         "What the tractions worked along the slip beyond what friction took, in the step where it "
-        "was most: of a smooth slide it falls with the length of the steps, of a jump it stays.",
+        "was most: of a smooth slide it falls with the length of the steps, of a jump it stays. Of "
+        "surfaces that attract each other what is lost as contact jumps in or lets go.",
     .defined = where_it_remembers,
     .of = [](const Subject& s) -> QuantityValue {
-        if (!s.c.friction.remembers()) return {};
+        if (!may_jump(s)) return {};
         double most = 0;
         for (const auto& step : s.history.steps) most = std::max(most, step.released_energy);
         return finite(most);
@@ -36,15 +47,66 @@ constinit const Quantity steps_of_other_states{
         "known not to be. The state of least slip is followed.",
     .defined = where_it_remembers,
     .of = [](const Subject& s) -> QuantityValue {
-        if (!s.c.friction.remembers()) return {};
+        if (!may_jump(s)) return {};
         int found = 0;
         for (const auto& step : s.history.steps) found += step.may_differ;
         return found;
     },
     .part = Part::end_of_run};
 
+constinit const Quantity pull_off_force{
+    .key = "pull_off_force_N",
+    .symbol = "F_off",
+    .unit = "N",
+    .name = "pull-off force",
+    .meaning = "The largest tension that the contact holds when it is pulled slowly.",
+    .defined = where_it_attracts,
+    .source = "Johnson, Kendall and Roberts (1971)",
+    .of = [](const Subject& s) { return of_pull_off(s, &contact::PullOff::force); },
+    .part = Part::pressed,
+    .is_refined = true};
+
+constinit const Quantity pull_off_radius{
+    .key = "pull_off_radius_m",
+    .symbol = "a_off",
+    .unit = "m",
+    .name = "contact radius at pull-off",
+    .meaning = "Contact radius under the pull-off force, the least that a force leaves in contact.",
+    .defined = where_it_attracts,
+    .source = "Johnson, Kendall and Roberts (1971)",
+    .of = [](const Subject& s) { return of_pull_off(s, &contact::PullOff::radius); },
+    .part = Part::pressed,
+    .is_refined = true};
+
+constinit const Quantity pull_off_indentation{
+    .key = "pull_off_indentation_m",
+    .symbol = "d_off",
+    .unit = "m",
+    .name = "indentation at pull-off",
+    .meaning =
+        "Indentation under the pull-off force, negative: the tip hangs over the undeformed "
+        "surface.",
+    .defined = where_it_attracts,
+    .source = "Johnson, Kendall and Roberts (1971)",
+    .of = [](const Subject& s) { return of_pull_off(s, &contact::PullOff::indentation); },
+    .part = Part::pressed,
+    .is_refined = true};
+
+constinit const Quantity last_indentation{
+    .key = "last_indentation_m",
+    .symbol = "d_last",
+    .unit = "m",
+    .name = "indentation of the last contact",
+    .meaning = "Indentation at which the contact lets go where the depth is prescribed.",
+    .defined = where_it_attracts,
+    .source = "Johnson, Kendall and Roberts (1971)",
+    .of = [](const Subject& s) { return of_pull_off(s, &contact::PullOff::last_indentation); },
+    .part = Part::pressed,
+    .is_refined = true};
+
 List of_jumps() {
-    return {&released_energy, &steps_of_other_states};
+    return {&released_energy, &steps_of_other_states, &pull_off_force,
+            &pull_off_radius, &pull_off_indentation,  &last_indentation};
 }
 
 }  // namespace tricontact::comparisons::quantities

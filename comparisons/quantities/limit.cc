@@ -15,7 +15,10 @@ constinit const Quantity limit_tangential_ratio{
         "another law than Coulomb's of min tau over tau; in uncoupled contact the exact limit of "
         "f_T at this amplitude.",
     .source = "Klarbring, Ciavarella and Barber (2007); Wetter (2016), 3.2.13",
-    .of = [](const Subject& s) { return finite(s.history.limit_tangential_ratio); },
+    .of = [](const Subject& s) -> QuantityValue {
+        if (s.c.adhesion) return {};
+        return finite(s.history.limit_tangential_ratio);
+    },
     .exact = [](const Reference& r) { return finite(r.limit_tangential_ratio); },
     .part = Part::rolled};
 

@@ -24,9 +24,10 @@ extern const Quantity dissipation, dissipation_ratio_per_period, path_work,
 extern const Quantity loop_force, loop_shift, loop_secant_stiffness, loop_tangent_stiffness,
     loop_aperture, sliding_ratio, slip_regime, path_regime, regime_changes_at, loop_stick_radius,
     gross_slip_shift, drive_shift, drive_secant_stiffness, drive_sliding_ratio;  // loop.cc
-extern const Quantity released_energy, steps_of_other_states;                    // jumps.cc
-extern const Quantity frequency, storage_modulus, loss_modulus;                  // relaxation.cc
-extern const Quantity largest_stretch, largest_shear;                            // strain.cc
+extern const Quantity released_energy, steps_of_other_states, pull_off_force,    // jumps.cc
+    pull_off_radius, pull_off_indentation, last_indentation;
+extern const Quantity frequency, storage_modulus, loss_modulus;  // relaxation.cc
+extern const Quantity largest_stretch, largest_shear;            // strain.cc
 extern const Quantity end_normal_force, end_indentation, contact_area, stick_area, slip_area,
     stored_energy,
     friction_energy;  // end_of_run.cc

@@ -83,7 +83,8 @@ double ratio_by_limit(const contact::Case& c, double amplitude_ratio) {
 Reference reference(const contact::Case& c) {
     Reference r;
     r.hertz = contact::half_space_scales(c);
-    r.is_nominal = contact::is_nominally_flat(c) || contact::is_section_alone(c);
+    r.is_nominal =
+        contact::is_nominally_flat(c) || contact::is_section_alone(c) || c.adhesion.has_value();
     r.static_shift_is_relaxed = static_shift_is_relaxed(c);
     r.tangential_ratio = tangential_ratio(c, {r.hertz.normal_force, r.hertz.friction_limit});
     if (c.rolling)
@@ -91,10 +92,11 @@ Reference reference(const contact::Case& c) {
             contact::rolling_amplitude(*c.rolling, r.hertz.contact_radius) / r.hertz.contact_radius;
     if (c.load.is_by_limit()) r.tangential_ratio = ratio_by_limit(c, r.amplitude_ratio);
     if (const theory::RolledLaw* law = mapped_law(c)) r.mdr_mapping = law->mdr_mapping;
-    if (contact::pressure_falls(c) && !contact::has_conical_tip(c) && !contact::is_section_alone(c))
+    if (contact::pressure_falls(c) && !contact::has_conical_tip(c) &&
+        !contact::is_section_alone(c) && !c.adhesion)
         r.peak_pressure = r.hertz.peak_pressure;
     if (!in_unit_range(r.tangential_ratio) || c.interface.is_elastic() || c.has_bulk_stress() ||
-        contact::is_section_alone(c))
+        contact::is_section_alone(c) || c.adhesion)
         return r;
     if (c.is_cylindrical())
         add_line_contact(c, r);

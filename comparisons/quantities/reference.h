@@ -37,7 +37,8 @@ double amplitude_ratio(const contact::History& history);
 /// theory/oscillating_cylinder.h. Ratios are dimensionless.
 struct Reference {
     contact::HalfSpaceScales hertz{};
-    bool is_nominal = false;  ///< `hertz` are scales of a flat or conforming contact, no solution
+    bool is_nominal =
+        false;  ///< `hertz` are scales of a flat, conforming or adhesive contact, no solution
     double tangential_ratio = 0;          ///< f_T; NaN: a fraction of a limit that theory has not
     double amplitude_ratio = 0;           ///< w over the Hertz radius
     double static_shift_ratio = 0;        ///< u_stat; 0 if f_T is out of range or it is unavailable

@@ -153,13 +153,32 @@ bool NumericalError::is_exact(const Quantity& q) const {
 
 const std::vector<const Quantity*>& quantities_with_error() {
     using namespace quantities;
-    static const std::vector<const Quantity*> list{
-        &normal_force,    &indentation,     &contact_radius,      &peak_pressure,
-        &unit_shift,      &static_shift,    &final_shift,         &settled_shift,
-        &shift_increment, &dissipation,     &settled_shift_ratio, &shift_increment_ratio,
-        &path_work,       &path_force,      &end_normal_force,    &end_indentation,
-        &contact_area,    &stick_area,      &slip_area,           &stored_energy,
-        &friction_energy, &normal_stiffness};
+    static const std::vector<const Quantity*> list{&normal_force,
+                                                   &indentation,
+                                                   &contact_radius,
+                                                   &peak_pressure,
+                                                   &unit_shift,
+                                                   &static_shift,
+                                                   &final_shift,
+                                                   &settled_shift,
+                                                   &shift_increment,
+                                                   &dissipation,
+                                                   &settled_shift_ratio,
+                                                   &shift_increment_ratio,
+                                                   &path_work,
+                                                   &path_force,
+                                                   &end_normal_force,
+                                                   &end_indentation,
+                                                   &contact_area,
+                                                   &stick_area,
+                                                   &slip_area,
+                                                   &stored_energy,
+                                                   &friction_energy,
+                                                   &normal_stiffness,
+                                                   &pull_off_force,
+                                                   &pull_off_radius,
+                                                   &pull_off_indentation,
+                                                   &last_indentation};
     return list;
 }
 

@@ -162,6 +162,7 @@ bool ends_at_prescribed_shift(const Case& c) {
 Headline headline_of(const Case& c, const Results& s) {
     using namespace quantities;
     if (has_loop(c, s)) return {"frictional work per cycle", &dissipation, nullptr};
+    if (c.adhesion && s.number(pull_off_force)) return {"pull-off force", &pull_off_force, nullptr};
     // All models end at a shift that is prescribed: they differ in what it takes.
     if (ends_at_prescribed_shift(c))
         return s.number(path_work).value_or(0) > 0
@@ -189,6 +190,13 @@ Verdict answer_of(const Case& c, const Results& s, const std::optional<Numerical
     const auto note_on = [&](const Quantity& q) {
         return refinement ? refinement_note(*refinement, q) : error_note(error, q);
     };
+    if (c.adhesion && s.number(pull_off_force))
+        return {Verdict::Standing::finding,
+                fmt::format("The contact holds {} at most, at the radius {}; pressed hardest its "
+                            "radius is {}{}{}",
+                            length(pull_off_force), length(pull_off_radius), length(contact_radius),
+                            by, note_on(pull_off_force)),
+                "pulled"};
     if (is_pressed_alone(s)) {
         const std::string answer = length(*headline_of(c, s).length);
         const std::string pressed = c.load.indentation

@@ -1,5 +1,6 @@
 #include "comparisons/run/figures.h"
 
+#include "comparisons/adhesion/force_curve.h"
 #include "comparisons/quantities/resample.h"
 #include "comparisons/quantities/surface_fields.h"
 #include "comparisons/resolution/error_note.h"
@@ -51,12 +52,14 @@ Figures make_figures(const contact::Case& c, const Histories& histories,
     const auto add = [&](const auto& maker, const Histories& of) {
         for (report::Figure& figure : maker(c, of)) figures.push_back(std::move(figure));
     };
-    for (report::Figure& figure : shift_figures(c, histories, error))
-        figures.push_back(std::move(figure));
+    add(force_curve_figures, histories);
+    if (!c.adhesion)
+        for (report::Figure& figure : shift_figures(c, histories, error))
+            figures.push_back(std::move(figure));
     add(dissipation_figures, histories);
     const Histories on_grid = on_grids(histories);
-    add(traction_figures, on_grid);
-    if (c.is_line_contact()) {  // nothing varies along y
+    if (!c.adhesion) add(traction_figures, on_grid);  // over mu p, which tension has not
+    if (c.is_line_contact()) {                        // nothing varies along y
         add(line_contact_figures, on_grid);
     } else {
         add(zone_figures, on_grid);

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "comparisons/adhesion/adhesion_forms.h"
 #include "comparisons/quantities/reference.h"
 #include "comparisons/run/input_reading.h"
 #include "comparisons/strength/body_strength.h"
@@ -171,6 +172,7 @@ std::vector<std::string> reading(const contact::Case& c, const Summaries& summar
     findings.push_back(by_limit_sentence(summaries));
     findings.push_back(limit_sentence(c, summaries, r));
     findings.push_back(static_sentence(c, summaries, r));
+    for (const std::string& text : adhesion_sentences(c)) findings.push_back(text);
     for (const std::string& text : strength_findings(c, summaries)) findings.push_back(text);
     for (const std::string& text : map_sentences(c)) findings.push_back(text);
     for (const std::string& text : limitations(c, summaries)) findings.push_back(text);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "comparisons/adhesion/force_curve.h"
 #include "comparisons/bodies/body_deviation.h"
 #include "comparisons/half_space/layer_report.h"
 #include "comparisons/quantities/quantities.h"
@@ -141,6 +142,9 @@ report::Document run_document(const contact::Case& c, const std::string& resolve
     document.sections = {{"reading", "Reading", reading(c, results)},
                          results_section(c, results, extras.numerical)};
     if (c.prescribed_path) document.sections.push_back(path_section(c, histories));
+    if (c.adhesion && c.prescribed_path)
+        document.sections.push_back(
+            {"jumps", "Jumps into contact and out of it", {}, {}, {jump_table(histories)}});
     for (DocumentSection& section : study_sections(c, histories, results, extras))
         document.sections.push_back(std::move(section));
     Figures figures = make_figures(c, histories, extras.numerical);

@@ -22,6 +22,10 @@ std::string results_note(const contact::Case& c, bool several_models,
     std::string text = "Ratios u are over each model's own U_max. ";
     if (contact::is_section_alone(c))
         text += "The theory column is empty: half-spaces do not know this contact.";
+    else if (c.adhesion)
+        text +=
+            "The theory column is empty: Hertz' contact has no adhesion; what theory says of this "
+            "one stands among the derived values.";
     else if (c.interface.is_elastic())
         text +=
             "The theory column is frictionless contact on the half-space without the springs of "

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "bem/settings.h"
+#include "comparisons/adhesion/adhesion_forms.h"
 #include "comparisons/quantities/reference.h"
 #include "comparisons/run/report_tables.h"
 #include "contact/bodies/body_forms.h"
@@ -165,6 +166,12 @@ void add_bodies(const Case& c, Settings& settings) {
         settings.add("friction, a point carries at most", c.friction.formula());
     settings.add("interface, normal stiffness k_n", c.interface.normal_stiffness, "Pa/m");
     settings.add("interface, tangential stiffness k_t", c.interface.tangential_stiffness, "Pa/m");
+    if (!c.adhesion) return;
+    settings.add("work of adhesion w", c.adhesion->work, "J/m^2");
+    if (c.adhesion->is_short_ranged()) return settings.add("range of the attraction", "none");
+    settings.add("range of the attraction", c.adhesion->distance(), "m");
+    settings.add("law of the attraction",
+                 c.adhesion->law == contact::Adhesion::Law::dugdale ? "Dugdale" : "exponential");
 }
 
 void add_oscillation(const std::string& what, double ratio, double phase, Settings& settings) {
@@ -278,6 +285,9 @@ report::DocumentTable derived_table(const Case& c) {
     const std::string limit = c.friction.limit_symbol();
     add("friction limit " + limit, r.hertz.friction_limit, "N");
     add("unit of shift U_max", r.hertz.unit_shift, "m");
+    for (const report::DerivedValue& value : adhesive_values(c))
+        add(value.meaning + ' ' + value.symbol, value.value,
+            value.unit == "1" ? "" : value.unit.c_str());
     if (std::isfinite(r.tangential_ratio))
         add(c.friction.is_coulomb() ? "f_T = F_T/(μF_N)" : "f_T = F_T/F_lim", r.tangential_ratio);
     if (c.rolling) add("w = W/a", r.amplitude_ratio);

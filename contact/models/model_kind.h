@@ -71,6 +71,7 @@ struct ModelKind {
     bool sees_indenter_body = false;    ///< of finite size
     bool sees_rigid_substrate = false;
     bool sees_elastic_interface = false;
+    bool sees_adhesion = false;
     bool sees_period = false;  ///< contacts that repeat
     bool sees_roughness = false;
     bool rolls_on = false;

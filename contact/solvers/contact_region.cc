@@ -97,6 +97,13 @@ double counted_radius(const ContactPoints& points, const std::vector<double>& pr
                                   : std::sqrt(area / std::numbers::pi);
 }
 
+double shared_radius(const ContactPoints& points, const std::vector<double>& share) {
+    double area = 0;
+    for (std::size_t i = 0; i < share.size(); ++i) area += share[i] * points.area[i];
+    return points.line_length > 0 ? area / (2 * points.line_length)
+                                  : std::sqrt(area / std::numbers::pi);
+}
+
 double contact_radius(const ContactPoints& points, const std::vector<double>& pressure,
                       const Vector2& centre) {
     const bool line = points.line_length > 0;

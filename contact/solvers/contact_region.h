@@ -19,6 +19,9 @@ double contact_radius(const ContactPoints& points, const std::vector<double>& pr
 /// Radius [m] of a disc as large as the points with pressure.
 double counted_radius(const ContactPoints& points, const std::vector<double>& pressure);
 
+/// The same of parts of the points [-]; of a contact with a line_length half the width.
+double shared_radius(const ContactPoints& points, const std::vector<double>& share);
+
 /// Height of the indenter, its lowest point at `offset`, over each contact point [m].
 std::vector<double> heights_over(const ContactPoints& points, const Indenter& indenter,
                                  const Vector2& offset, int n_threads = 1);

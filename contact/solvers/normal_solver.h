@@ -10,7 +10,7 @@ namespace tricontact::contact {
 
 /// Frictionless normal contact at one position of the indenter.
 struct NormalSolution {
-    std::vector<double> pressure;      ///< p [Pa], >= 0
+    std::vector<double> pressure;      ///< p [Pa], >= 0 but for a tension
     std::vector<double> displacement;  ///< u_z [m], into the substrate
     double indentation = 0;            ///< d [m]
     /// What errors of displacements are compared with [m]: d, or the mean displacement under the
@@ -22,6 +22,15 @@ struct NormalSolution {
     double residual = 0;
     double rounding = 0;          ///< what the rounding of displacements may leave of it [-]
     std::vector<double> share{};  ///< in contact, per point (ContactShare); empty: not asked for
+    /// Of surfaces that attract each other, by AdhesiveNormal: their tension s, which `pressure`
+    /// contains (p = q - s, q >= 0 by touch) [Pa], 0 or more; else empty. The energies of the state
+    /// (elastic and of the tension) and what was set free on the way to it [J].
+    std::vector<double> tension{};
+    double energy = 0, released = 0;
+
+    bool attracts() const { return !tension.empty(); }
+    /// Whether a point touches.
+    bool touches(std::size_t i) const { return attracts() ? share[i] > 0 : pressure[i] > 0; }
 };
 
 class NormalActiveSet;

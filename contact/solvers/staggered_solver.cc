@@ -95,7 +95,9 @@ void StaggeredSolver::solve(const LoadStep& step, const StepStart& before) {
     now_.may_differ = false;
     coupling_.place(step.offset);
     if (substrate_.begin(step.duration, before.traction, before.displacement)) make_solvers();
-    if (coupling_.is_decoupled())
+    if (adhesive_)
+        solve_adhesive(step);
+    else if (coupling_.is_decoupled())
         solve_uncoupled(step, before);
     else
         solve_coupled(step, before);

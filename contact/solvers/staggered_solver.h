@@ -10,6 +10,7 @@
 #include "contact/compliances/blocks.h"
 #include "contact/compliances/focused_compliance.h"
 #include "contact/friction/friction_law.h"
+#include "contact/solvers/adhesive_normal.h"
 #include "contact/solvers/contact_share.h"
 #include "contact/solvers/coupling.h"
 #include "contact/solvers/edge_chatter.h"
@@ -62,6 +63,11 @@ class StaggeredSolver {
     StaggeredSolver(std::string name, Substrate& substrate, const Indenter& indenter,
                     std::shared_ptr<const FrictionLaw> friction, double tolerance,
                     const ContactOptions& options);
+
+    /// The surfaces attract each other from now on: what is pressed without friction, uncoupled.
+    void attract(const Attraction& attraction);
+    /// How; null if they do not.
+    const AdhesiveNormal* adhesive() const { return adhesive_ ? &*adhesive_ : nullptr; }
 
     const ContactSolution& now() const { return now_; }
     const Coupling& coupling() const { return coupling_; }
@@ -121,6 +127,7 @@ class StaggeredSolver {
     void keep_pressure_change(long key);
     void solve_uncoupled(const LoadStep& step, const StepStart& before);
     void keep_normal();
+    void solve_adhesive(const LoadStep& step);
     void solve_coupled(const LoadStep& step, const StepStart& before);
     void iterate(const LoadStep& step, const StepStart& before);
     std::vector<std::uint8_t> may_touch() const;
@@ -173,6 +180,7 @@ class StaggeredSolver {
     // They keep factors of the compliance.
     std::optional<NormalSolver> normal_solver_;
     std::optional<TangentialSolver> tangential_solver_;
+    std::optional<AdhesiveNormal> adhesive_;
     EdgeChatter chatter_;
     ContactSolution now_;
     std::map<Key, std::shared_ptr<const NormalSolution>> normal_cache_;  // of uncoupled contact

@@ -1,4 +1,5 @@
-// What a staggered solver keeps of its solutions, and where it starts from.
+// What a staggered solver keeps of its solutions, and where it starts from; surfaces that attract
+// each other, which always start from their last state.
 
 #include <algorithm>
 #include <cmath>
@@ -62,7 +63,7 @@ void StaggeredSolver::recall_start(double phase) {
 }
 
 void StaggeredSolver::keep_start(double phase) {
-    if (coupling_.is_decoupled() && !substrate_.relaxes()) return;
+    if (adhesive_ || (coupling_.is_decoupled() && !substrate_.relaxes())) return;
     const std::size_t bytes = 4 * sizeof(double) * points().size();
     const long key = key_of_phase(phase);
     if (coupling_.is_decoupled()) keep_pressure_change(key);
@@ -74,10 +75,22 @@ void StaggeredSolver::keep_start(double phase) {
 void StaggeredSolver::resume(ContactSolution solution, double phase) {
     now_ = std::move(solution);
     // What a run that was not interrupted would know, so that it goes on by the same numbers.
-    if (coupling_.is_decoupled()) keep_normal();
+    if (coupling_.is_decoupled() && !adhesive_) keep_normal();
     coupling_.place(now_.offset);
     find_highest();
     keep_start(phase);
+}
+
+void StaggeredSolver::attract(const Attraction& attraction) {
+    adhesive_.emplace(name_, compliance(), attraction, tolerance_);
+    release();
+}
+
+/// From the last state on: another way to the same load may lead to another state.
+void StaggeredSolver::solve_adhesive(const LoadStep& step) {
+    now_.normal = std::make_shared<const NormalSolution>(
+        adhesive_->follow(update_height(), step.normal, *now_.normal));
+    now_.normal_iterations = now_.normal->iterations;
 }
 
 }  // namespace tricontact::contact

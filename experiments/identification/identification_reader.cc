@@ -274,6 +274,7 @@ Input read_identification(const std::string& path, const std::vector<std::string
     check_loads(input, document);
     input.rig = rig_of(input, find, document);
     input.rig.require_no_bulk_stress("identified values");
+    input.rig.require_no_adhesion("identified values");
     input.rig.title = input.title;
     input.unread = unread_keys(document, input.find(Measurement::friction_loop) != nullptr);
     if (std::ranges::count(find, "substrate.young") > 0 && io::states_unrelaxed(document))

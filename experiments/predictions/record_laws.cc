@@ -24,6 +24,7 @@ constexpr double largest_correlation = 1 - 1e-6;
 void check_found(const IdentificationInput& tables) {
     tables.rig.require_rigid_interface("predictions of records");
     tables.rig.require_no_bulk_stress("predictions of records");
+    tables.rig.require_no_adhesion("predictions of records");
     constexpr std::array<std::string_view, 3> numbers{"substrate.young", "substrate.poisson",
                                                       "indenter.radius"};
     for (const FreeParameter& p : tables.parameters)

@@ -158,12 +158,20 @@ std::unique_ptr<contact::Model> make_strained(const Case& c, const std::optional
     return std::make_unique<StrainedModel>(std::move(setup));
 }
 
+std::unique_ptr<contact::SurfaceModel> attracted(const Case& c,
+                                                 std::unique_ptr<contact::SurfaceModel> model) {
+    if (c.adhesion) model->attract(c.adhesion->attraction(), c.materials().effective_modulus());
+    return model;
+}
+
 /// Bodies of files: their meshes say how fine, and how far.
 std::unique_ptr<contact::Model> make_meshed(const Case& c, const LayerCondenser& condenser) {
     MeshedContact bodies = make_meshed_contact(c, condenser);
-    return std::make_unique<contact::SurfaceModel>(
-        contact::models::fem, *contact::make_substrate(c, false, std::move(bodies.compliance), {}),
-        std::move(bodies.indenter), c.friction.law(), c.of<Settings>().tolerance, c.contact);
+    return attracted(c, std::make_unique<contact::SurfaceModel>(
+                            contact::models::fem,
+                            *contact::make_substrate(c, false, std::move(bodies.compliance), {}),
+                            std::move(bodies.indenter), c.friction.law(),
+                            c.of<Settings>().tolerance, c.contact));
 }
 
 }  // namespace
@@ -193,9 +201,11 @@ std::unique_ptr<contact::Model> make_model(const Case& c, const Say& say) {
         return make_fitting(elastic, spec_of(c, *own), other);
     };
     auto relaxed = contact::relaxes_as_one(c) ? of_elastic(c) : nullptr;
-    return std::make_unique<contact::SurfaceModel>(
-        contact::models::fem, *contact::make_substrate(c, false, std::move(relaxed), of_elastic),
-        c.make_indenter(), c.friction.law(), c.of<Settings>().tolerance, c.contact);
+    return attracted(
+        c, std::make_unique<contact::SurfaceModel>(
+               contact::models::fem,
+               *contact::make_substrate(c, false, std::move(relaxed), of_elastic),
+               c.make_indenter(), c.friction.law(), c.of<Settings>().tolerance, c.contact));
 }
 
 }  // namespace tricontact::fem

@@ -189,6 +189,7 @@ void check_mdr(const Case& c, const HalfSpaceScales& s, double steps, const Docu
 void check_case(const Case& c, const Document& document) {
     check_friction(c, document);
     check_interface(c, document);
+    check_adhesion(c, document);
     check_line_contact(c, document);
     check_rough_bodies(c, document);
     check_revolution(c, document);

@@ -161,6 +161,9 @@ void check_friction(const contact::Case& c, const Document& document);
 /// Models and materials know the springs of [interface].
 void check_interface(const contact::Case& c, const Document& document);
 
+/// Models, bodies and loads know surfaces that attract each other.
+void check_adhesion(const contact::Case& c, const Document& document);
+
 /// F_T points along x except where the body rolls on, and stays below mu F_N all along the path, by
 /// what the models can tell. With a prescribed indentation they find F_N, and check again.
 void check_friction_limit(const contact::Case& c, const contact::HalfSpaceScales& scales,

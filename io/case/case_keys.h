@@ -32,6 +32,7 @@ enum KeyGroup {
     element_size,
     relaxation,
     path_rows,
+    adhesion_range,
     wear_law
 };
 
@@ -40,6 +41,7 @@ std::vector<CaseKey> indenter_keys();    // and [indenter.roughness]
 std::vector<CaseKey> substrate_keys();   // and [lower_layer], [ground]
 std::vector<CaseKey> relaxation_keys();  // [substrate.relaxation]
 std::vector<CaseKey> contact_keys();     // [friction], [interface], [contact]
+std::vector<CaseKey> adhesion_keys();    // [adhesion]
 std::vector<CaseKey> heat_keys();        // [indenter.heat], [substrate.heat]
 std::vector<CaseKey> load_keys();
 std::vector<CaseKey> rolling_keys();

@@ -47,6 +47,7 @@ void make_optional_parts(Case& c, const Document& document) {
         c.friction.temperature = contact::FrictionTemperature{};
     if (document.find_section("lower_layer")) c.of<LayersInput>().lower.emplace();
     if (document.find_section("ground")) c.layer.ground = contact::Material{};
+    if (document.find_section("adhesion")) c.adhesion = contact::Adhesion{};
     if (document.find_section("tractive_rolling")) c.tractive_rolling = Case::TractiveRolling{};
     if (document.find_section("path")) c.of<PathInput>();
     for (const char* key : oscillation_keys)

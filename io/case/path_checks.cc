@@ -241,8 +241,10 @@ void resolve_path(Case& c, const Document& document) {
     if (!c.kept.find<PathInput>()) return;
     const PathInput& input = c.of<PathInput>();
     told_at(document, path_key(document), [&] {
-        c.prescribed_path = input.file ? read_path_file(*input.file, input.steps)
-                                       : read_path_text(*input.table, "table", input.steps);
+        const bool may_pull = c.adhesion.has_value();
+        c.prescribed_path = input.file
+                                ? read_path_file(*input.file, input.steps, may_pull)
+                                : read_path_text(*input.table, "table", input.steps, may_pull);
         c.prescribed_path->centre = input.centre;
     });
     check_alone(c, document);

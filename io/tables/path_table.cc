@@ -1,5 +1,6 @@
 #include "io/tables/path_table.h"
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
@@ -31,19 +32,36 @@ std::optional<std::string> either(const CsvTable& table, const std::string& firs
     return table.has(second) ? std::optional(second) : std::nullopt;
 }
 
-void set_normal(const CsvTable& table, PrescribedPath& path) {
+void check_pressed(const CsvTable& table, const std::string& name, const Column& values) {
+    for (std::size_t i = 0; i < values.size(); ++i)
+        if (i == 0 ? values[i] < 0 : !(values[i] > 0))
+            table.refuse_value(
+                i, name, i == 0 ? "must not be negative" : "contact is lost on the path",
+                "keep it positive, unless [adhesion] holds the bodies; the first row alone may be "
+                "0");
+}
+
+/// Where the surfaces attract each other they may be pulled, too.
+void check_attracted(const CsvTable& table, const std::string& name, const Column& values,
+                     bool by_force) {
+    if (by_force && values.front() < 0)
+        table.refuse_value(0, name, "pulls at what has not touched yet", "let it begin with 0");
+    if (std::ranges::none_of(values, [](double value) { return value > 0; }))
+        table.refuse_header("nothing is pressed in any row: give a row with a positive " + name);
+}
+
+void set_normal(const CsvTable& table, bool may_pull, PrescribedPath& path) {
     const auto name = either(table, "normal_force", "indentation");
     if (!name) table.refuse_header("has neither a column normal_force nor indentation");
     const bool by_force = *name == "normal_force";
     const Column values = table.values(*name, by_force ? Dimension::force : Dimension::length);
-    for (std::size_t i = 0; i < values.size(); ++i) {
-        if (i == 0 ? values[i] < 0 : !(values[i] > 0))
-            table.refuse_value(i, *name,
-                               i == 0 ? "must not be negative" : "contact is lost on the path",
-                               "keep it positive; the first row alone may be 0");
+    if (may_pull)
+        check_attracted(table, *name, values, by_force);
+    else
+        check_pressed(table, *name, values);
+    for (std::size_t i = 0; i < values.size(); ++i)
         path.rows[i].normal = {
             by_force ? NormalControl::Kind::force : NormalControl::Kind::indentation, values[i]};
-    }
 }
 
 void set_tangential(const CsvTable& table, int d, PrescribedPath& path) {
@@ -98,13 +116,13 @@ void set_motion(const CsvTable& table, PrescribedPath& path) {
 
 }  // namespace
 
-PrescribedPath read_path(const CsvTable& table, int steps) {
+PrescribedPath read_path(const CsvTable& table, int steps, bool may_pull) {
     table.check_names({"time", "offset_x", "offset_y", "rotation", "bulk_stress", "steps",
                        "normal_force", "indentation", "tangential_force_x", "tangential_force_y",
                        "shift_x", "shift_y"});
     if (table.n_rows() < 2) table.refuse_header("fewer than two rows are no path");
     PrescribedPath path{std::vector<PrescribedPath::Row>(table.n_rows())};
-    set_normal(table, path);
+    set_normal(table, may_pull, path);
     set_tangential(table, 0, path);
     set_tangential(table, 1, path);
     set_motion(table, path);
@@ -112,12 +130,13 @@ PrescribedPath read_path(const CsvTable& table, int steps) {
     return path;
 }
 
-PrescribedPath read_path_file(const std::string& path, int steps) {
-    return read_path(read_csv_table(path, path_form), steps);
+PrescribedPath read_path_file(const std::string& path, int steps, bool may_pull) {
+    return read_path(read_csv_table(path, path_form), steps, may_pull);
 }
 
-PrescribedPath read_path_text(const std::string& text, const std::string& name, int steps) {
-    return read_path(CsvTable(text, name, path_form), steps);
+PrescribedPath read_path_text(const std::string& text, const std::string& name, int steps,
+                              bool may_pull) {
+    return read_path(CsvTable(text, name, path_form), steps, may_pull);
 }
 
 }  // namespace tricontact::io

@@ -14,10 +14,12 @@ namespace tricontact::io {
 /// column says it. Throws contact::InputError: fewer than two rows, none or two normal controls,
 /// two controls of one direction, times that do not increase, steps that are no number from 1 on, a
 /// normal load that is lost, tangential loads without a normal one.
-contact::PrescribedPath read_path(const CsvTable& table, int steps);
+/// `may_pull`: the surfaces attract each other, forces and depths may be negative.
+contact::PrescribedPath read_path(const CsvTable& table, int steps, bool may_pull = false);
 /// From a file.
-contact::PrescribedPath read_path_file(const std::string& path, int steps);
+contact::PrescribedPath read_path_file(const std::string& path, int steps, bool may_pull = false);
 /// From a text that stands in a case file. `name`: for messages.
-contact::PrescribedPath read_path_text(const std::string& text, const std::string& name, int steps);
+contact::PrescribedPath read_path_text(const std::string& text, const std::string& name, int steps,
+                                       bool may_pull = false);
 
 }  // namespace tricontact::io

@@ -97,6 +97,7 @@ const RolledLaw& require_rolled_law(const contact::Case& c, const std::string& w
                                     const std::string& place) {
     c.require_rigid_interface(what);
     c.require_no_bulk_stress(what);
+    c.require_no_adhesion(what);
     const RolledLaw* law = rolled_law(c.friction);
     if (!law)
         throw contact::InputError(

@@ -165,6 +165,7 @@ features = [
     feature("yield stresses", "substrate.yield_stress indenter.yield_stress", "yield_stress|strength", {}, {"substrate.yield_stress": '"1 MPa"'}),
     feature("springs of the interface", "interface.normal_stiffness interface.tangential_stiffness", "interface", {},
             {"interface.normal_stiffness": '"20 MPa/mm"', "interface.tangential_stiffness": '"10 MPa/mm"'}),
+    feature("adhesion", "adhesion.*", "adhesion|attract|contact.coupling|[adhesion]|rolling|[rolling]", {**still}, {**still, "adhesion.work": '"0.5 J/m2"'}),
     feature("friction falling with the slip", "friction.rate.*", "friction.rate|friction|Coulomb", {}, falling,
             other_for={"run rolling on": {**falling, "tractive_rolling.speed": '"1 m/s"', "tractive_rolling.distance": None}}),
     feature("friction falling with the way of slip", "friction.weakening.*", "friction.weakening|friction|Coulomb|[rolling]",

@@ -65,6 +65,7 @@ std::string case_of(std::string_view path) {
         {"load.steps_per_quarter", "fretting_steel"},
         {"rig", "path_twist"},
         {"wear", "fretting_wear"},
+        {"adhesion", "adhesive_sphere"},
         {"friction.rate", "rolling_falling_friction"},
         {"friction.weakening", "path_weakening"},
         {"interface.hardening", "path_forces"},
@@ -95,6 +96,9 @@ TEST(CaseKeys, EveryKeyHasAMeaningAndAnExampleThatIsAccepted) {
             std::vector<std::string> overrides{example};
             if (key.path == "friction.rate.memory_speed")
                 overrides.emplace_back(R"(friction.rate.memory_length="3 um")");
+            if (key.section() == "adhesion" && key.path != "adhesion.work")
+                overrides.emplace_back(R"(models=["bem"])");
+            if (key.path == "adhesion.law") overrides.emplace_back(R"(adhesion.range="1 um")");
             if (key.path == "indenter.height")
                 for (const char* one :
                      {R"(indenter.young="2 MPa")", "indenter.poisson=0.5", R"(models=["bem"])",

@@ -1,0 +1,140 @@
+#include "comparisons/adhesion/adhesion_forms.h"
+
+#include <cmath>
+#include <numbers>
+
+#include "contact/base/special_values.h"
+#include "contact/bodies/body_shapes.h"
+#include "contact/half_space_scales.h"
+#include "contact/load_path.h"
+#include "report/format.h"
+#include "theory/adhesion.h"
+#include "theory/adhesive/adhesive_curve.h"
+#include "theory/adhesive/maugis_dugdale.h"
+
+namespace tricontact::comparisons {
+
+namespace {
+
+using contact::Adhesion;
+using contact::Case;
+using contact::NormalControl;
+using std::numbers::pi;
+
+bool is_on_a_half_space(const Case& c) {
+    return !c.layer.thickness && !c.has_hole() && !c.period && !c.indenter.body &&
+           !c.indenter.roughness;
+}
+
+bool is_of_revolution(const Case& c) {
+    return !c.is_cylindrical() && !contact::is_nominally_flat(c) &&
+           c.indenter.shape != Case::Shape::ellipsoid &&
+           c.indenter.shape != Case::Shape::flat_punch && !c.indenter.is_long_punch();
+}
+
+AdhesiveForms short_ranged_forms(const Case& c) {
+    const auto body = c.make_axisymmetric_indenter();
+    auto curve =
+        theory::half_space_curve(*body, c.materials().effective_modulus(), c.adhesion->work);
+    const auto pressed = curve.follow({}, contact::press_step(c).normal).state;
+    return {.contact_radius = pressed.radius,
+            .indentation = pressed.indentation,
+            .normal_force = pressed.force,
+            .pull_off = curve.pull_off(),
+            .theory = "Johnson, Kendall and Roberts"};
+}
+
+/// Maugis' units: A, P and D times these are a, F and d.
+struct MaugisUnits {
+    double radius, force, indentation;
+    explicit MaugisUnits(const Case& c) {
+        const double r = c.indenter.radius, w = c.adhesion->work,
+                     k = 4. / 3 * c.materials().effective_modulus();
+        radius = std::cbrt(pi * w * r * r / k);
+        force = pi * w * r;
+        indentation = std::cbrt(std::pow(pi * w / k, 2) * r);
+    }
+};
+
+AdhesiveForms maugis_forms(const Case& c) {
+    const MaugisUnits unit(c);
+    const double lambda =
+        theory::maugis_parameter(c.indenter.radius, c.adhesion->work,
+                                 c.materials().effective_modulus(), c.adhesion->strength());
+    const theory::MaugisContact off = theory::maugis_pull_off(lambda);
+    const NormalControl press = contact::press_step(c).normal;
+    const theory::MaugisContact pressed =
+        press.kind == NormalControl::Kind::force
+            ? theory::maugis_contact_under(lambda, press.value / unit.force)
+            : theory::maugis_contact_at(lambda, press.value / unit.indentation);
+    return {.contact_radius = pressed.radius * unit.radius,
+            .indentation = pressed.indentation * unit.indentation,
+            .normal_force = pressed.force * unit.force,
+            .pull_off = {.force = -off.force * unit.force,
+                         .radius = off.radius * unit.radius,
+                         .indentation = off.indentation * unit.indentation,
+                         .last_indentation = std::numeric_limits<double>::quiet_NaN()},
+            .theory = "Maugis"};
+}
+
+const char* regime_of(double tabor) {
+    return tabor > 5    ? "short-ranged, as Johnson, Kendall and Roberts have it"
+           : tabor < .1 ? "long-ranged, as Derjaguin, Muller and Toporov have it"
+                        : "between the theories, Maugis' transition";
+}
+
+}  // namespace
+
+std::optional<AdhesiveForms> adhesive_forms(const Case& c) {
+    if (!c.adhesion || !is_on_a_half_space(c) || !is_of_revolution(c) || c.has_rigid_substrate)
+        return {};
+    if (c.adhesion->is_short_ranged()) return short_ranged_forms(c);
+    if (!contact::is_hertz_round(c) || c.adhesion->law != Adhesion::Law::dugdale) return {};
+    return maugis_forms(c);
+}
+
+std::optional<double> tabor_parameter(const Case& c) {
+    if (!c.adhesion || !contact::is_hertz_round(c)) return {};
+    if (c.adhesion->is_short_ranged()) return contact::infinity;
+    return theory::tabor_parameter(c.indenter.radius, c.adhesion->work,
+                                   c.materials().effective_modulus(), c.adhesion->distance());
+}
+
+std::vector<report::DerivedValue> adhesive_values(const Case& c) {
+    std::vector<report::DerivedValue> all;
+    if (!c.adhesion) return all;
+    const auto tabor = tabor_parameter(c);
+    if (tabor && std::isfinite(*tabor))
+        all.push_back({"mu_T", *tabor, "1", "Tabor's parameter of the attraction"});
+    const auto forms = adhesive_forms(c);
+    if (!forms) return all;
+    const std::string by = " by " + forms->theory;
+    all.push_back({"a_adh", forms->contact_radius, "m", "contact radius under attraction" + by});
+    all.push_back({"d_adh", forms->indentation, "m", "indentation under attraction" + by});
+    all.push_back({"F_adh", forms->normal_force, "N", "normal force under attraction" + by});
+    all.push_back({"F_off", forms->pull_off.force, "N", "pull-off force" + by});
+    all.push_back({"a_off", forms->pull_off.radius, "m", "contact radius at pull-off" + by});
+    return all;
+}
+
+std::vector<std::string> adhesion_sentences(const Case& c) {
+    if (!c.adhesion) return {};
+    if (c.adhesion->is_short_ranged())
+        return {
+            "Adhesion has no range: the edge of the contact lets go as a crack grows (Johnson, "
+            "Kendall and Roberts)."};
+    const double strength = c.adhesion->strength();
+    // Dugdale's crack under K^2 = 2 E* w: pi/8 (K/sigma_0)^2.
+    const double zone =
+        pi / 4 * c.materials().effective_modulus() * c.adhesion->work / (strength * strength);
+    std::vector<std::string> sentences;
+    if (const auto tabor = tabor_parameter(c))
+        sentences.push_back("Tabor's parameter is " + report::significant(*tabor, 3) +
+                            ": the attraction is " + regime_of(*tabor) + ".");
+    sentences.push_back("Beside the edge of the contact it acts over a ring of about " +
+                        report::quantity(zone, "m") +
+                        " at most, which takes four cells or elements to be resolved.");
+    return sentences;
+}
+
+}  // namespace tricontact::comparisons

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "contact/case.h"
+#include "contact/history.h"
+#include "report/derived_value.h"
+
+namespace tricontact::comparisons {
+
+/// What is known in closed form, or by one integral, of the case's surfaces that attract each
+/// other: of bodies of revolution on a half-space, of a range above 0 paraboloids under Dugdale's
+/// law alone (Maugis 1992).
+struct AdhesiveForms {
+    double contact_radius = 0;  ///< under the normal load of the case [m]
+    double indentation = 0;     ///< likewise [m]
+    double normal_force = 0;    ///< likewise [N]
+    contact::PullOff pull_off;
+    std::string theory;  ///< "Johnson, Kendall and Roberts"
+};
+/// Empty where nothing is.
+std::optional<AdhesiveForms> adhesive_forms(const contact::Case& c);
+
+/// Tabor's parameter (R w^2/(E*^2 range^3))^(1/3) of a round body [-]; infinite of the range 0;
+/// empty without adhesion and of other bodies.
+std::optional<double> tabor_parameter(const contact::Case& c);
+
+/// These numbers with symbols and units, for those who check a case; none without adhesion.
+std::vector<report::DerivedValue> adhesive_values(const contact::Case& c);
+
+/// Which regime the case is in, and what it asks of cells and elements; empty without adhesion.
+std::vector<std::string> adhesion_sentences(const contact::Case& c);
+
+}  // namespace tricontact::comparisons

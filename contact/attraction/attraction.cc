@@ -1,0 +1,127 @@
+#include "contact/attraction/attraction.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+
+#include "contact/base/error.h"
+
+namespace tricontact::contact {
+
+namespace {
+
+/// Of tensions, over sigma_0: an exponential law ends where it has fallen to that.
+constexpr double no_tension = 1e-7;
+
+/// Of the zone in which tension acts: its length in points without a range, and the least.
+constexpr double points_without_range = 3, least_points = 2;
+
+/// Distance of points [m]; of the elements that bear them where these are nodes of such.
+double size_of(const ContactPoints& points) {
+    const double area = std::accumulate(points.area.begin(), points.area.end(), 0.);
+    const double n = static_cast<double>(points.size());
+    if (points.line_length > 0 && points.n_y == 1) return points.spacing[0];
+    const double side = std::sqrt(area / (points.mirrored ? 2 * n : n));
+    return points.quads.empty() ? side : 2 * side;
+}
+
+}  // namespace
+
+// The mean of a step at `distance` over gaps that are spread evenly over `width`: a ramp. It ends
+// within the touch at the earliest, so that its integral from there is w.
+double Attraction::tension(double gap, double width) const {
+    if (!std::isfinite(gap)) return 0;
+    gap = std::max(gap, 0.);
+    if (decays) {
+        const double part = std::exp(-gap / distance);
+        return part > no_tension ? strength * part : 0;
+    }
+    width = std::min(width, 2 * distance);
+    if (width <= 0) return gap < distance ? strength : 0;
+    return strength * std::clamp((distance - gap) / width + .5, 0., 1.);
+}
+
+double Attraction::energy(double gap, double width) const {
+    if (!std::isfinite(gap)) return 0;
+    gap = std::max(gap, 0.);
+    if (decays) return -work() * std::exp(-gap / distance);
+    width = std::min(width, 2 * distance);
+    const double left = distance - gap;
+    if (left >= width / 2) return -strength * left;
+    if (left <= -width / 2) return 0;
+    return -strength * (left + width / 2) * (left + width / 2) / (2 * width);
+}
+
+// A crack whose faces sigma_0 pulls lets go over the length rho = pi/8 (K/sigma_0)^2, K^2 = 2 E* w,
+// if rho is short (Dugdale 1960; Maugis 1992): rho = pi/4 E* w/sigma_0^2.
+Attraction attraction_on(const ContactPoints& points, const AttractionLaw& law, double modulus) {
+    const double per_length = std::numbers::pi / 4 * modulus * law.work;
+    const double size = size_of(points);
+    if (law.distance == 0) {
+        const double strength = std::sqrt(per_length / (points_without_range * size));
+        return {.strength = strength,
+                .distance = law.work / strength,
+                .decays = false,
+                .is_short_ranged = true};
+    }
+    const double strength = law.work / law.distance, length = per_length / (strength * strength);
+    if (length < least_points * size)
+        throw InputError(fmt::format(
+            "adhesion: the tension of {:.4g} Pa acts over {:.3g} m beside the contact, less than "
+            "two of the cells or elements of {:.3g} m; make those finer, or the range longer, or "
+            "set it to 0",
+            strength, length, size));
+    return {.strength = strength,
+            .distance = law.distance,
+            .decays = law.decays,
+            .is_short_ranged = false};
+}
+
+GapWidths::GapWidths(const ContactPoints& points) : points_(points) {
+    if (points.n_x > 0) return;
+    beside_.resize(points.size());
+    for (const auto& quad : points.quads)
+        for (const int i : quad)
+            for (const int j : quad)
+                if (i != j) beside_[i].push_back(j);
+}
+
+double GapWidths::on_grid(std::span<const double> gap, int i, int j) const {
+    const int n_x = points_.n_x, n_y = points_.n_y;
+    const double here = gap[static_cast<std::size_t>(j) * n_x + i];
+    const auto at = [&](int k, int l) {
+        if (points_.periodic) {
+            k = (k + n_x) % n_x;
+            l = (l + n_y) % n_y;
+        }
+        if (points_.mirrored && l < 0) l = -l;
+        const bool is_there = k >= 0 && k < n_x && l >= 0 && l < n_y;
+        const double value = is_there ? gap[static_cast<std::size_t>(l) * n_x + k] : here;
+        return std::isfinite(value) ? value : here;
+    };
+    const double along_x = std::abs(at(i + 1, j) - at(i - 1, j)) / 2;
+    return along_x + (n_y > 1 ? std::abs(at(i, j + 1) - at(i, j - 1)) / 2 : 0);
+}
+
+void GapWidths::of(std::span<const double> gap, std::span<double> width) const {
+    if (points_.n_x > 0) {
+        for (int j = 0; j < points_.n_y; ++j)
+            for (int i = 0; i < points_.n_x; ++i)
+                width[static_cast<std::size_t>(j) * points_.n_x + i] = on_grid(gap, i, j);
+        return;
+    }
+    for (std::size_t i = 0; i < beside_.size(); ++i) {
+        double slope = 0;
+        for (const int j : beside_[i]) {
+            const double way = std::hypot(points_.x[j] - points_.x[i], points_.y[j] - points_.y[i]);
+            const double rise = std::abs(gap[j] - gap[i]);
+            if (std::isfinite(rise)) slope = std::max(slope, rise / way);
+        }
+        width[i] = slope * std::sqrt(points_.area[i]);
+    }
+}
+
+}  // namespace tricontact::contact

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "contact/compliances/compliance.h"
+
+namespace tricontact::contact {
+
+/// Tension that surfaces exert on each other over the gap g between them, as the points of a
+/// surface feel it.
+struct Attraction {
+    double strength = 0;           ///< sigma_0 [Pa]
+    double distance = 0;           ///< of the law [m]; sigma_0 times it is the work of adhesion w
+    bool decays = false;           ///< sigma_0 exp(-g/distance), else sigma_0 up to the distance
+    bool is_short_ranged = false;  ///< sigma_0 was chosen for the points, in place of range 0
+
+    double work() const { return strength * distance; }  ///< w [J/m^2]
+    /// Tension of a point whose surface has gaps from g - width/2 to g + width/2 [Pa].
+    double tension(double gap, double width) const;
+    /// Energy of the same, 0 far away, -w in contact [J/m^2].
+    double energy(double gap, double width) const;
+};
+
+/// The law of the surfaces, whatever points they have.
+struct AttractionLaw {
+    double work;  ///< w [J/m^2]
+    double
+        distance;  ///< as Attraction's [m]; 0: short-ranged, what Johnson, Kendall and Roberts did
+    bool decays;   ///< as Attraction's
+};
+
+/// Of a law on these points, `modulus` E* of the pair [Pa]. Without a range sigma_0 is such
+/// that the tension acts over a few points beside the contact. Throws InputError where it acts over
+/// fewer than two.
+Attraction attraction_on(const ContactPoints& points, const AttractionLaw& law, double modulus);
+
+/// By how much the gap differs across the surface of each point. A tension that ends at a gap ends
+/// within a point's surface: counted by whole points the edge of the tension would be as rough as
+/// they are.
+class GapWidths {
+  public:
+    explicit GapWidths(const ContactPoints& points);
+
+    /// Per point [m]; `gap` may be infinite.
+    void of(std::span<const double> gap, std::span<double> width) const;
+
+  private:
+    double on_grid(std::span<const double> gap, int i, int j) const;
+
+    const ContactPoints& points_;
+    std::vector<std::vector<int>> beside_;  // of points on element faces that form no grid
+};
+
+}  // namespace tricontact::contact

@@ -1,0 +1,253 @@
+#include "contact/solvers/adhesive_normal.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "contact/base/error.h"
+#include "contact/base/special_values.h"
+#include "contact/solvers/fixed_point.h"
+
+// p = q - s: q >= 0 where the surfaces touch, s = sigma(g) >= 0 all over. For a given s the contact
+// is that of surfaces which do not attract each other,
+//
+//   g = A q + (h - A s) - d >= 0,   q >= 0,   q g = 0,   sum q a = F_N + sum s a,
+//
+// with heights that the tension lowers; NormalSolver solves it. The gap then gives the next s. More
+// tension means smaller gaps and those more tension: from a state of the last step the iterates
+// fall (as the indenter is withdrawn) or rise (as it is pressed) to the state next to it, which is
+// the one that a slow change reaches. Where that state ends (a fold), they go on to the next one,
+// far away: the contact jumps. Near a fold they converge slowly and are combined (FixedPoint).
+
+namespace tricontact::contact {
+
+namespace {
+
+constexpr int max_tensions = 1000;
+// Iterates that are taken as they are, and then combined as long as that helps: where there is no
+// state nearby combinations lead nowhere, and the iterates themselves have to find the way.
+constexpr int most_simple = 8, most_combined = 12;
+constexpr double helps = .3;
+constexpr int most_varied = 60;   // iterates with widths of their own
+constexpr double settled = 1e-3;  // residual from which on widths stay
+constexpr double roughest = 1e-3, of_residual = .05;
+
+/// What is set free in a step, over w and the area that attracts, from which on it is bisected, and
+/// how often: an integral by trapezoids knows where a jump was to the step that it is in.
+constexpr double is_a_jump = 2e-3;
+constexpr int most_bisections = 9;
+
+}  // namespace
+
+struct AdhesiveNormal::Iterate {
+    std::vector<double> tension, width, lowered;  // s, of the gap, A s
+    std::vector<double> gap, next;                // by q, and the tension that it gives
+    NormalSolution touch;                         // q; its indentation is d
+    double residual = infinity;                   // of the tension, by what it displaces
+};
+
+/// From an iterate to the next one.
+class AdhesiveNormal::Way {
+  public:
+    std::vector<double> next(const Iterate& now, bool may_combine) {
+        if (left_ == 0) {
+            combines_ = may_combine && !combines_;
+            left_ = combines_ ? most_combined : most_simple;
+            first_ = now.residual;
+            accelerated_ = {};
+        }
+        --left_;
+        if (!combines_) return now.next;
+        if (left_ == 0 && now.residual < helps * first_) {
+            left_ = most_combined;
+            first_ = now.residual;
+        }
+        if (now.residual > 2 * first_) left_ = 0;
+        return accelerated_.next(now.tension, now.next, now.residual);
+    }
+
+  private:
+    FixedPoint accelerated_;
+    bool combines_ = true;
+    int left_ = 0;
+    double first_ = infinity;
+};
+
+AdhesiveNormal::AdhesiveNormal(std::string name, const Compliance& compliance,
+                               const Attraction& attraction, double tolerance)
+    : name_(std::move(name)),
+      compliance_(compliance),
+      attraction_(attraction),
+      tolerance_(tolerance),
+      widths_(compliance.points()),
+      exact_(compliance, .1 * tolerance) {
+    if (ContactShare::is_known(compliance.points())) share_.emplace(compliance.points());
+}
+
+/// Presses under the present tension.
+void AdhesiveNormal::press(const std::vector<double>& height, const NormalControl& control,
+                           double precision, Iterate& now) const {
+    const auto& area = compliance_.points().area;
+    const std::size_t n = height.size();
+    std::vector<double> lower(n);
+    double reach = 0, pull = 0;
+    for (std::size_t i = 0; i < n; ++i) {
+        lower[i] = height[i] - now.lowered[i];
+        reach = std::max(reach, now.lowered[i]);
+        pull += area[i] * now.tension[i];
+    }
+    NormalControl by_touch = control;
+    double raised = 0;
+    if (control.kind == NormalControl::Kind::force) {
+        by_touch.value += pull;
+        if (!(by_touch.value > 1e-12 * std::max(pull, std::abs(control.value))))
+            throw InputError(fmt::format(
+                "{}: a force of {:.6g} N pulls the surfaces off, they do not hold so much; pull "
+                "less, or prescribe the depth",
+                name_, control.value));
+    } else {
+        // A depth above the undeformed surface: all is raised to a positive one.
+        const double positive = std::max({control.value, reach, attraction_.distance});
+        raised = positive - control.value;
+        for (double& h : lower) h += raised;
+        by_touch.value = positive;
+    }
+    const bool is_last = precision <= .1 * tolerance_;
+    const auto pressed = [&](const NormalSolver& solver) {
+        return solver.solve(lower, by_touch,
+                            now.touch.force > 0 ? now.touch.pressure : std::vector<double>{},
+                            is_last);
+    };
+    now.touch = is_last || compliance_.dense() ? pressed(exact_)
+                                               : pressed(NormalSolver(compliance_, precision));
+    now.gap.resize(n);
+    for (std::size_t i = 0; i < n; ++i)
+        now.gap[i] = now.touch.displacement[i] + lower[i] - now.touch.indentation;
+    now.touch.indentation -= raised;
+}
+
+/// From the gap; its residual is what the change displaces.
+void AdhesiveNormal::update_tension(Iterate& now) const {
+    const std::size_t n = now.gap.size();
+    now.next.resize(n);
+    std::vector<double> change(n), displaced(n);
+    for (std::size_t i = 0; i < n; ++i) {
+        now.next[i] = attraction_.tension(now.gap[i], now.width[i]);
+        change[i] = now.next[i] - now.tension[i];
+    }
+    compliance_.normal(change, displaced);
+    double worst = 0;
+    for (const double u : displaced) worst = larger(worst, std::abs(u));
+    now.residual = worst / std::max(now.touch.length, attraction_.distance);
+}
+
+NormalSolution AdhesiveNormal::settle(const std::vector<double>& height,
+                                      const NormalControl& control,
+                                      const NormalSolution& before) const {
+    const std::size_t n = height.size();
+    Iterate now;
+    now.width.assign(n, 0);
+    now.lowered.resize(n);
+    now.tension = before.attracts() ? before.tension : std::vector<double>(n);
+    if (before.attracts()) {
+        now.touch = before;
+        now.touch.force = 0;
+        for (std::size_t i = 0; i < n; ++i) {
+            const double q = now.touch.pressure[i] + now.tension[i];
+            now.touch.pressure[i] = before.share[i] > 0 ? std::max(q, 0.) : 0;
+            now.touch.force += now.touch.pressure[i];
+        }
+    } else if (control.kind == NormalControl::Kind::force && !(control.value > 0)) {
+        now.touch.force = 0;
+    }
+    Way way;
+    bool widths_stay = attraction_.decays;
+    int iterations = 0;
+    for (int k = 0; k < max_tensions; ++k) {
+        compliance_.normal(now.tension, now.lowered);
+        const double precision = std::clamp(of_residual * now.residual, .1 * tolerance_, roughest);
+        press(height, control, precision, now);
+        iterations += now.touch.iterations;
+        if (!widths_stay) widths_.of(now.gap, now.width);
+        update_tension(now);
+        if (now.residual <= tolerance_ && precision <= .1 * tolerance_ && (k > 0 || widths_stay)) {
+            now.touch.iterations = iterations;
+            return finish(std::move(now));
+        }
+        if (!attraction_.decays) {
+            if (now.residual < settled || k > most_varied) widths_stay = true;
+            if (now.residual > 10 * settled && k <= most_varied) widths_stay = false;
+        }
+        now.tension = way.next(now, widths_stay);
+        for (double& s : now.tension) s = std::clamp(s, 0., attraction_.strength);
+    }
+    throw NotConverged(fmt::format(
+        "{}: after {} iterations the tension of the surfaces still changes, by {:.2e} of the "
+        "indentation; take another load, near which nothing jumps, or finer points",
+        name_, max_tensions, now.residual));
+}
+
+/// The state of tension and touch together.
+NormalSolution AdhesiveNormal::finish(Iterate now) const {
+    const auto& area = compliance_.points().area;
+    const std::size_t n = now.gap.size();
+    NormalSolution s = std::move(now.touch);
+    s.share = share_ ? share_->of(s.pressure, now.gap) : std::vector<double>(n);
+    s.residual = std::max(s.residual, now.residual);
+    s.length = std::max(s.length, attraction_.distance);
+    s.force = s.energy = 0;
+    for (std::size_t i = 0; i < n; ++i) {
+        if (!share_) s.share[i] = s.pressure[i] > 0;
+        // K of a crack whose faces sigma_0 pulls over the length rho beyond the contact is that of
+        // one that ends at 2/3 rho: its tension 2/pi sigma_0 atan(sqrt(rho/x)) at the distance x is
+        // that of the other but for (rho/x)^(5/2) (Dugdale 1960; Barenblatt 1962).
+        if (attraction_.is_short_ranged)
+            s.share[i] += 2. / 3 * (1 - s.share[i]) * now.tension[i] / attraction_.strength;
+        s.pressure[i] -= now.tension[i];
+        s.displacement[i] -= now.lowered[i];
+        s.force += area[i] * s.pressure[i];
+        s.energy += area[i] * (s.pressure[i] * s.displacement[i] / 2 +
+                               attraction_.energy(now.gap[i], now.width[i]));
+    }
+    s.tension = std::move(now.tension);
+    return s;
+}
+
+double AdhesiveNormal::attracted_area(const NormalSolution& s) const {
+    const auto& area = compliance_.points().area;
+    double sum = 0;
+    for (std::size_t i = 0; i < area.size(); ++i)
+        sum += area[i] * s.tension[i] / attraction_.strength;
+    return sum;
+}
+
+NormalSolution AdhesiveNormal::advance(const std::vector<double>& height, const NormalControl& from,
+                                       const NormalControl& to, const NormalSolution& before,
+                                       int depth) const {
+    NormalSolution after = settle(height, to, before);
+    const double work =
+        .5 * (before.force + after.force) * (after.indentation - before.indentation);
+    after.released = work - (after.energy - before.energy);
+    const double unit =
+        attraction_.work() * std::max(attracted_area(before), attracted_area(after));
+    if (depth == most_bisections || !(std::abs(after.released) > is_a_jump * unit)) return after;
+    NormalControl half = to;
+    half.value = (from.value + to.value) / 2;
+    const NormalSolution between = advance(height, from, half, before, depth + 1);
+    after = advance(height, half, to, between, depth + 1);
+    after.released += between.released;
+    after.iterations += between.iterations;
+    return after;
+}
+
+NormalSolution AdhesiveNormal::follow(const std::vector<double>& height,
+                                      const NormalControl& control,
+                                      const NormalSolution& before) const {
+    if (!before.attracts()) return settle(height, control, before);
+    const bool by_force = control.kind == NormalControl::Kind::force;
+    return advance(height, {control.kind, by_force ? before.force : before.indentation}, control,
+                   before, 0);
+}
+
+}  // namespace tricontact::contact

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "contact/attraction/attraction.h"
+#include "contact/solvers/contact_share.h"
+#include "contact/solvers/normal_solver.h"
+
+namespace tricontact::contact {
+
+/// Frictionless normal contact of surfaces that attract each other, which depends on the state that
+/// it begins from: contact jumps in and lets go at different depths. Equations in
+/// docs/explanation/adhesion.md.
+class AdhesiveNormal {
+  public:
+    /// `name`: for messages; `tolerance` as that of NormalSolver.
+    AdhesiveNormal(std::string name, const Compliance& compliance, const Attraction& attraction,
+                   double tolerance);
+
+    const Attraction& attraction() const { return attraction_; }
+    /// The stable state to which `before` goes over when the control changes monotonically to this
+    /// one; `before` without a tension: no attraction at all. Heights as those of NormalSolver.
+    /// NormalSolution::released tells what is set free on the way, bisected where something jumps.
+    /// Throws InputError when a force pulls the surfaces off, NotConverged.
+    NormalSolution follow(const std::vector<double>& height, const NormalControl& control,
+                          const NormalSolution& before) const;
+    /// The same at once.
+    NormalSolution settle(const std::vector<double>& height, const NormalControl& control,
+                          const NormalSolution& before) const;
+
+  private:
+    struct Iterate;  // of a tension
+    class Way;
+    void press(const std::vector<double>& height, const NormalControl& control, double precision,
+               Iterate& now) const;
+    void update_tension(Iterate& now) const;
+    NormalSolution finish(Iterate now) const;
+    NormalSolution advance(const std::vector<double>& height, const NormalControl& from,
+                           const NormalControl& to, const NormalSolution& before, int depth) const;
+    double attracted_area(const NormalSolution& s) const;
+
+    std::string name_;
+    const Compliance& compliance_;
+    Attraction attraction_;
+    double tolerance_;
+    GapWidths widths_;
+    std::optional<ContactShare> share_;
+    NormalSolver exact_;
+};
+
+}  // namespace tricontact::contact

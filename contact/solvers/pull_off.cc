@@ -1,0 +1,112 @@
+#include "contact/solvers/pull_off.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "contact/solvers/contact_region.h"
+
+namespace tricontact::contact {
+
+namespace {
+
+// Steps of the depth are parts of the length at which the elastic energy of the contact equals that
+// of its adhesion. JKR's sphere is 1.4 of these from where it carries nothing to its largest
+// tension, and 1.8 to its last contact.
+constexpr double steps_per_length = 8;
+constexpr int most_steps = 400, bisections = 8;
+constexpr double probe = 1e-2;  // of that length, for the stiffness
+
+NormalControl depth(double d) {
+    return {NormalControl::Kind::indentation, d};
+}
+
+bool is_in_contact(const NormalSolution& s) {
+    return std::ranges::any_of(s.share, [](double part) { return part > 0; });
+}
+
+double area_of(const NormalSolution& s, const ContactPoints& points) {
+    double area = 0;
+    for (std::size_t i = 0; i < s.share.size(); ++i) area += s.share[i] * points.area[i];
+    return area;
+}
+
+/// The state of least force between three neighbours, by the parabola through them.
+struct Least {
+    double indentation, force;
+};
+Least least_of(const std::array<NormalSolution, 3>& s) {
+    const double d0 = s[0].indentation, d1 = s[1].indentation, d2 = s[2].indentation;
+    const double s01 = (s[1].force - s[0].force) / (d1 - d0);
+    const double s12 = (s[2].force - s[1].force) / (d2 - d1);
+    const double curvature = (s12 - s01) / (d2 - d0);
+    if (!(curvature > 0)) return {d1, s[1].force};
+    const double slope = s01 - curvature * (d0 + d1);  // F = .. + slope d + curvature d^2
+    const double d = std::clamp(-slope / (2 * curvature), std::min(d0, d2), std::max(d0, d2));
+    return {d, s[1].force + (d - d1) * (slope + curvature * (d + d1))};
+}
+
+}  // namespace
+
+std::optional<LettingGo> pull_off(const AdhesiveNormal& solver, const ContactPoints& points,
+                                  const std::vector<double>& height, const NormalControl& hardest) {
+    const NormalSolution pressed = solver.settle(height, hardest, {});
+    NormalSolution now = solver.settle(height, {NormalControl::Kind::force, 0}, pressed);
+    if (!is_in_contact(now)) return {};
+    const double area = area_of(now, points), work = solver.attraction().work();
+    // F d of a contact as stiff as this, whose mean displacement under its tension is u.
+    double pull = 0, reach = 0;
+    for (std::size_t i = 0; i < now.tension.size(); ++i) pull += points.area[i] * now.tension[i];
+    reach = std::max(now.length, work * area / pull);
+    const NormalSolution aside = solver.settle(height, depth(now.indentation - probe * reach), now);
+    const double stiffness = (now.force - aside.force) / (now.indentation - aside.indentation);
+    const double length = stiffness > 0 ? std::sqrt(work * area / stiffness) : reach;
+    const double step = length / steps_per_length;
+
+    LettingGo found{};
+    std::array<NormalSolution, 3> lowest;
+    NormalSolution before = now;
+    int k = 0;
+    for (; k < most_steps; ++k) {
+        NormalSolution next = solver.settle(height, depth(now.indentation - step), now);
+        if (!is_in_contact(next)) break;
+        const bool is_least = k > 0 && now.force <= before.force && now.force <= next.force;
+        if (is_least && now.force < -found.force) {
+            found.force = -now.force;
+            lowest = {before, now, next};
+        }
+        before = std::move(now);
+        now = std::move(next);
+    }
+    if (k == most_steps) return {};
+    // The last contact.
+    double on = now.indentation, off = on - step;
+    for (int i = 0; i < bisections; ++i) {
+        const double middle = (on + off) / 2;
+        NormalSolution s = solver.settle(height, depth(middle), now);
+        if (is_in_contact(s)) {
+            if (s.force < now.force && s.force < -found.force && now.force <= -found.force) {
+                found.force = -s.force;
+                lowest = {now, s, s};
+            }
+            on = middle;
+            now = std::move(s);
+        } else {
+            off = middle;
+        }
+    }
+    found.last_indentation = on;
+    const bool is_smooth =
+        !lowest[1].tension.empty() && lowest[2].indentation != lowest[1].indentation;
+    if (!is_smooth) {  // the tension rises up to the last contact
+        const NormalSolution& s =
+            now.force <= -found.force || lowest[1].tension.empty() ? now : lowest[1];
+        return LettingGo{-s.force, shared_radius(points, s.share), s.indentation, on};
+    }
+    const Least least = least_of(lowest);
+    const NormalSolution s = solver.settle(height, depth(least.indentation), lowest[0]);
+    return LettingGo{std::max(-s.force, found.force), shared_radius(points, s.share), s.indentation,
+                     on};
+}
+
+}  // namespace tricontact::contact

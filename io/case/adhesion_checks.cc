@@ -1,0 +1,69 @@
+#include "contact/rig_stiffness.h"
+#include "contact/substrates/normal_tangential.h"
+#include "contact/wearing_contact.h"
+#include "io/case/case_checks.h"
+
+namespace tricontact::io {
+
+namespace {
+
+using contact::Case;
+using contact::ModelKind;
+
+const std::string omit_adhesion = "leave out [adhesion]";
+
+void check_adhesive_model(const std::string& model, const Case& c, const Document& document) {
+    const ModelKind& kind = contact::model_kind(model);
+    const std::string key = "adhesion.work";
+    if (!kind.sees_adhesion)
+        refuse(document, key, model + " knows no surfaces that attract each other",
+               "leave out " + model + ", or " + omit_adhesion);
+    if (kind.is_on_line() && !c.adhesion->is_short_ranged())
+        refuse(document, used(document, "adhesion.range", "adhesion.peak_stress"),
+               "the springs of " + model + " let go at the edge alone, the range is 0 there",
+               "leave out " + model + ", or omit the range");
+    if (kind.couples && c.contact.coupling &&
+        (!kind.is_half_space() || contact::half_spaces_couple(c.materials())))
+        refuse(document, key,
+               "normal and tangential contact of " + model +
+                   " are coupled: friction on surfaces that attract each other is not computed",
+               "set contact.coupling = false");
+}
+
+}  // namespace
+
+void check_adhesion(const Case& c, const Document& document) {
+    if (!c.adhesion) return;
+    const std::string key = "adhesion.work";
+    if (!c.is_pressed_only())
+        refuse(document, key,
+               "surfaces that attract each other are pressed and pulled off; friction under "
+               "tension, and rolling, are not computed",
+               "set load.tangential_ratio = 0 and omit rolling and shifts, or " + omit_adhesion);
+    if (c.law != Case::Law::linear)
+        refuse(document, key, "finite strains know no surfaces that attract each other",
+               R"(set substrate.material to "linear", or )" + omit_adhesion);
+    if (c.relaxation)
+        refuse(document, key, "the work of adhesion of a relaxing substrate is not computed",
+               "leave out [substrate.relaxation] or [adhesion]");
+    if (c.interface.is_elastic())
+        refuse(document, key, "springs between the surfaces do not let go",
+               "leave out [interface] or [adhesion]");
+    if (c.yield_stress.any())
+        refuse(document,
+               document.find("substrate.yield_stress") ? "substrate.yield_stress"
+                                                       : "indenter.yield_stress",
+               "strength is judged of contacts that do not attract each other alone",
+               "omit it, or " + omit_adhesion);
+    if (c.kept.find<contact::Wear>())
+        refuse(document, "wear.cycles", "surfaces that attract each other are not worn",
+               "leave out [wear] or [adhesion]");
+    const auto* const rig = c.kept.find<contact::RigStiffness>();
+    if (rig && rig->yields())
+        refuse(document, rig->normal ? "rig.normal_stiffness" : "rig.tangential_stiffness",
+               "where a rig yields the place of the jumps is not computed",
+               "prescribe what the contact feels, or " + omit_adhesion);
+    for (const std::string& model : c.models) check_adhesive_model(model, c, document);
+}
+
+}  // namespace tricontact::io

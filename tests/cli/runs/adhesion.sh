@@ -1,0 +1,60 @@
+#!/usr/bin/env bash
+# Surfaces that attract each other: force curves, pull-off, what check and predict say, refusals.
+# usage: adhesion.sh PROGRAM SOURCE_DIR
+source "$(dirname -- "${BASH_SOURCE[0]}")/../summaries.bash"
+
+# 1. The example: JKR's pull-off, -3/2 pi w R at a^3 = 9 pi w R^2/(8 E*) (E* = 2 MPa), to 1e-6; energy
+# lost in two jumps; force curve first.
+case=$source_dir/examples/cases/adhesive_sphere.toml
+"$program" run "$case" --output out --quiet >text 2>&1 || complain "no run: $(cat text)"
+"$python" - <<'PYTHON' || complain "numbers of JKR"
+import csv, json, math
+w, R, E = 60e-3, 5e-3, 2e6
+model = json.load(open("out/summary.json"))["models"]["mdr"]
+assert abs(model["pull_off_force_N"] / (1.5 * math.pi * w * R) - 1) < 1e-6
+assert abs(model["pull_off_radius_m"] / (9 * math.pi * w * R * R / 8 / E) ** (1 / 3) - 1) < 1e-6
+assert model["audit"]["energy_balance"]["passed"]
+steps = [{k: float(v) for k, v in row.items() if v} for row in csv.DictReader(open("out/mdr/history.csv"))]
+jumps = [s for s in steps if s["released_energy_J"] > 0]
+assert len(jumps) == 2 and jumps[0]["indentation_m"] == 0, jumps
+# There and back again the same force at the same depth, where nothing jumps: 1e-9 of the largest.
+there = {round(s["indentation_m"], 12): s["normal_force_N"] for s in steps if 1 < s["phase"] <= 2}
+back = [s for s in steps if 2 < s["phase"] <= 3 and round(s["indentation_m"], 12) in there]
+assert len(back) > 15
+assert all(abs(s["normal_force_N"] - there[round(s["indentation_m"], 12)]) < 1e-9 * 5e-3 for s in back)
+assert min(s["normal_force_N"] for s in steps) > -model["pull_off_force_N"]
+PYTHON
+[[ $(grep -o 'force_curve\|traction_x' out/report.html | head -1) == force_curve ]] || complain "the force curve is not first"
+
+# 2. The same without a run.
+"$program" predict "$case" --json >prediction.json || complain "no prediction"
+"$python" - <<'PYTHON' || complain "prediction: $(head -c 600 prediction.json)"
+import json
+run = json.load(open("out/summary.json"))["models"]["mdr"]
+said = json.dumps(json.load(open("prediction.json"))["models"]["mdr"])
+assert "pull_off_force_N" in said and "Johnson, Kendall and Roberts" in said
+PYTHON
+"$program" check "$case" >text || complain "check: $(cat text)"
+grep -q "F_off .*1.414 mN" text || complain "check knows no pull-off: $(cat text)"
+
+# 3. On a layer it holds more; bars by other elements.
+"$program" run "$case" --models mdr-layer --set 'substrate.thickness="0.1 mm"' --output layer --quiet >text 2>&1 ||
+    complain "no layer: $(cat text)"
+"$python" - <<'PYTHON' || complain "layer"
+import json
+summary = json.load(open("layer/summary.json"))
+model = summary["models"]["mdr-layer"]
+assert 1.5 < model["pull_off_force_N"] / (3.14159265 * 60e-3 * 5e-3) < 3
+assert 0 < summary["numerical_error"]["half_widths"]["pull_off_force_N"] < 1e-3 * model["pull_off_force_N"]
+PYTHON
+
+# 4. A force beyond pull-off ends the run, with what the contact holds.
+"$program" run "$case" --set 'path.table="normal_force [mN]\n0\n2\n-1.5"' --output lost --quiet >text 2>&1 &&
+    complain "-1.5 mN holds"
+grep -q "holds 0.00141372 N at most" text || complain "$(cat text)"
+
+# 5. What does not know it says so.
+for command in "deviation" "contact export --output x" "experiment" "rig" "benchmark deck --for calculix"; do
+    "$program" $command "$case" >text 2>&1 && complain "$command takes adhesion"
+done
+finish

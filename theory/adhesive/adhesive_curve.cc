@@ -1,0 +1,257 @@
+#include "theory/adhesive/adhesive_curve.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+#include <utility>
+
+#include "contact/base/error.h"
+#include "contact/base/root.h"
+#include "theory/line_load.h"
+
+namespace tricontact::theory {
+
+namespace {
+
+using contact::NormalControl;
+using State = AdhesiveCurve::State;
+using std::numbers::pi;
+
+constexpr double least_radius = .02;   // over that of first touch
+constexpr double node_ratio = 1.015;   // of neighbouring radii
+constexpr double same_radius = 1e-12;  // relative
+
+double value_of(const State& s, NormalControl::Kind kind) {
+    return kind == NormalControl::Kind::force ? s.force : s.indentation;
+}
+
+}  // namespace
+
+/// A motion under way.
+struct AdhesiveCurve::Walk {
+    NormalControl control;
+    Motion motion;
+    bool arrived = false;
+
+    void move(const State& to) {
+        motion.work +=
+            (motion.state.force + to.force) / 2 * (to.indentation - motion.state.indentation);
+        motion.state = to;
+    }
+    void arrive(const State& at) {
+        move(at);
+        arrived = true;
+    }
+};
+
+AdhesiveCurve::AdhesiveCurve(Family family, double modulus, double work, double guess,
+                             double largest_radius)
+    : family_(std::move(family)), modulus_(modulus), work_(work), largest_(largest_radius) {
+    if (!(modulus > 0) || !(work > 0) || !(guess > 0) || !(largest_radius > 0))
+        throw std::domain_error("AdhesiveCurve: modulus, work and radii must be positive");
+    double touching = std::min(guess, largest_radius);
+    while (at(touching).indentation > 0) touching /= 2;
+    while (touching < largest_radius && at(touching).indentation <= 0) touching *= 2;
+    nodes_.push_back(at(least_radius * std::min(touching, largest_radius)));
+}
+
+AdhesiveCurve::State AdhesiveCurve::at(double radius) const {
+    const DiscContact disc = family_(radius);
+    const double l = std::sqrt(2 * pi * radius * work_ / modulus_) / disc.edge;
+    // The body pressed to d_0 and the punch pulled back by l.
+    return {.radius = radius,
+            .indentation = disc.indentation - l,
+            .force = disc.force - disc.stiffness * l,
+            .energy = disc.energy - l * (disc.force - disc.stiffness * l / 2),
+            .detached = l};
+}
+
+double AdhesiveCurve::stored(const State& s) const {
+    return s.energy - work_ * pi * s.radius * s.radius;
+}
+
+void AdhesiveCurve::extend() {
+    const double last = nodes_.back().radius;
+    if (last >= largest_)
+        throw contact::InputError(fmt::format(
+            "adhesion: the contact reaches the rim of the indenter's profile at {:.6g} m; reduce "
+            "the load or the work of adhesion, or enlarge the indenter",
+            largest_));
+    nodes_.push_back(at(std::min(node_ratio * last, largest_)));
+}
+
+const AdhesiveCurve::State& AdhesiveCurve::node(int k) {
+    while (k >= static_cast<int>(nodes_.size())) extend();
+    return nodes_[k];
+}
+
+AdhesiveCurve::State AdhesiveCurve::crossing(const State& from, const State& to, Kind kind,
+                                             double level) const {
+    const auto excess = [&](double radius) { return value_of(at(radius), kind) - level; };
+    State found = at(contact::bracketed_root(excess, std::min(from.radius, to.radius),
+                                             std::max(from.radius, to.radius)));
+    // What is prescribed has no rounding of its own.
+    (kind == Kind::force ? found.force : found.indentation) = level;
+    return found;
+}
+
+/// Where the control is stationary between two radii: the root of its central difference, which is
+/// off by the square of 1e-5; the end that is farther on where there is none.
+AdhesiveCurve::State AdhesiveCurve::limit_point(double first, double last, Kind kind,
+                                                int direction) const {
+    constexpr double step = 1e-5;
+    const auto slope = [&](double radius) {
+        return value_of(at(radius * (1 + step)), kind) - value_of(at(radius * (1 - step)), kind);
+    };
+    const double low = std::min(first, last), high = std::max(first, last);
+    const double at_low = slope(low), at_high = slope(high);
+    if ((at_low < 0) != (at_high < 0))
+        return at(contact::bracketed_root(slope, low, high, at_low, at_high, 40));
+    const State one = at(low), other = at(high);
+    return direction * (value_of(one, kind) - value_of(other, kind)) > 0 ? one : other;
+}
+
+/// Out of contact the bodies meet at d = 0, where F = 0.
+void AdhesiveCurve::touch(Walk& walk) {
+    const Kind kind = walk.control.kind;
+    walk.motion.state = {};
+    int k = 1;
+    while (value_of(node(k), kind) < 0) ++k;
+    const State to = crossing(node(k - 1), node(k), kind, 0);
+    walk.motion.released -= stored(to);
+    ++walk.motion.jumps;
+    walk.motion.state = to;
+    walk.arrived = walk.control.value == 0;
+}
+
+void AdhesiveCurve::lose(Walk& walk) const {
+    if (walk.control.kind == Kind::force)
+        throw contact::InputError(fmt::format(
+            "adhesion: the normal force {:.6g} N pulls the bodies apart; the contact holds {:.6g} "
+            "N at most: pull less, or prescribe the indentation, which follows the contact to its "
+            "end",
+            walk.control.value, -walk.motion.state.force));
+    walk.motion.released += stored(walk.motion.state);
+    ++walk.motion.jumps;
+    walk.motion.state = {.indentation = walk.control.value};
+    walk.arrived = true;
+}
+
+/// To the next radius in that direction with the same control, from a state where it turns back.
+void AdhesiveCurve::jump_from(Walk& walk, const State& limit, int next, int direction) {
+    const Kind kind = walk.control.kind;
+    const double level = value_of(limit, kind);
+    State before = limit;
+    for (int k = next;; k += direction) {
+        if (k < 0) return lose(walk);
+        const State now = node(k);
+        if (direction * (value_of(now, kind) - level) > 0 && before.radius != limit.radius) {
+            const State to = crossing(before, now, kind, level);
+            const double by_force =
+                kind == Kind::force ? level * (to.indentation - limit.indentation) : 0;
+            walk.motion.released += stored(limit) - stored(to) + by_force;
+            walk.motion.work += by_force;
+            ++walk.motion.jumps;
+            walk.motion.state = to;
+            return;
+        }
+        before = now;
+    }
+}
+
+/// Along the stable branch, on which the control grows with the radius, towards the target.
+void AdhesiveCurve::go(Walk& walk, int direction) {
+    const Kind kind = walk.control.kind;
+    const auto forward = [&](const State& s) { return direction * value_of(s, kind); };
+    const double goal = direction * walk.control.value;
+    State last = walk.motion.state;
+    int k = 0;
+    while (node(k).radius <= last.radius * (1 + same_radius)) ++k;
+    if (direction < 0)
+        for (--k; k >= 0 && nodes_[k].radius >= last.radius * (1 - same_radius);) --k;
+    for (;; k += direction) {
+        if (k < 0) return lose(walk);
+        const State here = walk.motion.state, next = node(k);
+        if (forward(next) > forward(here)) {
+            if (forward(next) >= goal)
+                return walk.arrive(crossing(here, next, kind, walk.control.value));
+            walk.move(next);
+            last = here;
+            continue;
+        }
+        const State limit = limit_point(last.radius, next.radius, kind, direction);
+        if (forward(limit) >= goal)
+            return walk.arrive(crossing(last, limit, kind, walk.control.value));
+        walk.move(limit);
+        return jump_from(walk, limit, k, direction);
+    }
+}
+
+AdhesiveCurve::Motion AdhesiveCurve::follow(const State& from, const NormalControl& control) {
+    Walk walk{control, {.state = from}};
+    if (!from.touches()) {
+        if (control.value < 0 && control.kind == Kind::indentation)
+            return {.state = {.indentation = control.value}};
+        if (control.value < 0) lose(walk);
+        touch(walk);
+    }
+    while (!walk.arrived) {
+        const double value = value_of(walk.motion.state, control.kind);
+        if (value == control.value) break;
+        go(walk, value < control.value ? 1 : -1);
+    }
+    return walk.motion;
+}
+
+bool AdhesiveCurve::reaches(const NormalControl& control) {
+    double least = 0;
+    for (int k = 0;; ++k) {
+        if (k == static_cast<int>(nodes_.size()) && nodes_.back().radius >= largest_) return false;
+        const State& here = node(k);
+        least = std::min(least, here.force);
+        const bool is_beyond_pull_off = here.indentation > 0 && here.force > .9 * least;
+        if (is_beyond_pull_off && value_of(here, control.kind) >= control.value) return true;
+    }
+}
+
+contact::PullOff AdhesiveCurve::pull_off() {
+    if (!reaches({Kind::indentation, 0})) extend();  // throws
+    const auto least = [&](Kind kind) {
+        int lowest = 0;
+        for (int k = 1; k < static_cast<int>(nodes_.size()); ++k)
+            if (value_of(nodes_[k], kind) < value_of(nodes_[lowest], kind)) lowest = k;
+        if (lowest == 0) return nodes_.front();
+        return limit_point(nodes_[lowest - 1].radius, node(lowest + 1).radius, kind, -1);
+    };
+    const State pulled = least(Kind::force);
+    return {.force = -pulled.force,
+            .radius = pulled.radius,
+            .indentation = pulled.indentation,
+            .last_indentation = least(Kind::indentation).indentation};
+}
+
+AdhesiveCurve half_space_curve(const contact::AxisymmetricIndenter& body, double modulus,
+                               double work) {
+    const auto family = [&body, modulus](double a) {
+        const double d = body.plane_profile(a);
+        // Of the springs, E* (d - g)^2 dx; split where the profile has kinks.
+        const LineMesh mesh(a, body.kinks(), 24);
+        double energy = 0;
+        for (int i = 0; i < mesh.size(); ++i) {
+            const double pressed = d - body.plane_profile(mesh.positions()[i]);
+            energy += mesh.weights()[i] * pressed * pressed;
+        }
+        return DiscContact{.indentation = d,
+                           .force = modulus * body.pressed_area(a),
+                           .energy = modulus * energy,
+                           .stiffness = 2 * modulus * a};
+    };
+    // Of the length w/E*, from where the search doubles.
+    const double rim = body.outer_radius() * (1 - 1e-6);
+    return {family, modulus, work, work / modulus, rim};
+}
+
+}  // namespace tricontact::theory
