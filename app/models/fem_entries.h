@@ -27,7 +27,7 @@ struct CacheOptions : CommandOptions {
 /// What the finite element module offers to the program. It is loaded when first needed: deal.II
 /// and what comes with it take longer to load than many a half-space run to compute.
 struct FemEntries {
-    std::unique_ptr<contact::Model> (*make_model)(const Case& c, const Say& say);
+    std::unique_ptr<contact::Model> (*make_model)(const Case& c, int n_threads, const Say& say);
     /// Of the section of a case, as the kind of the model says; and the size of its elements [m].
     std::unique_ptr<contact::Model> (*make_section_model)(const contact::ModelKind& kind,
                                                           const Case& c, const Say& say);
