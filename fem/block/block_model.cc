@@ -23,11 +23,19 @@ BlockModel::BlockModel(std::string name, BlockElasticity elasticity,
                        std::shared_ptr<const contact::Indenter> indenter,
                        std::shared_ptr<const contact::FrictionLaw> friction, double tolerance,
                        const contact::Case::Contact& options)
-    : elasticity_(elasticity),
+    : elasticity_(std::move(elasticity)),
+      indenter_(std::move(indenter)),
+      friction_(std::move(friction)),
       tolerance_(tolerance),
       correction_(std::make_shared<CorrectedSubstrate::Correction>()),
-      linear_(std::move(name), CorrectedSubstrate(elasticity, correction_), std::move(indenter),
-              std::move(friction), tolerance, options) {}
+      linear_(std::move(name), CorrectedSubstrate(elasticity_, correction_), indenter_, friction_,
+              tolerance, options) {}
+
+std::unique_ptr<contact::Model> BlockModel::sibling(const contact::Case::Contact& options) const {
+    if (!options.coupling) return nullptr;
+    return std::make_unique<BlockModel>(name(), elasticity_, indenter_, friction_, tolerance_,
+                                        options);
+}
 
 void BlockModel::release() {
     linear_.release();

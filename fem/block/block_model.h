@@ -32,6 +32,8 @@ class BlockModel final : public contact::Model {
     double limit_tangential_ratio() const override { return linear_.limit_tangential_ratio(); }
     void start_limit() override { linear_.start_limit(); }
     std::unique_ptr<const contact::Interior> interior() override { return linear_.interior(); }
+    /// Coupled only.
+    std::unique_ptr<Model> sibling(const contact::Case::Contact& options) const override;
     const contact::Audit& audit() const override { return audit_; }
 
   private:
@@ -39,6 +41,8 @@ class BlockModel final : public contact::Model {
     void audit_step();
 
     BlockElasticity elasticity_;
+    std::shared_ptr<const contact::Indenter> indenter_;
+    std::shared_ptr<const contact::FrictionLaw> friction_;
     double tolerance_;
     std::shared_ptr<CorrectedSubstrate::Correction> correction_;
     contact::SurfaceModel linear_;

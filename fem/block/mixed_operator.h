@@ -30,7 +30,7 @@ class MixedOperator {
     std::array<double, 3> held_forces(std::span<const double> x) const;
     /// Zeros where components are held.
     void clear_held(std::span<double> x) const;
-    /// int psi_m^2 / (G share + K) of each pressure, its place in the Schur complement.
+    /// About B A^-1 B' + C of each pressure: int psi_m^2 (share/G + 1/K), less of linear ones.
     std::vector<double> pressure_scale(double share) const;
 
   private:

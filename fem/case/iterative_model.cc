@@ -20,6 +20,9 @@ using contact::Case;
 constexpr double of_contact_tolerance = .03;
 constexpr double mesh_bytes = 4000;  // of an element: what deal.II keeps while nodes are numbered
 
+/// Below this many nodes threads wait longer than they work.
+constexpr std::size_t worth_threads = 60000;
+
 double bytes_of(const BlockGrid& grid, const meshes::LayerMeshSpec& spec) {
     contact::ContactPoints patch;
     patch.n_x = static_cast<int>(4 * spec.patch_x / spec.size + 1.5);
@@ -55,6 +58,7 @@ std::unique_ptr<contact::Model> make_iterative(const Case& c, const meshes::Laye
             fmt::format("fem: the layer's displacements need {:.1f} GB of memory even by the "
                         "iterative solver, {:.1f} GB are there; choose a larger fem.size",
                         needed / 1e9, available / 1e9));
+    if (grid->n_nodes() < worth_threads) n_threads = 1;
     const double tolerance = c.of<Settings>().tolerance;
     BlockElasticity elasticity;
     elasticity.block = std::make_shared<const BlockCompliance>(

@@ -8,6 +8,7 @@
 
 #include "contact/run.h"
 #include "fem/case/model.h"
+#include "fem/one_blas_thread.h"
 #include "fem/settings.h"
 
 namespace tricontact::block_model_test {
@@ -37,6 +38,7 @@ Case rolling_rig() {
 }
 
 contact::History history(Case c, fem::Solver solver) {
+    const fem::OneBlasThread one;  // others of the same machine wait for each other
     c.of<fem::Settings>().solver = solver;
     return contact::run(c, *fem::make_model(c, {}));
 }

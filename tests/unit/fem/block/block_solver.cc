@@ -107,11 +107,11 @@ int iterations(double size, double bulk_ratio) {
     return solver.solve(force, 1e-8, x);
 }
 
-// Neither incompressibility nor the mesh's fineness is felt: K/G changes the count by 2 at most,
-// half of the edge, with all its grading, by less than a tenth.
+// Incompressible material is not felt, and compressible one hardly; half of the edge in the patch,
+// with steeper grading beside it, by less than a tenth.
 TEST(BlockSolver, IterationsHardlyDependOnSizeAndBulkModulus) {
     const int coarse = iterations(1e-3, 1e6);
-    EXPECT_NEAR(iterations(1e-3, 1e2), coarse, 2);
+    EXPECT_NEAR(iterations(1e-3, 1e2), coarse, .05 * coarse);
     EXPECT_NEAR(iterations(1e-3, 1e15), coarse, 2);
     EXPECT_NEAR(iterations(.5e-3, 1e6), coarse, .1 * coarse);
 }
