@@ -29,7 +29,7 @@ using LoadMeshEntries = const MeshEntries&();
 
 /// What the finite element module offers to the program, which loads it when it is first needed.
 struct FemEntries {
-    std::unique_ptr<contact::Model> (*make_model)(const Case& c, const Say& say);
+    std::unique_ptr<contact::Model> (*make_model)(const Case& c, int n_threads, const Say& say);
     /// Of the section of a case, as the kind of the model says; and the size of its elements [m].
     std::unique_ptr<contact::Model> (*make_section_model)(const contact::ModelKind& kind,
                                                           const Case& c, const Say& say);

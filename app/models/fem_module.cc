@@ -129,6 +129,9 @@ class Order {
     /// Empty when the layer is there already.
     std::optional<fem::LayerProblem> problem() {
         require_rigid_indenter(case_, "cache condense condenses");
+        if (case_.of<fem::Settings>().solver == fem::Solver::iterative)
+            throw contact::InputError(
+                "fem.solver: the iterative solver condenses nothing; leave it out");
         auto problem = fem::problem_of(case_, fem::make_mesh(case_, say_plainly));
         key_ = fem::LayerCache::key(problem);
         n_elements_ = problem.mesh.hexes.size();
@@ -275,7 +278,9 @@ std::unique_ptr<const tricontact::fem::Q2Elements> tricontact::fem::q2_elements(
 extern "C" const tricontact::app::FemEntries* tricontact_fem_entries() {
     using namespace tricontact;
     static const app::FemEntries entries = {
-        [](const app::Case& c, const app::Say& say) { return fem::make_model(c, say); },
+        [](const app::Case& c, int n_threads, const app::Say& say) {
+            return fem::make_model(c, say, n_threads);
+        },
         [](const contact::ModelKind& kind, const app::Case& c, const app::Say& say) {
             return fem::make_section_model(kind, c, say);
         },
