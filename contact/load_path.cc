@@ -27,11 +27,6 @@ Vector2 direction(double angle) {
     return {clean(std::cos(angle)), clean(std::sin(angle))};
 }
 
-NormalControl mean_normal_control(const Case& c) {
-    if (c.load.normal_force) return {NormalControl::Kind::force, *c.load.normal_force};
-    return {NormalControl::Kind::indentation, *c.load.indentation};
-}
-
 /// From no load to that of `pressed`, all in proportion: with friction, or in time, step by step.
 std::vector<LoadStep> pressing_steps(const Case& c, const LoadStep& pressed) {
     const bool friction = c.load.press == Case::Press::friction;
@@ -167,9 +162,14 @@ double path_amplitude(const Case& c, double model_radius) {
                              of_model ? model_radius : half_space_scales(c).contact_radius);
 }
 
+NormalControl mean_normal_control(const Case::Load& load) {
+    if (load.normal_force) return {NormalControl::Kind::force, *load.normal_force};
+    return {NormalControl::Kind::indentation, load.indentation.value()};
+}
+
 LoadStep press_step(const Case& c) {
     LoadStep step;
-    step.normal = mean_normal_control(c);
+    step.normal = mean_normal_control(c.load);
     step.duration = std::numeric_limits<double>::infinity();
     return step;
 }
@@ -206,7 +206,7 @@ LoadPath make_load_path(const Case& c, double normal_force, double contact_radiu
                        ? 1
                        : 1 + ratio * triangle_wave(step.phase + shift / (2 * std::numbers::pi));
         };
-        step.normal = mean_normal_control(c);
+        step.normal = mean_normal_control(c.load);
         step.normal.value *= factor(c.load.normal_amplitude_ratio, c.load.normal_phase);
         step.tangential[0].value =
             mean_force * factor(c.load.tangential_amplitude_ratio, c.load.tangential_phase);

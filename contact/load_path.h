@@ -19,6 +19,9 @@ struct LoadPath {
     double amplitude = 0;  ///< W [m]
 };
 
+/// F_N or d as the load says it.
+NormalControl mean_normal_control(const Case::Load& load);
+
 /// The indenter pressed at the mean normal control, upright, without tangential load, until a
 /// relaxing substrate has relaxed.
 LoadStep press_step(const Case& c);

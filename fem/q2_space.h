@@ -6,27 +6,37 @@
 
 #include "meshes/hex_mesh.h"
 
-namespace dealii {
-template <int dim, int spacedim>
-class Triangulation;
-}
-
 namespace tricontact::fem {
 
-/// Makes an empty triangulation (serial or distributed) out of a mesh: cell i is hexahedron i,
-/// possibly turned. Boundary ids are those of `meshes::Boundary` plus 1, 0 for faces without a
-/// name; material ids are regions.
-void triangulate(const meshes::HexMesh& mesh, dealii::Triangulation<3, 3>& triangulation);
-
-/// Refuses a boundary face with id `boundary_id` about `centre` [m] if that is no name: throws
-/// contact::InputError.
-void require_name(unsigned boundary_id, const std::array<double, 3>& centre);
+class ElementValues;
+class Q2Space;
 
 /// Triquadratic nodes of a hexahedron in VTK's order, by position 0, 1, 2 along each axis.
 extern const std::array<std::array<int, 3>, 27> node_positions;
 
+/// Integration over one element after another by a Gauss rule.
+class ElementRule {
+  public:
+    virtual ~ElementRule() = default;
+    virtual void reinit(std::size_t cell, ElementValues& values) = 0;
+};
+
+/// The elements of a mesh: all that the layer takes from deal.II.
+class Q2Elements {
+  public:
+    virtual ~Q2Elements() = default;
+    virtual std::array<std::array<double, 9>, 9> face_mass(std::size_t face) const = 0;
+    /// `n` Gauss points along each axis.
+    virtual std::unique_ptr<ElementRule> rule(int n) const = 0;
+};
+
+/// The elements of `mesh`; nodes, cells, regions and faces go to `space`. Of the library that links
+/// deal.II (fem/deal_ii/); the program's module loads that when a mesh first asks for it. Throws
+/// contact::InputError for a mesh whose boundary faces are not all named.
+std::unique_ptr<const Q2Elements> q2_elements(const meshes::HexMesh& mesh, Q2Space& space);
+
 /// The nodes of a mesh of triquadratic hexahedra, numbered without gaps, and integration over its
-/// elements and boundary faces. All that the layer takes from deal.II.
+/// elements and boundary faces.
 class Q2Space {
   public:
     struct Face {
@@ -35,8 +45,7 @@ class Q2Space {
     };
 
     /// Throws contact::InputError for a mesh whose boundary faces are not all named.
-    explicit Q2Space(const meshes::HexMesh& mesh);
-    ~Q2Space();
+    explicit Q2Space(const meshes::HexMesh& mesh) : elements_(q2_elements(mesh, *this)) {}
 
     std::vector<std::array<double, 3>> nodes;  ///< [m]
     std::vector<std::array<int, 27>> cells;    ///< VTK's order
@@ -44,13 +53,13 @@ class Q2Space {
     std::vector<Face> faces;                   ///< on the boundary
 
     /// Integrals over a face of the products of its shape functions [m^2], in its nodes' order.
-    std::array<std::array<double, 9>, 9> face_mass(std::size_t face) const;
+    std::array<std::array<double, 9>, 9> face_mass(std::size_t face) const {
+        return elements_->face_mass(face);
+    }
 
   private:
     friend class ElementValues;
-    void add_face(std::size_t cell, int face);
-    struct Parts;
-    std::unique_ptr<Parts> parts_;
+    std::unique_ptr<const Q2Elements> elements_;
 };
 
 /// Shape functions of one element after another at the points of a Gauss rule, numbered with x
@@ -60,17 +69,16 @@ class ElementValues {
     using Gradients = std::array<std::array<double, 3>, 27>;
 
     /// `n` Gauss points along each axis.
-    ElementValues(const Q2Space& space, int n);
-    ~ElementValues();
+    ElementValues(const Q2Space& space, int n)
+        : points(n * n * n), gradients(points.size()), rule_(space.elements_->rule(n)) {}
 
-    void reinit(std::size_t cell);
+    void reinit(std::size_t cell) { rule_->reinit(cell, *this); }
     std::vector<double> weights;                ///< times the Jacobian [m^3]
     std::vector<std::array<double, 3>> points;  ///< [m]
     std::vector<Gradients> gradients;           ///< of the shape functions [1/m]
 
   private:
-    struct Parts;
-    std::unique_ptr<Parts> parts_;
+    std::unique_ptr<ElementRule> rule_;
 };
 
 }  // namespace tricontact::fem

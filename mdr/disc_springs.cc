@@ -15,6 +15,8 @@ namespace tricontact::mdr {
 
 namespace {
 
+constexpr double table_points_per_thickness = 50;
+
 /// Depth minus profile at the springs [m].
 Eigen::VectorXd pressed_springs(const PlaneProfile& profile, double radius, int n, double depth) {
     Eigen::VectorXd pressed(n);
@@ -58,6 +60,25 @@ LayerDiscSprings::LayerDiscSprings(std::shared_ptr<const PlaneProfile> profile,
     const contact::Material& top = stack_.sheets.front().material;
     modulus_ = contact::MaterialPair(indenter, top).effective_modulus();
     share_ = modulus_ / contact::MaterialPair({}, top).effective_modulus();
+    table_spacing_ = stack_.sheets.front().thickness / table_points_per_thickness;
+}
+
+/// K varies over the thickness: by six points 1/50 of it apart to 1e-9 of its largest value.
+double LayerDiscSprings::kernel(double distance) const {
+    constexpr int n_points = 6;
+    const double place = distance / table_spacing_;
+    const int first = static_cast<int>(place) - n_points / 2 + 1;
+    const auto needed = static_cast<std::size_t>(first + n_points);
+    if (table_.size() < needed)
+        table_ = layer_kernel(stack_, table_spacing_, static_cast<int>(2 * needed)).normal;
+    double sum = 0;
+    for (int i = 0; i < n_points; ++i) {
+        double weight = 1;  // Lagrange
+        for (int j = 0; j < n_points; ++j)
+            if (j != i) weight *= (place - first - j) / (i - j);
+        sum += weight * table_[std::abs(first + i)];
+    }
+    return sum;
 }
 
 LayerDiscSprings::System LayerDiscSprings::system(double radius) const {
@@ -66,9 +87,10 @@ LayerDiscSprings::System LayerDiscSprings::system(double radius) const {
     const int n = static_cast<int>(std::ceil(elements_ * std::max(1., radius / (usual * longest))));
     System s{n, radius / n, {}, Eigen::VectorXd(n)};
     // At the distances 0, h/2, h, ..., 2 a.
-    const std::vector<double> kernel = layer_kernel(stack_, s.spacing / 2, 4 * n + 1).normal;
+    std::vector<double> values(4 * n + 1);
+    for (int i = 4 * n; i >= 0; --i) values[i] = kernel(i * s.spacing / 2);
     const auto pair = [&](int one, int other) {  // of the springs at x and -x, in h/2
-        return share_ * s.spacing * (kernel[std::abs(one - other)] + kernel[one + other]);
+        return share_ * s.spacing * (values[std::abs(one - other)] + values[one + other]);
     };
     Eigen::MatrixXd matrix(n, n);
     for (int j = 0; j < n; ++j) {

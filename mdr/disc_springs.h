@@ -55,11 +55,15 @@ class LayerDiscSprings final : public DiscSprings {
   private:
     struct System;
     System system(double radius) const;
+    double kernel(double distance) const;
 
     std::shared_ptr<const PlaneProfile> profile_;
     theory::LayerStack stack_;
     double modulus_, share_;  // E* of the contact [Pa], over that of the layer alone
     int elements_;
+    // K at the distances 0, spacing, ...; longer as wider contacts ask for it.
+    double table_spacing_;
+    mutable std::vector<double> table_;
 };
 
 }  // namespace tricontact::mdr

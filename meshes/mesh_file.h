@@ -14,7 +14,8 @@ namespace tricontact::meshes {
 HexMesh read_mesh(const std::string& path, double unit);
 
 /// Writes a gmsh 4.1 text file `*.msh` in metres, 16 digits, at once or not at all. Faces and
-/// hexahedra keep their order. Throws contact::InputError if that fails.
+/// hexahedra keep their order. By gmsh, in a library of its own: meshes/gmsh/. Throws
+/// contact::InputError if that fails.
 void write_mesh(const HexMesh& mesh, const std::string& path);
 
 /// What a solver relies on: there is a contact, a base and a layer; all Jacobians are positive;

@@ -70,8 +70,9 @@ std::vector<Element<n, What>> elements_of(const MshModel& model, int type, bool 
             fail(name,
                  fmt::format("{} {} holds {} elements of type \"{}\"", entity_word<What>,
                              key.entity, elements.tags.size(), msh_type(key.type)->name),
-                 "use straight hexahedra with 8 nodes and faces with 4 only (gmsh: transfinite "
-                 "volumes, recombined surfaces, Mesh.ElementOrder = 1)");
+                 "use straight hexahedra with 8 nodes and faces with 4 (gmsh: transfinite volumes, "
+                 "recombined surfaces, Mesh.ElementOrder = 1), or tetrahedra with 10 and faces "
+                 "with 6 (Mesh.ElementOrder = 2)");
         if (at == names.end())
             fail(name,
                  fmt::format("{} hexahedra of volume {} belong to no physical volume",

@@ -8,6 +8,7 @@
 
 #include "meshes/messages.h"
 #include "meshes/msh_cursor.h"
+#include "meshes/tetrahedra.h"
 
 namespace tricontact::meshes {
 
@@ -83,6 +84,7 @@ MshModel read_msh_model(const MshFile& file) {
     else
         read_new_sections(file, model);
     sort_nodes(file, model);
+    divide_tetrahedra(model);
     return model;
 }
 

@@ -48,6 +48,7 @@ const MshType* msh_type(int number);
 
 /// Reads all that is in the sections. Throws contact::InputError naming line or byte: a number that
 /// is none or out of its range, a count that is not that of what follows, nodes twice or nowhere.
+/// Tetrahedra of 10 nodes are divided into hexahedra.
 MshModel read_msh_model(const MshFile& file);
 
 /// Nodes and elements of version 2.2, with the groups that elements name; of 4.1, entities too.

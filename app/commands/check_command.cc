@@ -33,8 +33,9 @@ std::string input_values(const Case& c) {
     return text.empty() ? text : "# What was read\n" + text + '\n';
 }
 
-/// What a yield or bulk stress makes of the bodies; `tangential_force` [N] is not finite of paths.
-void add_strength(const Case& c, double tangential_force, std::vector<report::DerivedValue>& all) {
+/// What a yield or bulk stress makes of the bodies; `tangential_ratio` is F_T/(mu F_N), not finite
+/// where a run alone knows it.
+void add_strength(const Case& c, double tangential_ratio, std::vector<report::DerivedValue>& all) {
     if (c.has_bulk_stress()) {
         double largest = c.load.bulk_stress;
         if (c.prescribed_path)
@@ -42,15 +43,15 @@ void add_strength(const Case& c, double tangential_force, std::vector<report::De
                 if (std::abs(row.bulk_stress) > std::abs(largest)) largest = row.bulk_stress;
         all.push_back({"eps", c.bulk_state(largest).strain[0], "1", "strain by the bulk stress"});
     }
-    const double normal_force = contact::half_space_scales(c).normal_force;
-    const auto strength = comparisons::strength_of(
-        c,
-        {normal_force, std::isfinite(tangential_force) ? tangential_force : 0, c.load.bulk_stress});
+    if (!c.yield_stress.any() && !c.has_bulk_stress()) return;
+    const auto loads = comparisons::prescribed_loads(c, tangential_ratio);
+    if (!loads) return;
+    const auto strength = comparisons::strength_of(c, *loads);
     if (!strength || !strength->is_known()) return;
     if (strength->weakest())
         all.push_back({"Y/sigma_M", strength->weakest()->factor(), "1",
                        "yield stress over von Mises' largest stress"});
-    if (strength->line && std::isfinite(tangential_force))
+    if (strength->line)
         all.push_back(
             {"sigma_xx", strength->line->trailing_stress(), "Pa", "stress at the trailing edge"});
 }
@@ -79,7 +80,7 @@ std::vector<report::DerivedValue> derived_values(const Case& c) {
         all.push_back({"f_T", r.tangential_ratio, "1",
                        c.friction.is_coulomb() ? "F_T/(mu F_N)" : "over what friction carries"});
     }
-    add_strength(c, r.tangential_ratio * hertz.friction_limit, all);
+    add_strength(c, r.tangential_ratio, all);
     if (!c.rolling) return all;
     all.push_back({"W", r.amplitude_ratio * hertz.contact_radius, "m", "rolling amplitude"});
     all.push_back({"w", r.amplitude_ratio, "1", "W/a"});

@@ -24,10 +24,12 @@ struct CacheOptions : CommandOptions {
     bool clear = false;
 };
 
-/// What the finite element module offers to the program. It is loaded when first needed: deal.II
-/// and what comes with it take longer to load than many a half-space run to compute.
+struct MeshEntries;
+using LoadMeshEntries = const MeshEntries&();
+
+/// What the finite element module offers to the program, which loads it when it is first needed.
 struct FemEntries {
-    std::unique_ptr<contact::Model> (*make_model)(const Case& c, const Say& say);
+    std::unique_ptr<contact::Model> (*make_model)(const Case& c, int n_threads, const Say& say);
     /// Of the section of a case, as the kind of the model says; and the size of its elements [m].
     std::unique_ptr<contact::Model> (*make_section_model)(const contact::ModelKind& kind,
                                                           const Case& c, const Say& say);
@@ -45,11 +47,15 @@ struct FemEntries {
     /// Whether this is a further process of those that condense together: the first one prints
     /// errors.
     bool (*is_further_process)();
+    /// Of mesh_entries.h, called when a mesh first needs them.
+    void (*load_mesh_entries_by)(LoadMeshEntries* load);
 };
 
-/// The module's only symbol.
+/// The only symbols of both modules.
 inline constexpr const char* fem_entries_symbol = "tricontact_fem_entries";
 using FemEntriesFunction = const FemEntries*();
+inline constexpr const char* mesh_entries_symbol = "tricontact_mesh_entries";
+using MeshEntriesFunction = const MeshEntries*();
 
 /// Loads the module if need be. Throws std::runtime_error when it is not beside the program.
 const FemEntries& fem_entries();

@@ -10,10 +10,11 @@
 #include <stdexcept>
 
 #include "app/models/fem_entries.h"
+#include "app/models/mesh_entries.h"
 #include "fem/case/layer_condenser.h"
 #include "fem/case/model.h"
 #include "fem/case/section_model.h"
-#include "fem/distributed/layer.h"
+#include "fem/launcher.h"
 #include "fem/layer_cache.h"
 #include "fem/settings.h"
 #include "files/partial_file.h"
@@ -27,6 +28,11 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 using runs::Answer;
+
+LoadMeshEntries* load_mesh_entries = nullptr;
+const MeshEntries& mesh_libraries() {
+    return load_mesh_entries();
+}
 
 /// Enumerators as the indices that a mesh view holds.
 template <class T, class Get>
@@ -123,6 +129,9 @@ class Order {
     /// Empty when the layer is there already.
     std::optional<fem::LayerProblem> problem() {
         require_rigid_indenter(case_, "cache condense condenses");
+        if (case_.of<fem::Settings>().solver == fem::Solver::iterative)
+            throw contact::InputError(
+                "fem.solver: the iterative solver condenses nothing; leave it out");
         auto problem = fem::problem_of(case_, fem::make_mesh(case_, say_plainly));
         key_ = fem::LayerCache::key(problem);
         n_elements_ = problem.mesh.hexes.size();
@@ -158,23 +167,6 @@ class Order {
     std::unique_ptr<files::PartialFile> reservation_;
     std::size_t n_elements_ = 0;
 };
-
-/// The first rank reads, prints and writes; all condense.
-void condense_together(const CondenseOptions& options, const fem::distributed::Session& session) {
-    std::optional<Order> order;
-    std::optional<fem::LayerProblem> problem;
-    session.agree_on_first([&] {
-        order.emplace(options);
-        problem = order->problem();
-    });
-    bool is_needed = problem.has_value();
-    session.broadcast(&is_needed, sizeof(is_needed));
-    if (!is_needed) return;
-    problem =
-        fem::distributed::broadcast(std::move(problem).value_or(fem::LayerProblem{}), session);
-    const auto layer = fem::distributed::condense(*problem, session, say);
-    session.agree_on_first([&] { order->keep(layer); });
-}
 
 namespace fs = std::filesystem;
 
@@ -214,7 +206,7 @@ Answer write_mesh_of(CommandOptions options) {
             mesh = make_layer_mesh(spec);
             geometry = layer_geometry(spec);
         }
-        write_mesh(mesh, options.output + "/mesh.msh");
+        mesh_libraries().write_mesh(mesh, options.output + "/mesh.msh");
         if (!geometry.empty()) options.write("mesh.geo", geometry);
         write_view(mesh, options.output + "/mesh.vtu",
                    "tricontact mesh " + std::filesystem::path(options.file).filename().string());
@@ -225,21 +217,14 @@ Answer write_mesh_of(CommandOptions options) {
 }
 
 void condense_layer(const CondenseOptions& options) {
-    if (!options.distributed && !fem::distributed::started_by_launcher()) {
-        Order order(options);
-        if (const auto problem = order.problem()) order.keep(fem::condense(*problem));
+    if (options.distributed || fem::started_by_launcher()) {
+        std::optional<Order> order;
+        mesh_libraries().condense_together({[&] { return order.emplace(options).problem(); },
+                                            [&](const auto& layer) { order->keep(layer); }, say});
         return;
     }
-    std::exception_ptr failure;
-    {
-        const fem::distributed::Session session;
-        try {
-            session.abort_on_local_error([&] { condense_together(options, session); });
-        } catch (...) {
-            failure = std::current_exception();  // MPI is to end before this goes on
-        }
-    }
-    if (failure) std::rethrow_exception(failure);
+    Order order(options);
+    if (const auto problem = order.problem()) order.keep(fem::condense(*problem));
 }
 
 /// "2026-01-31 08:15" of a layer's last use.
@@ -284,10 +269,18 @@ Answer list_or_clear_cache(const CacheOptions& options) {
 
 }  // namespace tricontact::app
 
+// What links deal.II is loaded when a mesh first needs it.
+std::unique_ptr<const tricontact::fem::Q2Elements> tricontact::fem::q2_elements(
+    const meshes::HexMesh& mesh, Q2Space& space) {
+    return app::mesh_libraries().q2_elements(mesh, space);
+}
+
 extern "C" const tricontact::app::FemEntries* tricontact_fem_entries() {
     using namespace tricontact;
     static const app::FemEntries entries = {
-        [](const app::Case& c, const app::Say& say) { return fem::make_model(c, say); },
+        [](const app::Case& c, int n_threads, const app::Say& say) {
+            return fem::make_model(c, say, n_threads);
+        },
         [](const contact::ModelKind& kind, const app::Case& c, const app::Say& say) {
             return fem::make_section_model(kind, c, say);
         },
@@ -298,7 +291,8 @@ extern "C" const tricontact::app::FemEntries* tricontact_fem_entries() {
         app::write_mesh_of,
         app::condense_layer,
         app::list_or_clear_cache,
-        fem::distributed::is_further_rank,
+        fem::is_further_rank,
+        [](app::LoadMeshEntries* load) { app::load_mesh_entries = load; },
     };
     return &entries;
 }

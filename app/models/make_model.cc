@@ -39,7 +39,7 @@ std::unique_ptr<contact::Model> make_bare_model(const std::string& name, const C
     if (name == contact::models::bem) return bem::make_model(c, n_threads);
     if (name == contact::models::bem_layer) return bem::make_model(c, n_threads, bem::Body::layer);
 #ifdef TRICONTACT_WITH_FEM
-    if (name == contact::models::fem) return fem_entries().make_model(c, say);
+    if (name == contact::models::fem) return fem_entries().make_model(c, n_threads, say);
     if (const auto& kind = contact::model_kind(name); kind.is_section())
         return fem_entries().make_section_model(kind, c, say);
 #endif

@@ -5,8 +5,8 @@
 #include <numbers>
 
 #include "comparisons/adhesion/adhesion_forms.h"
-#include "comparisons/run/figures.h"
 #include "report/format.h"
+#include "report/plot_style.h"
 #include "theory/adhesive/adhesive_curve.h"
 
 namespace tricontact::comparisons {
@@ -18,6 +18,12 @@ using contact::History;
 using contact::StepRecord;
 
 constexpr std::size_t most_force_points = 3000;  // of a line: more than the picture has pixels
+
+/// An empty curve with the name and colour of the model.
+report::Curve curve_of_model(const History& history) {
+    return {.name = report::display_name(history.model),
+            .colour = report::model_style(history.model)};
+}
 
 double radius_of(const StepRecord& step) {
     return std::sqrt(step.contact_area / std::numbers::pi);
@@ -84,7 +90,7 @@ std::vector<report::Figure> force_curve_figures(const Case& c,
                          .x = force,
                          .y = {"contact radius [" + units.radius.symbol + "]"}};
     for (const History& history : histories) {
-        report::Curve by_depth = curve_of(history), by_force = by_depth;
+        report::Curve by_depth = curve_of_model(history), by_force = by_depth;
         for (const std::size_t k : report::thinned(history.steps.size(), most_force_points)) {
             const StepRecord& step = history.steps[k];
             by_depth.add(step.indentation / units.depth.factor,

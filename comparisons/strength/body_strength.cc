@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "contact/half_space_scales.h"
+#include "contact/load_path.h"
 
 namespace tricontact::comparisons {
 
@@ -95,6 +96,16 @@ Strength computed_strength(const Case& c, const ContactLoads& loads) {
     return s;
 }
 
+/// The largest normal force, and the largest tangential one with what acts together with it.
+void enlarge(ContactLoads& largest, const ContactLoads& by) {
+    largest.normal_force = std::max(largest.normal_force, by.normal_force);
+    if (std::tuple(std::abs(by.tangential_force), std::abs(by.bulk_stress)) <=
+        std::tuple(std::abs(largest.tangential_force), std::abs(largest.bulk_stress)))
+        return;
+    largest.tangential_force = by.tangential_force;
+    largest.bulk_stress = by.bulk_stress;
+}
+
 /// All that computed_strength() depends on.
 using Key = std::array<double, 14>;
 Key key_of(const Case& c, const ContactLoads& loads) {
@@ -119,20 +130,36 @@ Key key_of(const Case& c, const ContactLoads& loads) {
 
 ContactLoads largest_loads(const Case& c, const contact::History& history) {
     ContactLoads loads;
-    const auto is_larger = [&](double force, double bulk) {
-        return std::tuple(std::abs(force), std::abs(bulk)) >
-               std::tuple(std::abs(loads.tangential_force), std::abs(loads.bulk_stress));
-    };
-    for (const StepRecord& step : history.steps) {
-        loads.normal_force = std::max(loads.normal_force, step.normal_force);
-        const double bulk = c.bulk_stress_at(step.phase), force = step.tangential_force[0];
-        if (!is_larger(force, bulk)) continue;
-        loads.tangential_force = force;
-        loads.bulk_stress = bulk;
-    }
+    for (const StepRecord& step : history.steps)
+        enlarge(loads, {step.normal_force, step.tangential_force[0], c.bulk_stress_at(step.phase)});
     // What the balance of forces leaves is none.
     if (std::abs(loads.tangential_force) < no_force * loads.normal_force)
         loads.tangential_force = 0;
+    return loads;
+}
+
+std::optional<ContactLoads> prescribed_loads(const Case& c, double tangential_ratio) {
+    if (!c.prescribed_path && !std::isfinite(tangential_ratio)) return {};
+    Case known = c;
+    if (!c.prescribed_path) known.load.set_tangential_ratio(tangential_ratio);
+    const contact::HalfSpaceScales hertz = contact::half_space_scales(known);
+    const contact::LoadPath path =
+        contact::make_load_path(known, hertz.normal_force, hertz.contact_radius);
+    ContactLoads loads;
+    double depth = 0;  // [m]
+    for (const auto* steps : {&path.pressing, &path.loading, &path.period})
+        for (const contact::LoadStep& step : *steps) {
+            const contact::TangentialControl& along = step.tangential[0];
+            if (along.kind != contact::TangentialControl::Kind::force) return {};
+            const bool by_force = step.normal.kind == contact::NormalControl::Kind::force;
+            if (!by_force) depth = std::max(depth, step.normal.value);
+            enlarge(loads, {by_force ? step.normal.value : 0, along.value, step.bulk.stress[0]});
+        }
+    if (depth > 0) {
+        known.load.normal_force.reset();
+        known.load.indentation = depth;
+        loads.normal_force = contact::half_space_scales(known).normal_force;
+    }
     return loads;
 }
 

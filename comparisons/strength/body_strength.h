@@ -20,6 +20,11 @@ struct ContactLoads {
 };
 ContactLoads largest_loads(const contact::Case& c, const contact::History& history);
 
+/// The same of what the case prescribes, F_N on the half-space where its depth is given and F_T
+/// where `tangential_ratio` is F_T/(mu F_N). Empty where F_T follows from a shift or is not finite:
+/// a run alone knows it.
+std::optional<ContactLoads> prescribed_loads(const contact::Case& c, double tangential_ratio);
+
 /// One of the two bodies.
 struct BodyStrength {
     const char* body = "";    ///< "substrate", "indenter"

@@ -224,6 +224,8 @@ namespace {
 
 template <class Make>
 auto made_or_size_named(const Case& c, const meshes::LayerMeshSpec& spec, const Make& make) {
+    // Then another solver takes over.
+    if (c.of<Settings>().solver == Solver::automatic && not_iterative(c).empty()) return make();
     try {
         return make();
     } catch (const MemoryShort& shortage) {

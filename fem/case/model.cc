@@ -8,6 +8,7 @@
 #include "contact/models/model_kind.h"
 #include "contact/relaxing_case.h"
 #include "contact/surface_model.h"
+#include "fem/case/iterative_model.h"
 #include "fem/case/layer_condenser.h"
 #include "fem/case/mesh_choice.h"
 #include "fem/case/meshed_bodies.h"
@@ -188,7 +189,7 @@ meshes::HexMesh make_mesh(const Case& c, const Say& say) {
     return c.of<Settings>().mesh ? read_users_mesh(c) : make_layer_mesh(mesh_spec(c, say));
 }
 
-std::unique_ptr<contact::Model> make_model(const Case& c, const Say& say) {
+std::unique_ptr<contact::Model> make_model(const Case& c, const Say& say, int n_threads) {
     require_layer(c);
     LayerCondenser condenser(c, say);
     if (c.indenter.body && c.indenter.body->mesh) return make_meshed(c, condenser);
@@ -200,12 +201,15 @@ std::unique_ptr<contact::Model> make_model(const Case& c, const Say& say) {
         if (!own) return other.make(read_users_mesh(elastic));
         return make_fitting(elastic, spec_of(c, *own), other);
     };
-    auto relaxed = contact::relaxes_as_one(c) ? of_elastic(c) : nullptr;
-    return attracted(
-        c, std::make_unique<contact::SurfaceModel>(
-               contact::models::fem,
-               *contact::make_substrate(c, false, std::move(relaxed), of_elastic),
-               c.make_indenter(), c.friction.law(), c.of<Settings>().tolerance, c.contact));
+    const auto direct = [&]() -> std::unique_ptr<contact::Model> {
+        auto relaxed = contact::relaxes_as_one(c) ? of_elastic(c) : nullptr;
+        return attracted(
+            c, std::make_unique<contact::SurfaceModel>(
+                   contact::models::fem,
+                   *contact::make_substrate(c, false, std::move(relaxed), of_elastic),
+                   c.make_indenter(), c.friction.law(), c.of<Settings>().tolerance, c.contact));
+    };
+    return own ? by_solver(c, spec_of(c, *own), n_threads, say, direct) : direct();
 }
 
 }  // namespace tricontact::fem

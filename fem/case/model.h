@@ -16,7 +16,9 @@ using Say = std::function<void(const std::string&)>;
 /// The layer of a case by finite elements. Our own mesh is fitted to contact and path by a coarse
 /// layer first; its size is the case's, or follows from the accuracy asked for. Throws
 /// contact::InputError (mesh file, memory, ...), contact::NotConverged.
-std::unique_ptr<contact::Model> make_model(const contact::Case& c, const Say& say);
+/// `n_threads`: of the iterative solver.
+std::unique_ptr<contact::Model> make_model(const contact::Case& c, const Say& say,
+                                           int n_threads = 1);
 
 /// The mesh on which make_model computes the case.
 meshes::HexMesh make_mesh(const contact::Case& c, const Say& say);

@@ -26,9 +26,6 @@ namespace tricontact::fem::distributed {
 
 namespace {
 
-// Open MPI; PMIx (Open MPI by Slurm and others); PMI (MPICH, Intel MPI, Slurm).
-constexpr std::array rank_variables{"OMPI_COMM_WORLD_RANK", "PMIX_RANK", "PMI_RANK"};
-
 enum class Failure : int { none, input, not_converged, memory, other };
 
 struct Outcome {
@@ -81,17 +78,6 @@ double reduced(double value, MPI_Op operation, MPI_Comm communicator) {
 }
 
 }  // namespace
-
-bool started_by_launcher() {
-    return std::ranges::any_of(rank_variables, [](const char* name) { return std::getenv(name); });
-}
-
-bool is_further_rank() {
-    return std::ranges::any_of(rank_variables, [](const char* name) {
-        const char* rank = std::getenv(name);
-        return rank && std::atoi(rank) > 0;
-    });
-}
 
 struct Session::Libraries {
     // Of the arguments, the libraries' own options are none of ours.

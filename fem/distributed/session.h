@@ -8,12 +8,6 @@
 
 namespace tricontact::fem::distributed {
 
-/// Whether mpirun (or the launcher of a batch system) started this process, told from the
-/// environment, without touching MPI.
-bool started_by_launcher();
-/// Whether a launcher started this process as another rank than the first. Told likewise.
-bool is_further_rank();
-
 /// MPI (and the libraries that use it) from the constructor to the destructor; once per process.
 /// One thread per rank, unless OPENBLAS_NUM_THREADS asks for more.
 class Session {

@@ -15,9 +15,9 @@
 #include <algorithm>
 #include <map>
 
+#include "fem/deal_ii/q2_elements.h"
 #include "fem/discretisation.h"
 #include "fem/element.h"
-#include "fem/q2_space.h"
 
 // The same stiffness as fem/assembly.cc, distributed: each rank has a part of the elements (p4est's
 // space-filling curve) and the rows of its nodes. Held components keep a row, decoupled from the
@@ -124,7 +124,7 @@ struct Stiffness::Parts {
             refuse_rigid_motions(has(problem.mesh, Boundary::base),
                                  has(problem.mesh, Boundary::sides), problem.base, problem.sides);
         });
-        triangulate(problem.mesh, triangulation);
+        deal_ii::triangulate(problem.mesh, triangulation);
         session.agree([&] { require_names(); });
         dofs.distribute_dofs(fe);
         for (const Cell& cell : dofs.active_cell_iterators())
@@ -144,7 +144,7 @@ struct Stiffness::Parts {
             for (const unsigned f : cell->face_indices())
                 if (cell->is_locally_owned() && cell->face(f)->at_boundary()) {
                     const auto x = cell->face(f)->center();
-                    require_name(cell->face(f)->boundary_id(), {x[0], x[1], x[2]});
+                    deal_ii::require_name(cell->face(f)->boundary_id(), {x[0], x[1], x[2]});
                 }
     }
 

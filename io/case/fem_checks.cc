@@ -148,12 +148,15 @@ void check_size(const Case& c, const Patch& patch, double largest_radius, double
                    " m: too coarse",
                "use a size of at most " + rounded(largest_radius / 8) + " m, or fem.accuracy");
     const double n = n_unknowns(c, patch, h);
-    if (!(n <= most_unknowns))
+    // Without a dense compliance there are no such bounds.
+    const bool may_iterate =
+        c.of<fem::Settings>().solver != fem::Solver::direct && fem::not_iterative(c).empty();
+    if (!(n <= most_unknowns) && !may_iterate)
         refuse(document, "fem.size",
                "contact and rolling path need " + rounded(n) + " unknowns, more than " +
                    rounded(most_unknowns),
                "use larger elements or a smaller rolling amplitude");
-    if (!(n * n * steps <= most_work))
+    if (!(n * n * steps <= most_work) && !may_iterate)
         refuse(document, "fem.size",
                rounded(n) + " unknowns in contact and rolling path times " + rounded(steps) +
                    " steps would take days",
@@ -235,7 +238,15 @@ RadiusBounds contact_radius_bounds(const Case& c) {
     return {a.low / finite_body, a.high * finite_body};
 }
 
+void check_solver(const Case& c, const Document& document) {
+    const std::string not_computed = fem::not_iterative(c);
+    if (c.of<fem::Settings>().solver == fem::Solver::iterative && !not_computed.empty())
+        refuse(document, "fem.solver", "the iterative solver does not compute " + not_computed,
+               "set it to \"auto\" or \"direct\", or leave that out");
+}
+
 void check_fem(const Case& c, double steps, const Document& document) {
+    check_solver(c, document);
     check_indenter(c, document);
     if (c.indenter.body) check_fem_body(c, document);
     check_law(c, document);

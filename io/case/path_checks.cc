@@ -59,11 +59,6 @@ void check_alternates_alone(const Case& c, const Document& document, const std::
                "give [path] with a column time [s]");
 }
 
-NormalControl normal_control(const Case::Load& load) {
-    if (load.normal_force) return {NormalControl::Kind::force, *load.normal_force};
-    return {NormalControl::Kind::indentation, load.indentation.value()};
-}
-
 /// 0, a quarter up to the amplitude, then there and back again in each period, the bulk stress [Pa]
 /// in proportion.
 PrescribedPath alternating(const OscillationInput& input, const NormalControl& normal,
@@ -238,7 +233,7 @@ void resolve_oscillation(Case& c, const Document& document) {
     const auto* const input = c.kept.find<OscillationInput>();
     if (!input) return;
     check_alternates_alone(c, document, path_key(document));
-    c.prescribed_path = alternating(*input, normal_control(c.load), c.load.bulk_stress);
+    c.prescribed_path = alternating(*input, contact::mean_normal_control(c.load), c.load.bulk_stress);
     c.load.tangential_force = 0;
 }
 

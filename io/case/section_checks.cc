@@ -60,6 +60,8 @@ void check_section_indenter(const Case& c, const Refusal& refuse_key) {
 
 void check_section_elements(const Case& c, const Document& document, const Refusal& refuse_key) {
     if (document.find("fem.mesh")) refuse_key("fem.mesh", "makes its own mesh", "leave it out");
+    if (c.of<fem::Settings>().solver == fem::Solver::iterative)
+        refuse_key("fem.solver", "has a factor that is small", "leave it out");
     if (c.of<fem::Settings>().sides == fem::Sides::fixed)
         refuse_key("fem.sides", "has the sides of the layer far away", "leave it out");
     if (c.relaxation && c.of<Output>().volume != Output::Volume::none)

@@ -17,7 +17,7 @@ base = {
     "output.vtk": '"none"',
 }
 keys_of_every_case = ["title", "models", "output.*", "bem.cells_per_radius", "bem.spacing", "bem.tolerance",
-                      "bem.cell_ratio", "bem.cell_shift_x", "bem.cell_shift_y", "mdr.springs", "mdr.elements_per_radius", "fem.accuracy", "fem.size", "fem.growth", "fem.tolerance", "fem.cache",
+                      "bem.cell_ratio", "bem.cell_shift_x", "bem.cell_shift_y", "mdr.springs", "mdr.elements_per_radius", "fem.accuracy", "fem.size", "fem.growth", "fem.tolerance", "fem.solver", "fem.cache",
                       "indenter.radius", "indenter.shape", "substrate.young", "substrate.poisson",
                       "friction.coefficient", "load.normal_force", "load.tangential_ratio", "load.tangential_force"]
 

@@ -7,7 +7,7 @@ source "$(dirname -- "${BASH_SOURCE[0]}")/../summaries.bash"
 # lost in two jumps; force curve first.
 case=$source_dir/examples/cases/adhesive_sphere.toml
 "$program" run "$case" --output out --quiet >text 2>&1 || complain "no run: $(cat text)"
-python3 - <<'PYTHON' || complain "numbers of JKR"
+"$python" - <<'PYTHON' || complain "numbers of JKR"
 import csv, json, math
 w, R, E = 60e-3, 5e-3, 2e6
 model = json.load(open("out/summary.json"))["models"]["mdr"]
@@ -28,7 +28,7 @@ PYTHON
 
 # 2. The same without a run.
 "$program" predict "$case" --json >prediction.json || complain "no prediction"
-python3 - <<'PYTHON' || complain "prediction: $(head -c 600 prediction.json)"
+"$python" - <<'PYTHON' || complain "prediction: $(head -c 600 prediction.json)"
 import json
 run = json.load(open("out/summary.json"))["models"]["mdr"]
 said = json.dumps(json.load(open("prediction.json"))["models"]["mdr"])
@@ -40,7 +40,7 @@ grep -q "F_off .*1.414 mN" text || complain "check knows no pull-off: $(cat text
 # 3. On a layer it holds more; bars by other elements.
 "$program" run "$case" --models mdr-layer --set 'substrate.thickness="0.1 mm"' --output layer --quiet >text 2>&1 ||
     complain "no layer: $(cat text)"
-python3 - <<'PYTHON' || complain "layer"
+"$python" - <<'PYTHON' || complain "layer"
 import json
 summary = json.load(open("layer/summary.json"))
 model = summary["models"]["mdr-layer"]

@@ -42,6 +42,13 @@ near "shift beside the built-in pair" "$(of meshed_t final_shift_m)" "$(of own_t
 near "force" "$(of meshed normal_force_N)" 11.4475 .01
 near "radius" "$(of meshed contact_radius_m)" .0035162 .01
 near "peak pressure" "$(of meshed peak_pressure_Pa)" 435660 .01
+# The same body by tetrahedra, coarser than in the documents.
+gmsh -3 hemisphere_tetrahedra.geo -setnumber h 1.2 -o hemisphere.msh >log 2>&1 || complain "$(cat log)"
+"$program" run hemisphere_on_block.toml "${quick[@]}" -o tetrahedra >log 2>&1 || complain "$(cat log)"
+near "force by tetrahedra" "$(of tetrahedra normal_force_N)" 11.4475 .002
+near "radius by tetrahedra" "$(of tetrahedra contact_radius_m)" .0035162 .01
+near "pressure by tetrahedra" "$(of tetrahedra peak_pressure_Pa)" 435660 .01
+gmsh -3 hemisphere.geo -o hemisphere.msh >log 2>&1 || complain "$(cat log)"
 # On a layer of the program's own mesh, and on a rigid plane (F = 14.3762, a = 3.3742, p0 = .59060).
 sed '/^\[fem\]/,$d' hemisphere_on_block.toml >on_layer.toml
 "$program" run on_layer.toml "${quick[@]}" -o layer >log 2>&1 || complain "$(cat log)"

@@ -24,6 +24,26 @@ for name, value in {"stick_centre_m": e, "trailing_stress_Pa": edge, "pressure_o
 if not 0 < found["yield_factor"] < 5:
     sys.exit(f"yield_factor: {found['yield_factor']}")
 PYTHON
+# What check says of it before the run: the same of the same loads, by an oscillation too; nothing where F_T is unknown.
+sed -e 's/^tangential_ratio.*/tangential_amplitude = "600 N"/' "$case_file" >oscillating.toml
+sed -e 's/^tangential_ratio.*/shift_amplitude = "1 um"/' "$case_file" >shifted.toml
+for one in "$case_file" oscillating.toml shifted.toml; do
+    "$program" check "$one" --json >"$(basename "$one").json" || complain "check $one"
+done
+"$python" - out/summary.json "$(basename "$case_file").json" oscillating.toml.json shifted.toml.json <<'PYTHON' || complain "check"
+import json, sys
+
+run, *checked = [json.load(open(name)) for name in sys.argv[1:]]
+found = run["models"]["bem"]["strength"]
+static, oscillating, shifted = [{name: one["value"] for name, one in answer["derived"].items()} for answer in checked]
+for values in static, oscillating:
+    if not abs(values["Y/sigma_M"] / found["yield_factor"] - 1) < 1e-9 or \
+            not abs(values["sigma_xx"] / found["trailing_stress_Pa"] - 1) < 1e-9:
+        sys.exit(f"{values}, the run: {found}")
+if "Y/sigma_M" in shifted or "sigma_xx" in shifted:
+    sys.exit(f"strength before F_T is known: {shifted}")
+PYTHON
+
 grep -q 'Strength at .*2.000 kN' out/report.html || complain "no finding on strength"
 grep -q 'at the trailing edge' out/report.html || complain "no finding on the edge"
 

@@ -276,7 +276,7 @@ TEST_F(MeshesBadFile, EntitiesWithoutANameOrWithTwo) {
 TEST_F(MeshesBadFile, OtherElements) {
     const std::string box = "SetFactory(\"OpenCASCADE\"); Box(1) = {-1, -1, -2, 2, 2, 2};\n";
     const std::string names = "Physical Volume(\"layer\") = {1};\n";
-    refused(meshed(box + names),
+    refused(meshed(box + names),  // those of 10 nodes are divided
             "elements of type \"Tetrahedron 4\"; use straight hexahedra with 8 nodes");
     LayerMeshSpec spec = small_spec();
     refused(meshed(layer_geometry(spec) + "Mesh.ElementOrder = 2;\n"),

@@ -1,4 +1,4 @@
-#include "meshes/gmsh_session.h"
+#include "meshes/gmsh/gmsh_session.h"
 
 #include <gmsh.h>
 #include <gtest/gtest.h>

@@ -14,7 +14,7 @@
 #include <string>
 
 #include "contact/base/error.h"
-#include "meshes/gmsh_session.h"
+#include "meshes/gmsh/gmsh_session.h"
 #include "meshes/hex_mesh.h"
 #include "meshes/layer_mesh.h"
 #include "meshes/mesh_file.h"

@@ -245,6 +245,7 @@ TEST(CaseReader, EveryWordOfAChoiceIsRead) {
               io::Output::Volume::quarters);
     EXPECT_EQ(parsed({"load.press=frictionless"}).load.press, Case::Press::frictionless);
     EXPECT_EQ(parsed({"fem.sides=fixed"}).of<fem::Settings>().sides, fem::Sides::fixed);
+    EXPECT_EQ(parsed({"fem.solver=direct"}).of<fem::Settings>().solver, fem::Solver::direct);
     EXPECT_EQ(parsed({"substrate.base=frictionless", "substrate.thickness=8 mm"}).layer.base,
               Case::Base::frictionless);
 }
