@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "contact/attraction/attraction.h"
+#include "contact/attraction/attraction_law.h"
 
 namespace tricontact::contact {
 

@@ -39,6 +39,7 @@ double Attraction::tension(double gap, double width) const {
         const double part = std::exp(-gap / distance);
         return part > no_tension ? strength * part : 0;
     }
+    if (is_short_ranged) return strength * std::max(0., 1 - gap / distance);
     width = std::min(width, 2 * distance);
     if (width <= 0) return gap < distance ? strength : 0;
     return strength * std::clamp((distance - gap) / width + .5, 0., 1.);
@@ -50,24 +51,27 @@ double Attraction::energy(double gap, double width) const {
     if (decays) return -work() * std::exp(-gap / distance);
     width = std::min(width, 2 * distance);
     const double left = distance - gap;
+    if (is_short_ranged) return left > 0 ? -strength * left * left / (2 * distance) : 0;
     if (left >= width / 2) return -strength * left;
     if (left <= -width / 2) return 0;
     return -strength * (left + width / 2) * (left + width / 2) / (2 * width);
 }
 
-// A crack whose faces sigma_0 pulls lets go over the length rho = pi/8 (K/sigma_0)^2, K^2 = 2 E* w,
-// if rho is short (Dugdale 1960; Maugis 1992): rho = pi/4 E* w/sigma_0^2.
+// A crack whose faces attract each other lets go over the length rho = pi/8 (K/sigma_0)^2, K^2 =
+// 2 E* w, if rho is short and the tension sigma_0 (Dugdale 1960; Maugis 1992). Where the tension
+// falls with the gap from sigma_0 to 0, rho is about 0.73 (K/sigma_0)^2. That tension has no edge
+// at which it jumps: over three points loading and unloading pass through the same states.
 Attraction attraction_on(const ContactPoints& points, const AttractionLaw& law, double modulus) {
-    const double per_length = std::numbers::pi / 4 * modulus * law.work;
-    const double size = size_of(points);
+    const double squared = 2 * modulus * law.work, size = size_of(points);
     if (law.distance == 0) {
-        const double strength = std::sqrt(per_length / (points_without_range * size));
+        const double strength = std::sqrt(.73 * squared / (points_without_range * size));
         return {.strength = strength,
-                .distance = law.work / strength,
+                .distance = 2 * law.work / strength,
                 .decays = false,
                 .is_short_ranged = true};
     }
-    const double strength = law.work / law.distance, length = per_length / (strength * strength);
+    const double strength = law.work / law.distance,
+                 length = std::numbers::pi / 8 * squared / (strength * strength);
     if (length < least_points * size)
         throw InputError(fmt::format(
             "adhesion: the tension of {:.4g} Pa acts over {:.3g} m beside the contact, less than "

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "contact/attraction/attraction_law.h"
 #include "contact/compliances/compliance.h"
 
 namespace tricontact::contact {
@@ -11,24 +12,18 @@ namespace tricontact::contact {
 /// Tension that surfaces exert on each other over the gap g between them, as the points of a
 /// surface feel it.
 struct Attraction {
-    double strength = 0;           ///< sigma_0 [Pa]
-    double distance = 0;           ///< of the law [m]; sigma_0 times it is the work of adhesion w
-    bool decays = false;           ///< sigma_0 exp(-g/distance), else sigma_0 up to the distance
-    bool is_short_ranged = false;  ///< sigma_0 was chosen for the points, in place of range 0
+    double strength = 0;  ///< sigma_0 [Pa]
+    double distance = 0;  ///< of the law [m]
+    bool decays = false;  ///< sigma_0 exp(-g/distance), else sigma_0 up to the distance
+    /// sigma_0 was chosen for the points, in place of range 0: sigma_0 (1 - g/distance).
+    bool is_short_ranged = false;
 
-    double work() const { return strength * distance; }  ///< w [J/m^2]
+    /// w [J/m^2].
+    double work() const { return strength * distance * (is_short_ranged ? .5 : 1); }
     /// Tension of a point whose surface has gaps from g - width/2 to g + width/2 [Pa].
     double tension(double gap, double width) const;
     /// Energy of the same, 0 far away, -w in contact [J/m^2].
     double energy(double gap, double width) const;
-};
-
-/// The law of the surfaces, whatever points they have.
-struct AttractionLaw {
-    double work;  ///< w [J/m^2]
-    double
-        distance;  ///< as Attraction's [m]; 0: short-ranged, what Johnson, Kendall and Roberts did
-    bool decays;   ///< as Attraction's
 };
 
 /// Of a law on these points, `modulus` E* of the pair [Pa]. Without a range sigma_0 is such

@@ -24,14 +24,19 @@ namespace tricontact::contact {
 
 namespace {
 
-constexpr int max_tensions = 1000;
+constexpr int max_tensions = 3000;
 // Iterates that are taken as they are, and then combined as long as that helps: where there is no
 // state nearby combinations lead nowhere, and the iterates themselves have to find the way.
-constexpr int most_simple = 8, most_combined = 12;
-constexpr double helps = .3;
-constexpr int most_varied = 60;   // iterates with widths of their own
-constexpr double settled = 1e-3;  // residual from which on widths stay
-constexpr double roughest = 1e-3, of_residual = .05;
+constexpr int least_simple = 6, most_simple = 100, most_combined = 12;
+constexpr double combining_helps = .3, lost = 2;
+constexpr int most_varied = 60;          // iterates with widths of their own
+constexpr double widths_settled = 1e-3;  // residual from which on widths stay
+constexpr double roughest_press = 1e-3, of_residual = .05;
+
+/// A crack whose faces attract each other by s at the distances t from the contact has, further
+/// off, the stresses of one that ends at int s t^(1/2) dt/int s t^(-1/2) dt. Of s = s_0 (1 -
+/// (t/rho)^(3/2)) that is this part of int s dt/s_0 (Barenblatt 1962, Adv. Appl. Mech. 7, 55).
+constexpr double to_the_tip = .74;
 
 /// What is set free in a step, over w and the area that attracts, from which on it is bisected, and
 /// how often: an integral by trapezoids knows where a jump was to the step that it is in.
@@ -47,31 +52,49 @@ struct AdhesiveNormal::Iterate {
     double residual = infinity;                   // of the tension, by what it displaces
 };
 
-/// From an iterate to the next one.
+/// From an iterate to the next one: some as they are, then combined ones while those help. What
+/// they left in vain is gone back to, and followed for twice as long.
 class AdhesiveNormal::Way {
   public:
     std::vector<double> next(const Iterate& now, bool may_combine) {
-        if (left_ == 0) {
-            combines_ = may_combine && !combines_;
-            left_ = combines_ ? most_combined : most_simple;
-            first_ = now.residual;
-            accelerated_ = {};
+        if (!combines_) {
+            const bool falls = now.residual < last_;
+            last_ = now.residual;
+            if (++n_ >= n_simple_ && falls && may_combine) begin(now);
+            return now.next;
         }
-        --left_;
-        if (!combines_) return now.next;
-        if (left_ == 0 && now.residual < helps * first_) {
-            left_ = most_combined;
-            first_ = now.residual;
+        least_ = std::min(least_, now.residual);
+        if (now.residual > lost * first_ ||
+            (++n_ >= most_combined && least_ > combining_helps * first_))
+            return give_up();
+        if (n_ >= most_combined) {
+            first_ = least_;
+            n_ = 0;
         }
-        if (now.residual > 2 * first_) left_ = 0;
         return accelerated_.next(now.tension, now.next, now.residual);
     }
 
   private:
+    void begin(const Iterate& now) {
+        combines_ = true;
+        n_ = 0;
+        first_ = least_ = now.residual;
+        before_ = now.next;
+        accelerated_ = {};
+    }
+    std::vector<double> give_up() {
+        combines_ = false;
+        n_ = 0;
+        last_ = infinity;
+        n_simple_ = std::min(2 * n_simple_, most_simple);
+        return before_;
+    }
+
     FixedPoint accelerated_;
-    bool combines_ = true;
-    int left_ = 0;
-    double first_ = infinity;
+    std::vector<double> before_;  // the tension where combining began
+    bool combines_ = false;
+    int n_ = 0, n_simple_ = least_simple;
+    double first_ = infinity, least_ = infinity, last_ = infinity;
 };
 
 AdhesiveNormal::AdhesiveNormal(std::string name, const Compliance& compliance,
@@ -162,11 +185,12 @@ NormalSolution AdhesiveNormal::settle(const std::vector<double>& height,
         now.touch.force = 0;
     }
     Way way;
-    bool widths_stay = attraction_.decays;
+    bool widths_stay = attraction_.decays || attraction_.is_short_ranged;
     int iterations = 0;
     for (int k = 0; k < max_tensions; ++k) {
         compliance_.normal(now.tension, now.lowered);
-        const double precision = std::clamp(of_residual * now.residual, .1 * tolerance_, roughest);
+        const double precision =
+            std::clamp(of_residual * now.residual, .1 * tolerance_, roughest_press);
         press(height, control, precision, now);
         iterations += now.touch.iterations;
         if (!widths_stay) widths_.of(now.gap, now.width);
@@ -175,9 +199,9 @@ NormalSolution AdhesiveNormal::settle(const std::vector<double>& height,
             now.touch.iterations = iterations;
             return finish(std::move(now));
         }
-        if (!attraction_.decays) {
-            if (now.residual < settled || k > most_varied) widths_stay = true;
-            if (now.residual > 10 * settled && k <= most_varied) widths_stay = false;
+        if (!attraction_.decays && !attraction_.is_short_ranged) {
+            if (now.residual < widths_settled || k > most_varied) widths_stay = true;
+            if (now.residual > 10 * widths_settled && k <= most_varied) widths_stay = false;
         }
         now.tension = way.next(now, widths_stay);
         for (double& s : now.tension) s = std::clamp(s, 0., attraction_.strength);
@@ -199,11 +223,8 @@ NormalSolution AdhesiveNormal::finish(Iterate now) const {
     s.force = s.energy = 0;
     for (std::size_t i = 0; i < n; ++i) {
         if (!share_) s.share[i] = s.pressure[i] > 0;
-        // K of a crack whose faces sigma_0 pulls over the length rho beyond the contact is that of
-        // one that ends at 2/3 rho: its tension 2/pi sigma_0 atan(sqrt(rho/x)) at the distance x is
-        // that of the other but for (rho/x)^(5/2) (Dugdale 1960; Barenblatt 1962).
         if (attraction_.is_short_ranged)
-            s.share[i] += 2. / 3 * (1 - s.share[i]) * now.tension[i] / attraction_.strength;
+            s.share[i] += to_the_tip * (1 - s.share[i]) * now.tension[i] / attraction_.strength;
         s.pressure[i] -= now.tension[i];
         s.displacement[i] -= now.lowered[i];
         s.force += area[i] * s.pressure[i];

@@ -14,28 +14,28 @@ namespace {
 // of its adhesion. JKR's sphere is 1.4 of these from where it carries nothing to its largest
 // tension, and 1.8 to its last contact.
 constexpr double steps_per_length = 8;
-constexpr int most_steps = 400, bisections = 8;
-constexpr double probe = 1e-2;  // of that length, for the stiffness
+constexpr int most_pulls = 400, pull_bisections = 8;
+constexpr double pull_probe = 1e-2;  // of that length, for the stiffness
 
-NormalControl depth(double d) {
+NormalControl at_depth(double d) {
     return {NormalControl::Kind::indentation, d};
 }
 
-bool is_in_contact(const NormalSolution& s) {
+bool still_touches(const NormalSolution& s) {
     return std::ranges::any_of(s.share, [](double part) { return part > 0; });
 }
 
-double area_of(const NormalSolution& s, const ContactPoints& points) {
+double touching_area(const NormalSolution& s, const ContactPoints& points) {
     double area = 0;
     for (std::size_t i = 0; i < s.share.size(); ++i) area += s.share[i] * points.area[i];
     return area;
 }
 
 /// The state of least force between three neighbours, by the parabola through them.
-struct Least {
+struct LeastForce {
     double indentation, force;
 };
-Least least_of(const std::array<NormalSolution, 3>& s) {
+LeastForce least_force_of(const std::array<NormalSolution, 3>& s) {
     const double d0 = s[0].indentation, d1 = s[1].indentation, d2 = s[2].indentation;
     const double s01 = (s[1].force - s[0].force) / (d1 - d0);
     const double s12 = (s[2].force - s[1].force) / (d2 - d1);
@@ -52,13 +52,14 @@ std::optional<LettingGo> pull_off(const AdhesiveNormal& solver, const ContactPoi
                                   const std::vector<double>& height, const NormalControl& hardest) {
     const NormalSolution pressed = solver.settle(height, hardest, {});
     NormalSolution now = solver.settle(height, {NormalControl::Kind::force, 0}, pressed);
-    if (!is_in_contact(now)) return {};
-    const double area = area_of(now, points), work = solver.attraction().work();
+    if (!still_touches(now)) return {};
+    const double area = touching_area(now, points), work = solver.attraction().work();
     // F d of a contact as stiff as this, whose mean displacement under its tension is u.
     double pull = 0, reach = 0;
     for (std::size_t i = 0; i < now.tension.size(); ++i) pull += points.area[i] * now.tension[i];
     reach = std::max(now.length, work * area / pull);
-    const NormalSolution aside = solver.settle(height, depth(now.indentation - probe * reach), now);
+    const NormalSolution aside =
+        solver.settle(height, at_depth(now.indentation - pull_probe * reach), now);
     const double stiffness = (now.force - aside.force) / (now.indentation - aside.indentation);
     const double length = stiffness > 0 ? std::sqrt(work * area / stiffness) : reach;
     const double step = length / steps_per_length;
@@ -67,9 +68,9 @@ std::optional<LettingGo> pull_off(const AdhesiveNormal& solver, const ContactPoi
     std::array<NormalSolution, 3> lowest;
     NormalSolution before = now;
     int k = 0;
-    for (; k < most_steps; ++k) {
-        NormalSolution next = solver.settle(height, depth(now.indentation - step), now);
-        if (!is_in_contact(next)) break;
+    for (; k < most_pulls; ++k) {
+        NormalSolution next = solver.settle(height, at_depth(now.indentation - step), now);
+        if (!still_touches(next)) break;
         const bool is_least = k > 0 && now.force <= before.force && now.force <= next.force;
         if (is_least && now.force < -found.force) {
             found.force = -now.force;
@@ -78,13 +79,13 @@ std::optional<LettingGo> pull_off(const AdhesiveNormal& solver, const ContactPoi
         before = std::move(now);
         now = std::move(next);
     }
-    if (k == most_steps) return {};
+    if (k == most_pulls) return {};
     // The last contact.
     double on = now.indentation, off = on - step;
-    for (int i = 0; i < bisections; ++i) {
+    for (int i = 0; i < pull_bisections; ++i) {
         const double middle = (on + off) / 2;
-        NormalSolution s = solver.settle(height, depth(middle), now);
-        if (is_in_contact(s)) {
+        NormalSolution s = solver.settle(height, at_depth(middle), now);
+        if (still_touches(s)) {
             if (s.force < now.force && s.force < -found.force && now.force <= -found.force) {
                 found.force = -s.force;
                 lowest = {now, s, s};
@@ -103,8 +104,8 @@ std::optional<LettingGo> pull_off(const AdhesiveNormal& solver, const ContactPoi
             now.force <= -found.force || lowest[1].tension.empty() ? now : lowest[1];
         return LettingGo{-s.force, shared_radius(points, s.share), s.indentation, on};
     }
-    const Least least = least_of(lowest);
-    const NormalSolution s = solver.settle(height, depth(least.indentation), lowest[0]);
+    const LeastForce least = least_force_of(lowest);
+    const NormalSolution s = solver.settle(height, at_depth(least.indentation), lowest[0]);
     return LettingGo{std::max(-s.force, found.force), shared_radius(points, s.share), s.indentation,
                      on};
 }

@@ -1,0 +1,179 @@
+// Surfaces that attract each other, on the half-space: Johnson, Kendall and Roberts, Maugis,
+// Derjaguin.
+
+#include "theory/adhesion.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "bem/model.h"
+#include "contact/base/error.h"
+#include "contact/cells.h"
+#include "contact/larger_grids.h"
+#include "contact/run.h"
+#include "theory/adhesive/adhesive_curve.h"
+#include "theory/adhesive/maugis_dugdale.h"
+
+namespace tricontact::bem_adhesion_test {
+namespace {
+
+using contact::Adhesion;
+using contact::Case;
+using contact::NormalControl;
+using std::numbers::pi;
+
+/// A paraboloid in the units of Maugis: of forces pi w R, of depths (pi^2 w^2 R/K^2)^(1/3), of
+/// radii (pi w R^2/K)^(1/3), K = 4/3 E*.
+struct Ball {
+    double R = .01, w = .05;
+    Case c;
+
+    /// `lambda` 0: no range. Cells per unit of the radius.
+    Ball(double lambda, double cells, double deepest = 2) {
+        c.indenter.radius = R;
+        c.substrate = {1e6, .4};
+        c.contact.coupling = false;
+        c.load.indentation = deepest * depth();
+        c.load.tangential_ratio = 0;
+        c.of<contact::Cells>().spacing = radius() / cells;
+        c.adhesion = Adhesion{.work = w};
+        if (lambda > 0) c.adhesion->peak_stress = lambda / 2 * std::cbrt(pi * w * K() * K() / R);
+    }
+    double K() const { return 4. / 3 * c.materials().effective_modulus(); }
+    double radius() const { return std::cbrt(pi * w * R * R / K()); }
+    double depth() const { return radius() * radius() / R; }
+    double force() const { return pi * w * R; }
+};
+
+contact::StepRecord at(contact::Model& model, const Ball& ball, double depth) {
+    contact::LoadStep step;
+    step.normal = {NormalControl::Kind::indentation, depth * ball.depth()};
+    return model.advance(step);
+}
+
+/// On the outer branch, whose depth rises with the radius.
+theory::MaugisContact maugis_at(double lambda, double depth) {
+    double low = .8, high = 5;
+    for (int k = 0; k < 60; ++k) {
+        const double middle = (low + high) / 2;
+        (theory::maugis_contact(lambda, middle).indentation < depth ? low : high) = middle;
+    }
+    return theory::maugis_contact(lambda, low);
+}
+
+// Errors of the force over pi w R; the edge of the tension is a straight line within a cell, what
+// is left falls with the cells.
+TEST(BemAdhesion, ForcesOfMaugisTransition) {
+    struct Row {
+        double lambda, cells, allowed;
+    };
+    for (const auto& [lambda, cells, allowed] :
+         {Row{.1, 10, 1e-3}, Row{.5, 10, 2.5e-3}, Row{.5, 20, 1e-3}, Row{1, 20, 2.5e-3},
+          Row{1, 40, 1e-3}}) {
+        const Ball ball(lambda, cells);
+        const auto model = bem::make_model(ball.c, 1);
+        for (const double depth : {2., 1.}) {
+            const auto record = at(*model, ball, depth);
+            const auto exact = maugis_at(lambda, depth);
+            EXPECT_NEAR(record.normal_force / ball.force(), exact.force, allowed) << lambda;
+            EXPECT_NEAR(std::sqrt(record.contact_area / pi) / ball.radius(), exact.radius,
+                        .3 / cells)
+                << lambda;
+        }
+        EXPECT_TRUE(model->audit().passed());
+    }
+}
+
+// Short-ranged: the tension acts over three cells, an error of the first order.
+TEST(BemAdhesion, ApproachesJohnsonKendallAndRoberts) {
+    double last = 0;
+    for (const double cells : {5., 10., 20.}) {
+        const Ball ball(0, cells);
+        const auto model = bem::make_model(ball.c, 1);
+        // P = A^3 - A (6 A)^(1/2), D = A^2 - 2/3 (6 A)^(1/2)
+        const double a = 2.08797, exact = a * a * a - a * std::sqrt(6 * a);
+        const auto record = at(*model, ball, a * a - 2. / 3 * std::sqrt(6 * a));
+        const double error = std::abs(record.normal_force / ball.force() - exact);
+        EXPECT_LT(error, .35 / cells);
+        EXPECT_NEAR(std::sqrt(record.contact_area / pi) / ball.radius(), a, .03 / cells * 5);
+        if (last > 0) {
+            EXPECT_LT(error, .75 * last);
+        }
+        last = error;
+    }
+}
+
+// Pressed and pulled off: the work of the force is what the jumps set free, the loop passes through
+// the same states where nothing jumps, and the largest tension is JKR's but for the cells.
+TEST(BemAdhesion, LosesTheEnergyOfItsJumpsAlone) {
+    const Ball ball(0, 6, 1);
+    const auto model = bem::make_model(ball.c, 1);
+    constexpr double step = .1;
+    constexpr int n = 25;
+    double work = 0, released = 0, last_jump = 0;
+    std::vector<double> loading, unloading;
+    contact::StepRecord before = at(*model, ball, -1.5);
+    const auto go = [&](double depth, std::vector<double>& forces) {
+        const auto now = at(*model, ball, depth);
+        work +=
+            .5 * (now.normal_force + before.normal_force) * (now.indentation - before.indentation);
+        released += now.released_energy;
+        if (now.contact_area == 0 && before.contact_area > 0) last_jump = now.released_energy;
+        forces.push_back(now.normal_force / ball.force());
+        before = now;
+    };
+    for (int k = 1; k <= n; ++k) go(-1.5 + k * step, loading);
+    for (int k = n - 1; k >= 0; --k) go(-1.5 + k * step, unloading);
+    const double unit = ball.force() * ball.depth();
+    EXPECT_EQ(before.normal_force, 0);
+    for (int k = 0; k < 8; ++k) EXPECT_NEAR(unloading[k], loading[n - 2 - k], 1e-4) << k;
+    // The trapezoids do not see where in a step it jumps, by a force of up to 1.4.
+    EXPECT_NEAR(work / unit, released / unit, 1.4 * step);
+    EXPECT_GT(released, .1 * unit);
+    const auto body = ball.c.make_axisymmetric_indenter();
+    theory::AdhesiveCurve exact =
+        theory::half_space_curve(*body, ball.c.materials().effective_modulus(), ball.w);
+    const auto motion = exact.follow(exact.at(2 * ball.radius()),
+                                     {NormalControl::Kind::indentation, -1.5 * ball.depth()});
+    EXPECT_FALSE(motion.state.touches());
+    // At the end the tension acts over half of the contact: 0.82 at 6 cells per unit.
+    EXPECT_NEAR(last_jump / motion.released, 1, .25);
+    const auto off = model->pull_off();
+    ASSERT_TRUE(off);
+    EXPECT_NEAR(off->force / ball.force(), 1.5, .1);
+    EXPECT_NEAR(off->radius / ball.radius(), std::cbrt(1.5), .12);
+    EXPECT_LT(off->last_indentation, off->indentation);
+    EXPECT_GT(off->last_indentation, -1.5 * ball.depth());
+}
+
+// Apart, and stiff: Derjaguin's approximation is exact for a paraboloid, F = -2 pi R w
+// exp(d/range).
+TEST(BemAdhesion, ExponentialTensionOfStiffBodiesApart) {
+    Ball ball(.01, 3, .2);
+    ball.c.adhesion->law = Adhesion::Law::exponential;
+    const auto model = bem::make_model(ball.c, 1);
+    const double range = ball.c.adhesion->distance();
+    contact::LoadStep step;
+    step.normal = {NormalControl::Kind::indentation, -.5 * range};
+    const auto record = contact::on_large_enough_grid(*model, [&] { return model->advance(step); });
+    EXPECT_NEAR(record.normal_force / (-2 * pi * ball.R * ball.w * std::exp(-.5)), 1, 2e-2);
+    EXPECT_EQ(record.contact_area, 0);
+}
+
+TEST(BemAdhesion, RefusesWhatItCannotDo) {
+    const Ball coarse(3, 5);
+    EXPECT_THROW(bem::make_model(coarse.c, 1), contact::InputError);
+    const Ball ball(.5, 5);
+    const auto model = bem::make_model(ball.c, 1);
+    at(*model, ball, 1);
+    contact::LoadStep step;
+    step.normal = {NormalControl::Kind::force, -1.5 * ball.force()};
+    EXPECT_NEAR(model->advance(step).normal_force / ball.force(), -1.5, 1e-8);
+    step.normal.value = -1.9 * ball.force();
+    EXPECT_THROW(model->advance(step), contact::InputError);
+}
+
+}  // namespace
+}  // namespace tricontact::bem_adhesion_test
