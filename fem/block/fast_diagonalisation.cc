@@ -1,5 +1,7 @@
 #include "fem/block/fast_diagonalisation.h"
 
+#include <omp.h>
+
 #include <algorithm>
 #include <stdexcept>
 
@@ -18,6 +20,8 @@ void dgemm_(const char* transa, const char* transb, const int* m, const int* n, 
 namespace tricontact::fem {
 
 namespace {
+
+constexpr int chunk = 2048;  // points of a plane that are turned along z at a time
 
 /// to (m x n) = a (m x k) b, or with b transposed.
 void multiply(int m, int n, int k, const double* a, int lda, bool transposed_a, const double* b,
@@ -63,8 +67,18 @@ FastDiagonalisation::Modes FastDiagonalisation::modes_of(const BlockAxis& axis,
     return modes;
 }
 
+// Allocated beforehand: no error may leave a loop of threads.
+std::size_t FastDiagonalisation::scratch_of_thread(const BlockGrid& grid) {
+    const auto& [x, y, z] = grid.axes;
+    return static_cast<std::size_t>(x.n_nodes()) * y.n_nodes() +
+           static_cast<std::size_t>(chunk) * z.n_nodes();
+}
+
 FastDiagonalisation::FastDiagonalisation(const BlockGrid& grid, int n_threads, double weight)
-    : weight_(weight), n_threads_(n_threads), scratch_(grid.n_nodes()) {
+    : weight_(weight),
+      n_threads_(n_threads),
+      scratch_(grid.n_nodes()),
+      of_threads_(n_threads * scratch_of_thread(grid)) {
     const OneBlasThread one;
     for (int d = 0; d < 3; ++d) {
         std::vector<double> stiff(grid.axes[d].n_elements(), 1.);
@@ -79,25 +93,26 @@ void FastDiagonalisation::solve(int c, std::span<const double> right, std::span<
     const OneBlasThread one;
     const std::size_t plane = static_cast<std::size_t>(x.n) * y.n;
     const int n_planes = z.n;
-    constexpr int chunk = 2048;
     const int n_chunks = static_cast<int>((plane + chunk - 1) / chunk);
     const int stride = static_cast<int>(plane);
     double* const half = scratch_.data();
 #pragma omp parallel num_threads(n_threads_) if (n_threads_ > 1)
     {
-        std::vector<double> of_plane(plane), of_chunk(static_cast<std::size_t>(chunk) * z.n);
+        double* const of_plane =
+            of_threads_.data() + omp_get_thread_num() * (of_threads_.size() / n_threads_);
+        double* const of_chunk = of_plane + plane;
 #pragma omp for schedule(static)
         for (int k = 0; k < n_planes; ++k) {
             multiply(x.n, y.n, x.n, x.vectors.data(), x.n, true, right.data() + k * plane, x.n,
-                     false, of_plane.data(), x.n);
-            multiply(x.n, y.n, y.n, of_plane.data(), x.n, false, y.vectors.data(), y.n, false,
+                     false, of_plane, x.n);
+            multiply(x.n, y.n, y.n, of_plane, x.n, false, y.vectors.data(), y.n, false,
                      half + k * plane, x.n);
         }
 #pragma omp for schedule(static)
         for (int b = 0; b < n_chunks; ++b) {
             const int first = b * chunk, n = std::min<int>(chunk, stride - first);
             multiply(n, z.n, z.n, half + first, stride, false, z.vectors.data(), z.n, false,
-                     of_chunk.data(), n);
+                     of_chunk, n);
             for (int k = 0; k < z.n; ++k)
                 for (int i = 0; i < n; ++i) {
                     const int in_plane = first + i;
@@ -106,14 +121,14 @@ void FastDiagonalisation::solve(int c, std::span<const double> right, std::span<
                                        (c == 2 ? weight_ : 1) * z.values[k];
                     of_chunk[static_cast<std::size_t>(k) * n + i] /= sum;
                 }
-            multiply(n, z.n, z.n, of_chunk.data(), n, false, z.vectors.data(), z.n, true,
-                     half + first, stride);
+            multiply(n, z.n, z.n, of_chunk, n, false, z.vectors.data(), z.n, true, half + first,
+                     stride);
         }
 #pragma omp for schedule(static)
         for (int k = 0; k < n_planes; ++k) {
             multiply(x.n, y.n, y.n, half + k * plane, x.n, false, y.vectors.data(), y.n, true,
-                     of_plane.data(), x.n);
-            multiply(x.n, y.n, x.n, x.vectors.data(), x.n, false, of_plane.data(), x.n, false,
+                     of_plane, x.n);
+            multiply(x.n, y.n, x.n, x.vectors.data(), x.n, false, of_plane, x.n, false,
                      to.data() + k * plane, x.n);
         }
     }

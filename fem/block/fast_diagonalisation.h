@@ -29,12 +29,13 @@ class FastDiagonalisation {
         int n = 0;
         std::vector<double> vectors, values;
     };
+    static std::size_t scratch_of_thread(const BlockGrid& grid);
     static Modes modes_of(const BlockAxis& axis, const std::vector<double>& stiff, int component);
 
     std::array<std::array<Modes, 3>, 3> modes_;  // of component, direction
     double weight_;
     int n_threads_;
-    std::vector<double> scratch_;
+    std::vector<double> scratch_, of_threads_;
 };
 
 }  // namespace tricontact::fem

@@ -151,15 +151,12 @@ TRICONTACT_LANES_CLONES void apply_to_row(const Row& row) {
 }  // namespace
 
 MixedOperator::MixedOperator(const BlockGrid& grid, int n_threads)
-    : grid_(grid),
-      n_threads_(n_threads),
-      n_nodes_(grid.n_nodes()),
-      n_elements_(grid.n_elements()) {}
+    : grid_(grid), n_threads_(n_threads), n_nodes_(grid.n_nodes()), n_elements_(grid.n_elements()) {
+    for (int e = 0; e < grid_.axes[0].n_elements(); ++e) edges_x_.push_back(grid_.axes[0].edge(e));
+}
 
 void MixedOperator::apply_row(int e_y, int e_z, const double* x, double* to) const {
     const auto& [along_x, along_y, along_z] = grid_.axes;
-    std::vector<double> edge(along_x.n_elements());
-    for (std::size_t e = 0; e < edge.size(); ++e) edge[e] = along_x.edge(static_cast<int>(e));
     const auto n_x = static_cast<std::size_t>(along_x.n_nodes());
     apply_to_row({.x = x,
                   .to = to,
@@ -170,7 +167,7 @@ void MixedOperator::apply_row(int e_y, int e_z, const double* x, double* to) con
                   .first_node = grid_.node(0, 2 * e_y, 2 * e_z),
                   .first_element = (static_cast<std::size_t>(e_z) * along_y.n_elements() + e_y) *
                                    along_x.n_elements(),
-                  .edge = edge.data(),
+                  .edge = edges_x_.data(),
                   .n = along_x.n_elements(),
                   .edge_y = along_y.edge(e_y),
                   .edge_z = along_z.edge(e_z),

@@ -42,6 +42,7 @@ class MixedOperator {
     BlockGrid grid_;
     int n_threads_;
     std::size_t n_nodes_, n_elements_;
+    std::vector<double> edges_x_;  // of elements [m]
 };
 
 }  // namespace tricontact::fem

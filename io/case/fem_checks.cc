@@ -16,7 +16,9 @@ constexpr double fewest_elements = 2;    // per contact radius
 constexpr double most_unknowns = 60000;  // of the patch: 29 GB for the dense compliance
 constexpr double most_elements = 1e7;    // of the block
 constexpr double most_work = 3e13;       // unknowns squared times steps: days
-constexpr double thinnest = 0.02;        // b/a: thin elements in hundreds
+constexpr double unknowns_of_element = 30;
+constexpr double most_iterated = 2e10;  // unknowns of the block times steps: days, without a factor
+constexpr double thinnest = 0.02;       // b/a: thin elements in hundreds
 
 // Without a body of finite size there is nothing to mesh of the indenter.
 void check_indenter(const Case& c, const Document& document) {
@@ -148,7 +150,7 @@ void check_size(const Case& c, const Patch& patch, double largest_radius, double
                    " m: too coarse",
                "use a size of at most " + rounded(largest_radius / 8) + " m, or fem.accuracy");
     const double n = n_unknowns(c, patch, h);
-    // Without a dense compliance there are no such bounds.
+    // Without a dense compliance there is no such bound.
     const bool may_iterate =
         c.of<fem::Settings>().solver != fem::Solver::direct && fem::not_iterative(c).empty();
     if (!(n <= most_unknowns) && !may_iterate)
@@ -156,17 +158,23 @@ void check_size(const Case& c, const Patch& patch, double largest_radius, double
                "contact and rolling path need " + rounded(n) + " unknowns, more than " +
                    rounded(most_unknowns),
                "use larger elements or a smaller rolling amplitude");
-    if (!(n * n * steps <= most_work) && !may_iterate)
+    if (!(n * n * steps <= most_work) && c.of<fem::Settings>().solver != fem::Solver::iterative)
         refuse(document, "fem.size",
                rounded(n) + " unknowns in contact and rolling path times " + rounded(steps) +
                    " steps would take days",
-               "use larger elements, fewer periods or larger steps");
+               std::string("use larger elements, fewer periods or larger steps") +
+                   (may_iterate ? ", or set fem.solver to \"iterative\"" : ""));
     const double elements = n_elements(c, patch, h);
     if (!(elements <= most_elements))
         refuse(document, "fem.size",
                "the block needs about " + rounded(elements) + " elements, more than " +
                    rounded(most_elements),
                "use larger elements, a larger fem.growth or a smaller block");
+    if (!(unknowns_of_element * elements * steps <= most_iterated) && may_iterate)
+        refuse(document, "fem.size",
+               rounded(unknowns_of_element * elements) + " unknowns times " + rounded(steps) +
+                   " steps would take days",
+               "use larger elements, fewer periods or larger steps");
 }
 
 double growth_at_crest(const Case& c) {

@@ -106,10 +106,18 @@ layer --output no_folder 2>no_folder.txt || complain "a file where the cache sho
 grep -q 'not kept' no_folder.txt || complain "no cache goes unnoticed"
 rm -f cache
 
-# 7. Too little memory is refused before it is taken. The libraries alone have 0.9 GB of addresses.
+# 7. Too little memory is refused before it is taken. The libraries alone have 0.9 GB of addresses. Where no
+# solver is asked for, the iterative one takes over.
 refused 'memory' bash -c "ulimit -v 1100000; exec \"\$@\"" limited "$program" run \
     "$source_dir/examples/cases/rig_layer_parallel.toml" --models fem --no-report --quiet \
-    --set 'fem.size="0.8 mm"' --set 'fem.cache="none"'
+    --set 'fem.size="0.8 mm"' --set 'fem.cache="none"' --set fem.solver=direct
+pressed() {
+    bash -c "ulimit -v $1; exec \"\$@\"" limited "$program" run "$source_dir/examples/cases/rig_layer_parallel.toml" \
+        --models fem --no-report --no-studies --set 'fem.size="0.5 mm"' --set 'fem.cache="none"' --set output.vtk=none \
+        --set output.volume=none --set load.press_steps=1 --set rolling.periods=1 --set rolling.increment="1 mm" "${@:2}"
+}
+pressed 1600000 --output by_iteration 2>by_iteration.txt || complain "no solution by iteration: $(tail -n 1 by_iteration.txt)"
+grep -q 'solved for by iteration' by_iteration.txt || complain "too little memory is enough: $(cat by_iteration.txt)"
 
 # 8. Meshes: written, read again to the same answer; a missing and a misnamed boundary are refused.
 "$program" mesh "$source_dir/examples/cases/rig_layer_parallel.toml" --output meshed \
