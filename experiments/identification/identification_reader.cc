@@ -274,7 +274,10 @@ Input read_identification(const std::string& path, const std::vector<std::string
     check_loads(input, document);
     input.rig = rig_of(input, find, document);
     input.rig.require_no_bulk_stress("identified values");
-    input.rig.require_no_adhesion("identified values");
+    if (document.find_section("adhesion"))
+        io::refuse(document, "adhesion.work",
+                   "identified values presume surfaces that do not attract each other",
+                   "leave out [adhesion]; rig.work_of_adhesion tells how much it would matter");
     input.rig.title = input.title;
     input.unread = unread_keys(document, input.find(Measurement::friction_loop) != nullptr);
     if (std::ranges::count(find, "substrate.young") > 0 && io::states_unrelaxed(document))
