@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "contact/base/error.h"
 #include "contact/base/special_values.h"
 #include "contact/base/state_bytes.h"
 #include "contact/mirrored_surface.h"
@@ -75,11 +76,16 @@ Scales SurfaceModel::scales() const {
 }
 
 /// Pulls the contact off, from the hardest load on. Not of nominally flat bodies on a period, whose
-/// many spots let go one after the other.
+/// many spots let go one after the other; not known, either, where the way there does not converge.
 std::optional<PullOff> SurfaceModel::pull_off() const {
     if (!attracted_ || !hardest_ || points().periodic) return {};
-    const auto found = contact::pull_off(*solver_->adhesive(), points(),
-                                         solver_->coupling().bare_height(), *hardest_);
+    std::optional<LettingGo> found;
+    try {
+        found = contact::pull_off(*solver_->adhesive(), points(), solver_->coupling().bare_height(),
+                                  *hardest_);
+    } catch (const InputError&) {  // it does not hold without a force that presses
+    } catch (const NotConverged&) {
+    }
     if (!found) return {};
     return PullOff{found->force, found->radius, found->indentation, found->last_indentation};
 }

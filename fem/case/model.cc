@@ -159,20 +159,12 @@ std::unique_ptr<contact::Model> make_strained(const Case& c, const std::optional
     return std::make_unique<StrainedModel>(std::move(setup));
 }
 
-std::unique_ptr<contact::SurfaceModel> attracted(const Case& c,
-                                                 std::unique_ptr<contact::SurfaceModel> model) {
-    if (c.adhesion) model->attract(c.adhesion->attraction(), c.materials().effective_modulus());
-    return model;
-}
-
 /// Bodies of files: their meshes say how fine, and how far.
 std::unique_ptr<contact::Model> make_meshed(const Case& c, const LayerCondenser& condenser) {
     MeshedContact bodies = make_meshed_contact(c, condenser);
-    return attracted(c, std::make_unique<contact::SurfaceModel>(
-                            contact::models::fem,
-                            *contact::make_substrate(c, false, std::move(bodies.compliance), {}),
-                            std::move(bodies.indenter), c.friction.law(),
-                            c.of<Settings>().tolerance, c.contact));
+    return std::make_unique<contact::SurfaceModel>(
+        contact::models::fem, *contact::make_substrate(c, false, std::move(bodies.compliance), {}),
+        std::move(bodies.indenter), c.friction.law(), c.of<Settings>().tolerance, c.contact);
 }
 
 }  // namespace
@@ -203,11 +195,10 @@ std::unique_ptr<contact::Model> make_model(const Case& c, const Say& say, int n_
     };
     const auto direct = [&]() -> std::unique_ptr<contact::Model> {
         auto relaxed = contact::relaxes_as_one(c) ? of_elastic(c) : nullptr;
-        return attracted(
-            c, std::make_unique<contact::SurfaceModel>(
-                   contact::models::fem,
-                   *contact::make_substrate(c, false, std::move(relaxed), of_elastic),
-                   c.make_indenter(), c.friction.law(), c.of<Settings>().tolerance, c.contact));
+        return std::make_unique<contact::SurfaceModel>(
+            contact::models::fem,
+            *contact::make_substrate(c, false, std::move(relaxed), of_elastic), c.make_indenter(),
+            c.friction.law(), c.of<Settings>().tolerance, c.contact);
     };
     return own ? by_solver(c, spec_of(c, *own), n_threads, say, direct) : direct();
 }

@@ -14,6 +14,7 @@
 #include "contact/larger_grids.h"
 #include "contact/run.h"
 #include "theory/adhesive/adhesive_curve.h"
+#include "theory/adhesive/adhesive_layer.h"
 #include "theory/adhesive/maugis_dugdale.h"
 
 namespace tricontact::bem_adhesion_test {
@@ -146,6 +147,42 @@ TEST(BemAdhesion, LosesTheEnergyOfItsJumpsAlone) {
     EXPECT_NEAR(off->radius / ball.radius(), std::cbrt(1.5), .12);
     EXPECT_LT(off->last_indentation, off->indentation);
     EXPECT_GT(off->last_indentation, -1.5 * ball.depth());
+}
+
+// Against the integral equation of the layer, from thick to thin ones: the contact under a force,
+// and the pull-off, whose error falls with the cells.
+TEST(BemAdhesion, OfALayerAsItsExactTheory) {
+    for (const auto& [thickness, nu] : {std::pair{1., .3}, {1., .49}, {.3, .5}}) {
+        Ball ball(0, 10);
+        ball.c.substrate = {1e6, nu};
+        const double a_off = std::cbrt(1.5) * ball.radius();
+        ball.c.layer.thickness = thickness * a_off;
+        ball.c.load.indentation.reset();
+        const NormalControl press{NormalControl::Kind::force, 3 * ball.force()};
+        ball.c.load.normal_force = press.value;
+        const auto body = ball.c.make_axisymmetric_indenter();
+        auto exact = theory::layer_curve({ball.c.substrate, thickness * a_off}, *body, ball.w);
+        const auto pressed = exact.follow({}, press).state;
+        double last = 0;
+        for (const double cells : {8., 16.}) {
+            ball.c.of<contact::Cells>().spacing = a_off / cells;
+            const auto model = bem::make_model(ball.c, 1, bem::Body::layer);
+            contact::LoadStep step;
+            step.normal = press;
+            const auto record = model->advance(step);
+            EXPECT_NEAR(std::sqrt(record.contact_area / pi) / pressed.radius, 1, 5e-3);
+            EXPECT_NEAR(record.indentation / pressed.indentation, 1, 6e-3);
+            const auto off = model->pull_off();
+            ASSERT_TRUE(off);
+            const double error = std::abs(off->force / exact.pull_off().force - 1);
+            EXPECT_LT(error, .4 / cells + .02);
+            EXPECT_NEAR(off->radius / exact.pull_off().radius, 1, .04);
+            if (last > 0 && thickness == 1) {
+                EXPECT_LT(error, .75 * last);
+            }
+            last = error;
+        }
+    }
 }
 
 // Apart, and stiff: Derjaguin's approximation is exact for a paraboloid, F = -2 pi R w
