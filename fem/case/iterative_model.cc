@@ -84,7 +84,13 @@ std::unique_ptr<contact::Model> by_solver(
     try {
         return direct();
     } catch (const MemoryShort& shortage) {
-        if (say) say(std::string("fem: ") + shortage.what() + "; solved for by iteration instead");
+        if (say)
+            say(fmt::format(
+                "fem: a factor needs {} of memory, {:.1f} GB are there: solved for by "
+                "iteration",
+                shortage.needed_bytes > 0 ? fmt::format("{:.1f} GB", shortage.needed_bytes / 1e9)
+                                          : "more",
+                shortage.available_bytes / 1e9));
     }
     return iterative();
 }
