@@ -243,4 +243,14 @@ LoadPath make_load_path(const Case& c, double normal_force, double contact_radiu
     return path;
 }
 
+bool pressing_matters(const Case& c, bool coupled) {
+    return coupled || c.relaxation.has_value() || is_nominally_flat(c);
+}
+
+std::vector<LoadStep> pressing_of_path(const Case& c, const LoadPath& path, bool coupled) {
+    const bool all = pressing_matters(c, coupled) || c.prescribed_path->loads_first_row();
+    const auto& steps = path.pressing;
+    return {all || steps.empty() ? steps.begin() : steps.end() - 1, steps.end()};
+}
+
 }  // namespace tricontact::contact

@@ -53,6 +53,13 @@ double check_friction_limit(const Case& c, double phase, double tangential_force
 LoadPath make_load_path(const Case& c, double normal_force, double contact_radius,
                         double sliding_force = infinity);
 
+/// Whether a contact remembers how it was pressed, or is to show it: one that is coupled, relaxes,
+/// or is nominally flat, whose area grows with the load.
+bool pressing_matters(const Case& c, bool coupled);
+
+/// Steps of the pressing before a prescribed path: the last one alone where nothing else matters.
+std::vector<LoadStep> pressing_of_path(const Case& c, const LoadPath& path, bool coupled);
+
 /// F_T/(mu F_N) is prescribed under a depth whose F_N friction changes in coupled contact: what the
 /// ratio refers to is F_N of the step that loads the contact. A relaxing substrate's goes on
 /// changing; there it is F_N of pressing without friction, all relaxed.

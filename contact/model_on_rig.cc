@@ -193,4 +193,18 @@ std::unique_ptr<Model> ModelOnRig::sibling(const Case::Contact& options) const {
     return other ? std::make_unique<ModelOnRig>(std::move(other), rig_) : nullptr;
 }
 
+std::unique_ptr<WearingContact> ModelOnRig::wearing(const WearProblem& problem) {
+    auto* const wearable = dynamic_cast<Wearable*>(model_.get());
+    if (!wearable || rig_.normal)
+        throw InputError("[wear]: " + name() +
+                         (wearable ? " behind a rig that yields along the "
+                                     "normal has no jumps over cycles; omit "
+                                     "rig.normal_stiffness"
+                                   : " has no worn profile; take bem"));
+    WearProblem behind = problem;
+    behind.driven_by = this;
+    behind.rig_compliance = rig_.tangential_compliance();
+    return wearable->wearing(behind);
+}
+
 }  // namespace tricontact::contact

@@ -7,6 +7,7 @@
 
 #include "contact/model.h"
 #include "contact/rig_stiffness.h"
+#include "contact/wearing_contact.h"
 
 namespace tricontact::contact {
 
@@ -15,7 +16,7 @@ namespace tricontact::contact {
 /// the model that are taken back; of one unknown bracketed, since F does not fall where z grows.
 /// Where friction falls faster than the rig is stiff there may be no solution: the contact jumps,
 /// and the step throws NotConverged.
-class ModelOnRig final : public Model {
+class ModelOnRig final : public Model, public Wearable {
   public:
     ModelOnRig(std::unique_ptr<Model> model, const RigStiffness& rig);
 
@@ -37,6 +38,8 @@ class ModelOnRig final : public Model {
     void start_limit() override { model_->start_limit(); }
     std::unique_ptr<const Interior> interior() override { return model_->interior(); }
     const Audit& audit() const override { return model_->audit(); }
+    /// Of a rig that is rigid along the normal: throws InputError.
+    std::unique_ptr<WearingContact> wearing(const WearProblem& problem) override;
 
   private:
     /// Depth, shift along x, along y [m]; forces likewise [N].

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <span>
 
 namespace tricontact::contact {
 
@@ -21,7 +22,8 @@ const Magnitude magnitudes[] = {[](const Row& row) { return row.tangential[0].va
                                 [](const Row& row) { return row.normal.value; },
                                 [](const Row& row) { return row.offset[0]; },
                                 [](const Row& row) { return row.offset[1]; }};
-constexpr std::size_t n_drives = 4;  // of those; the others go along
+constexpr std::size_t n_drives = 4;   // the first; the others go along
+constexpr std::size_t n_offsets = 2;  // the last
 
 double range_of(const std::vector<Row>& rows, const Magnitude& magnitude) {
     const auto [least, most] = std::ranges::minmax(rows, {}, magnitude);
@@ -45,12 +47,13 @@ std::vector<std::size_t> reversals(const std::vector<Row>& rows, const Magnitude
 
 }  // namespace
 
-std::vector<PathCycle> closed_cycles(const PrescribedPath& path) {
-    const std::vector<Row>& rows = path.rows;
+namespace {
+
+/// By the first of these magnitudes that changes.
+std::vector<PathCycle> cycles_by(const std::vector<Row>& rows, std::span<const Magnitude> drives) {
     const auto moves = [&](const Magnitude& magnitude) { return range_of(rows, magnitude) > 0; };
-    const auto* const end_of_drives = magnitudes + n_drives;
-    const auto* const drive = std::find_if(magnitudes, end_of_drives, moves);
-    if (drive == end_of_drives) return {};
+    const auto drive = std::ranges::find_if(drives, moves);
+    if (drive == drives.end()) return {};
     const auto are_same = [&](std::size_t a, std::size_t b) {
         return std::ranges::all_of(magnitudes, [&](const Magnitude& magnitude) {
             return std::abs(magnitude(rows[a]) - magnitude(rows[b])) <=
@@ -67,6 +70,17 @@ std::vector<PathCycle> closed_cycles(const PrescribedPath& path) {
     }
     std::ranges::reverse(cycles);
     return cycles;
+}
+
+}  // namespace
+
+std::vector<PathCycle> closed_cycles(const PrescribedPath& path) {
+    return cycles_by(path.rows, std::span(magnitudes).first(n_drives));
+}
+
+std::vector<PathCycle> repeated_cycles(const PrescribedPath& path) {
+    auto cycles = closed_cycles(path);
+    return cycles.empty() ? cycles_by(path.rows, std::span(magnitudes).last(n_offsets)) : cycles;
 }
 
 std::vector<const StepRecord*> steps_at_rows(const History& history) {

@@ -20,6 +20,9 @@ struct PathCycle {
 /// where it was.
 std::vector<PathCycle> closed_cycles(const PrescribedPath& path);
 
+/// These, or, of a path that has none, those from one end of its rolling to the other and back.
+std::vector<PathCycle> repeated_cycles(const PrescribedPath& path);
+
 /// The last step at each row of a prescribed path; null where a row was never a step's end: the
 /// first one of a path that starts unloaded.
 std::vector<const StepRecord*> steps_at_rows(const History& history);

@@ -98,14 +98,11 @@ class Run {
         history_.static_shift = history_.steps.back().shift[0];
     }
 
-    /// Uncoupled contact on what does not relax forgets how it was pressed; it takes the last step.
     /// The path's closed cycles are its periods.
     void follow_path() {
         model_.release();
-        const bool all = path_matters() || case_.prescribed_path->loads_first_row();
-        const auto& pressing = path_.pressing;
-        const std::size_t first = all || pressing.empty() ? 0 : pressing.size() - 1;
-        for (std::size_t k = first; k < pressing.size(); ++k)
+        const auto pressing = pressing_of_path(case_, path_, model_.is_coupled());
+        for (std::size_t k = 0; k < pressing.size(); ++k)
             take(pressing[k], k + 1 == pressing.size());
         perhaps_last_period_ = true;  // surfaces of the last row are kept
         const auto cycles = closed_cycles(*case_.prescribed_path);
@@ -178,11 +175,7 @@ class Run {
         }
     }
 
-    /// How the contact came to be pressed is not forgotten, or, of a nominally flat one, whose area
-    /// grows with the load, is to be shown.
-    bool path_matters() const {
-        return model_.is_coupled() || case_.relaxation.has_value() || is_nominally_flat(case_);
-    }
+    bool path_matters() const { return pressing_matters(case_, model_.is_coupled()); }
 
     void find_path() {
         history_.scales = model_.scales();

@@ -62,8 +62,25 @@ struct SurfaceWearing::Slipped {
     }
 };
 
+bool WearProblem::rolls() const {
+    return std::any_of(steps.begin() + static_cast<std::ptrdiff_t>(n_before), steps.end(),
+                       [&](const LoadStep& step) { return step.offset != steps.back().offset; });
+}
+
+bool WearProblem::presses() const {
+    return std::any_of(steps.begin() + static_cast<std::ptrdiff_t>(n_before) - 1, steps.end(),
+                       [&](const LoadStep& step) { return step.normal != steps.back().normal; });
+}
+
 SurfaceWearing::SurfaceWearing(SurfaceModel& model, WearProblem problem)
-    : model_(model), problem_(std::move(problem)) {}
+    : model_(model),
+      problem_(std::move(problem)),
+      by_steps_(problem_.rolls() || (problem_.presses() && !model.is_coupled())) {
+    if (problem_.rolls() && model_.is_coupled())
+        throw InputError("[wear]: " + model_.name() +
+                         ": wear by rolling is computed of contact without coupling; set "
+                         "contact.coupling = false, or leave out the offsets");
+}
 
 void SurfaceWearing::require_sound() const {
     for (const auto& check : model_.audit().checks())
@@ -76,16 +93,24 @@ void SurfaceWearing::add_step(const LoadStep& step, Slipped& sums) {
     const std::vector<double> pressure = model_.now().normal->pressure;
     const TangentialField before = model_.now().displacement.in_surface;
     const Vector2 shift = model_.now().shift;
-    const StepRecord record = model_.advance(step);
+    const StepRecord record = driven().advance(step);
     require_sound();
     const ContactSolution& now = model_.now();
     const bool by_work = problem_.law.energy_coefficient.has_value();
+    Part part{.step = step};
+    if (by_steps_) {
+        part.slip.assign(pressure.size(), 0);
+        part.rate = part.slip;
+        part.pressure = now.normal->pressure;
+    }
     for (std::size_t i = 0; i < pressure.size(); ++i) {
         const double p = now.normal->pressure[i], area = model_.points().area[i];
         if (!(p > 0)) {
             // Of use to jumps alone: what the point would slip if it touched.
-            sums.path[i] +=
+            const double would =
                 norm(now.shift - shift - (now.displacement.in_surface.at(i) - before.at(i)));
+            sums.path[i] += would;
+            if (by_steps_) part.slip[i] = would;
             continue;
         }
         sums.touched[i] = 1;
@@ -93,28 +118,43 @@ void SurfaceWearing::add_step(const LoadStep& step, Slipped& sums) {
         sums.path[i] += slip;
         sums.told[i] += slip;
         sums.worn[i] += by_work ? work : p * slip;
+        if (by_steps_) {
+            part.slip[i] = slip;
+            part.rate[i] = wear_factor() * (by_work ? work : p * slip);
+        }
         const double mean = (p + pressure[i]) / 2;
         sums.by_means += area * (by_work ? work * mean / p : mean * slip);
         sums.work += area * work;
     }
     sums.cover(record);
+    if (by_steps_) recent_.back().steps.push_back(std::move(part));
+}
+
+double SurfaceWearing::wear_factor() const {
+    const Wear& law = problem_.law;
+    return law.energy_coefficient ? *law.energy_coefficient : *law.coefficient;
 }
 
 WornCycle SurfaceWearing::cycle(const std::vector<double>& worn) {
+    constexpr std::size_t most_recent = 2;
+    if (by_steps_) {
+        recent_.push_back({.worn = worn});
+        if (recent_.size() > most_recent) recent_.pop_front();
+    }
     model_.solver_->wear(worn);
-    model_.release();
+    driven().release();
     const std::size_t n = model_.points().size();
     Slipped sums(n);
     StepRecord record;
-    for (std::size_t k = 0; k < problem_.n_before; ++k) record = model_.advance(problem_.steps[k]);
+    for (std::size_t k = 0; k < problem_.n_before; ++k)
+        record = driven().advance(problem_.steps[k]);
     require_sound();
     sums.cover(record);
     for (std::size_t k = problem_.n_before; k < problem_.steps.size(); ++k)
         add_step(problem_.steps[k], sums);
 
     const ContactSolution& now = model_.now();
-    const double factor = problem_.law.energy_coefficient ? *problem_.law.energy_coefficient
-                                                          : *problem_.law.coefficient;
+    const double factor = wear_factor();
     WornCycle found;
     found.rate = std::move(sums.worn);
     found.slip_path = std::move(sums.path);
@@ -134,7 +174,7 @@ WornCycle SurfaceWearing::cycle(const std::vector<double>& worn) {
     found.shift_amplitude = (sums.shift[1] - sums.shift[0]) / 2;
     found.pressure = now.normal->pressure;
     if (model_.is_coupled()) {
-        std::vector<double> height = heights();
+        std::vector<double> height = heights_at(problem_.steps.back().offset);
         for (std::size_t i = 0; i < n; ++i) height[i] += worn[i];
         found.pressure = NormalSolver(model_.substrate_->compliance(), .1 * model_.tolerance_)
                              .solve(height, problem_.steps.back().normal, found.pressure)
@@ -143,30 +183,64 @@ WornCycle SurfaceWearing::cycle(const std::vector<double>& worn) {
     return found;
 }
 
-std::vector<double> SurfaceWearing::heights() const {
-    return heights_over(model_.points(), *model_.indenter_, problem_.steps.back().offset,
+std::vector<double> SurfaceWearing::heights_at(const Vector2& offset) const {
+    return heights_over(model_.points(), *model_.indenter_, offset,
                         model_.substrate_->compliance().n_threads());
+}
+
+void SurfaceWearing::enlarge(const ContactAtEdge& reached) {
+    model_.enlarge(reached);
+    heights_.clear();
+    recent_.clear();
+}
+
+/// Of the profile `worn`, whose cycle may have been kept by another process.
+const std::vector<SurfaceWearing::Part>& SurfaceWearing::steps_of(const std::vector<double>& worn) {
+    auto found = std::ranges::find(recent_, worn, &RolledCycle::worn);
+    if (found == recent_.end()) {
+        cycle(worn);
+        found = recent_.end() - 1;
+    }
+    return found->steps;
 }
 
 std::vector<double> SurfaceWearing::jump(const std::vector<double>& worn, const WornCycle& now,
                                          double n) {
     const auto& area = model_.points().area;
-    double rate = 0, pressing = 0;
+    // kappa of dh = kappa p ds.
+    const auto kappa_of = [&](const Part& part) {
+        double rate = 0, pressing = 0;
+        for (std::size_t i = 0; i < worn.size(); ++i) {
+            rate += area[i] * part.rate[i];
+            pressing += area[i] * part.slip[i] * part.pressure[i];
+        }
+        return rate > 0 ? rate / pressing : 0.;
+    };
+    const std::vector<Part> parts =
+        by_steps_
+            ? steps_of(worn)
+            : std::vector<Part>{{problem_.steps.back(), now.slip_path, now.rate, now.pressure}};
+    std::vector<double> after = worn;
+    for (const Part& part : parts)
+        if (const double kappa = kappa_of(part); kappa > 0) after = worn_by(after, part, kappa, n);
+    return after;
+}
+
+/// By `n` cycles of one part of a cycle, implicit in its pressure.
+std::vector<double> SurfaceWearing::worn_by(const std::vector<double>& worn, const Part& part,
+                                            double kappa, double n) {
+    const bool is_last = part.step.offset == problem_.steps.back().offset;
+    if (is_last && heights_.empty()) heights_ = heights_at(part.step.offset);
+    std::vector<double> give(worn.size()), rest(worn.size());
+    std::vector<double> height = is_last ? heights_ : heights_at(part.step.offset);
     for (std::size_t i = 0; i < worn.size(); ++i) {
-        rate += area[i] * now.rate[i];
-        pressing += area[i] * now.slip_path[i] * now.pressure[i];
-    }
-    if (!(rate > 0)) return worn;
-    const double kappa = rate / pressing;
-    std::vector<double> give(worn.size()), rest(worn.size()), height = heights();
-    for (std::size_t i = 0; i < worn.size(); ++i) {
-        give[i] = n * kappa * now.slip_path[i];
-        rest[i] = n * now.rate[i] - give[i] * now.pressure[i];
+        give[i] = n * kappa * part.slip[i];
+        rest[i] = n * part.rate[i] - give[i] * part.pressure[i];
         height[i] += worn[i] + rest[i];
     }
     const GivingCompliance giving(model_.substrate_->compliance(), give);
-    const NormalSolution pressed = NormalSolver(giving, .1 * model_.tolerance_)
-                                       .solve(height, problem_.steps.back().normal, now.pressure);
+    const NormalSolution pressed =
+        NormalSolver(giving, .1 * model_.tolerance_).solve(height, part.step.normal, part.pressure);
     if (reaches_edge(model_.points(), pressed.pressure))
         throw ContactAtEdge(model_.name() +
                             ": the worn contact reaches the edge of the meshed contact patch");

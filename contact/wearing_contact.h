@@ -21,6 +21,7 @@ struct Wear {
 };
 
 struct Case;
+class Model;
 /// Throws InputError: whoever runs a path once does not wear.
 [[noreturn]] void refuse_wear(const Case& c);
 
@@ -29,6 +30,14 @@ struct WearProblem {
     Wear law;
     std::vector<LoadStep> steps;  ///< from the first touch to the end of the cycle
     std::size_t n_before = 0;     ///< of them those before the cycle begins
+    /// Through which steps reach the model, which is behind a rig that yields along the surface;
+    /// null: the model itself.
+    Model* driven_by = nullptr;
+    double rig_compliance = 0;  ///< of that rig [m/N]
+
+    /// Whether the indenter rolls, or its normal load changes, in the cycle.
+    bool rolls() const;
+    bool presses() const;
 };
 
 /// A closed cycle under a profile as it is worn by then; fields have one value per point.

@@ -58,7 +58,8 @@ WearingBed::WearingBed(WearingBedData data, contact::WearProblem problem)
                          : increasing([&](double a) { return body.pressed_area(a); },
                                       last.normal.value / data_.effective_modulus);
     const double depth = image(radius_0_);
-    if (by_depth && last.tangential[0].kind == TangentialControl::Kind::shift) {
+    if (by_depth && last.tangential[0].kind == TangentialControl::Kind::shift &&
+        problem_.rig_compliance == 0) {
         const double ratio =
             data_.friction * data_.effective_modulus / data_.effective_shear_modulus;
         const double beneath = depth - drive_ / ratio;
@@ -157,9 +158,15 @@ double WearingBed::tangential_force(const Pressed& pressed, double shift) const 
     return sum;
 }
 
-/// U_A [m], by the forces of springs that stick up to their bounds where the force is prescribed.
+/// U_A [m], by the forces of springs that stick up to their bounds where the force is prescribed,
+/// or the shift of a drive behind the rig's spring.
 double WearingBed::shift_amplitude(const Pressed& pressed) const {
-    if (problem_.steps.back().tangential[0].kind == TangentialControl::Kind::shift) return drive_;
+    if (problem_.steps.back().tangential[0].kind == TangentialControl::Kind::shift) {
+        const auto excess = [&](double shift) {
+            return shift + problem_.rig_compliance * tangential_force(pressed, shift) - drive_;
+        };
+        return problem_.rig_compliance > 0 ? contact::bracketed_root(excess, 0., drive_) : drive_;
+    }
     const auto force = [&](double shift) { return tangential_force(pressed, shift) - drive_; };
     const double most = data_.friction * *std::ranges::max_element(pressed.line_load) /
                         data_.effective_shear_modulus;

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "contact/base/special_values.h"
+#include "statistics/variance_parts.h"
 
 namespace tricontact::statistics {
 
@@ -81,10 +82,57 @@ void add_estimated_errors(const DenseMatrix& covariance, const std::vector<Dense
                                                : contact::infinity);
 }
 
+// Of a row's variance: a smaller part is none.
+constexpr double least_part = 1e-6;
+
+/// The same of variances that are sums of parts.
+void add_estimated_parts(const DenseMatrix& covariance, const VarianceParts& parts,
+                         JointCovariance& result) {
+    const auto m = covariance.rows(), n = parts.traces().rows();
+    DenseMatrix information = parts.traces() / 2;
+    constexpr double ridge = 1e-9;  // parts that do the same share what they do
+    information.diagonal() *= 1 + ridge;
+    const DenseMatrix of_errors = information.inverse();
+    DenseMatrix added = DenseMatrix::Zero(m, m);
+    Eigen::VectorXd spread = Eigen::VectorXd::Zero(m);
+    std::vector<Eigen::VectorXd> slopes;
+    for (const DenseMatrix& told : parts.told())
+        slopes.push_back((covariance * told * covariance).diagonal());
+    for (Eigen::Index c = 0; c < n; ++c)
+        for (Eigen::Index d = 0; d < n; ++d) {
+            added += of_errors(c, d) * covariance * parts.left(c, d) * covariance;
+            spread += of_errors(c, d) * slopes[c].cwiseProduct(slopes[d]);
+        }
+    result.adjusted = rows_of(covariance + 2 * added);
+    for (Eigen::Index k = 0; k < m; ++k)
+        result.effective_degrees.push_back(spread[k] > 0
+                                               ? 2 * covariance(k, k) * covariance(k, k) / spread[k]
+                                               : contact::infinity);
+}
+
+/// Parts of all groups over all rows.
+std::vector<std::vector<double>> all_parts(const std::vector<ErrorGroup>& groups,
+                                           std::size_t n_rows) {
+    std::vector<std::vector<double>> all;
+    std::size_t row = 0;
+    for (const ErrorGroup& group : groups) {
+        auto parts = group.parts;
+        if (parts.empty() && !group.is_known) parts.emplace_back(group.n_rows, 1.);
+        for (const auto& part : parts) {
+            if (*std::ranges::max_element(part) < least_part) continue;
+            auto& column = all.emplace_back(n_rows, 0.);
+            std::ranges::copy(part, column.begin() + static_cast<std::ptrdiff_t>(row));
+        }
+        row += group.n_rows;
+    }
+    return all;
+}
+
 }  // namespace
 
 JointCovariance joint_covariance(const std::vector<std::vector<double>>& columns,
-                                 const std::vector<ErrorGroup>& groups) {
+                                 const std::vector<ErrorGroup>& groups,
+                                 const std::vector<std::vector<double>>& own) {
     const auto m = static_cast<Eigen::Index>(columns.size());
     const auto n = static_cast<Eigen::Index>(columns.front().size());
     DenseMatrix j(n, m);
@@ -111,7 +159,12 @@ JointCovariance joint_covariance(const std::vector<std::vector<double>>& columns
         }
         row += n_rows;
     }
-    add_estimated_errors(covariance, unknown, unknown_rows, result);
+    if (std::ranges::all_of(groups, [](const ErrorGroup& g) { return g.parts.empty(); }))
+        add_estimated_errors(covariance, unknown, unknown_rows, result);
+    else
+        add_estimated_parts(covariance,
+                            VarianceParts(columns, own, all_parts(groups, columns.front().size())),
+                            result);
     for (Eigen::Index k = 0; k < m; ++k) {
         const bool is_told = std::ranges::all_of(result.principal, [&](const Direction& d) {
             return std::isfinite(d.standard_error) || std::abs(d.components[k]) < untold_share;

@@ -9,6 +9,9 @@ struct ErrorGroup {
     std::size_t n_rows = 0;
     std::size_t n_own = 0;  ///< parameters of its own, with the residuals at their best
     bool is_known = true;   ///< the error was stated; else the residuals tell it
+    /// Parts of each row's variance, over all of it, whose sizes the residuals tell: a column per
+    /// part; empty: one of all rows.
+    std::vector<std::vector<double>> parts = {};
 };
 
 /// A direction in the space of parameters, of length 1.
@@ -42,9 +45,11 @@ struct JointCovariance {
 
 /// `columns`: slopes of residuals over their standard errors, a column per parameter, rows in the
 /// order of the groups. A direction that is told 3e4 times worse than the best one is not told:
-/// differences do not resolve it.
+/// differences do not resolve it. `own`: slopes by the groups' own parameters, where variances have
+/// parts.
 JointCovariance joint_covariance(const std::vector<std::vector<double>>& columns,
-                                 const std::vector<ErrorGroup>& groups);
+                                 const std::vector<ErrorGroup>& groups,
+                                 const std::vector<std::vector<double>>& own = {});
 
 /// Principal directions among some of the parameters, whatever the others are.
 std::vector<Direction> principal_directions(const JointCovariance& all,

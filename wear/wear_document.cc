@@ -7,6 +7,7 @@
 
 #include "contact/half_space_scales.h"
 #include "contact/models/model_kind.h"
+#include "contact/rig_stiffness.h"
 #include "report/format.h"
 #include "report/json_table.h"
 #include "theory/worn_paraboloid.h"
@@ -29,6 +30,8 @@ std::string cycles_text(double cycles) {
 std::optional<theory::WornParaboloid> limit_of(const contact::Case& c, const WearResult& r) {
     const contact::PrescribedPath& path = *c.prescribed_path;
     const auto& row = path.rows.back();
+    const auto* const rig = c.kept.find<contact::RigStiffness>();
+    if ((rig && rig->yields()) || contact::norm(path.reach()) > 0) return {};
     if (!contact::model_kind(r.history.model).is_half_space() ||
         c.indenter.shape != contact::Case::Shape::paraboloid || !contact::is_coulomb_round(c) ||
         row.normal.kind != contact::NormalControl::Kind::indentation ||

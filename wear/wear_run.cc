@@ -234,13 +234,12 @@ double WornState::contact_radius() const {
 }
 
 contact::WearProblem wear_problem(const contact::Case& c, bool coupled) {
-    const auto cycles = contact::closed_cycles(*c.prescribed_path);
+    const auto cycles = contact::repeated_cycles(*c.prescribed_path);
     if (cycles.empty()) throw contact::InputError("[wear]: the path has no closed cycle");
     const contact::PathCycle& cycle = cycles.back();
     const contact::LoadPath path = contact::make_load_path(c, 0, 0);
-    contact::WearProblem problem{.law = c.of<contact::Wear>(), .steps = path.pressing};
-    if (!coupled && !c.prescribed_path->loads_first_row() && problem.steps.size() > 1)
-        problem.steps.erase(problem.steps.begin(), problem.steps.end() - 1);
+    contact::WearProblem problem{.law = c.of<contact::Wear>(),
+                                 .steps = contact::pressing_of_path(c, path, coupled)};
     problem.n_before = problem.steps.size();
     for (const contact::LoadStep& step : path.loading) {
         if (step.phase > static_cast<double>(cycle.end)) break;

@@ -192,7 +192,8 @@ IdentificationTask task_of(const IdentificationInput& input, const std::string& 
     for (const auto& table : input.tables)
         task.tables.push_back({name_of(table), table.observed, table.standard_errors,
                                table.has_free_origin(), order_of(table),
-                               table.loops.relative_errors, n_of_loop * table.loops.loops.size()});
+                               table.loops.relative_errors, table.loops.variance_parts,
+                               n_of_loop * table.loops.loops.size()});
     if (input.find(Measurement::friction_loop))
         task.inner_slopes = [&input, parameters = task.parameters](const auto& values) {
             const IdentifiedRig rig = rig_with(input, parameters, values);

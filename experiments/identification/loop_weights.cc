@@ -6,6 +6,7 @@
 #include "experiments/identification/estimation/best_sum_of_squares.h"
 #include "experiments/identification/identification_models.h"
 #include "experiments/identification/loop_values.h"
+#include "statistics/variance_sizes.h"
 
 namespace tricontact::experiments {
 
@@ -13,94 +14,103 @@ namespace {
 
 using Table = IdentificationInput::Table;
 
-constexpr int n_passes = 2, n_rounds = 30;
-// Of a row: what a loop's own numbers take from its residual.
-constexpr double largest_leverage = .9;
+constexpr int n_passes = 3;
+// Of the largest force, squared: what exact rows have for a variance.
+constexpr double rounding = 1e-24;
 // Of the variance of all rows: what the sensor of force has at least.
 constexpr double least_share = 1e-3;
 
-/// Squares of residuals, as independent errors would have them without a fit, and of slopes; the
-/// rows' series.
-struct RowSquares {
-    std::vector<double> residuals, slopes;
-    std::vector<std::size_t> series;
-
-    /// Of one series.
-    RowSquares of(std::size_t which) const {
-        RowSquares part;
-        for (std::size_t i = 0; i < series.size(); ++i) {
-            if (series[i] != which) continue;
-            part.residuals.push_back(residuals[i]);
-            part.slopes.push_back(slopes[i]);
-        }
-        return part;
-    }
-};
-
-/// Variances of errors of the force [N^2] and of the shift [m^2].
-struct Variances {
-    double force = 0, shift = 0;
-};
-
-RowSquares squares_of(const Table& table, const IdentifiedRig& rig) {
-    RowSquares all;
+/// Squares of the slopes dF/dU of the fitted loops at the rows of a table [N^2/m^2].
+std::vector<double> square_slopes(const Table& table, const IdentifiedRig& rig) {
+    std::vector<double> all;
     std::vector<LoopState> starts;
-    const auto fits = fitted_loops(table, rig, starts);
-    for (std::size_t loop = 0; loop < fits.size(); ++loop) {
-        const LoopRows rows = rows_of(table, table.loops.loops[loop]);
-        const FittedLoop& fit = fits[loop];
-        for (std::size_t i = 0; i < rows.forces.size(); ++i) {
-            double leverage = 0;
-            for (std::size_t k = 0; k < n_of_loop; ++k)
-                for (std::size_t l = 0; l < n_of_loop; ++l)
-                    leverage += fit.slopes[k][i] * fit.covariance[k][l] * fit.slopes[l][i];
-            leverage /= rows.error(i) * rows.error(i);
-            const double residual = rows.forces[i] - fit.forces[i];
-            all.residuals.push_back(residual * residual /
-                                    (1 - std::clamp(leverage, 0., largest_leverage)));
-            all.slopes.push_back(fit.slopes[1][i] * fit.slopes[1][i]);
-            all.series.push_back(table.loops.loops[loop].series);
-        }
-    }
+    for (const FittedLoop& fit : fitted_loops(table, rig, starts))
+        for (const double slope : fit.slopes[1]) all.push_back(slope * slope);
     return all;
 }
 
-/// By weighted least squares of the squares as a + b (dF/dU)^2, whose scatter goes with themselves.
-Variances variances_of(const RowSquares& squares) {
-    const std::size_t n = squares.residuals.size();
-    double mean = 0;
-    for (const double square : squares.residuals) mean += square / static_cast<double>(n);
-    double a = mean, b = 0;
-    for (int round = 0; round < n_rounds; ++round) {
-        double w = 0, s = 0, r = 0, ss = 0, sr = 0;
-        for (std::size_t i = 0; i < n; ++i) {
-            const double weight = std::pow(a + b * squares.slopes[i], -2);
-            w += weight;
-            s += weight * squares.slopes[i];
-            r += weight * squares.residuals[i];
-            ss += weight * squares.slopes[i] * squares.slopes[i];
-            sr += weight * squares.slopes[i] * squares.residuals[i];
-        }
-        const double determinant = w * ss - s * s;
-        b = determinant > 0 ? std::max(0., (w * sr - s * r) / determinant) : 0;
-        a = b > 0 ? std::max(least_share * mean, (r - b * s) / w) : r / w;
-    }
-    return {a, b};
+double mean_of(const std::vector<double>& values) {
+    double sum = 0;
+    for (const double value : values) sum += value;
+    return sum / static_cast<double>(values.size());
 }
 
-/// Errors of the rows over that of the first series' force. Each series has variances of its own:
-/// sensors are set to what they measure.
-std::vector<double> relative_errors(const RowSquares& squares, std::size_t n_series) {
-    std::vector<Variances> of_series;
-    for (std::size_t s = 0; s < n_series; ++s) of_series.push_back(variances_of(squares.of(s)));
-    std::vector<double> errors;
-    for (std::size_t i = 0; i < squares.slopes.size(); ++i) {
-        const Variances& own = of_series[squares.series[i]];
-        errors.push_back(
-            std::sqrt((own.force + own.shift * squares.slopes[i]) / of_series[0].force));
+/// Rows of all tables, as a search has left them, for the variances of those without stated errors.
+class RowVariances {
+  public:
+    RowVariances(const BestSumOfSquares& search, const std::vector<double>& x)
+        : errors_(search.standard_errors()) {
+        residuals_ = search.residuals(x);
+        columns_ = search.logarithmic_slopes(x);
+        own_ = search.own_slopes(x);
+        for (auto* const one : {&columns_, &own_})
+            for (auto& column : *one) scale(column);
+        scale(residuals_);
+        for (const double error : errors_) sum_.fixed.push_back(error * error);
     }
-    return errors;
-}
+
+    /// Each series has variances of its own, of the force and of the shift, which counts by the
+    /// squared slope: sensors are set to what they measure.
+    void add(const Table& table, std::size_t first, const std::vector<double>& slopes) {
+        for (std::size_t s = 0; s < table.loops.n_series(); ++s) {
+            std::vector<double> force(errors_.size()), shift(errors_.size());
+            std::vector<double> squares, of_series;
+            double largest = 0;
+            for (const MeasuredLoop& loop : table.loops.loops)
+                for (std::size_t i = loop.first; loop.series == s && i < loop.first + loop.n; ++i) {
+                    squares.push_back(residuals_[first + i] * residuals_[first + i]);
+                    of_series.push_back(slopes[i]);
+                    largest = std::max(largest, std::abs(table.observed[i]));
+                    force[first + i] = 1;
+                    shift[first + i] = slopes[i];
+                    sum_.fixed[first + i] = 0;
+                }
+            const double size = std::max(mean_of(squares), rounding * largest * largest),
+                         slope = mean_of(of_series);
+            for (double& part : force) part *= size;
+            for (double& part : shift) part *= slope > 0 ? size / slope : 0;
+            sum_.parts.push_back(std::move(force));
+            sum_.parts.push_back(std::move(shift));
+            sum_.least.insert(sum_.least.end(), {least_share, 0});
+        }
+    }
+
+    /// Gives relative errors and parts of variances to the tables that were added.
+    void tell(std::vector<Table>& tables) {
+        if (sum_.parts.empty()) return;
+        constexpr double start = .5;
+        const auto sizes = statistics::variance_sizes(
+            columns_, own_, residuals_, sum_, std::vector<double>(sum_.parts.size(), start));
+        const auto variances = sum_.of(sizes);
+        std::size_t first = 0, part = 0;
+        for (Table& table : tables) {
+            const std::size_t end = first + table.observed.size();
+            if (table.standard_errors.empty()) {
+                auto& relative = table.loops.relative_errors;
+                auto& parts = table.loops.variance_parts;
+                relative.clear();
+                for (std::size_t i = first; i < end; ++i)
+                    relative.push_back(std::sqrt(variances[i] / variances[first]));
+                parts.assign(2 * table.loops.n_series(), {});
+                for (auto& column : parts) {
+                    for (std::size_t i = first; i < end; ++i)
+                        column.push_back(sizes[part] * sum_.parts[part][i] / variances[i]);
+                    ++part;
+                }
+            }
+            first = end;
+        }
+    }
+
+  private:
+    void scale(std::vector<double>& column) const {
+        for (std::size_t i = 0; i < column.size(); ++i) column[i] *= errors_[i];
+    }
+
+    std::vector<double> errors_, residuals_;
+    std::vector<std::vector<double>> columns_, own_;
+    statistics::VarianceSum sum_;
+};
 
 }  // namespace
 
@@ -109,19 +119,24 @@ void weigh_loop_rows(IdentificationInput& input, const contact::ModelRunner& run
     for (int pass = 0; pass < n_passes; ++pass) {
         IdentificationTask task = task_of(input, input.models.front());
         task.model = prediction_of(input.models.front(), input, runner);
-        const auto best = BestSumOfSquares(task).best();
+        BestSumOfSquares search(task);
+        const auto best = search.best();
         const IdentifiedRig rig =
             rig_with(input, task.parameters, values_of(task.parameters, best.x));
+        RowVariances rows(search, best.x);
+        std::size_t first = 0;
         for (Table& table : input.tables) {
-            const RowSquares squares = squares_of(table, rig);
+            const auto slopes = square_slopes(table, rig);
             if (table.standard_errors.empty())
-                table.loops.relative_errors = relative_errors(squares, table.loops.n_series());
+                rows.add(table, first, slopes);
             else if (!table.loops.shift_errors.empty())
                 for (std::size_t i = 0; i < table.standard_errors.size(); ++i)
                     table.standard_errors[i] =
                         std::hypot(table.loops.force_errors[i],
-                                   std::sqrt(squares.slopes[i]) * table.loops.shift_errors[i]);
+                                   std::sqrt(slopes[i]) * table.loops.shift_errors[i]);
+            first += table.observed.size();
         }
+        rows.tell(input.tables);
     }
 }
 

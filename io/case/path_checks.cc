@@ -187,6 +187,10 @@ void check_wear_models(const Case& c, const std::string& key, const Document& do
             refuse(document, key, model + " has no worn profile",
                    "leave out " + model + " or [wear]; bem, bem-layer, fem and mdr wear");
         if (!kind.is_independent()) continue;
+        if (contact::norm(c.prescribed_path->reach()) > 0)
+            refuse(document, path_key(document),
+                   "mdr wears along rings, and a body that rolls has none",
+                   "omit offset_x and offset_y, leave out mdr, or " + omit_wear);
         if (!contact::is_hertz_round(c) || !c.friction.is_coulomb() || c.interface.is_elastic())
             refuse(document, key,
                    "mdr wears a paraboloid or sphere under Coulomb's law on a rigid interface",
@@ -266,25 +270,18 @@ void check_wear(const Case& c, const Document& document) {
     if (!wear) return;
     const std::string key = "wear.cycles";
     if (!c.prescribed_path)
-        refuse(document, key,
-               "only the closed cycles of [path] wear the surfaces; wear by rolling "
-               "is not computed",
+        refuse(document, key, "only the closed cycles of [path] wear the surfaces",
                "give [path] instead of the load, or " + omit_wear);
-    if (contact::closed_cycles(*c.prescribed_path).empty())
+    if (contact::repeated_cycles(*c.prescribed_path).empty())
         refuse(document, path_key(document),
                "no closed cycle, which [wear] repeats: its drive has to turn back twice, and end "
                "where it turned first",
                "add rows, or " + omit_wear);
-    const contact::Vector2 reach = c.prescribed_path->reach();
-    if (reach[0] > 0 || reach[1] > 0)
-        refuse(document, path_key(document),
-               "an indenter that rolls is not worn: [wear] takes points that keep their place",
-               "omit offset_x and offset_y, or " + omit_wear);
     const auto* const rig = c.kept.find<contact::RigStiffness>();
-    if (rig && rig->yields())
-        refuse(document, rig->tangential ? "rig.tangential_stiffness" : "rig.normal_stiffness",
-               "wear behind a rig that yields is not computed",
-               "prescribe what the contact feels, or " + omit_wear);
+    if (rig && rig->normal)
+        refuse(document, "rig.normal_stiffness",
+               "jumps over cycles are those of a contact whose own depth or force is prescribed",
+               "prescribe normal_force, or " + omit_wear);
     if (c.relaxation)
         refuse(document, key, "cycles of a relaxing substrate do not repeat themselves",
                "leave out [substrate.relaxation] or [wear]");

@@ -58,7 +58,8 @@ std::vector<statistics::ErrorGroup> groups_of(const IdentificationTask& task) {
     for (const ObservedTable& table : task.tables)
         groups.push_back({.n_rows = table.observed.size(),
                           .n_own = table.n_own(),
-                          .is_known = !table.standard_errors.empty()});
+                          .is_known = !table.standard_errors.empty(),
+                          .parts = table.variance_parts});
     return groups;
 }
 
@@ -205,6 +206,12 @@ std::vector<std::vector<double>> BestSumOfSquares::logarithmic_slopes(
 
 std::vector<std::vector<double>> BestSumOfSquares::all_slopes(const std::vector<double>& x) const {
     auto columns = logarithmic_slopes(x);
+    for (auto& column : own_slopes(x)) columns.push_back(std::move(column));
+    return columns;
+}
+
+std::vector<std::vector<double>> BestSumOfSquares::own_slopes(const std::vector<double>& x) const {
+    std::vector<std::vector<double>> columns;
     std::size_t row = 0;
     for (const ObservedTable& table : task_.tables) {
         const std::size_t end = row + table.observed.size();
@@ -223,7 +230,11 @@ std::vector<std::vector<double>> BestSumOfSquares::all_slopes(const std::vector<
 }
 
 statistics::JointCovariance BestSumOfSquares::covariance(const std::vector<double>& x) const {
-    return statistics::joint_covariance(logarithmic_slopes(x), groups_of(task_));
+    const auto has_parts = [](const ObservedTable& t) { return !t.variance_parts.empty(); };
+    const bool asks_own = std::ranges::any_of(task_.tables, has_parts);
+    return statistics::joint_covariance(
+        logarithmic_slopes(x), groups_of(task_),
+        asks_own ? own_slopes(x) : std::vector<std::vector<double>>());
 }
 
 double BestSumOfSquares::estimate_errors(const std::vector<double>& x,

@@ -39,6 +39,8 @@ class BestSumOfSquares {
     std::vector<std::vector<double>> logarithmic_slopes(const std::vector<double>& x) const;
     /// The same, and a column per free origin of a table and per inner number.
     std::vector<std::vector<double>> all_slopes(const std::vector<double>& x) const;
+    /// These alone.
+    std::vector<std::vector<double>> own_slopes(const std::vector<double>& x) const;
 
   private:
     /// Largest relative change of an error; `left`: rows of each table beside the parameters that

@@ -26,6 +26,9 @@ struct ObservedTable {
     std::vector<double> given = {};
     /// Of each row over that of one of them, where they are told by the residuals; empty: equal.
     std::vector<double> relative_errors = {};
+    /// Parts of each row's variance, over all of it, whose sizes the residuals have told, a column
+    /// per part; empty: one.
+    std::vector<std::vector<double>> variance_parts = {};
     /// Numbers of the table that the model itself sets to their best.
     std::size_t n_inner = 0;
 

@@ -27,6 +27,9 @@ struct MeasuredLoops {
     /// Of each row over that of a row whose shift does not matter, where none are stated; empty:
     /// not known yet.
     std::vector<double> relative_errors = {};
+    /// What forces and what shifts of each series bring to the rows' variances, over all of it, a
+    /// column each.
+    std::vector<std::vector<double>> variance_parts = {};
 
     std::size_t n_series() const { return loops.empty() ? 0 : loops.back().series + 1; }
     double mean_cycle() const;
