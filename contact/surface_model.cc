@@ -111,6 +111,7 @@ void SurfaceModel::release() {
         kept->clear();
     energy_ = material_dissipation_ = rotation_ = released_ = 0;
     bulk_ = {};
+    hardest_ = not_pressed;
     substrate_->forget();
 }
 
@@ -138,7 +139,7 @@ StepRecord SurfaceModel::take(const LoadStep& step, const StepStart& before) {
         throw ContactAtEdge(fmt::format(
             "{}: the contact reaches the edge of the meshed contact patch at phase {:.4g}", name_,
             step.phase));
-    if (attracted_ && !(hardest_ && step.normal.value <= hardest_->value)) hardest_ = step.normal;
+    if (attracted_ && step.normal.value > hardest_.value) hardest_ = step.normal;
     update_slip(before);
     if (friction_->remembers())
         update_memory(before);

@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 
+#include "contact/base/special_values.h"
 #include "contact/bodies/indenter.h"
 #include "contact/case.h"
 #include "contact/friction/friction_law.h"
@@ -122,7 +123,8 @@ class SurfaceModel final : public Model, public Wearable {
         double modulus;  // [Pa]
     };
     std::optional<Attracted> attracted_;
-    std::optional<NormalControl> hardest_;  // of surfaces that attract each other
+    static constexpr NormalControl not_pressed{NormalControl::Kind::force, -infinity};
+    NormalControl hardest_ = not_pressed;  // of surfaces that attract each other
     std::optional<StaggeredSolver> solver_;
 
     double phase_ = 0;                               // 0 of what does not recur

@@ -78,11 +78,11 @@ Scales SurfaceModel::scales() const {
 /// Pulls the contact off, from the hardest load on. Not of nominally flat bodies on a period, whose
 /// many spots let go one after the other; not known, either, where the way there does not converge.
 std::optional<PullOff> SurfaceModel::pull_off() const {
-    if (!attracted_ || !hardest_ || points().periodic) return {};
+    if (!attracted_ || hardest_ == not_pressed || points().periodic) return {};
     std::optional<LettingGo> found;
     try {
         found = contact::pull_off(*solver_->adhesive(), points(), solver_->coupling().bare_height(),
-                                  *hardest_);
+                                  hardest_);
     } catch (const InputError&) {  // it does not hold without a force that presses
     } catch (const NotConverged&) {
     }
@@ -181,7 +181,7 @@ template <class Archive, class Self>
 void SurfaceModel::transfer_rest(Archive& archive, Self& m) {
     archive(m.slip_.x, m.slip_.y, m.least_pressure_, m.least_share_, m.slip_path_, m.friction_work_,
             m.phase_, m.rotation_, m.bulk_.stress, m.bulk_.strain, m.limit_start_, m.energy_,
-            m.contact_state_, m.work_);
+            m.contact_state_, m.work_, m.hardest_.kind, m.hardest_.value);
     m.substrate_->transfer(archive);
 }
 

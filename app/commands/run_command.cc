@@ -99,6 +99,10 @@ std::string line_of(const comparisons::Results& r) {
                             report::quantity(r.number(dissipation).value_or(0), "J"),
                             report::quantity(r.number(loop_force).value_or(0), "N"),
                             report::quantity(r.number(loop_shift).value_or(0), "m"));
+    else if (r.number(pull_off_force))
+        line +=
+            fmt::format("holds {} at most, a = {} then",
+                        report::quantity(*r.number(pull_off_force), "N"), length(pull_off_radius));
     else if (!is_pressed_alone(r))
         fmt::format_to(std::back_inserter(line), "U = {} ({:.4g} U_max)", length(final_shift),
                        r.number(final_shift_ratio).value_or(0));

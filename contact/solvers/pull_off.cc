@@ -25,6 +25,9 @@ bool still_touches(const NormalSolution& s) {
     return std::ranges::any_of(s.share, [](double part) { return part > 0; });
 }
 
+/// Below this many points across, what lets go is that of a few points.
+constexpr double fewest_across = 6;
+
 double touching_area(const NormalSolution& s, const ContactPoints& points) {
     double area = 0;
     for (std::size_t i = 0; i < s.share.size(); ++i) area += s.share[i] * points.area[i];
@@ -52,7 +55,10 @@ std::optional<LettingGo> pull_off(const AdhesiveNormal& solver, const ContactPoi
                                   const std::vector<double>& height, const NormalControl& hardest) {
     const NormalSolution pressed = solver.settle(height, hardest, {});
     NormalSolution now = solver.settle(height, {NormalControl::Kind::force, 0}, pressed);
-    if (!still_touches(now)) return {};
+    const auto is_resolved = [&](double radius) {
+        return 2 * radius >= fewest_across * points.spacing[0];
+    };
+    if (!still_touches(now) || !is_resolved(shared_radius(points, now.share))) return {};
     const double area = touching_area(now, points), work = solver.attraction().work();
     // F d of a contact as stiff as this, whose mean displacement under its tension is u.
     double pull = 0, reach = 0;
@@ -99,15 +105,18 @@ std::optional<LettingGo> pull_off(const AdhesiveNormal& solver, const ContactPoi
     found.last_indentation = on;
     const bool is_smooth =
         !lowest[1].tension.empty() && lowest[2].indentation != lowest[1].indentation;
-    if (!is_smooth) {  // the tension rises up to the last contact
-        const NormalSolution& s =
-            now.force <= -found.force || lowest[1].tension.empty() ? now : lowest[1];
-        return LettingGo{-s.force, shared_radius(points, s.share), s.indentation, on};
+    NormalSolution s;
+    if (is_smooth) {
+        s = solver.settle(height, at_depth(least_force_of(lowest).indentation), lowest[0]);
+        found.force = std::max(-s.force, found.force);
+    } else {  // the tension rises up to the last contact
+        s = now.force <= -found.force || lowest[1].tension.empty() ? now : lowest[1];
+        found.force = -s.force;
     }
-    const LeastForce least = least_force_of(lowest);
-    const NormalSolution s = solver.settle(height, at_depth(least.indentation), lowest[0]);
-    return LettingGo{std::max(-s.force, found.force), shared_radius(points, s.share), s.indentation,
-                     on};
+    found.radius = shared_radius(points, s.share);
+    found.indentation = s.indentation;
+    if (!is_resolved(found.radius)) return {};
+    return found;
 }
 
 }  // namespace tricontact::contact

@@ -16,7 +16,8 @@ struct LettingGo {
 };
 
 /// Where a contact that is pulled slowly lets go, after it was pressed by `hardest`; null where
-/// that does not hold by itself, without a force. Heights as those of NormalSolver. Throws
+/// that does not hold by itself, without a force, or is fewer than six points across under the
+/// largest tension: its force is that of single points. Heights as those of NormalSolver. Throws
 /// NotConverged, InputError.
 std::optional<LettingGo> pull_off(const AdhesiveNormal& solver, const ContactPoints& points,
                                   const std::vector<double>& height, const NormalControl& hardest);
