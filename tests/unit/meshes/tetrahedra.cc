@@ -79,10 +79,16 @@ TEST(MeshesTetrahedra, FillABox) {
 // Nodes amid edges are gmsh's; those amid faces by its quadratic functions, an error of the third
 // order in the size over the radius at least.
 TEST(MeshesTetrahedra, NodesStayOnASphere) {
-    const Meshed ball(second_order +
-                      "Sphere(1) = {0, 0, 1, 1, -Pi/2, 0};\n"
-                      "Physical Surface(\"contact\") = {1}; Physical Surface(\"support\") = {2};\n"
-                      "Physical Volume(\"body\") = {1};\n");
+    const Meshed ball(
+        second_order +
+        "Sphere(1) = {0, 0, 1, 1, -Pi/2, -Pi/6}; Sphere(2) = {0, 0, 1, 1, -Pi/6, 0};\n"
+        "v() = BooleanFragments{ Volume{1}; Delete; }{ Volume{2}; Delete; };\n"
+        "low() = Surface In BoundingBox{-1.1, -1.1, -0.1, 1.1, 1.1, 0.6};\n"
+        "low() -= {Surface In BoundingBox{-1.1, -1.1, 0.4, 1.1, 1.1, 0.6}};\n"
+        "Physical Surface(\"contact\") = {low()};\n"
+        "Physical Surface(\"support\") =\n"
+        "    {Surface In BoundingBox{-1.1, -1.1, 0.9, 1.1, 1.1, 1.1}};\n"
+        "Physical Volume(\"body\") = {v()};\n");
     const HexMesh mesh = ball.body();
     int n_nodes = 0;
     for (const HexMesh::Face& face : mesh.faces)

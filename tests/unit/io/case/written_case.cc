@@ -83,6 +83,7 @@ elements_per_radius = 100
 accuracy = 0.01
 growth = 1.8
 sides = "free"
+solver = "auto"
 tolerance = 1e-06
 cache = ""
 
