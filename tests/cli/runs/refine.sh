@@ -181,7 +181,7 @@ expect 2 "$case_file" --set "fem.mesh=$work/layer.msh" --output none
 says "a mesh from a file cannot be refined" err
 expect 2 "$case_file" --set "fem.size=3 mm" --output none
 says "too coarse" err
-expect 2 "$case_file" --set "fem.size=0.1 mm" --levels 8 --output none
+expect 2 "$case_file" --set "fem.size=0.1 mm" --set fem.solver=direct --levels 8 --output none
 says "level_1 (fem.size = 0.07071 mm): " err
 says "contact and rolling path need" err
 [ -e none ] && complain "a folder in spite of bad input"
