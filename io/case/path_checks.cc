@@ -237,7 +237,8 @@ void resolve_oscillation(Case& c, const Document& document) {
     const auto* const input = c.kept.find<OscillationInput>();
     if (!input) return;
     check_alternates_alone(c, document, path_key(document));
-    c.prescribed_path = alternating(*input, contact::mean_normal_control(c.load), c.load.bulk_stress);
+    c.prescribed_path =
+        alternating(*input, contact::mean_normal_control(c.load), c.load.bulk_stress);
     c.load.tangential_force = 0;
 }
 
