@@ -60,7 +60,7 @@ std::optional<Verdict> left_out_adhesion(const IdentificationStudy& study) {
                                                          c.indenter.radius, modulus, work) /
                          contact::half_space_scales(c).contact_radius;
     std::string sentence = fmt::format(
-        "The models have no adhesion: rig.work_of_adhesion = {} is left out. On a half-space of "
+        "The fit has no adhesion: rig.work_of_adhesion = {} is left out. On a half-space of "
         "the modulus found it widens the contact by {} % under {} (by {})",
         report::given_quantity(work, "J/m2"), report::significant(100 * (wider - 1), 2),
         report::quantity(*c.load.normal_force, "N", 3),

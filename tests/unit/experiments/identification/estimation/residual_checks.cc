@@ -256,7 +256,7 @@ TEST(LeftOutAdhesion, IsSaidWithWhatItDoesToRadii) {
     const auto percent = [](double share) { return report::significant(100 * share, 2) + " %"; };
     EXPECT_EQ(
         verdict->sentence,
-        "The models have no adhesion: rig.work_of_adhesion = 50 mJ/m2 is left out. On a "
+        "The fit has no adhesion: rig.work_of_adhesion = 50 mJ/m2 is left out. On a "
         "half-space of the modulus found it widens the contact by " +
             percent(std::cbrt(cubes) - 1) +
             " under 1.00 N (by Johnson, Kendall and Roberts), from which radii alone give E " +
