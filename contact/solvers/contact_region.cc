@@ -97,9 +97,14 @@ double counted_radius(const ContactPoints& points, const std::vector<double>& pr
                                   : std::sqrt(area / std::numbers::pi);
 }
 
-double shared_radius(const ContactPoints& points, const std::vector<double>& share) {
+double shared_area(const ContactPoints& points, const std::vector<double>& share) {
     double area = 0;
     for (std::size_t i = 0; i < share.size(); ++i) area += share[i] * points.area[i];
+    return area;
+}
+
+double shared_radius(const ContactPoints& points, const std::vector<double>& share) {
+    const double area = shared_area(points, share);
     return points.line_length > 0 ? area / (2 * points.line_length)
                                   : std::sqrt(area / std::numbers::pi);
 }

@@ -16,6 +16,9 @@ namespace tricontact::contact {
 double contact_radius(const ContactPoints& points, const std::vector<double>& pressure,
                       const Vector2& centre);
 
+/// Area of parts of the points [m^2].
+double shared_area(const ContactPoints& points, const std::vector<double>& share);
+
 /// Radius [m] of a disc as large as the points with pressure.
 double counted_radius(const ContactPoints& points, const std::vector<double>& pressure);
 

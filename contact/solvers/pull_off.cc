@@ -28,12 +28,6 @@ bool still_touches(const NormalSolution& s) {
 /// Below this many points across, what lets go is that of a few points.
 constexpr double fewest_across = 6;
 
-double touching_area(const NormalSolution& s, const ContactPoints& points) {
-    double area = 0;
-    for (std::size_t i = 0; i < s.share.size(); ++i) area += s.share[i] * points.area[i];
-    return area;
-}
-
 /// The state of least force between three neighbours, by the parabola through them.
 struct LeastForce {
     double indentation, force;
@@ -59,7 +53,7 @@ std::optional<LettingGo> pull_off(const AdhesiveNormal& solver, const ContactPoi
         return 2 * radius >= fewest_across * points.spacing[0];
     };
     if (!still_touches(now) || !is_resolved(shared_radius(points, now.share))) return {};
-    const double area = touching_area(now, points), work = solver.attraction().work();
+    const double area = shared_area(points, now.share), work = solver.attraction().work();
     // F d of a contact as stiff as this, whose mean displacement under its tension is u.
     double pull = 0, reach = 0;
     for (std::size_t i = 0; i < now.tension.size(); ++i) pull += points.area[i] * now.tension[i];
