@@ -28,6 +28,7 @@ ChangingFriction friction_by_rate(const contact::ContactPoints& grid,
                                   const contact::FrictionRate& rate, double at_rest, double speed) {
     const double time = grid.spacing[0] / speed;  // over a cell
     const auto left_of_cell = [&rate, at_rest, time](double v, double ahead) {
+        if (v == 0 && ahead == 1) return 1.;  // most cells
         const double kept = rate.memory(time, v);
         return kept * ahead + (1 - kept) * rate.coefficient(at_rest, v) / at_rest;
     };
@@ -101,9 +102,11 @@ ChangingFriction friction_by_temperature(const contact::ContactPoints& grid,
 
 namespace {
 
-// Of the last change of mu, how exactly the state under it is solved for the next one; and from
-// which change on, over all that mu may lose, Newton's method is tried, with how many steps.
+// Of the last change of mu, how exactly the state under it is solved for the next one, and while
+// changes are a good part of all that mu may lose; and from which of them on Newton's method is
+// tried, with how many steps.
 constexpr double of_change = .3;
+constexpr double first_asked = .1, far_off = .3;
 constexpr double close_by = .06;
 constexpr int newton_steps = 8;
 // Those next to a point that lets go let go as well.
@@ -133,13 +136,14 @@ class Search {
     }
 
     double run() {
-        const auto [least, most] = std::minmax({1., friction_.in_the_end});
+        const auto [lowest, highest] = std::minmax({1., friction_.in_the_end});
         contact::OneSidedFixedPoint iteration;
         int n_tries = 0, next_try = 0;
         // Change. From another state's tractions the first iterate shall not stay where they are.
         double before = other_ ? .1 : 1;
         for (int k = 0; k < contact::OneSidedFixedPoint::max_iterations; ++k) {
-            const double asked = std::max(tolerance_, of_change / steepness_ * before);
+            const double least = before > far_off * range_ ? first_asked : tolerance_;
+            const double asked = std::max(least, of_change / steepness_ * before);
             solve(asked, k == 0);
             const std::vector<double> next = friction_next();
             const double change = largest_change(next);
@@ -154,7 +158,7 @@ class Search {
             }
             before = change;
             left_ = iteration.next(left_, next, change);
-            for (double& one : left_) one = std::clamp(one, least, most);
+            for (double& one : left_) one = std::clamp(one, lowest, highest);
         }
         throw contact::NotConverged(fmt::format(
             "steady rolling: after {} iterations friction still follows the slip from one "
