@@ -8,6 +8,7 @@
 
 #include "contact/base/vector2.h"
 #include "contact/compliances/interior.h"
+#include "contact/rig_stiffness.h"
 #include "contact/surface.h"
 
 namespace tricontact::contact {
@@ -139,6 +140,7 @@ struct History {
     std::vector<Snapshot> snapshots;
     std::optional<PullOff> pull_off;       ///< where the model found it
     std::optional<Subsurface> subsurface;  ///< of the last inside that was written
+    RigStiffness rig;                      ///< behind which it ran
     Audit audit;
     double cpu_s = 0, wall_s = 0;
 };

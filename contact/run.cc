@@ -295,6 +295,7 @@ class Run {
     }
 
     void finish() {
+        history_.rig = case_.of<RigStiffness>();
         history_.limit_tangential_ratio = limit_force_ratio_ * model_.limit_tangential_ratio();
         history_.pull_off = model_.pull_off();
         history_.snapshots = snapshots_.take();

@@ -150,6 +150,10 @@ WornCycle SurfaceWearing::cycle(const std::vector<double>& worn) {
         record = driven().advance(problem_.steps[k]);
     require_sound();
     sums.cover(record);
+    const LoadStep& last = problem_.steps.back();
+    const bool has_limit =
+        problem_.rolls() && !problem_.presses() && last.normal.kind == NormalControl::Kind::force;
+    if (has_limit) model_.start_limit();
     for (std::size_t k = problem_.n_before; k < problem_.steps.size(); ++k)
         add_step(problem_.steps[k], sums);
 
@@ -173,11 +177,12 @@ WornCycle SurfaceWearing::cycle(const std::vector<double>& worn) {
     found.force_amplitude = (sums.force[1] - sums.force[0]) / 2;
     found.shift_amplitude = (sums.shift[1] - sums.shift[0]) / 2;
     found.pressure = now.normal->pressure;
+    if (has_limit) found.shakedown_limit = model_.limit_tangential_ratio();
     if (model_.is_coupled()) {
-        std::vector<double> height = heights_at(problem_.steps.back().offset);
+        std::vector<double> height = heights_at(last.offset);
         for (std::size_t i = 0; i < n; ++i) height[i] += worn[i];
         found.pressure = NormalSolver(model_.substrate_->compliance(), .1 * model_.tolerance_)
-                             .solve(height, problem_.steps.back().normal, found.pressure)
+                             .solve(height, last.normal, found.pressure)
                              .pressure;
     }
     return found;

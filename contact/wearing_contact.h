@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "contact/base/error.h"
+#include "contact/base/special_values.h"
 #include "contact/solvers/load_step.h"
 #include "contact/surface.h"
 
@@ -54,6 +55,9 @@ struct WornCycle {
     double normal_force = 0, indentation = 0;  ///< at its end [N], [m]
     double force_amplitude = 0;                ///< half of what F_x covers [N]
     double shift_amplitude = 0;                ///< half of what U covers [m]
+    /// F_T/(mu F_N) up to which this profile, rolled along the cycle's path under a constant F_N,
+    /// shakes down: (1/F_N) int min p dA. Undefined where nothing rolls.
+    double shakedown_limit = undefined;
 };
 
 /// A contact whose profile wears. Both bodies are worn alike in what counts, the gap; the points

@@ -19,6 +19,7 @@
 #include "contact/solvers/normal_solver.h"
 #include "mdr/adhesive_model.h"
 #include "mdr/bed.h"
+#include "mdr/layer_wearing.h"
 #include "mdr/line_surface.h"
 #include "mdr/load_bound.h"
 #include "mdr/settings.h"
@@ -208,6 +209,18 @@ double LayerModel::limit_tangential_ratio() const {
     return std::accumulate(least_bounds_.begin(), least_bounds_.end(), 0.) / bound_at_start_;
 }
 
+std::unique_ptr<contact::WearingContact> LayerModel::wearing(const contact::WearProblem& problem) {
+    const auto friction = friction_->coulomb();
+    if (!friction || !longer_)
+        throw contact::InputError("[wear]: " + name() + " wears under Coulomb's law; take bem");
+    model_.set_larger_grid([this](const contact::ContactAtEdge&) {
+        constexpr double longer = 1.5;
+        springs_ = longer_(-longer * springs_->row().first);
+        return std::make_unique<contact::ElasticSubstrate>(springs_);
+    });
+    return std::make_unique<LayerWearing>(*this, model_.wearing(problem), problem, *friction);
+}
+
 std::string LayerModel::write_state() const {
     contact::StateWriter out;
     out(least_bounds_, bound_at_start_, model_.write_state());
@@ -276,8 +289,9 @@ std::unique_ptr<contact::Model> make_line_model(const std::string& model, const 
                                                 int elements_per_radius, double longest) {
     // At the same depth the contact on a thin layer is at most some 2 (paraboloid) to 2.4 times
     // (cone) as wide as on the half-space: that of an incompressible layer, which keeps its volume.
+    const bool wears = c.kept.find<contact::Wear>() != nullptr;
     const double table =
-        3 * contact::crest_factor(c) * contact::half_space_scales(c).contact_radius;
+        (wears ? 6 : 3) * contact::crest_factor(c) * contact::half_space_scales(c).contact_radius;
     const std::shared_ptr<const PlaneProfile> profile =
         make_plane_profile(*c.make_axisymmetric_indenter(), table);
     const HalfWidths a = probe(model, c, *profile, longest);
@@ -289,9 +303,15 @@ std::unique_ptr<contact::Model> make_line_model(const std::string& model, const 
             "mdr-layer: {} elements in the contact radius would not resolve the layer's thickness; "
             "increase mdr.elements_per_radius",
             elements_per_radius));
-    return std::make_unique<LayerModel>(
-        model, springs_of(model, c, final_margin * a.largest + path, spacing), profile,
-        c.friction.law(), contact::path_direction(c), contact::common_relaxation(model, c));
+    // Where all but a disc wears, contact ends where the new body was d high: sqrt(2) a of a
+    // paraboloid on the half-space, at most.
+    const double margin = wears ? std::numbers::sqrt2 * final_margin : final_margin;
+    auto made = std::make_unique<LayerModel>(
+        model, springs_of(model, c, margin * a.largest + path, spacing), profile, c.friction.law(),
+        contact::path_direction(c), contact::common_relaxation(model, c));
+    if (wears)
+        made->set_longer_line([=](double half) { return springs_of(model, c, half, spacing); });
+    return made;
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -11,6 +12,7 @@
 #include "contact/models/model_kind.h"
 #include "contact/substrates/relaxation.h"
 #include "contact/surface_model.h"
+#include "contact/wearing_contact.h"
 #include "mdr/layer_springs.h"
 #include "mdr/plane_profile.h"
 
@@ -25,7 +27,7 @@ namespace tricontact::mdr {
 ///
 /// One direction, as for a SpringBed: offsets count along the line of rolling, F_T acts along the
 /// elements, areas are those of discs as long as the elements in question together.
-class LayerModel final : public contact::Model {
+class LayerModel final : public contact::Model, public contact::Wearable {
   public:
     /// `name`: of the model. `relaxation`: of all the compliance; empty: elastic. `rolling_angle`
     /// [rad].
@@ -33,6 +35,11 @@ class LayerModel final : public contact::Model {
                std::shared_ptr<const PlaneProfile> profile,
                std::shared_ptr<const contact::FrictionLaw> friction, double rolling_angle,
                const std::optional<contact::Relaxation>& relaxation);
+
+    /// As many elements of the same length as the half length [m] asks for.
+    using LongerLine = std::function<std::shared_ptr<const LayerSprings>(double half_length)>;
+    /// Where a contact that wears finds them when it has reached the last element.
+    void set_longer_line(LongerLine longer) { longer_ = std::move(longer); }
 
     std::string name() const override { return model_.name(); }
     double step_accuracy() const override { return contact::layer_springs_accuracy; }
@@ -52,9 +59,13 @@ class LayerModel final : public contact::Model {
     }
     double limit_tangential_ratio() const override;
     void start_limit() override;
+    std::unique_ptr<contact::WearingContact> wearing(const contact::WearProblem& problem) override;
     std::string write_state() const override;
     void read_state(std::string_view bytes) override;
     const contact::Audit& audit() const override { return model_.audit(); }
+
+    const LayerSprings& springs() const { return *springs_; }
+    const PlaneProfile& profile() const { return *profile_; }
 
   private:
     void check_ends(const contact::LoadStep& step) const;
@@ -66,6 +77,7 @@ class LayerModel final : public contact::Model {
     std::shared_ptr<const contact::FrictionLaw> line_law_;  // the same of the elements
     contact::Vector2 direction_;                            // of rolling
     contact::SurfaceModel model_;
+    LongerLine longer_;
     // Of the elements [N/m] since start_limit, and in all at its time; not under Coulomb's law.
     std::vector<double> least_bounds_;
     double bound_at_start_ = 0;

@@ -8,6 +8,7 @@
 #include "contact/base/error.h"
 #include "contact/base/root.h"
 #include "contact/base/special_values.h"
+#include "contact/models/model_kind.h"
 #include "mdr/line_surface.h"
 #include "mdr/spring_bed.h"
 #include "mdr/worn_kernels.h"
@@ -40,13 +41,10 @@ Eigen::Map<const Eigen::VectorXd> as_vector(const std::vector<double>& field, st
 }  // namespace
 
 WearingBed::WearingBed(WearingBedData data, contact::WearProblem problem)
-    : data_(std::move(data)), problem_(std::move(problem)), drive_(half_range(problem_)) {
+    : WornRings(contact::models::mdr, std::move(problem), data.friction),
+      data_(std::move(data)),
+      drive_(half_range(problem_)) {
     const contact::LoadStep& last = problem_.steps.back();
-    for (std::size_t k = problem_.n_before - 1; k < problem_.steps.size(); ++k)
-        if (problem_.steps[k].normal != last.normal)
-            throw contact::InputError(
-                "[wear]: mdr wears under a normal force or indentation that stays the same "
-                "throughout the cycle; let it, or take bem");
     const auto& body = *data_.indenter;
     const bool by_depth = last.normal.kind == NormalControl::Kind::indentation;
     const auto increasing = [&](const auto& value, double wanted) {
@@ -60,8 +58,7 @@ WearingBed::WearingBed(WearingBedData data, contact::WearProblem problem)
     const double depth = image(radius_0_);
     if (by_depth && last.tangential[0].kind == TangentialControl::Kind::shift &&
         problem_.rig_compliance == 0) {
-        const double ratio =
-            data_.friction * data_.effective_modulus / data_.effective_shear_modulus;
+        const double ratio = friction_ * data_.effective_modulus / data_.effective_shear_modulus;
         const double beneath = depth - drive_ / ratio;
         if (beneath > 0) stick_ = increasing(image, beneath);
     }
@@ -80,15 +77,9 @@ void WearingBed::make_nodes(double reach) {
         radius_.push_back(stick_ * static_cast<double>(k) / static_cast<double>(n_inner_));
     for (std::size_t j = 0; j < n_; ++j)
         radius_.push_back(std::hypot(stick_, spacing_ * static_cast<double>(j)));
-    // 2 pi ∫ rho phi drho of the hat functions phi of the nodes; within c, where nothing wears, 0.
-    area_.assign(radius_.size(), 0);
-    const double h = spacing_;
-    for (std::size_t j = 0; j < n_; ++j) {
-        const double rho = h * static_cast<double>(j);
-        area_[n_inner_ + j] = j == 0        ? pi * h * h / 3
-                              : j + 1 == n_ ? pi * h * (rho - h / 3)
-                                            : 2 * pi * h * rho;
-    }
+    // In rho, r dr = rho drho; within c, where nothing wears, 0.
+    area_ = areas_of_hats(n_, spacing_);
+    area_.insert(area_.begin(), n_inner_, 0);
     unworn_.clear();
     for (std::size_t j = 0; j < n_; ++j)
         unworn_.push_back(data_.indenter->plane_profile(radius_[n_inner_ + j]));
@@ -149,9 +140,7 @@ WearingBed::Pressed WearingBed::press(const std::vector<double>& profile) const 
 /// F_T [N] at a shift [m]: springs stick up to their bounds.
 double WearingBed::tangential_force(const Pressed& pressed, double shift) const {
     const double held = data_.effective_shear_modulus * shift;
-    const auto at = [&](std::size_t j) {
-        return std::min(data_.friction * pressed.line_load[j], held);
-    };
+    const auto at = [&](std::size_t j) { return std::min(friction_ * pressed.line_load[j], held); };
     const double* const x = radius_.data() + n_inner_;
     double sum = 2 * stick_ * held;
     for (std::size_t j = 0; j + 1 < n_; ++j) sum += (at(j) + at(j + 1)) * (x[j + 1] - x[j]);
@@ -168,8 +157,8 @@ double WearingBed::shift_amplitude(const Pressed& pressed) const {
         return problem_.rig_compliance > 0 ? contact::bracketed_root(excess, 0., drive_) : drive_;
     }
     const auto force = [&](double shift) { return tangential_force(pressed, shift) - drive_; };
-    const double most = data_.friction * *std::ranges::max_element(pressed.line_load) /
-                        data_.effective_shear_modulus;
+    const double most =
+        friction_ * *std::ranges::max_element(pressed.line_load) / data_.effective_shear_modulus;
     if (force(most) <= 0)
         throw contact::InputError("[wear]: mdr: the tangential force reaches the friction limit");
     return contact::bracketed_root(force, 0., most);
@@ -177,7 +166,7 @@ double WearingBed::shift_amplitude(const Pressed& pressed) const {
 
 double WearingBed::stick_radius(const Pressed& pressed, double amplitude) const {
     if (stick_ > 0) return stick_;
-    const double bound = data_.effective_shear_modulus * amplitude / data_.friction;
+    const double bound = data_.effective_shear_modulus * amplitude / friction_;
     const auto& q = pressed.line_load;
     if (q[0] <= bound) return 0;
     std::size_t j = 0;
@@ -213,7 +202,7 @@ std::vector<double> WearingBed::pressures(const Pressed& pressed) const {
 contact::WornCycle WearingBed::cycle(const std::vector<double>& worn) {
     const Pressed pressed = press(plane_profile(worn));
     const double amplitude = shift_amplitude(pressed);
-    const double compliance = data_.friction / data_.effective_shear_modulus;
+    const double compliance = friction_ / data_.effective_shear_modulus;
     Eigen::VectorXd path(static_cast<Eigen::Index>(n_));
     for (std::size_t j = 0; j < n_; ++j)
         path[static_cast<Eigen::Index>(j)] =
@@ -224,9 +213,7 @@ contact::WornCycle WearingBed::cycle(const std::vector<double>& worn) {
     found.pressure = pressures(pressed);
     found.slip_path.assign(radius_.size(), 0);
     found.rate = found.slip_path;
-    const auto& law = problem_.law;
-    const double factor =
-        law.coefficient ? *law.coefficient : *law.energy_coefficient * data_.friction;
+    const double factor = wear_factor();
     double pressed_slip = 0;
     for (std::size_t j = 0; j < n_; ++j) {
         const std::size_t i = n_inner_ + j;
@@ -237,7 +224,7 @@ contact::WornCycle WearingBed::cycle(const std::vector<double>& worn) {
         found.volume += area_[i] * found.rate[i];
         pressed_slip += area_[i] * p * s;
     }
-    found.work = data_.friction * pressed_slip;
+    found.work = friction_ * pressed_slip;
     found.volume_by_means = found.volume;
     found.contact_area = pi * pressed.radius * pressed.radius;
     found.stick_area = pi * std::pow(std::min(pressed.radius, stick_radius(pressed, amplitude)), 2);
@@ -252,9 +239,7 @@ contact::WornCycle WearingBed::cycle(const std::vector<double>& worn) {
 /// the kernels, D = n kappa s. Under a force, w is linear in d, and d follows from F_N.
 std::vector<double> WearingBed::jump(const std::vector<double>& worn, const contact::WornCycle& now,
                                      double n) {
-    const auto& law = problem_.law;
-    const double factor =
-        law.coefficient ? *law.coefficient : *law.energy_coefficient * data_.friction;
+    const double factor = wear_factor();
     const auto size = static_cast<Eigen::Index>(n_);
     const NormalControl& control = problem_.steps.back().normal;
     const Eigen::VectorXd give = n * factor * as_vector(now.slip_path, n_inner_);
@@ -300,35 +285,6 @@ std::vector<double> WearingBed::jump(const std::vector<double>& worn, const cont
         return all;
     }
     throw contact::NotConverged("mdr: the contact of the worn profile does not settle");
-}
-
-contact::Surface WearingBed::surface() const {
-    contact::Surface s;
-    s.layout = contact::Surface::Layout::line;
-    s.n_x = 2 * static_cast<int>(n_) + 1;
-    s.n_y = 1;
-    s.spacing = {radius_.back() / static_cast<double>(n_), 0};
-    s.first = {-radius_.back(), 0};
-    return s;
-}
-
-std::vector<double> WearingBed::on_surface(const std::vector<double>& field) const {
-    const contact::Surface s = surface();
-    std::vector<double> shown;
-    for (int i = 0; i < s.n_x; ++i) {
-        const double r = std::min(std::abs(s.x(i)), radius_.back());
-        const auto above = std::ranges::upper_bound(radius_, r);
-        const auto k = std::clamp<std::size_t>(above - radius_.begin(), 1, radius_.size() - 1);
-        const double part = (r - radius_[k - 1]) / (radius_[k] - radius_[k - 1]);
-        shown.push_back(std::lerp(field[k - 1], field[k], part));
-    }
-    return shown;
-}
-
-std::vector<std::size_t> WearingBed::line() const {
-    std::vector<std::size_t> all(radius_.size());
-    for (std::size_t i = 0; i < all.size(); ++i) all[i] = i;
-    return all;
 }
 
 std::unique_ptr<contact::WearingContact> SpringBed::wearing(const contact::WearProblem& problem) {

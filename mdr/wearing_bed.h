@@ -6,6 +6,7 @@
 
 #include "contact/bodies/indenter.h"
 #include "contact/wearing_contact.h"
+#include "mdr/worn_rings.h"
 
 namespace tricontact::mdr {
 
@@ -32,20 +33,14 @@ struct WearingBedData {
 /// vertical slope at c, is smooth in rho; of a paraboloid its image is exact at the nodes. Under
 /// forces c is 0 and the edge of the stick zone lies between nodes. Further points are within c,
 /// which does not wear.
-class WearingBed final : public contact::WearingContact {
+class WearingBed final : public WornRings {
   public:
     /// Throws contact::InputError unless the normal control stays the same in the cycle.
     WearingBed(WearingBedData data, contact::WearProblem problem);
 
-    const std::vector<double>& area() const override { return area_; }
     contact::WornCycle cycle(const std::vector<double>& worn) override;
     std::vector<double> jump(const std::vector<double>& worn, const contact::WornCycle& now,
                              double n) override;
-    contact::Surface surface() const override;
-    std::vector<double> on_surface(const std::vector<double>& field) const override;
-    std::vector<std::size_t> line() const override;
-    double x(std::size_t point) const override { return radius_[point]; }
-    bool is_of_revolution() const override { return true; }
     void enlarge(const contact::ContactAtEdge& reached) override;
 
   private:
@@ -65,15 +60,13 @@ class WearingBed final : public contact::WearingContact {
     double stick_radius(const Pressed& pressed, double amplitude) const;
 
     WearingBedData data_;
-    contact::WearProblem problem_;
-    double drive_ = 0;                   // half of what shift or force covers [m], [N]
-    double radius_0_ = 0;                // of the contact at first [m]
-    double stick_ = 0;                   // c of the nodes [m]
-    double reach_ = 0;                   // of the nodes along r [m]
-    double spacing_ = 0;                 // of the nodes in rho [m]
-    std::size_t n_inner_ = 0, n_ = 0;    // points within c, nodes
-    std::vector<double> radius_, area_;  // of all points [m], [m^2]
-    std::vector<double> unworn_;         // g of the nodes [m]
+    double drive_ = 0;                 // half of what shift or force covers [m], [N]
+    double radius_0_ = 0;              // of the contact at first [m]
+    double stick_ = 0;                 // c of the nodes [m]
+    double reach_ = 0;                 // of the nodes along r [m]
+    double spacing_ = 0;               // of the nodes in rho [m]
+    std::size_t n_inner_ = 0, n_ = 0;  // points within c, nodes
+    std::vector<double> unworn_;       // g of the nodes [m]
     std::shared_ptr<const WornKernels> kernels_;
 };
 

@@ -15,15 +15,21 @@ using contact::StepRecord;
 
 namespace {
 
-std::vector<std::string_view> column_names(const History&) {
+std::span<const io::DriveColumn> drive_columns(const History& history) {
+    return history.rig.yields() ? io::drive_columns() : std::span<const io::DriveColumn>();
+}
+
+std::vector<std::string_view> column_names(const History& history) {
     std::vector<std::string_view> names;
     for (const io::HistoryColumn& column : io::history_columns()) names.push_back(column.name);
+    for (const io::DriveColumn& column : drive_columns(history)) names.push_back(column.name);
     return names;
 }
 
-/// A quantity of all steps: every so many bytes in the steps themselves.
+/// A quantity of all steps: every so many bytes in the steps themselves, but for the drive's.
 py::array column(const py::object& self, const std::string& name) {
-    const auto& steps = self.cast<const History&>().steps;
+    const auto& history = self.cast<const History&>();
+    const auto& steps = history.steps;
     for (const io::HistoryColumn& column : io::history_columns()) {
         if (column.name != name) continue;
         const auto view_of = [&](const auto* first) {
@@ -32,13 +38,21 @@ py::array column(const py::object& self, const std::string& name) {
         };
         return std::visit(view_of, column.place(steps.front()));  // a run has steps
     }
-    refuse_key("column", name, column_names(self.cast<const History&>()));
+    for (const io::DriveColumn& column : drive_columns(history)) {
+        if (column.name != name) continue;
+        py::array_t<double> values(static_cast<py::ssize_t>(steps.size()));
+        for (std::size_t i = 0; i < steps.size(); ++i)
+            values.mutable_at(i) = column.value(history.rig, steps[i]);
+        values.attr("setflags")(py::arg("write") = false);
+        return values;
+    }
+    refuse_key("column", name, column_names(history));
 }
 
 py::object to_pandas(const py::object& self) {
     py::dict columns;
-    for (const io::HistoryColumn& c : io::history_columns())
-        columns[py::str(std::string(c.name))] = column(self, std::string(c.name));
+    for (const std::string_view name : column_names(self.cast<const History&>()))
+        columns[py::str(std::string(name))] = column(self, std::string(name));
     return py::module_::import("pandas").attr("DataFrame")(columns);
 }
 
@@ -75,7 +89,8 @@ void add_history(py::module_& module) {
     py::class_<History>(
         module, "History",
         "What one model says of a case: the columns of history.csv by their names, one value per\n"
-        "step, as NumPy arrays that share the memory of the run, and what the run came to.")
+        "step, as NumPy arrays that share the memory of the run (the drive's of a rig that yields\n"
+        "are their own), and what the run came to.")
         .def_property_readonly("columns", column_names, "Names of the columns, with units.")
         .def("__getitem__", column, py::arg("name"), "A column. Raises KeyError.")
         .def("__len__", [](const History& history) { return history.steps.size(); })

@@ -168,8 +168,7 @@ contact::History run_model(const std::string& name, const Case& c, const std::st
     contact::require_sound(history.audit, name);
     bar.finish(c.rolling ? contact::name_of(history.verdict.state) : "");
 
-    io::write_file(folder + "/history.csv",
-                   io::history_csv(history, c.of<contact::RigStiffness>()));
+    io::write_file(folder + "/history.csv", io::history_csv(history));
     states.finish();
     if (study) study_loading(c, model, history, say, *study);
     if (journal) journal->finish();

@@ -208,6 +208,9 @@ report::Document wear_document(const WearReport& report) {
         .files = report.files};
     for (const WearResult& r : report.results) {
         document.verdicts.push_back({.sentence = sentence_of(r)});
+        if (const auto limit = limit_sentence(r); !limit.empty())
+            document.verdicts.push_back(
+                {.sentence = report::display_name(r.history.model) + ": " + limit});
         if (const auto steps = steps_sentence(r); !steps.empty())
             document.verdicts.push_back({.sentence = steps});
         document.sections.push_back(profile_section(report.c, r));

@@ -18,21 +18,24 @@ using Json = nlohmann::ordered_json;
 
 /// A state in summary.json and wear.csv.
 Json state_json(const WornState& s) {
-    return {{"cycles", s.cycles},
-            {"worn_volume_m3", s.volume},
-            {"worn_volume_error_m3", s.volume_error},
-            {"worn_depth_m", s.depth},
-            {"worn_depth_error_m", s.depth_error},
-            {"wear_work_J", s.work},
-            {"regime", name_of(s.regime())},
-            {"stick_disc_radius_m", s.stick_radius()},
-            {"contact_disc_radius_m", s.contact_radius()},
-            {quantities::normal_force.key, s.cycle.normal_force},
-            {quantities::indentation.key, s.cycle.indentation},
-            {"force_amplitude_N", s.cycle.force_amplitude},
-            {"shift_amplitude_m", s.cycle.shift_amplitude},
-            {"worn_volume_per_cycle_m3", s.cycle.volume},
-            {"work_per_cycle_J", s.cycle.work}};
+    Json json{{"cycles", s.cycles},
+              {"worn_volume_m3", s.volume},
+              {"worn_volume_error_m3", s.volume_error},
+              {"worn_depth_m", s.depth},
+              {"worn_depth_error_m", s.depth_error},
+              {"wear_work_J", s.work},
+              {"regime", name_of(s.regime())},
+              {"stick_disc_radius_m", s.stick_radius()},
+              {"contact_disc_radius_m", s.contact_radius()},
+              {quantities::normal_force.key, s.cycle.normal_force},
+              {quantities::indentation.key, s.cycle.indentation},
+              {"force_amplitude_N", s.cycle.force_amplitude},
+              {"shift_amplitude_m", s.cycle.shift_amplitude},
+              {"worn_volume_per_cycle_m3", s.cycle.volume},
+              {"work_per_cycle_J", s.cycle.work}};
+    if (std::isfinite(s.cycle.shakedown_limit))
+        json["worn_shakedown_limit"] = s.cycle.shakedown_limit;
+    return json;
 }
 
 Json result_json(const WearResult& result) {
@@ -96,6 +99,15 @@ nlohmann::ordered_json wear_json(const WearReport& report) {
     return {{"models", models}};
 }
 
+std::string limit_sentence(const WearResult& r) {
+    const double before = r.history.states.front().cycle.shakedown_limit,
+                 after = r.last().cycle.shakedown_limit;
+    if (!std::isfinite(before) || !std::isfinite(after)) return {};
+    return fmt::format(
+        "Limit of shakedown of the worn profile: F_T/(mu F_N) = {}; of the new one {}.",
+        report::significant(after, 4), report::significant(before, 4));
+}
+
 std::string wear_text(const WearReport& report) {
     std::string text;
     for (const WearResult& r : report.results) {
@@ -106,6 +118,7 @@ std::string wear_text(const WearReport& report) {
             r.history.model, name_of(s.regime()), s.cycles,
             report::with_error(1e9 * s.volume, 1e9 * r.volume_bar()),
             report::with_error(1e6 * s.depth, 1e6 * r.depth_bar()), r.history.cycles_computed);
+        if (const auto limit = limit_sentence(r); !limit.empty()) text += "  " + limit + '\n';
         if (s.regime() == WearRegime::stick)
             text +=
                 "  nothing slips at its points; a ring of slip narrower than their distance is "

@@ -54,6 +54,8 @@ std::string profiles_csv(const WearResult& result);
 nlohmann::ordered_json wear_json(const WearReport& report);
 /// A line per model for the terminal.
 std::string wear_text(const WearReport& report);
+/// Limits of shakedown before and after, of a contact that rolls under a constant F_N; else empty.
+std::string limit_sentence(const WearResult& result);
 report::Document wear_document(const WearReport& report);
 
 }  // namespace tricontact::wear

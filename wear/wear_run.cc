@@ -32,7 +32,8 @@ void transfer(Archive& archive, State& s, double& next) {
     auto& c = s.cycle;
     archive(s.cycles, s.volume, s.depth, s.volume_error, s.depth_error, s.work, s.worn, next,
             c.rate, c.slip_path, c.pressure, c.volume, c.volume_by_means, c.work, c.stick_area,
-            c.contact_area, c.normal_force, c.indentation, c.force_amplitude, c.shift_amplitude);
+            c.contact_area, c.normal_force, c.indentation, c.force_amplitude, c.shift_amplitude,
+            c.shakedown_limit);
 }
 
 /// From state to state.

@@ -236,7 +236,8 @@ IdentifiedRig rig_with(const IdentificationInput& input,
                        const std::vector<double>& values) {
     IdentifiedRig rig{.as_case = input.rig,
                       .shifts_by_theory = input.shifts_by_theory,
-                      .rig_compliance = input.rig_compliance};
+                      .rig_compliance = input.rig_compliance,
+                      .loops_on_layer = has_loops_on_layer(input)};
     rig.zero_depths.assign(input.all(Measurement::force_indentation).size(), 0);
     Case& c = rig.as_case;
     std::vector<double> relative;

@@ -148,13 +148,16 @@ void check_layer_theory(const Input& input, const io::Document& document) {
                    "leave it out, or the springs");
     const bool has_layer =
         std::ranges::any_of(input.models, &io::MeasurementModel::is_layer, io::measurement_model);
-    if (!has_layer || (input.laws.empty() && !is_beyond_coulomb(input.rig))) return;
+    const bool has_loops = input.find(Measurement::friction_loop) != nullptr;
+    if (!has_layer || (input.laws.empty() && !is_beyond_coulomb(input.rig) && !has_loops)) return;
     const std::string why = why_no_layer_contact(input.rig);
     const auto colon = why.find(": ");
     if (!why.empty())
-        io::refuse(document, why.substr(0, colon),
-                   "under other laws than Coulomb's, and on springs, " + why.substr(colon + 2),
-                   "change it, or take models = [\"half-space\"]");
+        io::refuse(
+            document, why.substr(0, colon),
+            (has_loops ? "in loops, " : "under other laws than Coulomb's, and on springs, ") +
+                why.substr(colon + 2),
+            "change it, or take models = [\"half-space\"]");
     if (input.is_free("substrate.poisson"))
         io::refuse(document, "measurement.find",
                    "laws of friction and springs on a layer are those of a known nu",

@@ -78,10 +78,13 @@ void check_loop_tables(const Input& input, const std::vector<std::string>& find,
         refuse("measurement.laws", "loops find the numbers of one law, that of [friction]",
                "name its numbers in measurement.find, and try laws in files of their own");
     for (const std::string& model : input.models)
-        if (io::measurement_model(model).is_layer)
+        if (!io::measurement_model(model).knows_laws)
             refuse("measurement.models",
-                   "loops are evaluated by closed forms of the half-space, not by " + model,
-                   "take models = [\"half-space\"]");
+                   "loops are evaluated by half-space or layer, not by " + model,
+                   "take models = [\"half-space\"] or [\"layer\"]");
+    if (input.models.size() > 1)
+        refuse("measurement.models", "loops are evaluated by one model",
+               "take models = [\"half-space\"] or [\"layer\"]");
     if (std::ranges::none_of(find, is_of_law))
         refuse("measurement.find", "loops find friction beside whatever else",
                "add friction.coefficient");

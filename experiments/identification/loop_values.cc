@@ -5,6 +5,7 @@
 
 #include "contact/base/error.h"
 #include "experiments/identification/friction_values.h"
+#include "io/case/measurement_models.h"
 
 namespace tricontact::experiments {
 
@@ -44,14 +45,19 @@ double friction_in(const Table& table, const MeasuredLoop& loop, const Identifie
     return std::max(least_friction_of_drift, 1 + rig.friction_drift * way);
 }
 
+bool has_loops_on_layer(const IdentificationInput& input) {
+    return input.find(IdentificationInput::Measurement::friction_loop) &&
+           io::measurement_model(input.models.front()).is_layer;
+}
+
 LoopCurve loop_curve(const IdentifiedRig& rig, double normal_force) {
     contact::Case c = relaxed(rig.as_case);
     c.load.normal_force = normal_force;
-    const double limit = sliding_forces(false, c, {normal_force}).front();
+    const double limit = sliding_forces(rig.loops_on_layer, c, {normal_force}).front();
     std::vector<double> forces;
     for (int i = 0; i <= n_nodes; ++i)
         forces.push_back(LoopCurve::force_at(limit, static_cast<double>(i) / n_nodes));
-    return {limit, rig.rig_compliance, theory_shifts(false, c, forces)};
+    return {limit, rig.rig_compliance, theory_shifts(rig.loops_on_layer, c, forces)};
 }
 
 std::vector<LoopCurve> loop_curves(const Table& table, const IdentifiedRig& rig) {

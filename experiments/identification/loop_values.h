@@ -23,7 +23,11 @@ double load_of(const MeasuredLoop& loop, const contact::Case& rig);
 double friction_in(const IdentificationInput::Table& table, const MeasuredLoop& loop,
                    const IdentifiedRig& rig);
 
-/// Of a sphere on a half-space under a normal force, with the rig's spring. Throws InputError.
+/// Whether loops are evaluated by the model of the layer, which then is the only one.
+bool has_loops_on_layer(const IdentificationInput& input);
+
+/// Of a sphere on a half-space, or a rigid one on a layer, under a normal force, with the rig's
+/// spring. Throws InputError.
 LoopCurve loop_curve(const IdentifiedRig& rig, double normal_force);
 
 /// The curve of each loop of a table, one per load.

@@ -19,6 +19,7 @@ struct IdentifiedRig {
     std::vector<double> zero_depths = {};
     bool shifts_by_theory = false;  ///< see IdentificationInput
     double rig_compliance = 0;      ///< 1/k_rig [m/N], 0: rigid
+    bool loops_on_layer = false;    ///< or on a half-space
     /// Of friction from the first cycle of a table to the last, over the mean.
     double friction_drift = 0;
 };

@@ -181,20 +181,22 @@ const std::string omit_wear = "leave out [wear]";
 void check_wear_models(const Case& c, const std::string& key, const Document& document) {
     for (const std::string& model : c.models) {
         const contact::ModelKind& kind = contact::model_kind(model);
-        const bool wears = (kind.is_on_cells() || kind.is_meshed() || kind.is_independent()) &&
+        const bool wears = (kind.is_on_cells() || kind.is_meshed() || kind.is_on_line()) &&
                            !kind.is_section() && !kind.is_read();
         if (!wears)
-            refuse(document, key, model + " has no worn profile",
-                   "leave out " + model + " or [wear]; bem, bem-layer, fem and mdr wear");
-        if (!kind.is_independent()) continue;
+            refuse(
+                document, key, model + " has no worn profile",
+                "leave out " + model + " or [wear]; bem, bem-layer, fem, mdr and mdr-layer wear");
+        if (!kind.is_on_line()) continue;
         if (contact::norm(c.prescribed_path->reach()) > 0)
             refuse(document, path_key(document),
-                   "mdr wears along rings, and a body that rolls has none",
-                   "omit offset_x and offset_y, leave out mdr, or " + omit_wear);
+                   model + " wears along rings, and a body that rolls has none",
+                   "omit offset_x and offset_y, leave out " + model + ", or " + omit_wear);
         if (!contact::is_hertz_round(c) || !c.friction.is_coulomb() || c.interface.is_elastic())
             refuse(document, key,
-                   "mdr wears a paraboloid or sphere under Coulomb's law on a rigid interface",
-                   "leave out mdr, take bem");
+                   model + " wears a paraboloid or sphere under Coulomb's law on a rigid interface",
+                   "leave out " + model + ", take " +
+                       (kind.is_layer() ? contact::models::bem_layer : contact::models::bem));
     }
 }
 

@@ -63,7 +63,8 @@ std::span<const HistoryColumn> history_columns() {
     return columns;
 }
 
-std::string history_csv(const contact::History& history, const contact::RigStiffness& rig) {
+std::string history_csv(const contact::History& history) {
+    const contact::RigStiffness& rig = history.rig;
     const auto number = [](const auto* place) { return shortest(*place); };
     std::string out = "step";
     for (const HistoryColumn& column : history_columns()) out.append(",").append(column.name);

@@ -30,7 +30,7 @@ std::span<const DriveColumn> drive_columns();
 
 /// Every step as a line of comma-separated values; units stand in the column names, numbers have
 /// the shortest digits that read back the same.
-/// `rig`: of its case, with the columns of the drive where it yields.
-std::string history_csv(const contact::History& history, const contact::RigStiffness& rig = {});
+/// The columns of the drive stand behind the others where the rig yields.
+std::string history_csv(const contact::History& history);
 
 }  // namespace tricontact::io

@@ -261,3 +261,30 @@ def test_objects_come_from_functions_alone(case):
                 call()
     history = tricontact.run(case, models=["mdr"], studies=False)["mdr"]
     assert copy.copy(history) == history  # its content, apart from the run
+
+
+def test_the_drive_of_a_rig_has_its_columns(tmp_path):
+    file = tmp_path / "loop.toml"
+    file.write_text("""
+models = ["mdr"]
+indenter = {radius = "40 mm"}
+substrate = {young = "5.2 MPa", poisson = 0.5}
+friction.coefficient = 0.6
+rig.tangential_stiffness = "1 N/um"
+[path]
+steps = 4
+table = '''
+normal_force [N], shift_x [um]
+20, 0
+20, 50
+20, -50
+20, 50
+'''
+""")
+    history = tricontact.run(tricontact.Case.from_file(file), studies=False)["mdr"]
+    assert history.columns[-3:] == ["drive_shift_x_m", "drive_shift_y_m", "drive_indentation_m"]
+    drive = history["shift_x_m"] + history["tangential_force_x_N"] / 1e6
+    np.testing.assert_array_equal(history["drive_shift_x_m"], drive)
+    assert drive[-1] == pytest.approx(50e-6, rel=1e-12)
+    with pytest.raises(ValueError):
+        history["drive_shift_x_m"][0] = 1

@@ -95,4 +95,35 @@ TEST(WearModes, UnderTwoModesTheLimitIsThatOfTheLargestDepth) {
     EXPECT_LT(error, .01);
 }
 
+// Rolled above the limit of shakedown, a contact wears in each cycle, and its limit falls: of new
+// balls 1 - 3/2 w + w^3/2. What tells it, the least pressures, is held against a run: a load
+// between the limits of the worn body and the new one comes to rest on the new one, and ratchets on
+// the worn.
+TEST(WearModes, WornByRollingTheLimitOfShakedownFalls) {
+    const auto rolled = [](double share, int cycles) {
+        const std::string row = "150, " + std::to_string(90 * share) + ", ";
+        std::string table = "normal_force [N], tangential_force_x [N], offset_x [um]\n150, 0, 0\n";
+        for (int k = 0; k < cycles; ++k) table += row + "30\n" + row + "-30\n";
+        return ball(table + row + "30\n",
+                    "coefficient = \"1e-5 mm3/(N m)\"\ncycles = 1000000\ntolerance = 0.03",
+                    "path.steps = 4\nbem.cells_per_radius = 7");
+    };
+    const auto above = rolled(.85, 1), between = rolled(.74, 30);
+    const auto model = bem::make_model(above, 1, bem::Body::half_space);
+    const WearHistory history = run_wear(above, *model);
+    const WornState &first = history.states.front(), &last = history.states.back();
+    const double w = 30e-6 / std::cbrt(.75 * 150 * radius / above.materials().effective_modulus());
+    // Of pressures on seven cells in the radius.
+    EXPECT_NEAR(first.cycle.shakedown_limit, 1 - 1.5 * w + w * w * w / 2, 2e-3);
+    EXPECT_LT(last.cycle.shakedown_limit, .7);
+    const auto other = bem::make_model(between, 1, bem::Body::half_space);
+    const auto worn =
+        dynamic_cast<contact::Wearable&>(*other).wearing(wear_problem(between, false));
+    while (worn->area().size() < last.worn.size())
+        worn->enlarge(contact::ContactAtEdge("the worn contact was on a larger grid"));
+    ASSERT_EQ(worn->area().size(), last.worn.size());
+    EXPECT_LT(worn->cycle(first.worn).work, 1e-6 * first.cycle.work);
+    EXPECT_GT(worn->cycle(last.worn).work, .1 * first.cycle.work);
+}
+
 }  // namespace tricontact::wear::wear_modes_test
