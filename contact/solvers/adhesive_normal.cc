@@ -29,14 +29,16 @@ constexpr int max_tensions = 3000;
 // state nearby combinations lead nowhere, and the iterates themselves have to find the way.
 constexpr int least_simple = 6, most_simple = 100, most_combined = 12;
 constexpr double combining_helps = .3, lost = 2;
-constexpr int most_varied = 60;          // iterates with widths of their own
-constexpr double widths_settled = 1e-3;  // residual from which on widths stay
+constexpr int most_varied = 300;  // iterates with widths of their own
+// Residuals from which on widths stay, and from which on they change so little that iterates may be
+// combined. Widths of a front that has moved on by a cell since pin it there, by a percent of w.
+constexpr double widths_settled = 1e-5, widths_follow = 1e-3;
 constexpr double roughest_press = 1e-3, of_residual = .05;
 
 /// A crack whose faces attract each other by s at the distances t from the contact has, further
 /// off, the stresses of one that ends at int s t^(1/2) dt/int s t^(-1/2) dt. Of s = s_0 (1 -
 /// (t/rho)^(3/2)) that is this part of int s dt/s_0 (Barenblatt 1962, Adv. Appl. Mech. 7, 55).
-constexpr double to_the_tip = .74;
+constexpr double to_the_tip = .7;
 
 /// What is set free in a step, over w and the area that attracts, from which on it is bisected, and
 /// how often: an integral by trapezoids knows where a jump was to the step that it is in.
@@ -203,7 +205,7 @@ NormalSolution AdhesiveNormal::settle(const std::vector<double>& height,
             if (now.residual < widths_settled || k > most_varied) widths_stay = true;
             if (now.residual > 10 * widths_settled && k <= most_varied) widths_stay = false;
         }
-        now.tension = way.next(now, widths_stay);
+        now.tension = way.next(now, widths_stay || now.residual < widths_follow);
         for (double& s : now.tension) s = std::clamp(s, 0., attraction_.strength);
     }
     throw NotConverged(fmt::format(

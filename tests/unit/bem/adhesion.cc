@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "bem/model.h"
+#include "bem/settings.h"
 #include "contact/base/error.h"
 #include "contact/cells.h"
 #include "contact/larger_grids.h"
@@ -71,7 +72,7 @@ TEST(BemAdhesion, ForcesOfMaugisTransition) {
         double lambda, cells, allowed;
     };
     for (const auto& [lambda, cells, allowed] :
-         {Row{.1, 10, 1e-3}, Row{.5, 10, 2.5e-3}, Row{.5, 20, 1e-3}, Row{1, 20, 2.5e-3},
+         {Row{.1, 10, 1e-3}, Row{.5, 10, 2.5e-3}, Row{.5, 20, 1e-3}, Row{1, 20, 3e-3},
           Row{1, 40, 1e-3}}) {
         const Ball ball(lambda, cells);
         const auto model = bem::make_model(ball.c, 1);
@@ -85,6 +86,38 @@ TEST(BemAdhesion, ForcesOfMaugisTransition) {
         }
         EXPECT_TRUE(model->audit().passed());
     }
+}
+
+// Dugdale's tension over a ring of three cells, pressed and pulled: fronts are not held by cells,
+// so that states on the way up and down are the same, and the errors are those of the ring's edge.
+TEST(BemAdhesion, ShortRangeIsNotHeldByCells) {
+    Ball ball(3, 40, 1.1);
+    ball.c.of<bem::Settings>().tolerance = 1e-5;
+    const auto model = bem::make_model(ball.c, 1);
+    at(*model, ball, 1.1);
+    for (const double depth : {1., .9, 1.}) {
+        const double force = at(*model, ball, depth).normal_force / ball.force();
+        EXPECT_NEAR(force, maugis_at(3, depth).force, 9e-3) << depth;
+        if (depth == 1) {
+            static double first = force;
+            EXPECT_NEAR(force, first, 5e-4);
+        }
+    }
+}
+
+// The other end of the transition: hardly deformed, the force as they meet is that of Derjaguin,
+// Muller and Toporov, -2 pi w R, but for what lambda leaves of it.
+TEST(BemAdhesion, HoldsAsBodiesThatTheTensionDoesNotDeform) {
+    double last = .2;
+    for (const double lambda : {.02, .005}) {
+        const Ball ball(lambda, 3, .3);
+        const auto model = bem::make_model(ball.c, 1);
+        const double force = at(*model, ball, 0).normal_force / ball.force();
+        EXPECT_NEAR(force, theory::maugis_contact_at(lambda, 0).force, 5e-3);
+        EXPECT_LT(force + 2, .6 * last);
+        last = force + 2;
+    }
+    EXPECT_LT(last, .05);
 }
 
 // Short-ranged: the tension acts over three cells, an error of the first order.
@@ -143,7 +176,7 @@ TEST(BemAdhesion, LosesTheEnergyOfItsJumpsAlone) {
     EXPECT_NEAR(last_jump / motion.released, 1, .25);
     const auto off = model->pull_off();
     ASSERT_TRUE(off);
-    EXPECT_NEAR(off->force / ball.force(), 1.5, .1);
+    EXPECT_NEAR(off->force / ball.force(), 1.5, .03);
     EXPECT_NEAR(off->radius / ball.radius(), std::cbrt(1.5), .12);
     EXPECT_LT(off->last_indentation, off->indentation);
     EXPECT_GT(off->last_indentation, -1.5 * ball.depth());
@@ -175,9 +208,9 @@ TEST(BemAdhesion, OfALayerAsItsExactTheory) {
             const auto off = model->pull_off();
             ASSERT_TRUE(off);
             const double error = std::abs(off->force / exact.pull_off().force - 1);
-            EXPECT_LT(error, .4 / cells + .02);
-            EXPECT_NEAR(off->radius / exact.pull_off().radius, 1, .04);
-            if (last > 0 && thickness == 1) {
+            EXPECT_LT(error, thickness == 1 ? .01 * 16 / cells + .01 * (cells < 16) : .4 / cells);
+            EXPECT_NEAR(off->radius / exact.pull_off().radius, 1, 1 / cells);  // F is flat there
+            if (last > 0) {
                 EXPECT_LT(error, .75 * last);
             }
             last = error;
