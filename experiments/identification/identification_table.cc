@@ -112,7 +112,7 @@ void read_force_curve(IdentificationInput::Table& measured, const std::string& t
     if (!measured.has_free_zero)
         io::fail(name, "", "the heights of a force curve count from anywhere",
                  "add \"zero_depth\" to measurement.find");
-    io::ForceCurve curve = io::force_curve(text, name, most_rows);
+    io::ForceCurve curve = io::force_curve(text, name, most_rows, measured.is_adhesive);
     if (curve.depth.size() < least_rows)
         io::fail(name, "", few_rows(curve.depth.size(), least_rows), "export the whole approach");
     if (!(std::ranges::max(curve.force) > 0))
@@ -120,6 +120,10 @@ void read_force_curve(IdentificationInput::Table& measured, const std::string& t
     measured.given = std::move(curve.depth);
     measured.observed = std::move(curve.force);
     measured.reading = std::move(curve.reading);
+    keep_adhesive_rows(measured);
+    if (measured.given.size() < least_rows)
+        io::fail(name, "", few_rows(measured.given.size(), least_rows),
+                 "export all of approach and retraction; rows beyond the jumps are left out");
 }
 
 }  // namespace
@@ -184,13 +188,13 @@ void read_measured_table(IdentificationInput::Table& measured, std::size_t least
     if (!is_rolled && !(std::ranges::max(measured.observed) > 0))
         table.refuse_value(0, observed.name, "no value is positive",
                            "check the sign: the shift is that in the direction of the force");
-    if (may_pull && !(std::ranges::max(is_pulled ? measured.observed : measured.given) > 0))
-        table.refuse_value(0, given.name, "no row presses the bodies together",
-                           "forces that press are positive: check their sign");
     keep_adhesive_rows(measured);
     if (measured.given.size() < least_rows)
         table.refuse_header(few_rows(measured.given.size(), least_rows) +
                             "; rows beyond the jumps are left out");
+    if (may_pull && !(std::ranges::max(is_pulled ? measured.observed : measured.given) > 0))
+        table.refuse_value(0, "normal_force", "no row presses the bodies together",
+                           "forces that press are positive: check their sign");
 }
 
 }  // namespace tricontact::experiments

@@ -180,7 +180,9 @@ int check(std::uint64_t seed, int n) {
             const auto& [low, high] = found.parameters[k].likelihood;
             const double value = drawn.truth.at(found.free[k].key);
             const std::string errors =
-                drawn.input.tables.front().standard_errors.empty() ? "estimated" : "stated";
+                std::string(drawn.input.tables.front().standard_errors.empty() ? "estimated"
+                                                                               : "stated") +
+                (i % 2 ? ", noisy depths" : "");
             for (const std::string& row :
                  {found.free[k].symbol, errors,
                   std::string(drawn.is_layer ? "layer" : "half-space"), std::string("all")}) {
