@@ -7,7 +7,7 @@
 #include <optional>
 #include <variant>
 
-#include "experiments/identification/adhesion/adhesive_values.h"
+#include "experiments/identification/adhesive_values.h"
 #include "experiments/identification/friction_values.h"
 #include "experiments/identification/identification_tables.h"
 #include "experiments/identification/layer_contact.h"

@@ -8,7 +8,7 @@
 #include <set>
 
 #include "contact/base/error.h"
-#include "experiments/identification/adhesion/adhesion_parameter.h"
+#include "experiments/identification/adhesion_parameter.h"
 #include "experiments/identification/identification_checks.h"
 #include "experiments/identification/interface_parameters.h"
 #include "experiments/identification/law_parameters.h"

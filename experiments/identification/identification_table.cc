@@ -2,7 +2,7 @@
 #include <filesystem>
 #include <utility>
 
-#include "experiments/identification/adhesion/adhesion_parameter.h"
+#include "experiments/identification/adhesion_parameter.h"
 #include "experiments/identification/identification_reader.h"
 #include "experiments/identification/loop_table.h"
 #include "io/keys/input_file.h"

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "contact/base/special_values.h"
-#include "experiments/identification/adhesion/adhesion_parameter.h"
+#include "experiments/identification/adhesion_parameter.h"
 #include "experiments/identification/identification_models.h"
 #include "experiments/identification/interface_parameters.h"
 #include "experiments/identification/law_comparison.h"

@@ -9,7 +9,7 @@
 #include "comparisons/quantities/quantities.h"
 #include "contact/larger_grids.h"
 #include "contact/load_path.h"
-#include "experiments/identification/adhesion/adhesive_values.h"
+#include "experiments/identification/adhesive_values.h"
 #include "experiments/identification/friction_values.h"
 #include "experiments/identification/identification_models.h"
 #include "experiments/identification/layer_contact.h"

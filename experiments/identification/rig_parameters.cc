@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "contact/base/error.h"
-#include "experiments/identification/adhesion/adhesion_parameter.h"
+#include "experiments/identification/adhesion_parameter.h"
 #include "experiments/identification/identification_reader.h"
 #include "experiments/identification/interface_parameters.h"
 #include "experiments/identification/law_parameters.h"

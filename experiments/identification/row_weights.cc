@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "experiments/identification/adhesion/adhesive_values.h"
+#include "experiments/identification/adhesive_values.h"
 #include "experiments/identification/estimation/best_sum_of_squares.h"
 #include "experiments/identification/identification_models.h"
 #include "experiments/identification/loop_values.h"

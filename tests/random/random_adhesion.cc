@@ -12,7 +12,7 @@
 #include <string>
 
 #include "contact/model_makers.h"
-#include "experiments/identification/adhesion/adhesion_parameter.h"
+#include "experiments/identification/adhesion_parameter.h"
 #include "experiments/identification/identification_models.h"
 #include "experiments/identification/interface_comparison.h"
 #include "experiments/identification/rig_guesses.h"

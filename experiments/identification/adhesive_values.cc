@@ -1,4 +1,4 @@
-#include "experiments/identification/adhesion/adhesive_values.h"
+#include "experiments/identification/adhesive_values.h"
 
 #include <algorithm>
 #include <cmath>

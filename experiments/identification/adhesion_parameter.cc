@@ -1,4 +1,4 @@
-#include "experiments/identification/adhesion/adhesion_parameter.h"
+#include "experiments/identification/adhesion_parameter.h"
 
 #include <fmt/format.h>
 
