@@ -8,6 +8,7 @@
 #include <set>
 
 #include "contact/base/error.h"
+#include "contact/relaxing_case.h"
 #include "experiments/identification/identification_checks.h"
 #include "experiments/identification/interface_parameters.h"
 #include "experiments/identification/law_parameters.h"
@@ -274,6 +275,7 @@ Input read_identification(const std::string& path, const std::vector<std::string
     check_loads(input, document);
     input.rig = rig_of(input, find, document);
     input.rig.require_no_bulk_stress("identified values");
+    contact::require_elastic_indenter(input.rig, "identified values");
     if (document.find_section("adhesion"))
         io::refuse(document, "adhesion.work",
                    "identified values presume surfaces that do not attract each other",
