@@ -8,6 +8,7 @@
 #include <set>
 
 #include "contact/base/error.h"
+#include "contact/relaxing_case.h"
 #include "experiments/identification/adhesion_parameter.h"
 #include "experiments/identification/identification_checks.h"
 #include "experiments/identification/interface_parameters.h"
@@ -282,6 +283,7 @@ Input read_identification(const std::string& path, const std::vector<std::string
     check_loads(input, document);
     input.rig = rig_of(input, find, document);
     input.rig.require_no_bulk_stress("identified values");
+    contact::require_elastic_indenter(input.rig, "identified values");
     input.rig.title = input.title;
     input.unread = unread_keys(document, input.find(Measurement::friction_loop) != nullptr);
     if (std::ranges::count(find, "substrate.young") > 0 && io::states_unrelaxed(document))
