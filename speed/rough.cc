@@ -180,7 +180,7 @@ void attracted(benchmark::State& state) {
     const bool is_ball = surroundings == Surroundings::free;
     for (auto _ : state) {
         const CpuTimer timer;
-        const auto solution = problem.attract({.work = .05, .distance = 6e-8, .decays = false},
+        const auto solution = problem.attract({.work = 1, .distance = 2.5e-7, .decays = false},
                                               is_ball ? .005 : .05, 1e-5);
         state.counters["cpu_s"] = timer.seconds();
         state.counters["iterations"] = solution.iterations;

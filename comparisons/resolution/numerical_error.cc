@@ -52,9 +52,12 @@ std::optional<double> half_width(const NumericalError& error, const Value& value
     const double change = std::abs(*fine - *coarse);
     double mesh = factor_of_two_meshes * change;
     if (error.coarsest) {
+        // A contact that lets go may be too few points across there.
         const std::optional<double> coarsest = value(*error.coarsest);
-        if (!coarsest) return {};
-        mesh = safety_factor * std::max(change, factors.coarsest * std::abs(*coarse - *coarsest));
+        if (!coarsest && !error.is_slow) return {};
+        if (coarsest)
+            mesh =
+                safety_factor * std::max(change, factors.coarsest * std::abs(*coarse - *coarsest));
     }
     if (error.is_slow) mesh *= of_slow_meshes;
     double rest = 0;
