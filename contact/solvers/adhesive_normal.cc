@@ -36,8 +36,8 @@ constexpr double widths_settled = 1e-5, widths_follow = 1e-3;
 constexpr double roughest_press = 1e-3, of_residual = .05;
 
 /// A crack whose faces attract each other by s at the distances t from the contact has, further
-/// off, the stresses of one that ends at int s t^(1/2) dt/int s t^(-1/2) dt. Of s = s_0 (1 -
-/// (t/rho)^(3/2)) that is this part of int s dt/s_0 (Barenblatt 1962, Adv. Appl. Mech. 7, 55).
+/// off, the stresses of one that ends at 2 int s t^(1/2) dt/int s t^(-1/2) dt. Of s = s_0 (1 -
+/// (t/rho)^3)^2 that is this part of int s dt/s_0 (Barenblatt 1962, Adv. Appl. Mech. 7, 55).
 constexpr double to_the_tip = .7;
 
 /// What is set free in a step, over w and the area that attracts, from which on it is looked at
