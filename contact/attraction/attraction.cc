@@ -63,9 +63,10 @@ double Attraction::energy(double gap, double width) const {
 }
 
 // A crack whose faces attract each other lets go over the length rho = pi/8 (K/sigma_0)^2, K^2 =
-// 2 E* w, if rho is short and the tension sigma_0 (Dugdale 1960; Maugis 1992). Where the tension
-// falls with the gap from sigma_0 to 0, rho is about 0.73 (K/sigma_0)^2. That tension has no edge
-// at which it jumps: over three points loading and unloading pass through the same states.
+// 2 E* w, if rho is short and the tension sigma_0 (Dugdale 1960; Maugis 1992). Where it falls as
+// (1 - (g/distance)^2)^2, rho is pi/2 (K/(I sigma_0))^2 with I = int s t^(-1/2) dt/(sigma_0
+// rho^(1/2)) = 1.58 of a gap that opens as t^(3/2). That tension has neither an edge nor a kink:
+// over three points loading and unloading pass through the same states.
 Attraction attraction_on(const ContactPoints& points, const AttractionLaw& law, double modulus,
                          double wide) {
     const double squared = 2 * modulus * law.work, size = size_of(points);

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -144,9 +145,10 @@ TEST(BemAdhesion, ApproachesJohnsonKendallAndRoberts) {
 TEST(BemAdhesion, LosesTheEnergyOfItsJumpsAlone) {
     const Ball ball(0, 6, 1);
     const auto model = bem::make_model(ball.c, 1);
-    constexpr double step = .1;
-    constexpr int n = 25;
-    double work = 0, released = 0, last_jump = 0;
+    constexpr double step = .05;
+    constexpr int n = 50;
+    double work = 0, released = 0, jumps = 0, last_jump = 0;
+    int n_differ = 0;
     std::vector<double> loading, unloading;
     contact::StepRecord before = at(*model, ball, -1.5);
     const auto go = [&](double depth, std::vector<double>& forces) {
@@ -154,6 +156,8 @@ TEST(BemAdhesion, LosesTheEnergyOfItsJumpsAlone) {
         work +=
             .5 * (now.normal_force + before.normal_force) * (now.indentation - before.indentation);
         released += now.released_energy;
+        jumps += now.released_energy > .05 * ball.force() * ball.depth() ? now.released_energy : 0;
+        n_differ += now.may_differ;
         if (now.contact_area == 0 && before.contact_area > 0) last_jump = now.released_energy;
         forces.push_back(now.normal_force / ball.force());
         before = now;
@@ -162,10 +166,16 @@ TEST(BemAdhesion, LosesTheEnergyOfItsJumpsAlone) {
     for (int k = n - 1; k >= 0; --k) go(-1.5 + k * step, unloading);
     const double unit = ball.force() * ball.depth();
     EXPECT_EQ(before.normal_force, 0);
-    for (int k = 0; k < 8; ++k) EXPECT_NEAR(unloading[k], loading[n - 2 - k], 1e-4) << k;
+    for (int k = 0; k < 30; ++k) EXPECT_NEAR(unloading[k], loading[n - 2 - k], 1e-4) << k;
     // The trapezoids do not see where in a step it jumps, by a force of up to 1.4.
     EXPECT_NEAR(work / unit, released / unit, 1.4 * step);
     EXPECT_GT(released, .1 * unit);
+    // Smooth steps lose nothing: energies are those whose slope is the force.
+    EXPECT_NEAR(jumps / released, 1, 1e-3);
+    // Where the tension of three cells brings bodies together they are not apart any more: on the
+    // way there and on that back as many states have another one beside them.
+    EXPECT_GT(n_differ, 2);
+    EXPECT_EQ(n_differ % 2, 0);
     const auto body = ball.c.make_axisymmetric_indenter();
     theory::AdhesiveCurve exact =
         theory::half_space_curve(*body, ball.c.materials().effective_modulus(), ball.w);
@@ -178,12 +188,16 @@ TEST(BemAdhesion, LosesTheEnergyOfItsJumpsAlone) {
     ASSERT_TRUE(off);
     EXPECT_NEAR(off->force / ball.force(), 1.5, .03);
     EXPECT_NEAR(off->radius / ball.radius(), std::cbrt(1.5), .12);
+    // A run that goes on from what was kept finds the same.
+    const auto resumed = bem::make_model(ball.c, 1);
+    resumed->read_state(model->write_state());
+    EXPECT_EQ(resumed->pull_off().value().force, off->force);
     EXPECT_LT(off->last_indentation, off->indentation);
     EXPECT_GT(off->last_indentation, -1.5 * ball.depth());
 }
 
 // Against the integral equation of the layer, from thick to thin ones: the contact under a force,
-// and the pull-off, whose error falls with the cells.
+// and the pull-off, whose error falls with the cells; a thin layer needs ten across its thickness.
 TEST(BemAdhesion, OfALayerAsItsExactTheory) {
     for (const auto& [thickness, nu] : {std::pair{1., .3}, {1., .49}, {.3, .5}}) {
         Ball ball(0, 10);
@@ -197,7 +211,7 @@ TEST(BemAdhesion, OfALayerAsItsExactTheory) {
         auto exact = theory::layer_curve({ball.c.substrate, thickness * a_off}, *body, ball.w);
         const auto pressed = exact.follow({}, press).state;
         double last = 0;
-        for (const double cells : {8., 16.}) {
+        for (const double cells : thickness == 1 ? std::array{8., 16.} : std::array{16., 32.}) {
             ball.c.of<contact::Cells>().spacing = a_off / cells;
             const auto model = bem::make_model(ball.c, 1, bem::Body::layer);
             contact::LoadStep step;
@@ -208,13 +222,13 @@ TEST(BemAdhesion, OfALayerAsItsExactTheory) {
             const auto off = model->pull_off();
             ASSERT_TRUE(off);
             const double error = std::abs(off->force / exact.pull_off().force - 1);
-            EXPECT_LT(error, thickness == 1 ? .01 * 16 / cells + .01 * (cells < 16) : .4 / cells);
             EXPECT_NEAR(off->radius / exact.pull_off().radius, 1, 1 / cells);  // F is flat there
             if (last > 0) {
                 EXPECT_LT(error, .75 * last);
             }
             last = error;
         }
+        EXPECT_LT(last, 1e-2);
     }
 }
 
